@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What the user asked for: plain data without behaviour, comparable, echoed whole into the results.
+/// Units are the user's own, consistent ones (SI unless the deck says otherwise).
+#pragma once
+
+#include "rubato/error.hpp"
+#include "rubato/mesh/cell_type.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rubato::deck {
+
+/// A name that must mean something in the mesh or in the deck, with the place where it was written.
+struct Name {
+  std::string text;
+  Location at;
+  bool operator==(const Name&) const = default;
+};
+
+// ---- mesh ------------------------------------------------------------------------------------------------
+
+/// A box or a rectangle cut into a regular grid.
+struct Body {
+  std::string name;
+  int dimension = 3; ///< 2: rectangle, 3: box
+  std::array<double, 3> from{};
+  std::array<double, 3> to{};
+  std::array<int, 3> divisions{1, 1, 1};
+  mesh::CellType cells = mesh::CellType::hexa8;
+  /// Group names of the sides: keys left, right (x), bottom, top (y), back, front (z).
+  std::map<std::string, Name> sides;
+  /// Group names of edges (3D) and of corner points, by the sides that meet there: "right_top",
+  /// "right_top_back". In 2D a corner is "right_top".
+  std::map<std::string, Name> edges;
+  std::map<std::string, Name> points;
+  Location at;
+  bool operator==(const Body&) const = default;
+};
+
+enum class MeshConversion { none, linear, quadratic, full_quadratic };
+
+struct MeshSource {
+  Name file;                ///< empty when generated
+  std::string file_mesh;    ///< name of the mesh inside the file; empty: its only (first) one
+  std::vector<Body> bodies; ///< empty when read
+  MeshConversion convert = MeshConversion::none;
+  int refine = 1; ///< every edge is cut into that many parts
+  bool operator==(const MeshSource&) const = default;
+};
+
+// ---- physics ---------------------------------------------------------------------------------------------
+
+enum class Physics { solid, plane_stress, plane_strain, axisymmetric };
+
+struct Material {
+  std::string name;
+  double young = 0;   ///< E [pressure] > 0
+  double poisson = 0; ///< −1 < ν < 0.5
+  std::optional<double> density;
+  double rayleigh_stiffness = 0; ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
+  double rayleigh_mass = 0;      ///< [1/time]
+  bool everywhere = true;        ///< `cells: all`
+  std::vector<Name> cells;       ///< groups, when not everywhere
+  Location at;
+  bool operator==(const Material&) const = default;
+};
+
+/// Piecewise-linear function of time. Outside its table it keeps the end values, goes on linearly, or is 0.
+struct Function {
+  enum class Outside { constant, linear, zero };
+  std::vector<double> times; ///< ascending
+  std::vector<double> values;
+  Outside outside = Outside::constant;
+  Location at;
+  bool operator==(const Function&) const = default;
+};
+
+/// A number, times a named function of time when `function` is not empty.
+struct Amplitude {
+  double value = 0;
+  Name function;
+  bool operator==(const Amplitude&) const = default;
+};
+
+/// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`).
+struct Support {
+  Name on;
+  std::array<std::optional<Amplitude>, 3> components;
+  Location at;
+  bool operator==(const Support&) const = default;
+};
+
+enum class LoadKind {
+  nodal_force,   ///< [force] on each node of the group
+  line_force,    ///< [force/length] on edges
+  surface_force, ///< [force/area] on faces (2D: on edges, the thickness multiplies it)
+  pressure,      ///< [force/area] on faces, positive pushes into the body
+  gravity        ///< [acceleration] on the mass
+};
+
+struct Load {
+  LoadKind kind = LoadKind::nodal_force;
+  Name on; ///< gravity: empty means every cell
+  std::array<double, 3> components{}; ///< pressure: the first
+  Name function;
+  Location at;
+  bool operator==(const Load&) const = default;
+};
+
+// ---- contact ---------------------------------------------------------------------------------------------
+
+enum class ContactMethod { augmented_lagrangian };
+enum class ContactNormal { master, slave, average };
+enum class ClampedNormal { projection, code_aster };
+enum class Iteration { newton, fixed_point };
+
+struct ContactZone {
+  std::string name;
+  Name master;
+  Name slave;
+  double friction = 0; ///< Coulomb's μ ≥ 0
+  ContactMethod method = ContactMethod::augmented_lagrangian;
+  ContactNormal normal = ContactNormal::master;
+  ClampedNormal clamped_normal = ClampedNormal::projection;
+  /// 0: contact points stand on the slave nodes (`integration: nodes`); n > 0: n Gauss points a direction.
+  int gauss_points = 0;
+  std::vector<Name> exclude_nodes;
+  /// Augmentation; chosen per point from the effective matrix when not given.
+  std::optional<double> normal_coefficient;     ///< c [pressure/length]
+  std::optional<double> tangential_coefficient; ///< c_t [1/length]
+  /// First guess of the contact set: nothing given means the whole surface.
+  std::optional<bool> initially_active;
+  Iteration geometry = Iteration::newton;
+  Iteration friction_threshold = Iteration::newton;
+  Iteration status = Iteration::newton;
+  Location at;
+  bool operator==(const ContactZone&) const = default;
+};
+
+// ---- time and solver ---------------------------------------------------------------------------------------
+
+enum class SchemeKind {
+  newmark,
+  hht,
+  modified_average_acceleration,
+  generalized_alpha,
+  static_steps
+};
+
+enum class StartKind {
+  consistent,       ///< a0 from equilibrium, history bracket evaluated at the start (default)
+  at_rest_unloaded, ///< Code_Aster's first step: history bracket taken as zero
+  from_run          ///< the end of another run of the same deck
+};
+
+struct TimeStepping {
+  SchemeKind scheme = SchemeKind::hht;
+  double alpha = 0;                ///< hht −1/3…0, modified_average_acceleration ≤ 0
+  std::optional<double> beta;      ///< newmark only
+  std::optional<double> gamma;     ///< newmark only
+  double spectral_radius = 0.8;    ///< generalized_alpha: ρ_∞ in 0…1
+  double begin = 0;
+  double step = 0;                 ///< > 0 unless instants are listed
+  double end = 0;
+  std::vector<double> instants;    ///< ascending; instead of step and end
+  StartKind start = StartKind::consistent;
+  Name start_run;                  ///< with from_run
+  int cut_parts = 2;
+  int cut_levels = 12;
+  Location at;
+  bool operator==(const TimeStepping&) const = default;
+};
+
+struct NewtonSettings {
+  int max_iterations = 40;
+  double residual = 1e-8; ///< relative, PHYSICS.md's residual test
+  bool operator==(const NewtonSettings&) const = default;
+};
+
+// ---- results ---------------------------------------------------------------------------------------------
+
+enum class ProbeField { displacement, velocity, acceleration, reaction };
+
+/// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point.
+struct Probe {
+  std::string name;
+  Name node;
+  std::optional<std::array<double, 3>> point;
+  ProbeField field = ProbeField::displacement;
+  Location at;
+  bool operator==(const Probe&) const = default;
+};
+
+struct FieldOutput {
+  bool vtu = false;
+  bool med = false;
+  std::vector<double> at; ///< instants
+  int every = 0;          ///< and every n-th step; 0: none
+  bool last = true;       ///< and the last one
+  bool operator==(const FieldOutput&) const = default;
+};
+
+enum class CheckSource { external, analytic, other_code, other_run };
+
+struct Check {
+  Name probe;     ///< "tip"
+  int component;  ///< 0, 1, 2
+  double at = 0;  ///< instant
+  double reference = 0;
+  double tolerance = 0;
+  bool relative = true;
+  CheckSource source = CheckSource::external;
+  std::string note; ///< where the number comes from
+  Location where;
+  bool operator==(const Check&) const = default;
+};
+
+// ---- the whole -------------------------------------------------------------------------------------------
+
+/// One run: the deck with that run's changes laid over it.
+struct Study {
+  std::string name; ///< of the run
+  std::string title;
+  std::string units = "SI";
+  MeshSource mesh;
+  Physics physics = Physics::solid;
+  double thickness = 1; ///< plane stress and plane strain
+  std::vector<Material> materials;
+  std::vector<Support> supports;
+  std::vector<Load> loads;
+  std::map<std::string, Function> functions;
+  std::vector<ContactZone> contact;
+  TimeStepping time;
+  NewtonSettings newton;
+  std::vector<Probe> probes;
+  FieldOutput fields;
+  std::vector<Check> checks;
+  bool operator==(const Study&) const = default;
+};
+
+} // namespace rubato::deck

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The only room that knows CHOLMOD, UMFPACK and MUMPS: factor and solve sparse systems.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace rubato::linalg {
+
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+/// Cholesky factor of a symmetric positive definite matrix (CHOLMOD, supernodal, METIS ordering).
+class CholeskyFactor {
+public:
+  /// `matrix` holds both triangles; only the lower one is read. Nothing comes back when the matrix is not positive
+  /// definite.
+  static std::optional<CholeskyFactor> of(const SparseMatrix& matrix);
+  CholeskyFactor(CholeskyFactor&&) noexcept;
+  CholeskyFactor& operator=(CholeskyFactor&&) noexcept;
+  ~CholeskyFactor();
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides) const;
+  std::size_t factor_bytes() const;
+
+private:
+  struct Engine;
+  explicit CholeskyFactor(std::unique_ptr<Engine> engine);
+  std::unique_ptr<Engine> engine_;
+};
+
+/// Which unsymmetric engine works: UMFPACK is quicker on small systems, MUMPS on large ones.
+enum class GeneralEngine { automatic, umfpack, mumps };
+
+/// LU factors of a square, possibly indefinite and unsymmetric matrix.
+class LuFactor {
+public:
+  /// Nothing comes back when the matrix is singular to working precision or has a value that is not finite.
+  static std::optional<LuFactor> of(const SparseMatrix& matrix, GeneralEngine engine = GeneralEngine::automatic);
+  LuFactor(LuFactor&&) noexcept;
+  LuFactor& operator=(LuFactor&&) noexcept;
+  ~LuFactor();
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
+
+private:
+  struct Engine;
+  explicit LuFactor(std::unique_ptr<Engine> engine);
+  std::unique_ptr<Engine> engine_;
+};
+
+} // namespace rubato::linalg
