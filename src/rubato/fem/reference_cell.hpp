@@ -10,7 +10,8 @@
 
 namespace rubato::fem {
 
-/// A Lagrange or serendipity element on its reference cell. `xi` holds the first `dimension` reference coordinates.
+/// A Lagrange or serendipity element on its reference cell. `xi` holds the first `dimension` reference
+/// coordinates.
 struct ReferenceCell {
   mesh::CellType type;
   int dimension;
@@ -19,8 +20,8 @@ struct ReferenceCell {
   void (*values)(const Eigen::Vector3d& xi, std::span<double> n);
   /// ∂N_i/∂ξ_a into dn[i·dimension + a].
   void (*gradients)(const Eigen::Vector3d& xi, std::span<double> dn);
-  /// ∂²N_i/∂ξ_a∂ξ_b into ddn[(i·dimension + a)·dimension + b]; for segments, triangles and quadrangles (contact
-  /// faces need it), nullptr for solids.
+  /// ∂²N_i/∂ξ_a∂ξ_b into ddn[(i·dimension + a)·dimension + b]; for segments, triangles and quadrangles
+  /// (contact faces need it), nullptr for solids.
   void (*hessians)(const Eigen::Vector3d& xi, std::span<double> ddn);
   /// Reference coordinates of the nodes.
   std::span<const Eigen::Vector3d> nodes;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/fem/reference_cell.hpp"
+
+#include "rubato/fem/cells/families.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace rubato::fem {
+namespace {
+
+using Table = std::array<const ReferenceCell*, static_cast<std::size_t>(mesh::CellType::hexa27) + 1>;
+
+Table every_reference_cell() {
+  Table table{};
+  for (const auto family :
+       {seg_cells(), tria_cells(), quad_cells(), tetra_cells(), penta_cells(), hexa_cells()})
+    for (const auto& cell : family)
+      table[static_cast<std::size_t>(cell.type)] = &cell;
+  return table;
+}
+
+const ReferenceCell* find(mesh::CellType type) {
+  static const Table table = every_reference_cell();
+  return table[static_cast<std::size_t>(type)];
+}
+
+} // namespace
+
+const ReferenceCell& reference_cell(mesh::CellType type) {
+  const auto* cell = find(type);
+  if (cell == nullptr)
+    throw std::invalid_argument("no mechanics on cells of type " + std::string(mesh::topology(type).name));
+  return *cell;
+}
+
+bool has_reference_cell(mesh::CellType type) {
+  return find(type) != nullptr;
+}
+
+} // namespace rubato::fem
