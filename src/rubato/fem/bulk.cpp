@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/fem/bulk.hpp"
+
+#include "rubato/fem/reference_cell.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+namespace rubato::fem {
+namespace {
+
+std::string name_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
+  const auto [block, index] = mesh.place_of(cell);
+  const auto i = static_cast<std::size_t>(index);
+  const auto number = i < block->numbers.size() ? block->numbers[i] : cell + 1;
+  return fmt::format("cell {} ({})", number, mesh::topology(block->type).name);
+}
+
+/// Empty when the cell is sound.
+std::string fault_of(const mesh::Mesh& mesh, mesh::CellIndex cell_index, deck::Physics physics) {
+  const auto type = mesh.type_of(cell_index);
+  if (!has_reference_cell(type))
+    return "is of a type that has no mechanics";
+  const int dimension = component_count(physics);
+  if (mesh::topology(type).dimension != dimension)
+    return fmt::format("is not of dimension {}, which the physics asks for", dimension);
+  const CellPoints cell(mesh, mesh.nodes_of(cell_index));
+  const std::span<const Eigen::Vector3d> points = cell;
+  const double jacobian = worst_jacobian(type, points);
+  if (!(jacobian > 0))
+    return fmt::format(
+        "is inverted or degenerate: its Jacobian determinant falls to {:.3g}, it must be positive", jacobian);
+  const auto left_of_axis = [](const Eigen::Vector3d& x) { return x[0] < 0; };
+  if (physics == deck::Physics::axisymmetric && std::ranges::any_of(points, left_of_axis))
+    return "has a node of negative x, which is the radius in axisymmetric physics";
+  return {};
+}
+
+} // namespace
+
+std::vector<Fault> cell_faults(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,
+                               deck::Physics physics) {
+  std::vector<Fault> faults;
+  for (const auto cell : cells)
+    if (const auto text = fault_of(mesh, cell, physics); !text.empty())
+      faults.emplace_back().text = name_of(mesh, cell) + " " + text;
+  return faults;
+}
+
+} // namespace rubato::fem
