@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Inside the project only: an open MED file and its texts, without the MED library's header.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubato::mesh::med {
+
+constexpr std::size_t name_size = 64;       ///< MED_NAME_SIZE: meshes, families, fields
+constexpr std::size_t group_name_size = 80; ///< MED_LNAME_SIZE
+constexpr std::size_t short_name_size = 16; ///< MED_SNAME_SIZE: axes, components, units
+
+/// An open file, closed when it goes.
+class File {
+public:
+  enum class Access { read, extend, create };
+
+  /// Throws InputError, with the reason, when the file can't be opened as MED.
+  File(const std::filesystem::path& path, Access access);
+  ~File();
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  std::int64_t id() const { return id_; }
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Throws InputError "cannot read/write <what> of <path>" when a call of the library gave a negative
+  /// result.
+  void check(std::int64_t result, std::string_view what) const;
+  /// `count` as an array size. Throws InputError when it is negative or more than this file could ever hold.
+  std::size_t plausible(std::int64_t count, std::string_view what) const;
+  /// Throws InputError with the file's name before `text`.
+  [[noreturn]] void refuse(std::string_view text) const;
+
+private:
+  void open_checked();
+
+  std::filesystem::path path_;
+  Access access_;
+  std::int64_t id_ = -1;
+  std::uintmax_t size_ = 0;
+};
+
+/// Room for `count` texts of `width` characters as MED wants it.
+std::string text_buffer(std::size_t count, std::size_t width);
+
+/// The `index`-th text of that width, without the blanks and zeros that fill it.
+std::string text_at(std::string_view buffer, std::size_t index, std::size_t width);
+
+/// Texts one after another, each filled with blanks to the width (and cut there).
+std::string joined_texts(const std::vector<std::string>& texts, std::size_t width);
+
+} // namespace rubato::mesh::med

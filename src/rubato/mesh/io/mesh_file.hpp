@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Mesh files of any known format.
+#pragma once
+
+#include "rubato/mesh/mesh.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace rubato::mesh {
+
+/// Reads .med, .rmed, .mmed (MED) and .msh, .geo (Gmsh); a file with another ending is recognised by its
+/// first bytes. `mesh_name` chooses among the meshes of a MED file. Throws InputError as read_med and
+/// read_gmsh do, and for a file of no known format.
+Mesh read_mesh(const std::filesystem::path& path, const std::string& mesh_name = "");
+
+/// Writes .med, .rmed, .mmed (groups included) or .vtu (cells of every dimension, no groups), by the file's
+/// ending. Throws InputError for any other ending and when the file can't be written.
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+
+} // namespace rubato::mesh

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Fields at nodes in MED files, beside the mesh they belong to (mesh::write_med).
+#pragma once
+
+#include "rubato/results/field.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rubato::results {
+
+/// An instant of a computation: MED keeps both the number and the time.
+struct Instant {
+  int number = 0; ///< ≥ 0, another one for every instant
+  double time = 0.0;
+};
+
+/// Appends the fields at one instant to a MED file that holds the mesh of that name. The file is closed
+/// afterwards, so that a run that stops leaves a file which can be read. A field is declared when it first
+/// comes. Throws InputError when the file can't be opened or lacks the mesh, when a name is too long for MED
+/// (field 64, component and unit 16 letters); std::invalid_argument when a field's size is not node count
+/// times components or its components differ from those in the file.
+void append_med_fields(const std::filesystem::path& path, const std::string& mesh_name, Instant instant,
+                       std::span<const NodalField> fields, const std::string& time_unit = "");
+
+/// A field at the nodes as a MED file holds it.
+struct MedField {
+  std::string name;
+  std::string mesh_name;
+  std::vector<std::string> component_names;
+  std::string unit; ///< of the first component
+  std::string time_unit;
+  std::vector<Instant> instants;
+};
+
+/// The fields of real numbers of a MED file. Throws InputError when the file can't be read.
+std::vector<MedField> med_fields(const std::filesystem::path& path);
+
+/// The values at the nodes, node-major, at the instant of that number. Throws InputError when the file can't
+/// be read or has no such field or instant.
+std::vector<double> read_med_field(const std::filesystem::path& path, const std::string& field, int number);
+
+} // namespace rubato::results
