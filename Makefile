@@ -2,6 +2,7 @@
 # The doors of the house; each is a few words a person could type. JOBS=4 builds with four jobs.
 JOBS ?= 2
 GMSH ?= 0
+CLANG_TIDY ?= clang-tidy
 CCACHE := $(shell command -v ccache)
 LAUNCHER := $(if $(CCACHE),-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE))
 SCRATCH := build/installed
@@ -34,7 +35,7 @@ test: deps build ## every test, and a program built against the installed packag
 installed-test:
 	@cmake -E rm -rf $(SCRATCH)
 	@cmake --install build/release --prefix $(SCRATCH)/prefix > $(SCRATCH).log
-	@cmake -G Ninja -S tests/consumer -B $(SCRATCH)/consumer -DCMAKE_PREFIX_PATH=$(abspath $(SCRATCH)/prefix) >> $(SCRATCH).log \
+	@cmake -G Ninja -S tests/consumer -B $(SCRATCH)/consumer -DCMAKE_PREFIX_PATH=$(abspath $(SCRATCH)/prefix) >> $(SCRATCH).log 2>&1 \
 	  || { cat $(SCRATCH).log; false; }
 	@cmake --build $(SCRATCH)/consumer
 	$(SCRATCH)/consumer/consumer
@@ -56,7 +57,8 @@ format: ## clang-format every source
 
 lint: configure ## clang-format and clang-tidy find nothing to say
 	@clang-format --dry-run -Werror $(SOURCES)
-	@printf '%s\n' $(TIDY_SOURCES) | xargs -P$(JOBS) -n4 clang-tidy --quiet -p build/release
+	@printf '%s\n' $(TIDY_SOURCES) | xargs -P$(JOBS) -n1 $(CLANG_TIDY) --quiet -p build/release 2> build/lint.log \
+	  || { cat build/lint.log; false; }
 
 clean: ## forget everything built
 	@cmake -E rm -rf build
