@@ -2,6 +2,47 @@
 # `cmake --install`: program, library, headers and the package another project finds.
 include(CMakePackageConfigHelpers)
 
+# The package that offers a linked target is named before its `::`. Those that break this rule, or that need more
+# said to be found, stand here: one line for each, "<name before the ::> <arguments of find_dependency>".
+set(rubato_unusual_packages
+    "Eigen3 Eigen3 3.4 NO_MODULE"
+    "hdf5 HDF5"
+    "pthread Threads")
+
+# What a program that links the static library must find: everything `rubato` itself links.
+function(rubato_dependency_lines result)
+  get_target_property(linked rubato LINK_LIBRARIES)
+  set(lines)
+  foreach(target ${linked})
+    if(target MATCHES "^(\\$<|::@|/)" OR NOT target MATCHES "^([A-Za-z0-9_+.-]+)(::.*)?$")
+      continue() # generator expressions, CMake's own scope marks, plain paths
+    endif()
+    set(package ${CMAKE_MATCH_1})
+    set(line "find_dependency(${package})")
+    foreach(entry ${rubato_unusual_packages})
+      if(entry MATCHES "^([^ ]+) (.+)$" AND CMAKE_MATCH_1 STREQUAL package)
+        set(line "find_dependency(${CMAKE_MATCH_2})")
+      endif()
+    endforeach()
+    list(APPEND lines "${line}")
+  endforeach()
+  list(REMOVE_DUPLICATES lines)
+  list(JOIN lines "\n" lines)
+  set(${result} "${lines}" PARENT_SCOPE)
+endfunction()
+
+set(rubato_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rubato)
+rubato_dependency_lines(rubato_dependencies)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/rubatoConfig.cmake.in ${PROJECT_BINARY_DIR}/rubatoConfig.cmake
+                              INSTALL_DESTINATION ${rubato_package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/rubatoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+
 install(TARGETS rubato_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS rubato EXPORT rubatoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT rubatoTargets NAMESPACE rubato:: DESTINATION ${rubato_package_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/rubato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/cmake/ DESTINATION ${rubato_package_dir}
+        FILES_MATCHING PATTERN "Find*.cmake")
+install(FILES ${PROJECT_BINARY_DIR}/rubatoConfig.cmake ${PROJECT_BINARY_DIR}/rubatoConfigVersion.cmake
+        DESTINATION ${rubato_package_dir})

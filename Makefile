@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# The doors of the house; each is a few words a person could type. JOBS=4 builds with four jobs.
+JOBS ?= 2
+GMSH ?= 0
+CLANG_TIDY ?= clang-tidy
+CCACHE := $(shell command -v ccache)
+LAUNCHER := $(if $(CCACHE),-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE))
+SCRATCH := build/installed
+SOURCES = $(shell find src apps tests bench -name '*.hpp' -o -name '*.cpp' 2>/dev/null)
+TIDY_SOURCES = $(shell find src apps -name '*.cpp')
+
+.PHONY: help deps configure build demo test installed-test debug-test verify bench format lint clean
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+
+help: ## what there is
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | awk '{name = $$1; sub(/^[^ ]* /, ""); printf "make %-12s %s\n", name, $$0}'
+
+deps: ## install what is missing (GMSH=1: libgmsh too)
+	@GMSH=$(GMSH) cmake/install-dependencies
+
+configure:
+	@cmake --preset release $(LAUNCHER)
+
+build: configure ## build/release/rubato
+	@cmake --build --preset release -j$(JOBS)
+
+demo: deps build ## two beams rub: tip history and checks
+	build/release/rubato run cases/sdnl140/f.yaml --only evol1 -o out/demo
+
+test: deps build ## every test, and a program built against the installed package
+	ctest --preset release -j$(JOBS)
+	@$(MAKE) --no-print-directory installed-test
+
+installed-test:
+	@cmake -E rm -rf $(SCRATCH)
+	@cmake --install build/release --prefix $(SCRATCH)/prefix > $(SCRATCH).log
+	@cmake -G Ninja -S tests/consumer -B $(SCRATCH)/consumer -DCMAKE_PREFIX_PATH=$(abspath $(SCRATCH)/prefix) >> $(SCRATCH).log 2>&1 \
+	  || { cat $(SCRATCH).log; false; }
+	@cmake --build $(SCRATCH)/consumer
+	$(SCRATCH)/consumer/consumer
+	$(SCRATCH)/prefix/bin/rubato --help > $(SCRATCH).log
+
+debug-test: deps ## the tests under the address and undefined-behaviour sanitizers
+	@cmake --preset debug $(LAUNCHER)
+	@cmake --build --preset debug -j$(JOBS)
+	ctest --preset debug -j$(JOBS)
+
+verify: build ## the slow studies of docs/verification
+	@cmake --build --preset release --target verify
+
+bench: build ## the benchmarks
+	@cmake --build --preset release --target bench
+
+format: ## clang-format every source
+	@clang-format -i $(SOURCES)
+
+lint: configure ## clang-format and clang-tidy find nothing to say
+	@clang-format --dry-run -Werror $(SOURCES)
+	@printf '%s\n' $(TIDY_SOURCES) | xargs -P$(JOBS) -n1 $(CLANG_TIDY) --quiet -p build/release 2> build/lint.log \
+	  || { cat build/lint.log; false; }
+
+clean: ## forget everything built
+	@cmake -E rm -rf build

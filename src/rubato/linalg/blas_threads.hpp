@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// How many threads the factorisations may use.
+#pragma once
+
+namespace rubato::linalg {
+
+/// OpenBLAS works with one thread from here on, unless the environment says otherwise (OPENBLAS_NUM_THREADS
+/// or OMP_NUM_THREADS): the fronts of our factorisations are too small for two threads to gain on a shared
+/// machine. Only the first call acts, so a program that sets the number of threads afterwards keeps its will.
+void use_one_blas_thread_by_default();
+
+} // namespace rubato::linalg
