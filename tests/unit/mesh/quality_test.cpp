@@ -124,7 +124,7 @@ TEST(MeshReport, FindsInvertedCellsAndTheWorstOne) {
   auto mesh = mesh_of(CellType::hexa8);
   auto& hexahedra = mesh.blocks.back();
   hexahedra.numbers[4] = 4711;
-  constexpr std::size_t first_node = 8 * 4;
+  constexpr std::size_t first_node = 32; // of the fifth hexahedron
   for (std::size_t i = first_node; i < first_node + 4; ++i)
     std::swap(hexahedra.nodes[i], hexahedra.nodes[i + 4]);
   const auto report = examine(mesh);
