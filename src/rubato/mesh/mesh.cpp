@@ -15,8 +15,7 @@ const Group* find_group(const std::vector<Group>& groups, std::string_view name)
 
 void sort_without_repeats(std::vector<NodeIndex>& nodes) {
   std::ranges::sort(nodes);
-  const auto repeats = std::ranges::unique(nodes);
-  nodes.erase(repeats.begin(), repeats.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
 }
 
 std::vector<NodeIndex> node_numbered(const Mesh& mesh, std::string_view text) {
@@ -80,8 +79,7 @@ std::vector<std::string> group_names(const Mesh& mesh) {
     for (const auto& group : *groups)
       names.push_back(group.name);
   std::ranges::sort(names);
-  const auto repeats = std::ranges::unique(names);
-  names.erase(repeats.begin(), repeats.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/mesh/quality.hpp"
+
+#include "rubato/mesh/cell_parts.hpp"
+#include "rubato/mesh/orientation.hpp"
+#include "rubato/mesh/skin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace rubato::mesh {
+namespace {
+
+using Eigen::Vector3d;
+using NodeSpan = std::span<const NodeIndex>;
+
+constexpr double coincidence = 1e-9; ///< of the bounding box' diagonal
+
+void record(Findings& findings, std::int64_t number) {
+  ++findings.count;
+  if (findings.first_numbers.size() < Findings::shown)
+    findings.first_numbers.push_back(number);
+}
+
+std::int64_t number_of(const Mesh& mesh, CellIndex cell) {
+  const auto place = mesh.place_of(cell);
+  return place.block->numbers[static_cast<std::size_t>(place.index)];
+}
+
+/// Nodes joined by cells: a forest with one tree for each connected set (union-find with path halving).
+class ConnectedNodes {
+public:
+  explicit ConnectedNodes(const Mesh& mesh) : parent_(mesh.points.size()), bulk_(mesh.points.size(), false) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for_each_cell(mesh, [this](CellIndex, const CellTopology&, NodeSpan nodes) {
+      for (const auto node : nodes)
+        join(nodes.front(), node);
+    });
+    for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, NodeSpan nodes) {
+      if (shape.dimension == mesh.dimension)
+        bulk_[static_cast<std::size_t>(root(nodes.front()))] = true;
+    });
+  }
+
+  NodeIndex root(NodeIndex node) {
+    while (parent(node) != node) {
+      parent(node) = parent(parent(node));
+      node = parent(node);
+    }
+    return node;
+  }
+  bool in_bulk(NodeIndex node) { return bulk_[static_cast<std::size_t>(root(node))]; }
+  int body_count() const { return static_cast<int>(std::ranges::count(bulk_, true)); }
+
+private:
+  NodeIndex& parent(NodeIndex node) { return parent_[static_cast<std::size_t>(node)]; }
+  void join(NodeIndex a, NodeIndex b) { parent(root(b)) = root(a); }
+
+  std::vector<NodeIndex> parent_;
+  std::vector<bool> bulk_; ///< of a root: its set has a bulk cell
+};
+
+void measure_box(MeshReport& report, const Mesh& mesh) {
+  if (mesh.points.empty())
+    return;
+  report.lower = report.upper = mesh.points.front();
+  for (const auto& point : mesh.points) {
+    report.lower = report.lower.cwiseMin(point);
+    report.upper = report.upper.cwiseMax(point);
+  }
+}
+
+TypeQuality examine_block(MeshReport& report, const Mesh& mesh, const CellBlock& block) {
+  TypeQuality quality{.type = block.type, .count = block.cell_count()};
+  const bool bulk = topology(block.type).dimension == mesh.dimension;
+  for (CellIndex i = 0; i < quality.count; ++i) {
+    const auto nodes = block.cell(i);
+    const auto number = block.numbers[static_cast<std::size_t>(i)];
+    if (bulk)
+      report.bulk_measure += signed_measure(block.type, nodes, mesh.points, mesh.dimension);
+    const auto jacobian = scaled_jacobian(block.type, nodes, mesh.points, mesh.dimension);
+    if (!jacobian)
+      continue;
+    quality.has_jacobian = true;
+    quality.mean_jacobian += *jacobian / quality.count;
+    if (*jacobian < quality.smallest_jacobian) {
+      quality.smallest_jacobian = *jacobian;
+      quality.worst_cell = number;
+    }
+    if (bulk && !(*jacobian > 0))
+      record(report.inverted_cells, number);
+  }
+  return quality;
+}
+
+void measure_edges(MeshReport& report, const Mesh& mesh) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, NodeSpan nodes) {
+    for (const auto& [a, b] : shape.edges) {
+      const double length =
+          (mesh.points[static_cast<std::size_t>(nodes[a])] - mesh.points[static_cast<std::size_t>(nodes[b])])
+              .norm();
+      shortest = std::min(shortest, length);
+      report.longest_edge = std::max(report.longest_edge, length);
+    }
+  });
+  report.shortest_edge = std::isfinite(shortest) ? shortest : 0;
+}
+
+GroupSummary summary_of_cells(const Mesh& mesh, const Group& group) {
+  GroupSummary summary{.name = group.name, .kind = GroupSummary::Kind::cells, .count = group.items.size()};
+  int smallest = 3;
+  for (const auto cell : group.items) {
+    const int dimension = topology(mesh.type_of(cell)).dimension;
+    summary.dimension = std::max(summary.dimension, dimension);
+    smallest = std::min(smallest, dimension);
+  }
+  summary.mixed = !group.items.empty() && smallest != summary.dimension;
+  return summary;
+}
+
+void list_groups(MeshReport& report, const Mesh& mesh) {
+  for (const auto& group : mesh.node_groups)
+    report.groups.push_back(
+        {.name = group.name, .kind = GroupSummary::Kind::nodes, .count = group.items.size()});
+  for (const auto& group : mesh.cell_groups)
+    report.groups.push_back(summary_of_cells(mesh, group));
+  for (const auto& group : report.groups)
+    if (group.count == 0)
+      report.empty_groups.push_back(group.name);
+}
+
+void find_free_nodes(MeshReport& report, const Mesh& mesh) {
+  std::vector<bool> used(mesh.points.size(), false);
+  for_each_cell(mesh, [&](CellIndex, const CellTopology&, NodeSpan nodes) {
+    for (const auto node : nodes)
+      used[static_cast<std::size_t>(node)] = true;
+  });
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (!used[i])
+      record(report.free_nodes, mesh.node_numbers[i]);
+}
+
+/// Calls visit(node, other) for every two nodes nearer than `distance`. Nodes are sorted along a direction in
+/// which no two nodes of a regular grid coincide, so that only neighbours in that order need to be compared.
+template <typename Visit>
+void for_each_near_pair(const std::vector<Vector3d>& points, double distance, Visit visit) {
+  const Vector3d direction = Vector3d(1, std::numbers::sqrt2, std::numbers::pi).normalized();
+  std::vector<std::pair<double, NodeIndex>> order(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    order[i] = {direction.dot(points[i]), static_cast<NodeIndex>(i)};
+  std::ranges::sort(order);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i + 1; j < order.size() && order[j].first - order[i].first <= distance; ++j) {
+      const auto a = order[i].second;
+      const auto b = order[j].second;
+      if ((points[static_cast<std::size_t>(a)] - points[static_cast<std::size_t>(b)]).norm() <= distance)
+        visit(std::min(a, b), std::max(a, b));
+    }
+}
+
+void find_coincident_nodes(MeshReport& report, const Mesh& mesh, ConnectedNodes& connected) {
+  std::vector<NodeIndex> duplicates;
+  std::vector<NodeIndex> between_bodies;
+  for_each_near_pair(mesh.points, coincidence * (report.upper - report.lower).norm(),
+                     [&](NodeIndex first, NodeIndex second) {
+                       const bool two_bodies = connected.root(first) != connected.root(second) &&
+                                               connected.in_bulk(first) && connected.in_bulk(second);
+                       (two_bodies ? between_bodies : duplicates).push_back(second);
+                     });
+  for (auto* nodes : {&duplicates, &between_bodies}) {
+    std::ranges::sort(*nodes);
+    nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
+  }
+  for (const auto node : duplicates)
+    record(report.duplicate_nodes, mesh.node_numbers[static_cast<std::size_t>(node)]);
+  report.coincident_between_bodies = static_cast<std::int64_t>(between_bodies.size());
+}
+
+void find_stray_cells(MeshReport& report, const Mesh& mesh, ConnectedNodes& connected) {
+  std::vector<CellIndex> faces;
+  for_each_cell(mesh, [&](CellIndex cell, const CellTopology& shape, NodeSpan nodes) {
+    if (!connected.in_bulk(nodes.front()))
+      record(report.loose_cells, number_of(mesh, cell));
+    else if (shape.dimension == mesh.dimension - 1)
+      faces.push_back(cell);
+  });
+  for (const auto cell : oriented_faces(mesh, faces).unowned)
+    record(report.unowned_faces, number_of(mesh, cell));
+}
+
+} // namespace
+
+bool MeshReport::looks_right() const {
+  return free_nodes.count + inverted_cells.count + duplicate_nodes.count + loose_cells.count +
+                 unowned_faces.count ==
+             0 &&
+         empty_groups.empty() && has_bulk_cells;
+}
+
+MeshReport examine(const Mesh& mesh) {
+  MeshReport report;
+  report.dimension = mesh.dimension;
+  report.nodes = mesh.node_count();
+  measure_box(report, mesh);
+  for (const auto& block : mesh.blocks)
+    report.types.push_back(examine_block(report, mesh, block));
+  measure_edges(report, mesh);
+  list_groups(report, mesh);
+
+  ConnectedNodes connected(mesh);
+  report.connected_bodies = connected.body_count();
+  report.has_bulk_cells = report.connected_bodies > 0;
+  find_free_nodes(report, mesh);
+  find_coincident_nodes(report, mesh, connected);
+  find_stray_cells(report, mesh, connected);
+  return report;
+}
+
+} // namespace rubato::mesh
