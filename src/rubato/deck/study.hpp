@@ -45,7 +45,7 @@ struct Body {
 enum class MeshConversion { none, linear, quadratic, full_quadratic };
 
 struct MeshSource {
-  Name file;                ///< empty when generated
+  Name file;                ///< empty when generated; found from the current folder
   std::string file_mesh;    ///< name of the mesh inside the file; empty: its only (first) one
   std::vector<Body> bodies; ///< empty when read
   MeshConversion convert = MeshConversion::none;
@@ -105,7 +105,7 @@ enum class LoadKind {
 
 struct Load {
   LoadKind kind = LoadKind::nodal_force;
-  Name on; ///< gravity: empty means every cell
+  Name on;                            ///< gravity: empty means every cell
   std::array<double, 3> components{}; ///< pressure: the first
   Name function;
   Location at;
@@ -142,15 +142,10 @@ struct ContactZone {
   bool operator==(const ContactZone&) const = default;
 };
 
-// ---- time and solver ---------------------------------------------------------------------------------------
+// ---- time and solver
+// ---------------------------------------------------------------------------------------
 
-enum class SchemeKind {
-  newmark,
-  hht,
-  modified_average_acceleration,
-  generalized_alpha,
-  static_steps
-};
+enum class SchemeKind { newmark, hht, modified_average_acceleration, generalized_alpha, static_steps };
 
 enum class StartKind {
   consistent,       ///< a0 from equilibrium, history bracket evaluated at the start (default)
@@ -160,16 +155,16 @@ enum class StartKind {
 
 struct TimeStepping {
   SchemeKind scheme = SchemeKind::hht;
-  double alpha = 0;                ///< hht −1/3…0, modified_average_acceleration ≤ 0
-  std::optional<double> beta;      ///< newmark only
-  std::optional<double> gamma;     ///< newmark only
-  double spectral_radius = 0.8;    ///< generalized_alpha: ρ_∞ in 0…1
+  double alpha = 0;             ///< hht −1/3…0, modified_average_acceleration ≤ 0
+  std::optional<double> beta;   ///< newmark only
+  std::optional<double> gamma;  ///< newmark only
+  double spectral_radius = 0.8; ///< generalized_alpha: ρ_∞ in 0…1
   double begin = 0;
-  double step = 0;                 ///< > 0 unless instants are listed
-  double end = 0;
-  std::vector<double> instants;    ///< ascending; instead of step and end
+  double step = 0;              ///< > 0 unless instants are listed
+  double end = 0;               ///< the last of the instants when they are listed
+  std::vector<double> instants; ///< ascending, after begin; instead of step and end
   StartKind start = StartKind::consistent;
-  Name start_run;                  ///< with from_run
+  Name start_run; ///< with from_run
   int cut_parts = 2;
   int cut_levels = 12;
   Location at;
@@ -208,9 +203,9 @@ struct FieldOutput {
 enum class CheckSource { external, analytic, other_code, other_run };
 
 struct Check {
-  Name probe;     ///< "tip"
-  int component;  ///< 0, 1, 2
-  double at = 0;  ///< instant
+  Name probe;        ///< "tip"
+  int component = 0; ///< 0, 1, 2
+  double at = 0;     ///< instant
   double reference = 0;
   double tolerance = 0;
   bool relative = true;

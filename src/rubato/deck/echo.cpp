@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/read.hpp"
+#include "rubato/deck/words.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+
+namespace rubato::deck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class E, std::size_t N> std::string word(const std::array<Word<E>, N>& table, E value) {
+  return std::string(word_of(table, value));
+}
+
+Json first(const std::array<double, 3>& numbers, int count) {
+  return std::vector<double>(numbers.begin(), numbers.begin() + count);
+}
+
+Json texts(const std::vector<Name>& names) {
+  auto list = Json::array();
+  for (const auto& name : names)
+    list.push_back(name.text);
+  return list;
+}
+
+Json texts(const std::map<std::string, Name>& names) {
+  auto map = Json::object();
+  for (const auto& [key, name] : names)
+    map[key] = name.text;
+  return map;
+}
+
+void put_name(Json& map, const char* key, const Name& name) {
+  if (!name.text.empty())
+    map[key] = name.text;
+}
+
+template <class T> void put_optional(Json& map, const char* key, const std::optional<T>& value) {
+  if (value)
+    map[key] = *value;
+}
+
+Json echo(const Body& body) {
+  std::string cells(mesh::topology(body.cells).name);
+  std::ranges::transform(cells, cells.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  Json map{{"name", body.name}};
+  map[body.dimension == 3 ? "box" : "rectangle"] = {{"from", first(body.from, body.dimension)},
+                                                    {"to", first(body.to, body.dimension)}};
+  map["divisions"] = std::vector<int>(body.divisions.begin(), body.divisions.begin() + body.dimension);
+  map["cells"] = cells;
+  map["sides"] = texts(body.sides);
+  if (body.dimension == 3)
+    map["edges"] = texts(body.edges);
+  map["points"] = texts(body.points);
+  return map;
+}
+
+Json echo(const MeshSource& mesh) {
+  auto map = Json::object();
+  if (mesh.bodies.empty()) {
+    map["file"] = mesh.file.text;
+    if (!mesh.file_mesh.empty())
+      map["name"] = mesh.file_mesh;
+  }
+  for (const auto& body : mesh.bodies)
+    map["generate"].push_back(echo(body));
+  map["convert"] = word(conversion_words, mesh.convert);
+  map["refine"] = mesh.refine;
+  return map;
+}
+
+Json echo(const Material& material) {
+  Json map{{"young", material.young}, {"poisson", material.poisson}};
+  put_optional(map, "density", material.density);
+  map["rayleigh"] = {{"stiffness", material.rayleigh_stiffness}, {"mass", material.rayleigh_mass}};
+  map["cells"] = material.everywhere ? Json("all") : texts(material.cells);
+  return map;
+}
+
+Json echo(const Function& function) {
+  return {{"times", function.times},
+          {"values", function.values},
+          {"outside", word(outside_words, function.outside)}};
+}
+
+Json echo(const Support& support) {
+  Json map{{"on", support.on.text}};
+  for (std::size_t axis = 0; axis < axis_words.size(); ++axis) {
+    const auto& component = support.components[axis];
+    if (!component)
+      continue;
+    auto& entry = map[std::string(axis_words[axis])];
+    entry["value"] = component->value;
+    put_name(entry, "function", component->function);
+  }
+  return map;
+}
+
+Json echo(const Load& load, int dimension) {
+  auto map = Json::object();
+  put_name(map, "on", load.on);
+  if (load.kind == LoadKind::pressure)
+    map["value"] = load.components[0];
+  else
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
+      map[std::string(axis_words[axis])] = load.components[axis];
+  put_name(map, "function", load.function);
+  return {{word(load_words, load.kind), map}};
+}
+
+Json echo(const ContactZone& zone) {
+  Json map{{"master", zone.master.text}, {"slave", zone.slave.text}, {"friction", zone.friction}};
+  map["method"] = word(contact_method_words, zone.method);
+  map["normal"] = word(contact_normal_words, zone.normal);
+  map["clamped_normal"] = word(clamped_normal_words, zone.clamped_normal);
+  map["integration"] = zone.gauss_points == 0 ? Json("nodes") : Json{{"gauss", zone.gauss_points}};
+  map["exclude_nodes"] = texts(zone.exclude_nodes);
+  put_optional(map, "initially_active", zone.initially_active);
+  map["coefficients"] = Json::object();
+  put_optional(map["coefficients"], "normal", zone.normal_coefficient);
+  put_optional(map["coefficients"], "tangential", zone.tangential_coefficient);
+  map["iterate"] = {{"geometry", word(geometry_iteration_words, zone.geometry)},
+                    {"friction", word(friction_iteration_words, zone.friction_threshold)},
+                    {"status", word(status_iteration_words, zone.status)}};
+  return map;
+}
+
+void put_scheme(Json& map, const TimeStepping& time) {
+  map["scheme"] = word(scheme_words, time.scheme);
+  switch (time.scheme) {
+  case SchemeKind::newmark:
+    put_optional(map, "beta", time.beta);
+    put_optional(map, "gamma", time.gamma);
+    break;
+  case SchemeKind::hht:
+  case SchemeKind::modified_average_acceleration:
+    map["alpha"] = time.alpha;
+    break;
+  case SchemeKind::generalized_alpha:
+    map["spectral_radius"] = time.spectral_radius;
+    break;
+  case SchemeKind::static_steps:
+    break;
+  }
+}
+
+Json echo(const TimeStepping& time) {
+  auto map = Json::object();
+  put_scheme(map, time);
+  map["begin"] = time.begin;
+  if (time.instants.empty()) {
+    map["step"] = time.step;
+    map["end"] = time.end;
+  } else {
+    map["instants"] = time.instants;
+  }
+  map["start"] = time.start == StartKind::from_run ? Json{{"from", time.start_run.text}}
+                                                   : Json(word(start_words, time.start));
+  map["on_failure"] = {{"cut", time.cut_parts}, {"levels", time.cut_levels}};
+  return map;
+}
+
+Json echo(const Probe& probe, int dimension) {
+  auto map = Json::object();
+  put_name(map, "node", probe.node);
+  if (probe.point)
+    map["point"] = first(*probe.point, dimension);
+  map["field"] = word(probe_field_words, probe.field);
+  return map;
+}
+
+Json echo(const FieldOutput& fields) {
+  auto formats = Json::array();
+  if (fields.vtu)
+    formats.push_back("vtu");
+  if (fields.med)
+    formats.push_back("med");
+  return {{"formats", formats}, {"at", fields.at}, {"every", fields.every}, {"last", fields.last}};
+}
+
+Json echo(const Check& check) {
+  const auto axis = std::string(axis_words.at(static_cast<std::size_t>(check.component)));
+  return {{"probe", check.probe.text + "." + axis},
+          {"at", check.at},
+          {"reference", check.reference},
+          {"tolerance", check.tolerance},
+          {"kind", word(check_kind_words, check.relative)},
+          {"source", word(check_source_words, check.source)},
+          {"note", check.note}};
+}
+
+template <class T, class... More> Json echo_list(const std::vector<T>& entries, More... more) {
+  auto list = Json::array();
+  for (const auto& entry : entries)
+    list.push_back(echo(entry, more...));
+  return list;
+}
+
+template <class T, class... More> Json echo_by_name(const std::vector<T>& entries, More... more) {
+  auto map = Json::object();
+  for (const auto& entry : entries)
+    map[entry.name] = echo(entry, more...);
+  return map;
+}
+
+} // namespace
+
+std::string to_json(const Study& study) {
+  const auto dimension = dimension_of(study.physics);
+  Json deck{{"title", study.title}, {"units", study.units}};
+  deck["mesh"] = echo(study.mesh);
+  deck["physics"] = word(physics_words, study.physics);
+  if (study.physics == Physics::plane_stress || study.physics == Physics::plane_strain)
+    deck["thickness"] = study.thickness;
+  deck["materials"] = echo_by_name(study.materials);
+  deck["functions"] = Json::object();
+  for (const auto& [name, function] : study.functions)
+    deck["functions"][name] = echo(function);
+  deck["supports"] = echo_list(study.supports);
+  deck["loads"] = echo_list(study.loads, dimension);
+  deck["contact"] = echo_by_name(study.contact);
+  deck["time"] = echo(study.time);
+  deck["newton"] = {{"max_iterations", study.newton.max_iterations}, {"residual", study.newton.residual}};
+  deck["probes"] = echo_by_name(study.probes, dimension);
+  deck["fields"] = echo(study.fields);
+  deck["checks"] = echo_list(study.checks);
+  deck["runs"] = {{study.name, Json::object()}};
+  constexpr int indentation = 2;
+  return deck.dump(indentation, ' ', false, Json::error_handler_t::replace);
+}
+
+} // namespace rubato::deck

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace rubato::deck {
+namespace {
+
+using mesh::CellType;
+
+constexpr int finest = 1000;
+/// Beyond it neither local numbers nor memory hold.
+constexpr double most_cells = 1e8;
+
+constexpr std::array cells_of_rectangles{CellType::tria3, CellType::tria6, CellType::tria7,
+                                         CellType::quad4, CellType::quad8, CellType::quad9};
+constexpr std::array cells_of_boxes{CellType::tetra4, CellType::tetra10, CellType::penta6, CellType::penta15,
+                                    CellType::hexa8,  CellType::hexa20,  CellType::hexa27};
+
+std::span<const CellType> cells_of(int dimension) {
+  return dimension == 3 ? std::span<const CellType>(cells_of_boxes)
+                        : std::span<const CellType>(cells_of_rectangles);
+}
+
+/// The two sides across each axis.
+constexpr std::array<std::array<std::string_view, 2>, 3> sides{
+    {{"left", "right"}, {"bottom", "top"}, {"back", "front"}}};
+
+/// "left", "right", … of the first `dimension` axes.
+std::vector<std::string> side_words(int dimension) {
+  std::vector<std::string> words;
+  for (int axis = 0; axis < dimension; ++axis)
+    for (const auto side : sides[static_cast<std::size_t>(axis)])
+      words.emplace_back(side);
+  return words;
+}
+
+/// Every pair of sides across two axes, "right_top".
+std::vector<std::string> pair_words(int dimension) {
+  std::vector<std::string> words;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    for (std::size_t b = a + 1; b < static_cast<std::size_t>(dimension); ++b)
+      for (const auto first : sides[a])
+        for (const auto second : sides[b])
+          words.push_back(fmt::format("{}_{}", first, second));
+  return words;
+}
+
+/// Every corner, "right_top" or "right_top_back".
+std::vector<std::string> corner_words(int dimension) {
+  auto words = pair_words(2);
+  if (dimension == 2)
+    return words;
+  std::vector<std::string> corners;
+  for (const auto& word : words)
+    for (const auto side : sides[2])
+      corners.push_back(fmt::format("{}_{}", word, side));
+  return corners;
+}
+
+void read_groups(const Found& value, const std::vector<std::string>& words,
+                 std::map<std::string, Name>& groups) {
+  if (!value)
+    return;
+  MapReader map(*value);
+  for (const auto& word : words) {
+    Name name;
+    if (read(map.find(word), name))
+      groups[word] = std::move(name);
+  }
+  map.finish();
+}
+
+void read_cells(const Found& value, Body& body) {
+  const auto types = cells_of(body.dimension);
+  std::vector<std::string> words;
+  for (const auto type : types) {
+    std::string word(mesh::topology(type).name);
+    std::ranges::transform(word, word.begin(), [](unsigned char letter) { return std::tolower(letter); });
+    words.push_back(std::move(word));
+  }
+  if (const auto choice = read_choice(value, words))
+    body.cells = types[*choice];
+}
+
+/// A list with one number for each axis.
+template <class T, class U>
+bool read_per_axis(const Found& value, int dimension, std::array<U, 3>& target, const Range& range = {}) {
+  std::vector<T> numbers;
+  if (!read(value, numbers, range))
+    return false;
+  if (numbers.size() != static_cast<std::size_t>(dimension)) {
+    value->fault(fmt::format("found {} numbers, expected {}", numbers.size(), dimension));
+    return false;
+  }
+  std::ranges::copy(numbers, target.begin());
+  return true;
+}
+
+void read_extent(const Found& value, Body& body) {
+  if (!value)
+    return;
+  MapReader map(*value);
+  const bool from_read = read_per_axis<double>(map.require("from"), body.dimension, body.from);
+  const auto to = map.require("to");
+  const bool to_read = read_per_axis<double>(to, body.dimension, body.to);
+  map.finish();
+  if (!from_read || !to_read)
+    return;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(body.dimension); ++axis)
+    if (!(body.to[axis] > body.from[axis]) || !std::isfinite(body.to[axis] - body.from[axis]))
+      to->fault(fmt::format("found {} for {}, expected more than the {} of 'from'", body.to[axis],
+                            axis_words[axis], body.from[axis]),
+                to->tree().items[axis].at);
+}
+
+/// The box or the rectangle of a body, and with it the body's dimension; nothing when it has neither or both.
+Found find_shape(MapReader& map, Body& body) {
+  auto box = map.find("box");
+  auto rectangle = map.find("rectangle");
+  if (!map.is_map() || box.has_value() != rectangle.has_value()) {
+    body.dimension = rectangle ? 2 : 3;
+    return rectangle ? rectangle : box;
+  }
+  map.value().fault(box ? "found both 'box' and 'rectangle', expected one of them"
+                        : "'box' or 'rectangle' is missing");
+  return std::nullopt;
+}
+
+Body read_body(const Value& value, const Context& context) {
+  Body body;
+  body.at = value.at();
+  MapReader map(value);
+  read(map.require("name"), body.name);
+  const auto shape = find_shape(map, body);
+  body.cells = body.dimension == 3 ? CellType::hexa8 : CellType::quad4;
+  const auto parts = {"divisions", "cells", "sides", "edges", "points"};
+  if (!shape) {
+    for (const auto* part : parts)
+      map.find(part);
+    map.finish();
+    return body;
+  }
+  read_extent(shape, body);
+  if (context.physics && dimension_of(*context.physics) != body.dimension)
+    shape->fault(fmt::format("found a {} in {}, expected a {}", body.dimension == 3 ? "box" : "rectangle",
+                             word_of(physics_words, *context.physics),
+                             body.dimension == 3 ? "rectangle" : "box"));
+  read_per_axis<int>(map.require("divisions"), body.dimension, body.divisions, at_least(1));
+  read_cells(map.find("cells"), body);
+  read_groups(map.find("sides"), side_words(body.dimension), body.sides);
+  if (body.dimension == 3)
+    read_groups(map.find("edges"), pair_words(body.dimension), body.edges);
+  else
+    map.refuse("edges", "the edges of a rectangle are its sides");
+  read_groups(map.find("points"), corner_words(body.dimension), body.points);
+  map.finish();
+  return body;
+}
+
+void refuse_huge(const Found& generate, const MeshSource& mesh) {
+  double cells = 0;
+  for (const auto& body : mesh.bodies) {
+    double of_body = 1;
+    for (int axis = 0; axis < body.dimension; ++axis)
+      of_body *= static_cast<double>(body.divisions[static_cast<std::size_t>(axis)]) * mesh.refine;
+    cells += of_body;
+  }
+  if (generate && cells > most_cells)
+    generate->fault(
+        fmt::format("found {:.3g} cells (divisions and refine), expected at most {:.3g}", cells, most_cells));
+}
+
+} // namespace
+
+void read_bodies(const Found& value, const Context& context, std::vector<Body>& bodies) {
+  for (const auto& item : items(value)) {
+    auto body = read_body(item, context);
+    if (!body.name.empty() && std::ranges::find(bodies, body.name, &Body::name) != bodies.end())
+      item.fault(fmt::format("found a second body named {}", shown(body.name)));
+    bodies.push_back(std::move(body));
+  }
+  if (value && value->tree().is(Tree::Kind::list) && bodies.empty())
+    value->fault("found an empty list, expected at least one body");
+}
+
+void read_mesh(const Found& value, const Context& context, MeshSource& mesh) {
+  if (!value)
+    return;
+  MapReader map(*value);
+  const auto file = map.find("file");
+  const auto generate = map.find("generate");
+  if (map.is_map() && file.has_value() == generate.has_value())
+    value->fault(file ? "found both 'file' and 'generate', expected one of them"
+                      : "'file' or 'generate' is missing");
+  if (read(file, mesh.file) && !file->tree().from_setting)
+    mesh.file.text = (context.folder / mesh.file.text).string();
+  if (file)
+    read(map.find("name"), mesh.file_mesh);
+  else
+    map.refuse("name", "only a mesh from a file has a name");
+  read_bodies(generate, context, mesh.bodies);
+  read(map.find("convert"), mesh.convert, conversion_words);
+  read(map.find("refine"), mesh.refine, from_to(1, finest));
+  map.finish();
+  refuse_huge(generate, mesh);
+}
+
+} // namespace rubato::deck

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// One reader for each part of a deck. Each fills its part of the study and adds what is wrong to the faults
+/// of the value; targets of faulty values keep their defaults.
+#pragma once
+
+#include "rubato/deck/values.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubato::deck {
+
+/// What readers must know of other parts. Unset where those were faulty: nothing is judged by them then.
+struct Context {
+  std::filesystem::path folder; ///< of the deck
+  std::optional<Physics> physics;
+  std::optional<SchemeKind> scheme;
+  std::optional<Range> time; ///< instants of the run
+};
+
+void read_mesh(const Found& value, const Context& context, MeshSource& mesh);
+/// The list of bodies of `mesh.generate`.
+void read_bodies(const Found& value, const Context& context, std::vector<Body>& bodies);
+
+void read_materials(const Found& value, const Context& context, std::vector<Material>& materials);
+void read_functions(const Found& value, std::map<std::string, Function>& functions);
+/// The name of a function that exists.
+void read_function_name(const Found& value, const std::map<std::string, Function>& functions, Name& name);
+void read_supports(const Found& value, const Context& context,
+                   const std::map<std::string, Function>& functions, std::vector<Support>& supports);
+void read_loads(const Found& value, const Context& context, const std::map<std::string, Function>& functions,
+                std::vector<Load>& loads);
+
+/// The value of an axis, "x", "y" or "z"; a fault when the physics doesn't have it.
+Found find_axis(MapReader& map, std::size_t axis, const Context& context);
+
+void read_contact(const Found& value, std::vector<ContactZone>& zones);
+
+/// Also tells the context the scheme and the instants of the run.
+void read_time(const Found& value, Context& context, TimeStepping& time);
+void read_newton(const Found& value, NewtonSettings& newton);
+
+void read_probes(const Found& value, const Context& context, std::vector<Probe>& probes);
+void read_fields(const Found& value, const Context& context, FieldOutput& fields);
+void read_checks(const Found& value, const Context& context, const std::vector<Probe>& probes,
+                 std::vector<Check>& checks);
+
+} // namespace rubato::deck

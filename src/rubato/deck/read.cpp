@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/read.hpp"
+
+#include "rubato/deck/overlay.hpp"
+#include "rubato/deck/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace rubato::deck {
+namespace {
+
+/// Runs times values of the deck: what reading it may cost.
+constexpr std::size_t most_work = 5'000'000;
+
+struct Run {
+  Name name;
+  Tree over;
+};
+
+/// Takes the entry `runs` out of the deck. A deck without one has one run.
+std::vector<Run> take_runs(Tree& deck, Faults& faults) {
+  const auto found = std::ranges::find(deck.entries, "runs", &Tree::Entry::key);
+  if (found == deck.entries.end())
+    return {{{"run", deck.at}, {}}};
+  const Tree tree = std::move(found->value);
+  deck.entries.erase(found);
+  const Value value(tree, "runs", faults);
+  std::vector<Run> runs;
+  for (const auto& [name, over] : named_entries(value)) {
+    if (over.tree().is(Tree::Kind::map) || over.tree().is(Tree::Kind::nothing))
+      runs.push_back({name, over.tree()});
+    else
+      over.fault(fmt::format("found {}, expected a map of changes", described(over.tree())));
+  }
+  if (tree.is(Tree::Kind::map) && tree.entries.empty())
+    value.fault("found no run, expected at least one");
+  if (runs.size() * count_nodes(deck) > most_work) {
+    value.fault(fmt::format("found {} runs of a deck this large, which is too much to read", runs.size()));
+    runs.clear();
+  }
+  return runs;
+}
+
+std::vector<std::string> names_of(const std::vector<Run>& runs) {
+  std::vector<std::string> names;
+  for (const auto& run : runs)
+    names.push_back(run.name.text);
+  return names;
+}
+
+void read_physics(MapReader& map, Context& context, Study& study) {
+  if (read(map.require("physics"), study.physics, physics_words))
+    context.physics = study.physics;
+  const auto thickness = map.find("thickness");
+  read(thickness, study.thickness, above(0));
+  const bool has_thickness = study.physics == Physics::plane_stress || study.physics == Physics::plane_strain;
+  if (thickness && context.physics && !has_thickness)
+    thickness->fault(fmt::format("{} has no thickness, plane_stress and plane_strain do",
+                                 word_of(physics_words, study.physics)));
+}
+
+/// The deck of one run, everything laid over it. Parts come in the order in which one needs another.
+Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& faults) {
+  Study study;
+  Context context{.folder = folder, .physics = {}, .scheme = {}, .time = {}};
+  MapReader map(Value(tree, "", faults));
+  read(map.find("title"), study.title);
+  read(map.find("units"), study.units);
+  read_physics(map, context, study);
+  read_mesh(map.require("mesh"), context, study.mesh);
+  read_time(map.require("time"), context, study.time);
+  read_materials(map.require("materials"), context, study.materials);
+  read_functions(map.find("functions"), study.functions);
+  read_supports(map.find("supports"), context, study.functions, study.supports);
+  read_loads(map.find("loads"), context, study.functions, study.loads);
+  read_contact(map.find("contact"), study.contact);
+  read_newton(map.find("newton"), study.newton);
+  read_probes(map.find("probes"), context, study.probes);
+  read_fields(map.find("fields"), context, study.fields);
+  read_checks(map.find("checks"), context, study.probes, study.checks);
+  map.finish();
+  return study;
+}
+
+void check_start(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
+                 Faults& faults) {
+  const auto& from = study.time.start_run;
+  if (study.time.start != StartKind::from_run || from.text.empty())
+    return;
+  const auto fault = [&](const std::string& text) { faults.add(from.at, "time.start.from: " + text); };
+  const auto source = std::ranges::find(earlier, from.text, &Study::name);
+  if (from.text == study.name)
+    fault(fmt::format("run {} cannot start from itself", from.text));
+  else if (std::ranges::find(all, from.text) == all.end())
+    fault(fmt::format("no run is called {}{}", shown(from.text), suggestion(from.text, all)));
+  else if (source == earlier.end())
+    fault(fmt::format("run {} comes later than run {}, expected an earlier one", from.text, study.name));
+  else if (source->mesh != study.mesh || source->physics != study.physics)
+    fault(fmt::format("run {} has another mesh or physics than run {}", from.text, study.name));
+}
+
+/// The deck's title as the settings leave it; a run may have its own.
+std::string title_of(Tree deck, std::span<const Change> changes) {
+  Faults told_by_runs;
+  for (const auto& change : changes)
+    if (change.run.empty())
+      apply(deck, change, told_by_runs);
+  const auto* title = deck.find("title");
+  return title != nullptr && title->is(Tree::Kind::word) ? title->text : "";
+}
+
+} // namespace
+
+Deck parse_deck(std::string_view text, std::string file_name, std::span<const Setting> settings) {
+  Faults faults;
+  auto base = parse_tree(text, file_name, faults);
+  if (base && !base->is(Tree::Kind::map))
+    faults.add(base->at,
+               fmt::format("found {}, expected a map with mesh, physics, materials, time", described(*base)));
+  if (!base || !base->is(Tree::Kind::map))
+    faults.throw_if_any();
+
+  const auto runs = take_runs(*base, faults);
+  const auto names = names_of(runs);
+  const auto changes = parse_changes(settings, names, faults);
+  const auto folder = std::filesystem::path(file_name).parent_path();
+  Deck deck{title_of(*base, changes), {}};
+  for (const auto& run : runs) {
+    faults.enter_run(run.name.text);
+    auto tree = *base;
+    lay_over(tree, run.over);
+    for (const auto& change : changes)
+      if (change.run.empty() || change.run == run.name.text)
+        apply(tree, change, faults);
+    auto study = read_study(tree, folder, faults);
+    study.name = run.name.text;
+    check_start(study, deck.runs, names, faults);
+    deck.runs.push_back(std::move(study));
+  }
+  faults.throw_if_any();
+  return deck;
+}
+
+Deck read_deck(const std::filesystem::path& file, std::span<const Setting> settings) {
+  if (std::filesystem::is_directory(file))
+    throw InputError("found a folder, expected a deck file", {file.string()});
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (!stream)
+    throw InputError("the deck file cannot be read", {file.string()});
+  return parse_deck(text, file.string(), settings);
+}
+
+} // namespace rubato::deck

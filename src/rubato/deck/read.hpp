@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The deck room: a YAML deck becomes studies, plain data that the rest of the program works from.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubato::deck {
+
+/// One change from the command line, `--set time.step=1e-4`.
+struct Setting {
+  std::string path;  ///< keys and list indexes (from 0) joined by dots: "loads.0.nodal_force.y"
+  std::string value; ///< YAML; empty or `~` removes the key
+};
+
+/// Splits "path=value". Throws InputError when there is no path or no "=".
+Setting parse_setting(std::string_view argument);
+
+/// A deck read whole.
+struct Deck {
+  std::string title;
+  std::vector<Study> runs; ///< in the order of the file, at least one; a run starts only from an earlier one
+  bool operator==(const Deck&) const = default;
+};
+
+/// Reads a deck from a file. Each run is the deck with the run's own entries and then the settings laid over
+/// it: maps are merged key by key, words and lists are replaced whole, `~` removes a key. A setting whose
+/// path starts with `runs.NAME.` changes one run, any other changes all. Of mesh.file and mesh.generate the
+/// one given last stands. mesh.file is relative to the folder of the deck, in a setting to the current
+/// folder. Throws one InputError with every fault of the deck, each at file:line:column, settings at "--set
+/// path".
+Deck read_deck(const std::filesystem::path& file, std::span<const Setting> settings = {});
+
+/// The same from text; `file_name` stands in the places of faults, its folder is where mesh files are.
+Deck parse_deck(std::string_view text, std::string file_name, std::span<const Setting> settings = {});
+
+/// The study as a deck of one run, in JSON (which is YAML) with every default written out and two blanks of
+/// indentation. parse_deck reads it back to an equal study, unless it starts from another run.
+std::string to_json(const Study& study);
+
+} // namespace rubato::deck

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rubato::deck {
+namespace {
+
+/// More would neither end nor be counted in an int.
+constexpr double most_steps = 1e9;
+/// An end that is not a whole number of steps away by rounding only.
+constexpr double rounding = 1e-9;
+
+/// A number that only some schemes take.
+struct SchemeKey {
+  std::string_view key;
+  std::string_view takers;
+};
+constexpr std::array<SchemeKey, 4> scheme_keys{{{"alpha", "hht and modified_average_acceleration take it"},
+                                                {"beta", "newmark takes it"},
+                                                {"gamma", "newmark takes it"},
+                                                {"spectral_radius", "generalized_alpha takes it"}}};
+
+bool takes(SchemeKind scheme, std::string_view key) {
+  switch (scheme) {
+  case SchemeKind::newmark:
+    return key == "beta" || key == "gamma";
+  case SchemeKind::hht:
+  case SchemeKind::modified_average_acceleration:
+    return key == "alpha";
+  case SchemeKind::generalized_alpha:
+    return key == "spectral_radius";
+  case SchemeKind::static_steps:
+    return false;
+  }
+  return false;
+}
+
+void read_scheme(MapReader& map, Context& context, TimeStepping& time) {
+  if (!read(map.require("scheme"), time.scheme, scheme_words)) {
+    for (const auto& known : scheme_keys)
+      map.find(known.key);
+    return;
+  }
+  context.scheme = time.scheme;
+  const auto scheme = word_of(scheme_words, time.scheme);
+  for (const auto& [key, takers] : scheme_keys)
+    if (!takes(time.scheme, key))
+      map.refuse(key, fmt::format("the scheme {} takes no {}, {}; a run removes it by '{}: ~'", scheme, key,
+                                  takers, key));
+  switch (time.scheme) {
+  case SchemeKind::newmark:
+    read(map.find("beta"), time.beta, between(0, 1));
+    read(map.find("gamma"), time.gamma, from_to(0.5, 2)); // below 1/2 it feeds energy in
+    break;
+  case SchemeKind::hht:
+    read(map.require("alpha"), time.alpha, from_to(-1.0 / 3.0, 0));
+    break;
+  case SchemeKind::modified_average_acceleration:
+    read(map.require("alpha"), time.alpha, at_most(0));
+    break;
+  case SchemeKind::generalized_alpha:
+    read(map.find("spectral_radius"), time.spectral_radius, from_to(0, 1));
+    break;
+  case SchemeKind::static_steps:
+    break;
+  }
+}
+
+/// `step` and `end`.
+void read_even_steps(const Found& step, const Found& end, bool begin_read, TimeStepping& time) {
+  const bool step_read = read(step, time.step, above(0));
+  const bool end_read = read(end, time.end);
+  if (!begin_read || !end_read)
+    return;
+  const double length = time.end - time.begin;
+  if (!(length > 0) || !std::isfinite(length))
+    end->fault(fmt::format("found {}, expected more than the begin, {}", time.end, time.begin));
+  else if (step_read && time.step > length * (1 + rounding))
+    step->fault(fmt::format("found {}, expected at most the length of the run, {}", time.step, length));
+  else if (step_read && length / time.step > most_steps)
+    step->fault(fmt::format("found {}, which makes more than {:g} steps", time.step, most_steps));
+}
+
+void read_instants(const Found& instants, bool begin_read, TimeStepping& time) {
+  if (!read(instants, time.instants) || !ascends(instants, time.instants))
+    return;
+  if (time.instants.empty()) {
+    instants->fault("found an empty list, expected at least one instant");
+    return;
+  }
+  time.end = time.instants.back();
+  if (begin_read && time.instants.front() <= time.begin)
+    instants->fault(
+        fmt::format("found {}, expected instants after the begin, {}", time.instants.front(), time.begin),
+        instants->tree().items.front().at);
+}
+
+void read_course(MapReader& map, TimeStepping& time) {
+  const auto begin = map.find("begin");
+  const bool begin_read = !begin || read(begin, time.begin);
+  if (const auto instants = map.find("instants")) {
+    for (const auto* key : {"step", "end"})
+      map.refuse(key, "the steps are listed by 'instants' already");
+    read_instants(instants, begin_read, time);
+  } else {
+    const auto step = map.require("step");
+    read_even_steps(step, map.require("end"), begin_read, time);
+  }
+}
+
+/// A word, or `{from: run}`.
+void read_start(const Found& value, TimeStepping& time) {
+  if (!value)
+    return;
+  if (value->tree().is(Tree::Kind::map)) {
+    MapReader map(*value);
+    time.start = StartKind::from_run;
+    read(map.require("from"), time.start_run);
+    map.finish();
+  } else if (read(value, time.start, start_words) && time.start == StartKind::at_rest_unloaded &&
+             time.scheme == SchemeKind::static_steps) {
+    value->fault("the scheme static has no first acceleration, expected consistent or {from: run}");
+  }
+}
+
+void read_failure(const Found& value, TimeStepping& time) {
+  if (!value)
+    return;
+  MapReader map(*value);
+  read(map.find("cut"), time.cut_parts, from_to(2, 1000));
+  read(map.find("levels"), time.cut_levels, from_to(0, 50));
+  map.finish();
+}
+
+} // namespace
+
+void read_time(const Found& value, Context& context, TimeStepping& time) {
+  if (!value)
+    return;
+  time.at = value->at();
+  MapReader map(*value);
+  read_scheme(map, context, time);
+  read_course(map, time);
+  read_start(map.find("start"), time);
+  read_failure(map.find("on_failure"), time);
+  map.finish();
+  if (time.end > time.begin)
+    context.time = from_to(time.begin, time.end);
+}
+
+void read_newton(const Found& value, NewtonSettings& newton) {
+  if (!value)
+    return;
+  MapReader map(*value);
+  read(map.find("max_iterations"), newton.max_iterations, from_to(1, 1'000'000));
+  read(map.find("residual"), newton.residual, between(0, 1));
+  map.finish();
+}
+
+} // namespace rubato::deck

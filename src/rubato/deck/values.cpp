@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/values.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace rubato::deck {
+namespace {
+
+std::string joined(const std::string& path, const std::string& step) {
+  return path.empty() ? step : path + "." + step;
+}
+
+void expected(const Value& value, const std::string& what) {
+  value.fault(fmt::format("found {}, expected {}", described(value.tree()), what));
+}
+
+bool is_plain_word(const Tree& tree) {
+  return tree.is(Tree::Kind::word) && !tree.in_quotes;
+}
+
+/// The whole text as a number; YAML allows a leading plus.
+template <class T> std::optional<T> number_in(std::string_view text) {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-')
+    text.remove_prefix(1);
+  T number{};
+  const auto* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || stop != end)
+    return std::nullopt;
+  return number;
+}
+
+std::string bounds(const Range& range) {
+  const bool low = std::isfinite(range.low);
+  const bool high = std::isfinite(range.high);
+  if (low && high)
+    return range.low_allowed ? fmt::format(" from {:.6g} to {:.6g}", range.low, range.high)
+                             : fmt::format(" between {:.6g} and {:.6g}", range.low, range.high);
+  if (low)
+    return fmt::format(" {} {:.6g}", range.low_allowed ? ">=" : ">", range.low);
+  return high ? fmt::format(" {} {:.6g}", range.high_allowed ? "<=" : "<", range.high) : "";
+}
+
+template <class T>
+bool read_number(const Value& value, T& target, const Range& range, const std::string& noun) {
+  std::optional<T> number;
+  if (is_plain_word(value.tree()))
+    number = number_in<T>(value.tree().text);
+  const bool good = number && std::isfinite(static_cast<double>(*number)) && range.contains(*number);
+  if (good)
+    target = *number;
+  else
+    expected(value, noun + bounds(range));
+  return good;
+}
+
+bool read_number(const Value& value, double& target, const Range& range) {
+  return read_number(value, target, range, "a number");
+}
+bool read_number(const Value& value, int& target, const Range& range) {
+  return read_number(value, target, range, "a whole number");
+}
+
+template <class T> bool read_numbers(const Found& value, std::vector<T>& target, const Range& range) {
+  if (!value)
+    return false;
+  std::vector<T> numbers;
+  bool good = value->tree().is(Tree::Kind::list);
+  for (const auto& element : items(value)) {
+    T number{};
+    good = read_number(element, number, range) && good;
+    numbers.push_back(number);
+  }
+  if (good)
+    target = std::move(numbers);
+  return good;
+}
+
+bool is_name(const std::string& text) {
+  const auto fits = [](char letter) {
+    const auto byte = static_cast<unsigned char>(letter);
+    return byte >= 0x80 || std::isalnum(byte) != 0 || letter == '_' || letter == '-';
+  };
+  constexpr std::size_t longest = 100; // with its suffix still a file name
+  return !text.empty() && text.size() <= longest && std::ranges::all_of(text, fits);
+}
+
+} // namespace
+
+void Value::fault(const std::string& text, const Location& where) const {
+  faults_->add(where, path_.empty() ? text : fmt::format("{}: {}", path_, text));
+}
+
+Value Value::child(const std::string& step, const Tree& tree) const {
+  return {tree, joined(path_, step), *faults_};
+}
+
+MapReader::MapReader(Value value) : value_(std::move(value)) {
+  if (!is_map())
+    expected(value_, "a map");
+}
+
+Found MapReader::find(std::string_view key) {
+  asked_.emplace_back(key);
+  const auto* tree = value_.tree().find(key);
+  if (tree == nullptr || tree->is(Tree::Kind::removed))
+    return std::nullopt;
+  return value_.child(asked_.back(), *tree);
+}
+
+Found MapReader::require(std::string_view key) {
+  auto found = find(key);
+  if (!found && is_map())
+    value_.fault(fmt::format("'{}' is missing", key));
+  return found;
+}
+
+void MapReader::refuse(std::string_view key, const std::string& reason) {
+  if (const auto found = find(key))
+    found->fault(reason);
+}
+
+void MapReader::finish() const {
+  for (const auto& entry : value_.tree().entries) {
+    if (std::ranges::find(asked_, entry.key) != asked_.end())
+      continue;
+    const auto path = joined(value_.path(), entry.key);
+    value_.faults().add(entry.at,
+                        fmt::format("unknown key {}{}", shown(path), suggestion(entry.key, asked_)));
+  }
+}
+
+bool Range::contains(double value) const {
+  return (low_allowed ? value >= low : value > low) && (high_allowed ? value <= high : value < high);
+}
+
+bool read(const Found& value, double& target, const Range& range) {
+  return value && read_number(*value, target, range);
+}
+
+bool read(const Found& value, int& target, const Range& range) {
+  return value && read_number(*value, target, range);
+}
+
+bool read(const Found& value, std::optional<double>& target, const Range& range) {
+  double number = 0;
+  const bool good = read(value, number, range);
+  if (good)
+    target = number;
+  return good;
+}
+
+bool read(const Found& value, bool& target) {
+  constexpr std::array<Word<bool>, 2> table{{{"true", true}, {"false", false}}};
+  return read(value, target, table);
+}
+
+bool read(const Found& value, std::optional<bool>& target) {
+  bool flag = false;
+  const bool good = read(value, flag);
+  if (good)
+    target = flag;
+  return good;
+}
+
+bool read(const Found& value, std::string& target) {
+  if (!value)
+    return false;
+  const bool good = value->tree().is(Tree::Kind::word);
+  if (good)
+    target = value->tree().text;
+  else
+    expected(*value, "text");
+  return good;
+}
+
+bool read(const Found& value, Name& target) {
+  if (!value)
+    return false;
+  const bool good = value->tree().is(Tree::Kind::word) && !value->tree().text.empty();
+  if (good)
+    target = {value->tree().text, value->at()};
+  else
+    expected(*value, "a name");
+  return good;
+}
+
+bool read(const Found& value, std::vector<double>& target, const Range& range) {
+  return read_numbers(value, target, range);
+}
+
+bool read(const Found& value, std::vector<int>& target, const Range& range) {
+  return read_numbers(value, target, range);
+}
+
+bool read(const Found& value, std::vector<Name>& target) {
+  if (!value)
+    return false;
+  const bool is_list = value->tree().is(Tree::Kind::list);
+  std::vector<Name> names;
+  std::set<std::string> known;
+  bool good = true;
+  for (const auto& element : is_list ? items(value) : std::vector<Value>{*value}) {
+    Name name;
+    good = read(Found(element), name) && good;
+    if (!name.text.empty() && !known.insert(name.text).second) {
+      element.fault(fmt::format("found {} a second time", shown(name.text)));
+      good = false;
+    }
+    names.push_back(std::move(name));
+  }
+  if (good)
+    target = std::move(names);
+  return good;
+}
+
+std::optional<std::size_t> read_choice(const Found& value, const std::vector<std::string>& words) {
+  if (!value)
+    return std::nullopt;
+  const auto& tree = value->tree();
+  const auto found = tree.is(Tree::Kind::word) ? std::ranges::find(words, tree.text) : words.end();
+  if (found != words.end())
+    return static_cast<std::size_t>(found - words.begin());
+  const auto nearest = tree.is(Tree::Kind::word) ? nearest_word(tree.text, words) : "";
+  expected(*value, fmt::format("{}{}{}", words.size() > 1 ? "one of " : "", fmt::join(words, ", "),
+                               nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+  return std::nullopt;
+}
+
+std::vector<Value> items(const Found& value) {
+  std::vector<Value> found;
+  if (!value)
+    return found;
+  if (!value->tree().is(Tree::Kind::list))
+    expected(*value, "a list");
+  for (std::size_t i = 0; i < value->tree().items.size(); ++i)
+    found.push_back(value->child(std::to_string(i), value->tree().items[i]));
+  return found;
+}
+
+std::vector<NamedValue> named_entries(const Found& value) {
+  std::vector<NamedValue> found;
+  if (!value)
+    return found;
+  if (!value->tree().is(Tree::Kind::map))
+    expected(*value, "a map from names to entries");
+  for (const auto& [key, at, tree] : value->tree().entries) {
+    if (tree.is(Tree::Kind::removed))
+      continue;
+    if (is_name(key))
+      found.push_back({{key, at}, value->child(key, tree)});
+    else
+      value->fault(
+          fmt::format("found the name {}, expected up to 100 letters, digits, '_' or '-'", shown(key)), at);
+  }
+  return found;
+}
+
+bool ascends(const Found& value, const std::vector<double>& numbers) {
+  const auto broken = std::ranges::adjacent_find(numbers, [](double a, double b) { return a >= b; });
+  if (broken == numbers.end())
+    return true;
+  const auto index = static_cast<std::size_t>(broken - numbers.begin()) + 1;
+  value->fault(fmt::format("found {} after {}, expected numbers that ascend", numbers[index], *broken),
+               value->tree().items[index].at);
+  return false;
+}
+
+} // namespace rubato::deck

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Reading single values of a deck: typed, checked, with every fault kept.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+#include "rubato/deck/tree.hpp"
+#include "rubato/deck/words.hpp"
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rubato::deck {
+
+/// A node of the deck that is being read and its path in words, "time.step".
+class Value {
+public:
+  Value(const Tree& tree, std::string path, Faults& faults)
+      : tree_(&tree), path_(std::move(path)), faults_(&faults) {}
+
+  const Tree& tree() const { return *tree_; }
+  const Location& at() const { return tree_->at; }
+  const std::string& path() const { return path_; }
+  Faults& faults() const { return *faults_; }
+
+  /// Adds the fault "path: text" at this value, or at another place.
+  void fault(const std::string& text) const { fault(text, at()); }
+  void fault(const std::string& text, const Location& where) const;
+
+  /// A value inside of this one.
+  Value child(const std::string& step, const Tree& tree) const;
+
+private:
+  const Tree* tree_;
+  std::string path_;
+  Faults* faults_;
+};
+
+/// A value that may not have been given.
+using Found = std::optional<Value>;
+
+/// A map that is being read. It remembers which keys were asked for: those are the valid ones.
+class MapReader {
+public:
+  /// A fault when the value is not a map; nothing is found in it then and nothing is missing.
+  explicit MapReader(Value value);
+
+  const Value& value() const { return value_; }
+  bool is_map() const { return value_.tree().is(Tree::Kind::map); }
+
+  Found find(std::string_view key);
+  /// A fault when the key is missing.
+  Found require(std::string_view key);
+  /// A key that exists but has no meaning here: a fault "key: reason" when it is given.
+  void refuse(std::string_view key, const std::string& reason);
+  /// Faults for the keys that were never asked for. To be called last.
+  void finish() const;
+
+private:
+  Value value_;
+  std::vector<std::string> asked_;
+};
+
+/// Values and the bounds they must keep.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_allowed = true;
+  bool high_allowed = true;
+  bool contains(double value) const;
+};
+constexpr Range above(double low) {
+  return {.low = low, .low_allowed = false};
+}
+constexpr Range at_least(double low) {
+  return {.low = low};
+}
+constexpr Range at_most(double high) {
+  return {.high = high};
+}
+constexpr Range from_to(double low, double high) {
+  return {low, high};
+}
+constexpr Range between(double low, double high) {
+  return {low, high, false, false};
+}
+
+/// Reads into `target` and returns true; leaves it alone and returns false when the value was not given or is
+/// faulty (the fault is added). Numbers are strict: "1e-3s", inf and nan are faults.
+bool read(const Found& value, double& target, const Range& range = {});
+bool read(const Found& value, std::optional<double>& target, const Range& range = {});
+bool read(const Found& value, int& target, const Range& range = {});
+bool read(const Found& value, bool& target);
+bool read(const Found& value, std::optional<bool>& target);
+/// Any word, also one that looks like a number.
+bool read(const Found& value, std::string& target);
+bool read(const Found& value, Name& target);
+/// A list of numbers or of whole numbers.
+bool read(const Found& value, std::vector<double>& target, const Range& range = {});
+bool read(const Found& value, std::vector<int>& target, const Range& range = {});
+/// One name or a list of them, none twice.
+bool read(const Found& value, std::vector<Name>& target);
+
+/// The place of the value among `words`; nothing and a fault when it is none of them.
+std::optional<std::size_t> read_choice(const Found& value, const std::vector<std::string>& words);
+
+/// One of the accepted words of a table.
+template <class E, std::size_t N>
+bool read(const Found& value, E& target, const std::array<Word<E>, N>& table) {
+  std::vector<std::string> words;
+  std::vector<E> meanings;
+  for (const auto& word : table) {
+    if (!word.accepted)
+      continue;
+    words.emplace_back(word.text);
+    meanings.push_back(word.value);
+  }
+  const auto choice = read_choice(value, words);
+  if (choice)
+    target = meanings[*choice];
+  return choice.has_value();
+}
+
+/// The items of a list, "path.0" first; a fault when it is none.
+std::vector<Value> items(const Found& value);
+
+/// An entry of a map whose keys are names the user chose.
+struct NamedValue {
+  Name name;
+  Value value;
+};
+/// The entries of such a map. A name may be a column or a folder of the results: letters, digits, "_" and
+/// "-".
+std::vector<NamedValue> named_entries(const Found& value);
+
+/// Faults when the numbers of a list do not ascend, each greater than the one before.
+bool ascends(const Found& value, const std::vector<double>& numbers);
+
+} // namespace rubato::deck

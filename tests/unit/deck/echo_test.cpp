@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sample_deck.hpp"
+
+namespace rubato::deck {
+namespace {
+
+using test::full_deck;
+using test::parse_one;
+using test::replaced;
+using test::smallest_deck;
+
+Study read_back(const Study& study) {
+  return parse_deck(to_json(study), "echo.json").runs.at(0);
+}
+
+TEST(StudyEcho, ReadsBackToTheSameStudy) {
+  for (const auto& deck : {full_deck, smallest_deck, full_deck + "runs: {evol1: {}}"}) {
+    const auto study = parse_one(deck);
+    EXPECT_EQ(read_back(study), study);
+    EXPECT_EQ(to_json(read_back(study)), to_json(study));
+  }
+}
+
+TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
+  const auto box = replaced(smallest_deck, "{file: beams.med}", R"({generate: [{name: b,
+    box: {from: [0, 0, 0], to: [1, 2, 3]}, divisions: [4, 5, 6], cells: tetra10, edges: {right_top: C}}]})");
+  std::vector<std::string> decks{box, replaced(smallest_deck, "solid", "axisymmetric"),
+                                 replaced(smallest_deck, "solid", "plane_strain\nthickness: 3"),
+                                 replaced(smallest_deck, "step: 1e-3, end: 0.012", "instants: [0.1, 0.3]")};
+  for (const auto* scheme : {"newmark, beta: 0.3, gamma: 0.6", "hht, alpha: -0.1",
+                             "modified_average_acceleration, alpha: -0.1", "generalized_alpha", "static"})
+    decks.push_back(replaced(smallest_deck, "newmark", scheme));
+  for (const auto& deck : decks) {
+    const auto study = parse_one(deck);
+    EXPECT_EQ(read_back(study), study) << deck;
+  }
+}
+
+TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {
+  const auto json = nlohmann::json::parse(to_json(parse_one(full_deck)));
+  EXPECT_EQ(json["title"], "two beams");
+  EXPECT_EQ(json["mesh"]["generate"][0]["cells"], "quad8");
+  EXPECT_EQ(json["mesh"]["generate"][1]["cells"], "quad4");
+  EXPECT_EQ(json["materials"]["steel"]["young"], 200e9);
+  EXPECT_EQ(json["supports"][1]["y"]["function"], "ramp");
+  EXPECT_EQ(json["loads"][0]["nodal_force"]["y"], -1e7);
+  EXPECT_EQ(json["contact"]["interface"]["integration"]["gauss"], 3);
+  EXPECT_EQ(json["time"]["alpha"], -0.3);
+  EXPECT_EQ(json["checks"][0]["probe"], "tip.y");
+  EXPECT_TRUE(json["runs"].contains("run"));
+  const auto smallest = nlohmann::json::parse(to_json(parse_one(smallest_deck)));
+  EXPECT_EQ(smallest["newton"]["max_iterations"], 40);
+  EXPECT_EQ(smallest["time"]["start"], "consistent");
+  EXPECT_EQ(smallest["materials"]["steel"]["cells"], "all");
+}
+
+TEST(StudyEcho, NamesTheRunItStartsFrom) {
+  auto study = parse_one(smallest_deck);
+  study.time.start = StartKind::from_run;
+  study.time.start_run.text = "preload";
+  EXPECT_EQ(nlohmann::json::parse(to_json(study))["time"]["start"]["from"], "preload");
+}
+
+TEST(Study, IsEqualWhateverPlaceItWasReadFrom) {
+  EXPECT_EQ(parse_one("\n\n" + full_deck), parse_one(full_deck));
+  EXPECT_NE(parse_one(replaced(full_deck, "friction: 0.2", "friction: 0.3")), parse_one(full_deck));
+}
+
+} // namespace
+} // namespace rubato::deck

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What each key means and what stands when it is not given.
+#include <gtest/gtest.h>
+
+#include "sample_deck.hpp"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace rubato::deck {
+namespace {
+
+using mesh::CellType;
+using test::full_deck;
+using test::parse;
+using test::parse_one;
+using test::replaced;
+using test::smallest_deck;
+
+TEST(DeckDefaults, AreThoseOfTheStudy) {
+  const auto deck = parse(smallest_deck);
+  ASSERT_EQ(deck.runs.size(), 1U);
+  EXPECT_EQ(deck.title, "");
+
+  Study expected;
+  expected.name = "run";
+  expected.mesh.file.text = "beams.med";
+  Material steel;
+  steel.name = "steel";
+  steel.young = 200e9;
+  steel.poisson = 0.3;
+  steel.density = 7800;
+  expected.materials = {steel};
+  expected.time.scheme = SchemeKind::newmark;
+  expected.time.step = 1e-3;
+  expected.time.end = 0.012;
+  EXPECT_EQ(deck.runs[0], expected);
+}
+
+TEST(DeckDefaults, OfTheStudyAreTheDocumentedOnes) {
+  const auto study = parse_one(smallest_deck);
+  EXPECT_EQ(study.units, "SI");
+  EXPECT_EQ(study.thickness, 1);
+  EXPECT_EQ(study.mesh.convert, MeshConversion::none);
+  EXPECT_EQ(study.mesh.refine, 1);
+  EXPECT_TRUE(study.materials[0].everywhere);
+  EXPECT_EQ(study.time.begin, 0);
+  EXPECT_EQ(study.time.start, StartKind::consistent);
+  EXPECT_EQ(study.time.spectral_radius, 0.8);
+  EXPECT_EQ(study.time.cut_parts, 2);
+  EXPECT_EQ(study.time.cut_levels, 12);
+  EXPECT_EQ(study.newton.max_iterations, 40);
+  EXPECT_EQ(study.newton.residual, 1e-8);
+  EXPECT_FALSE(study.fields.vtu || study.fields.med);
+}
+
+TEST(DeckKeys, TitleUnitsAndPhysics) {
+  const auto study = parse_one(full_deck);
+  EXPECT_EQ(parse(full_deck).title, "two beams");
+  EXPECT_EQ(study.title, "two beams");
+  EXPECT_EQ(study.units, "mm, N, s");
+  EXPECT_EQ(study.physics, Physics::plane_stress);
+  EXPECT_EQ(study.thickness, 0.5);
+}
+
+TEST(DeckKeys, GeneratedMesh) {
+  const auto mesh = parse_one(full_deck).mesh;
+  ASSERT_EQ(mesh.bodies.size(), 2U);
+  EXPECT_EQ(mesh.file.text, "");
+  EXPECT_EQ(mesh.convert, MeshConversion::full_quadratic);
+  EXPECT_EQ(mesh.refine, 2);
+  const auto& upper = mesh.bodies[0];
+  EXPECT_EQ(upper.name, "upper");
+  EXPECT_EQ(upper.dimension, 2);
+  EXPECT_EQ(upper.from, (std::array{0.0, 0.1, 0.0}));
+  EXPECT_EQ(upper.to, (std::array{1.0, 0.2, 0.0}));
+  EXPECT_EQ(upper.divisions, (std::array{20, 2, 1}));
+  EXPECT_EQ(upper.cells, CellType::quad8);
+  EXPECT_EQ(upper.sides.size(), 4U);
+  EXPECT_EQ(upper.sides.at("bottom").text, "Below");
+  EXPECT_EQ(upper.points.at("right_top").text, "Force");
+  EXPECT_EQ(mesh.bodies[1].cells, CellType::quad4);
+}
+
+TEST(DeckKeys, GeneratedBoxNamesSidesEdgesAndPoints) {
+  const auto deck = replaced(smallest_deck, "{file: beams.med}", R"({generate: [{name: b,
+    box: {from: [0, 0, 0], to: [1, 2, 3]}, divisions: [4, 5, 6], cells: penta15,
+    sides: {back: A, front: B}, edges: {right_top: C, top_back: D}, points: {right_top_back: E, left_bottom_front: F}}]})");
+  const auto body = parse_one(deck).mesh.bodies.at(0);
+  EXPECT_EQ(body.dimension, 3);
+  EXPECT_EQ(body.to, (std::array{1.0, 2.0, 3.0}));
+  EXPECT_EQ(body.divisions, (std::array{4, 5, 6}));
+  EXPECT_EQ(body.cells, CellType::penta15);
+  EXPECT_EQ(body.sides.at("front").text, "B");
+  EXPECT_EQ(body.edges.at("top_back").text, "D");
+  EXPECT_EQ(body.points.at("left_bottom_front").text, "F");
+  EXPECT_EQ(parse_one(replaced(deck, "cells: penta15,", "")).mesh.bodies.at(0).cells, CellType::hexa8);
+}
+
+TEST(DeckKeys, MeshFileStandsBesideTheDeck) {
+  const auto deck = replaced(smallest_deck, "beams.med}", "meshes/beams.med, name: Mesh_1}");
+  const auto mesh = parse_deck(deck, "cases/a/a.yaml").runs.at(0).mesh;
+  EXPECT_EQ(mesh.file.text, "cases/a/meshes/beams.med");
+  EXPECT_EQ(mesh.file_mesh, "Mesh_1");
+  EXPECT_TRUE(mesh.bodies.empty());
+  const auto absolute = parse_deck(replaced(deck, "meshes/", "/meshes/"), "cases/a/a.yaml").runs.at(0).mesh;
+  EXPECT_EQ(absolute.file.text, "/meshes/beams.med");
+}
+
+TEST(DeckKeys, Materials) {
+  const auto material = parse_one(full_deck).materials.at(0);
+  EXPECT_EQ(material.name, "steel");
+  EXPECT_EQ(material.young, 200e9);
+  EXPECT_EQ(material.poisson, 0.25);
+  EXPECT_EQ(material.density, 7800);
+  EXPECT_EQ(material.rayleigh_stiffness, 1e-5);
+  EXPECT_EQ(material.rayleigh_mass, 2);
+  EXPECT_FALSE(material.everywhere);
+  ASSERT_EQ(material.cells.size(), 2U);
+  EXPECT_EQ(material.cells[1].text, "lower");
+  const auto one_group = parse_one(replaced(full_deck, "[upper, lower]", "upper")).materials.at(0);
+  ASSERT_EQ(one_group.cells.size(), 1U);
+  EXPECT_TRUE(parse_one(replaced(full_deck, "[upper, lower]", "all")).materials.at(0).everywhere);
+}
+
+TEST(DeckKeys, MaterialsKeepTheOrderOfTheFile) {
+  const auto deck = replaced(smallest_deck, "density: 7800}",
+                             "density: 7800, cells: a}, brass: {young: 1e11, "
+                             "poisson: 0, density: 8500, cells: b}");
+  const auto materials = parse_one(deck).materials;
+  ASSERT_EQ(materials.size(), 2U);
+  EXPECT_EQ(materials[0].name, "steel");
+  EXPECT_EQ(materials[1].name, "brass");
+}
+
+TEST(DeckKeys, Supports) {
+  const auto supports = parse_one(full_deck).supports;
+  ASSERT_EQ(supports.size(), 2U);
+  EXPECT_EQ(supports[0].on.text, "Clamped");
+  EXPECT_EQ(supports[0].components[0], Amplitude{});
+  EXPECT_EQ(supports[0].components[1], Amplitude{});
+  EXPECT_FALSE(supports[0].components[2]);
+  EXPECT_EQ(supports[1].components[0], (Amplitude{0.1, {}}));
+  EXPECT_EQ(supports[1].components[1], (Amplitude{0.2, {"ramp", {}}}));
+}
+
+TEST(DeckKeys, Loads) {
+  const auto loads = parse_one(full_deck).loads;
+  ASSERT_EQ(loads.size(), 5U);
+  const auto is = [&](std::size_t i, LoadKind kind, const std::string& on, std::array<double, 3> components,
+                      const std::string& function) {
+    EXPECT_EQ(loads[i], (Load{kind, {on, {}}, components, {function, {}}, {}})) << i;
+  };
+  is(0, LoadKind::nodal_force, "Force", {0, -1e7, 0}, "ramp");
+  is(1, LoadKind::line_force, "Above", {1, 0, 0}, "");
+  is(2, LoadKind::surface_force, "Above", {2, 3, 0}, "");
+  is(3, LoadKind::pressure, "Above", {4, 0, 0}, "hold");
+  is(4, LoadKind::gravity, "upper", {0, -9.81, 0}, "");
+}
+
+TEST(DeckKeys, Functions) {
+  const auto functions = parse_one(full_deck).functions;
+  ASSERT_EQ(functions.size(), 2U);
+  EXPECT_EQ(functions.at("ramp"), (Function{{0, 1, 2}, {0, 1, 0.5}, Function::Outside::linear, {}}));
+  EXPECT_EQ(functions.at("hold").outside, Function::Outside::zero);
+}
+
+TEST(DeckKeys, Contact) {
+  const auto zones = parse_one(full_deck).contact;
+  ASSERT_EQ(zones.size(), 1U);
+  const auto& zone = zones[0];
+  EXPECT_EQ(zone.name, "interface");
+  EXPECT_EQ(zone.master.text, "Below");
+  EXPECT_EQ(zone.slave.text, "Beneath");
+  EXPECT_EQ(zone.friction, 0.2);
+  EXPECT_EQ(zone.method, ContactMethod::augmented_lagrangian);
+  EXPECT_EQ(zone.normal, ContactNormal::average);
+  EXPECT_EQ(zone.clamped_normal, ClampedNormal::code_aster);
+  EXPECT_EQ(zone.gauss_points, 3);
+  ASSERT_EQ(zone.exclude_nodes.size(), 2U);
+  EXPECT_EQ(zone.exclude_nodes[1].text, "N6");
+  EXPECT_EQ(zone.initially_active, false);
+  EXPECT_EQ(zone.normal_coefficient, 1e9);
+  EXPECT_EQ(zone.tangential_coefficient, 1e7);
+  EXPECT_EQ(zone.geometry, Iteration::newton);
+}
+
+TEST(DeckKeys, ContactOnlyNeedsItsTwoSurfaces) {
+  const auto zone =
+      parse_one(smallest_deck + "contact: {a: {master: M, slave: S, integration: nodes}}").contact.at(0);
+  ContactZone expected;
+  expected.name = "a";
+  expected.master.text = "M";
+  expected.slave.text = "S";
+  EXPECT_EQ(zone, expected);
+}
+
+TEST(DeckKeys, TimeSteps) {
+  const auto time = parse_one(full_deck).time;
+  EXPECT_EQ(time.scheme, SchemeKind::hht);
+  EXPECT_EQ(time.alpha, -0.3);
+  EXPECT_EQ(time.begin, 0.001);
+  EXPECT_EQ(time.step, 1e-3);
+  EXPECT_EQ(time.end, 0.013);
+  EXPECT_EQ(time.start, StartKind::at_rest_unloaded);
+  EXPECT_EQ(time.cut_parts, 4);
+  EXPECT_EQ(time.cut_levels, 6);
+}
+
+TEST(DeckKeys, EverySchemeWithItsOwnNumbers) {
+  const auto time = [](const std::string& scheme) {
+    return parse_one(replaced(smallest_deck, "scheme: newmark", "scheme: " + scheme)).time;
+  };
+  const auto newmark = time("newmark, beta: 0.3025, gamma: 0.6");
+  EXPECT_EQ(newmark.beta, 0.3025);
+  EXPECT_EQ(newmark.gamma, 0.6);
+  EXPECT_FALSE(time("newmark").beta.has_value());
+  EXPECT_EQ(time("hht, alpha: 0").alpha, 0);
+  EXPECT_EQ(time("modified_average_acceleration, alpha: -0.5").alpha, -0.5);
+  EXPECT_EQ(time("generalized_alpha, spectral_radius: 0.5").spectral_radius, 0.5);
+  EXPECT_EQ(time("static").scheme, SchemeKind::static_steps);
+}
+
+TEST(DeckKeys, InstantsInsteadOfStepAndEnd) {
+  const auto time =
+      parse_one(replaced(smallest_deck, "step: 1e-3, end: 0.012", "instants: [0.5, 1, 3]")).time;
+  EXPECT_EQ(time.instants, (std::vector{0.5, 1.0, 3.0}));
+  EXPECT_EQ(time.end, 3);
+  EXPECT_EQ(time.step, 0);
+}
+
+TEST(DeckKeys, StaticRunsNeedNoDensity) {
+  auto deck = replaced(smallest_deck, ", density: 7800", "");
+  deck = replaced(deck, "newmark", "static");
+  EXPECT_FALSE(parse_one(deck).materials.at(0).density.has_value());
+}
+
+TEST(DeckKeys, NewtonProbesFieldsAndChecks) {
+  const auto study = parse_one(full_deck);
+  EXPECT_EQ(study.newton, (NewtonSettings{25, 1e-9}));
+  ASSERT_EQ(study.probes.size(), 2U);
+  EXPECT_EQ(study.probes[0].name, "tip");
+  EXPECT_EQ(study.probes[0].node.text, "Force");
+  EXPECT_EQ(study.probes[0].field, ProbeField::velocity);
+  EXPECT_EQ(study.probes[1].point, (std::array{0.5, 0.15, 0.0}));
+  EXPECT_EQ(study.probes[1].field, ProbeField::reaction);
+  EXPECT_EQ(study.fields, (FieldOutput{true, true, {0.001, 0.006}, 10, false}));
+  ASSERT_EQ(study.checks.size(), 1U);
+  EXPECT_EQ(study.checks[0],
+            (Check{{"tip", {}}, 1, 0.012, -0.0132, 1e-3, false, CheckSource::other_code, "table 3", {}}));
+}
+
+TEST(DeckKeys, FieldsAloneAreWrittenForParaView) {
+  const auto fields = parse_one(smallest_deck + "fields: {}").fields;
+  EXPECT_EQ(fields, (FieldOutput{true, false, {}, 0, true}));
+}
+
+TEST(DeckKeys, NamesAndPartsKeepTheirPlaces) {
+  const auto study = parse_one(full_deck);
+  EXPECT_EQ(to_string(study.supports.at(0).on.at), test::place_of(full_deck, "Clamped, fix"));
+  EXPECT_EQ(to_string(study.materials.at(0).at), test::place_of(full_deck, "steel"));
+  EXPECT_EQ(to_string(study.contact.at(0).slave.at), test::place_of(full_deck, "Beneath\n"));
+  EXPECT_EQ(to_string(study.probes.at(0).at), test::place_of(full_deck, "tip"));
+  EXPECT_EQ(to_string(study.checks.at(0).where), test::place_of(full_deck, "{probe"));
+}
+
+TEST(DeckNumbers, AreReadStrictlyButInEveryUsualForm) {
+  for (const auto& [text, value] : std::vector<std::pair<std::string, double>>{
+           {"1e-3", 1e-3}, {"1.5E+2", 150}, {"+2", 2}, {".5", .5}, {"3.", 3}, {"0012", 12}, {"200e9", 200e9}})
+    EXPECT_EQ(parse_one(replaced(smallest_deck, "200e9", text)).materials.at(0).young, value) << text;
+}
+
+TEST(ReadDeck, ReadsAFile) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "rubato_deck_test";
+  std::filesystem::create_directories(folder);
+  const auto file = folder / "small.yaml";
+  std::ofstream(file) << smallest_deck;
+  EXPECT_EQ(read_deck(file).runs.at(0).mesh.file.text, (folder / "beams.med").string());
+  EXPECT_THROW(read_deck(folder / "absent.yaml"), InputError);
+  EXPECT_THROW(read_deck(folder), InputError);
+  std::filesystem::remove_all(folder);
+}
+
+} // namespace
+} // namespace rubato::deck
