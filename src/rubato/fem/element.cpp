@@ -10,7 +10,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -193,7 +192,8 @@ template <int D> double worst_jacobian_of(const ShapeTable& table, Points points
   const auto x = coordinates<D>(points);
   double worst = std::numeric_limits<double>::infinity();
   for (Index q = 0; q < table.weights.size(); ++q)
-    worst = std::min(worst, jacobian<D>(x, table, q).determinant());
+    if (const double here = jacobian<D>(x, table, q).determinant(); !(here >= worst))
+      worst = here;
   return worst;
 }
 
@@ -273,8 +273,9 @@ void point_volumes(CellType type, Points points, const Section& section, Eigen::
 double worst_jacobian(CellType type, Points points) {
   double worst = 0;
   with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
-    worst = std::min(worst_jacobian_of<D>(stiffness_table(type), points),
-                     worst_jacobian_of<D>(mass_table(type), points));
+    const double in_stiffness = worst_jacobian_of<D>(stiffness_table(type), points);
+    const double in_mass = worst_jacobian_of<D>(mass_table(type), points);
+    worst = in_mass < in_stiffness ? in_mass : in_stiffness;
   });
   return worst;
 }

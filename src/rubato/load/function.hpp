@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Functions of time.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+
+namespace rubato::load {
+
+/// The piecewise-linear function at time `t`; outside its table as `function.outside` says (at both ends of
+/// the table it still has its own values). Where a time stands twice, the function jumps and takes the later
+/// value there. A table of one point is constant under `linear` too. Throws InputError at function.at when
+/// the table is empty or times and values differ in number.
+double value_at(const deck::Function& function, double t);
+
+} // namespace rubato::load
