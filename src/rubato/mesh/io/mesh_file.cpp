@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -78,6 +80,19 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
         fmt::format("mesh file '{}' cannot be written: its ending is '{}', .med or .vtu was expected",
                     path.string(), path.extension().string()));
   }
+}
+
+std::span<const FormatEntry> all_formats() {
+#ifdef RUBATO_HAS_GMSH
+  static constexpr std::array<FormatEntry, 4> entries{{{".med, .rmed, .mmed", "MED, read and written"},
+                                                       {".msh", "Gmsh, read"},
+                                                       {".geo", "Gmsh geometry, meshed and read"},
+                                                       {".vtu", "VTK, written"}}};
+#else
+  static constexpr std::array<FormatEntry, 2> entries{
+      {{".med, .rmed, .mmed", "MED, read and written"}, {".vtu", "VTK, written"}}};
+#endif
+  return entries;
 }
 
 } // namespace rubato::mesh

@@ -5,7 +5,9 @@
 #include "rubato/mesh/mesh.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace rubato::mesh {
 
@@ -17,5 +19,12 @@ Mesh read_mesh(const std::filesystem::path& path, const std::string& mesh_name =
 /// Writes .med, .rmed, .mmed (groups included) or .vtu (cells of every dimension, no groups), by the file's
 /// ending. Throws InputError for any other ending and when the file can't be written.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+
+struct FormatEntry {
+  std::string_view extension;
+  std::string_view summary;
+};
+/// Every mesh format of this build, for `rubato list`.
+std::span<const FormatEntry> all_formats();
 
 } // namespace rubato::mesh

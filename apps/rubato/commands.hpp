@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What each subcommand does once its arguments are parsed. All return the program's exit code.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rubato::app {
+
+/// 0 done and all checks hold, 1 a check failed, 2 bad input, 3 no convergence, 4 anything else.
+enum ExitCode : int { done = 0, check_failed = 1, bad_input = 2, no_convergence = 3, other_failure = 4 };
+
+struct RunArguments {
+  std::filesystem::path deck;
+  std::filesystem::path output;
+  std::vector<std::string> settings; ///< "path.to.key=value"
+  std::vector<std::string> only;     ///< names of runs
+  bool quiet = false;
+};
+int run(const RunArguments& arguments);
+
+struct CheckArguments {
+  std::filesystem::path folder;
+};
+int check(const CheckArguments& arguments);
+
+struct InfoArguments {
+  std::filesystem::path file;
+  std::string mesh_name;
+};
+int info(const InfoArguments& arguments);
+
+struct MeshArguments {
+  std::filesystem::path source; ///< a deck or a mesh file
+  std::filesystem::path output;
+  std::vector<std::string> settings;
+  std::string convert;
+  int refine = 1;
+};
+int mesh(const MeshArguments& arguments);
+
+int list();
+
+} // namespace rubato::app

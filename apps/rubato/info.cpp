@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.hpp"
+
+#include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/mesh/quality.hpp"
+
+#include <fmt/format.h>
+
+namespace rubato::app {
+
+int info(const InfoArguments& arguments) {
+  const auto mesh = rubato::mesh::read_mesh(arguments.file, arguments.mesh_name);
+  fmt::print("{}\n{}", arguments.file.string(), rubato::mesh::to_text(rubato::mesh::examine(mesh)));
+  return done;
+}
+
+} // namespace rubato::app

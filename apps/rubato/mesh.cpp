@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.hpp"
+
+#include "rubato/deck/read.hpp"
+#include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/model/model.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace rubato::app {
+namespace {
+
+bool is_deck(const std::filesystem::path& path) { return path.extension() == ".yaml" || path.extension() == ".yml"; }
+
+deck::MeshConversion conversion_named(const std::string& name) {
+  static const std::map<std::string, deck::MeshConversion> words{{"", deck::MeshConversion::none},
+                                                                 {"none", deck::MeshConversion::none},
+                                                                 {"linear", deck::MeshConversion::linear},
+                                                                 {"quadratic", deck::MeshConversion::quadratic},
+                                                                 {"full_quadratic", deck::MeshConversion::full_quadratic}};
+  const auto found = words.find(name);
+  if (found == words.end())
+    throw InputError(fmt::format("--convert: found '{}', expected linear, quadratic or full_quadratic", name));
+  return found->second;
+}
+
+/// The mesh a deck's first run works on, or the one in a file; then what the command line asks for.
+deck::MeshSource source_of(const MeshArguments& arguments) {
+  deck::MeshSource source;
+  if (is_deck(arguments.source)) {
+    std::vector<deck::Setting> settings;
+    for (const auto& text : arguments.settings)
+      settings.push_back(deck::parse_setting(text));
+    source = deck::read_deck(arguments.source, settings).runs.front().mesh;
+  } else {
+    if (!arguments.settings.empty())
+      throw InputError("--set changes a deck, but the source is a mesh file");
+    source.file.text = arguments.source.string();
+  }
+  if (!arguments.convert.empty())
+    source.convert = conversion_named(arguments.convert);
+  if (arguments.refine < 1)
+    throw InputError(fmt::format("--refine: found {}, expected 1 or more", arguments.refine));
+  if (arguments.refine > 1)
+    source.refine = arguments.refine;
+  return source;
+}
+
+} // namespace
+
+int mesh(const MeshArguments& arguments) {
+  const auto mesh = model::load_mesh(source_of(arguments));
+  rubato::mesh::write_mesh(arguments.output, mesh);
+  fmt::print("{}: {} nodes, {} cells, {} groups\n", arguments.output.string(), mesh.node_count(), mesh.cell_count(),
+             rubato::mesh::group_names(mesh).size());
+  return done;
+}
+
+} // namespace rubato::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The line that shows how far a run is.
+#pragma once
+
+#include "rubato/run/time_loop.hpp"
+
+#include <chrono>
+#include <string>
+
+namespace rubato::app {
+
+/// On a terminal one line that is rewritten; elsewhere a plain line now and then. Everything goes to standard error,
+/// so that standard output keeps the results.
+class ProgressLine {
+public:
+  explicit ProgressLine(bool quiet);
+  void update(const run::Progress& progress);
+  /// Prints a sentence of its own.
+  void say(const std::string& text);
+  /// Ends the rewritten line.
+  void close();
+
+private:
+  using Clock = std::chrono::steady_clock;
+  std::string line_of(const run::Progress& progress) const;
+
+  bool quiet_;
+  bool terminal_;
+  bool open_ = false;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_{};
+};
+
+} // namespace rubato::app

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/enforcement.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace rubato::contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// The slip at which friction saturates, in lengths of the shortest master edge, when c_t is chosen by itself.
+constexpr double saturation_slip = 1e-4;
+/// Penetration, in lengths of the shortest master edge, below which an open point stays open: rounding makes that much.
+constexpr double closing_gap = 1e-11;
+
+/// Positions of the six point variables among local unknowns: displacement ones first, then λ and Λ.
+struct LocalResponse {
+  VectorXd force;               ///< internal side, by q
+  MatrixXd force_by_q;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> force_by_multiplier;
+  Vector3d equations;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> equations_by_q;
+  Eigen::Matrix3d equations_by_multiplier;
+};
+
+/// Chain rule from the law's variables to the displacements: f = −w N̂ᵀT, T = T_n n + T_a τ_a.
+LocalResponse localise(const Kinematics& k, const PointResponse& law, double weight) {
+  const int d = k.components;
+  const Index unknowns = k.unknowns();
+  Eigen::Matrix3d frame;
+  frame << k.normal, k.tangents.col(0), k.tangents.col(1);
+  const Vector3d traction = frame * law.traction;
+
+  Eigen::Matrix<double, 3, Eigen::Dynamic> d_variables(3, unknowns);
+  d_variables << k.d_gap, k.d_slip;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> d_traction = frame * (law.d_traction.leftCols<3>() * d_variables);
+  d_traction += law.traction[0] * k.d_normal + law.traction[1] * k.d_tangent[0] + law.traction[2] * k.d_tangent[1];
+  const Eigen::Matrix3d traction_by_multiplier = frame * law.d_traction.rightCols<3>();
+
+  LocalResponse local;
+  local.force.resize(unknowns);
+  local.force_by_q.resize(unknowns, unknowns);
+  local.force_by_multiplier.resize(unknowns, 3);
+  for (Index node = 0; node < k.shape.size(); ++node) {
+    const Eigen::Matrix<double, 1, Eigen::Dynamic> d_shape = k.shape_slope.row(node) * k.d_projection;
+    for (int i = 0; i < d; ++i) {
+      const Index row = node * d + i;
+      local.force[row] = -weight * k.shape[node] * traction[i];
+      local.force_by_q.row(row) = -weight * (k.shape[node] * d_traction.row(i) + traction[i] * d_shape);
+      local.force_by_multiplier.row(row) = -weight * k.shape[node] * traction_by_multiplier.row(i);
+    }
+  }
+  local.equations = weight * law.equations;
+  local.equations_by_q = weight * law.d_equations.leftCols<3>() * d_variables;
+  local.equations_by_multiplier = weight * law.d_equations.rightCols<3>();
+  return local;
+}
+
+class ZoneAssembler {
+public:
+  ZoneAssembler(const Zone& zone, const fem::DofMap& dofs, int multiplier_offset, ContactSystem& system)
+      : per_node_(zone.multipliers_per_node()), dofs_(dofs), offset_(multiplier_offset), system_(system) {}
+
+  void add(const SlavePoint& point, const Kinematics& kinematics, const LocalResponse& local) {
+    const int d = kinematics.components;
+    unknowns_.clear();
+    for (const auto node : kinematics.nodes)
+      for (int i = 0; i < d; ++i)
+        unknowns_.push_back(dofs_.first_dof[static_cast<std::size_t>(node)] + i);
+    for (Index row = 0; row < local.force.size(); ++row) {
+      const int global_row = unknowns_[static_cast<std::size_t>(row)];
+      system_.force[global_row] += local.force[row];
+      for (Index column = 0; column < local.force.size(); ++column)
+        push(system_.force_by_dof, global_row, unknowns_[static_cast<std::size_t>(column)],
+             local.force_by_q(row, column));
+    }
+    for (std::size_t j = 0; j < point.multipliers.size(); ++j)
+      couple(point, j, local);
+    add_equations(point, local.equations, local.equations_by_multiplier);
+  }
+
+  void add_equations(const SlavePoint& point, const Vector3d& equations, const Eigen::Matrix3d& by_multiplier) {
+    for (std::size_t j = 0; j < point.multipliers.size(); ++j)
+      for (int a = 0; a < per_node_; ++a) {
+        const int row = multiplier(point, j, a);
+        system_.equations[row] += point.multiplier_shape[j] * equations[a];
+        for (std::size_t k = 0; k < point.multipliers.size(); ++k)
+          for (int b = 0; b < per_node_; ++b)
+            push(system_.equation_by_multiplier, row, multiplier(point, k, b),
+                 point.multiplier_shape[j] * point.multiplier_shape[k] * by_multiplier(a, b));
+      }
+  }
+
+private:
+  int multiplier(const SlavePoint& point, std::size_t node, int component) const {
+    return offset_ + point.multipliers[node] * per_node_ + component;
+  }
+
+  static void push(Triplets& triplets, int row, int column, double value) {
+    if (value != 0)
+      triplets.emplace_back(row, column, value);
+  }
+
+  void couple(const SlavePoint& point, std::size_t j, const LocalResponse& local) {
+    const double shape = point.multiplier_shape[j];
+    for (int a = 0; a < per_node_; ++a)
+      for (Index q = 0; q < local.force.size(); ++q) {
+        const int dof = unknowns_[static_cast<std::size_t>(q)];
+        push(system_.force_by_multiplier, dof, multiplier(point, j, a), shape * local.force_by_multiplier(q, a));
+        push(system_.equation_by_dof, multiplier(point, j, a), dof, shape * local.equations_by_q(a, q));
+      }
+  }
+
+  int per_node_;
+  const fem::DofMap& dofs_;
+  int offset_;
+  ContactSystem& system_;
+  std::vector<int> unknowns_;
+};
+
+PointState measured(const Zone& zone, const SlavePoint& point, const VectorXd& multipliers,
+                    const std::optional<Kinematics>& kinematics) {
+  const int per_node = zone.multipliers_per_node();
+  PointState state;
+  for (std::size_t j = 0; j < point.multipliers.size(); ++j) {
+    const Index first = static_cast<Index>(point.multipliers[j]) * per_node;
+    state.pressure += point.multiplier_shape[j] * multipliers[first];
+    for (int a = 1; a < per_node; ++a)
+      state.semi[a - 1] += point.multiplier_shape[j] * multipliers[first + a];
+  }
+  state.gap = kinematics ? kinematics->gap : std::numeric_limits<double>::infinity();
+  if (kinematics)
+    state.slip = kinematics->slip;
+  return state;
+}
+
+/// Mean over the directions of the point's own stiffness, each node counted with its share.
+double resistance(const SlavePoint& point, const fem::DofMap& dofs, const Eigen::Ref<const VectorXd>& diagonal) {
+  double sum = 0;
+  double shares = 0;
+  for (std::size_t i = 0; i < point.nodes.size(); ++i) {
+    const double share = std::abs(point.shape[i]);
+    const auto first = dofs.first_dof[static_cast<std::size_t>(point.nodes[i])];
+    sum += share * diagonal.segment(first, dofs.components).mean();
+    shares += share;
+  }
+  return sum / shares;
+}
+
+} // namespace
+
+ZoneState initial_state(const Zone& zone) {
+  const bool active = zone.settings.initially_active.value_or(true);
+  return {VectorXd::Zero(zone.multiplier_count()),
+          std::vector<Status>(zone.points.size(), active ? Status::slip : Status::open)};
+}
+
+ContactSystem::ContactSystem(Index dofs, Index multipliers)
+    : force(VectorXd::Zero(dofs)), equations(VectorXd::Zero(multipliers)) {}
+
+ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dofs,
+                                        const Eigen::Ref<const VectorXd>& diagonal) {
+  ZoneCoefficients coefficients;
+  const double tangential = 1 / (saturation_slip * zone.master.shortest_edge);
+  for (const auto& point : zone.points) {
+    coefficients.normal.push_back(
+        zone.settings.normal_coefficient.value_or(resistance(point, dofs, diagonal) / std::abs(point.weight)));
+    coefficients.tangential.push_back(zone.settings.tangential_coefficient.value_or(tangential));
+  }
+  return coefficients;
+}
+
+std::vector<PointEvaluation> evaluate(const Zone& zone, const VectorXd& multipliers,
+                                      const Configuration& configuration) {
+  auto pairs = find_pairs(zone, configuration);
+  std::vector<PointEvaluation> evaluations(zone.points.size());
+  for (std::size_t i = 0; i < zone.points.size(); ++i) {
+    auto& evaluation = evaluations[i];
+    evaluation.pair = pairs[i];
+    if (evaluation.pair.paired())
+      evaluation.kinematics = evaluate_kinematics(zone, zone.points[i], evaluation.pair, configuration);
+    evaluation.variables = measured(zone, zone.points[i], multipliers, evaluation.kinematics);
+  }
+  return evaluations;
+}
+
+PointCoefficients coefficients_of(const Zone& zone, const ZoneCoefficients& coefficients, double friction,
+                                  std::size_t index) {
+  return {friction, coefficients.normal[index], coefficients.tangential[index],
+          closing_gap * zone.master.shortest_edge, zone.space_dimension - 1};
+}
+
+std::vector<Status> wanted_status(const Zone& zone, const ZoneCoefficients& coefficients, double friction,
+                                  std::span<const PointEvaluation> points) {
+  std::vector<Status> status(points.size(), Status::open);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].kinematics && !zone.points[i].excluded)
+      status[i] =
+          augmented_lagrangian_status(points[i].variables, coefficients_of(zone, coefficients, friction, i));
+  return status;
+}
+
+void add_contributions(const Zone& zone, const ZoneCoefficients& coefficients, double friction,
+                       std::span<const PointEvaluation> points, std::span<const Status> status,
+                       const fem::DofMap& dofs, int multiplier_offset, ContactSystem& system) {
+  ZoneAssembler assembler(zone, dofs, multiplier_offset, system);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& point = zone.points[i];
+    const auto law = augmented_lagrangian(points[i].variables, status[i],
+                                          coefficients_of(zone, coefficients, friction, i));
+    if (status[i] == Status::open)
+      assembler.add_equations(point, point.weight * law.equations, point.weight * law.d_equations.rightCols<3>());
+    else
+      assembler.add(point, *points[i].kinematics, localise(*points[i].kinematics, law, point.weight));
+  }
+}
+
+} // namespace rubato::contact

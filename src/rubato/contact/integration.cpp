@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/integration.hpp"
+
+#include "rubato/fem/quadrature.hpp"
+
+#include <array>
+#include <stdexcept>
+
+namespace rubato::contact {
+namespace {
+
+using mesh::CellType;
+using Eigen::Vector2d;
+
+IntegrationPoint on_node(int node, Vector2d xi, double weight) { return {xi, weight, node, node}; }
+
+std::vector<IntegrationPoint> quadrangle_nodes(bool with_centre) {
+  static const std::array<Vector2d, 9> places{Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1),
+                                              Vector2d(-1, 1),  Vector2d(0, -1), Vector2d(1, 0),
+                                              Vector2d(0, 1),   Vector2d(-1, 0), Vector2d(0, 0)};
+  std::vector<IntegrationPoint> points;
+  for (int i = 0; i < 9; ++i) {
+    const double weight = i < 4 ? 1.0 / 9 : i < 8 ? 4.0 / 9 : 16.0 / 9;
+    points.push_back(on_node(i, places[static_cast<std::size_t>(i)], weight));
+  }
+  if (!with_centre)
+    points.back().node = points.back().stands_for = -1;
+  return points;
+}
+
+/// Strang and Fix's six-point rule of degree 4, in Code_Aster's order.
+std::vector<IntegrationPoint> triangle_six_points() {
+  constexpr double a = 0.445948490915965;
+  constexpr double b = 0.091576213509771;
+  constexpr double near_corner = 0.054975871827661;
+  constexpr double near_middle = 0.111690794839005;
+  const std::array<Vector2d, 6> places{Vector2d(b, b),         Vector2d(1 - 2 * b, b), Vector2d(b, 1 - 2 * b),
+                                       Vector2d(a, 1 - 2 * a), Vector2d(a, a),         Vector2d(1 - 2 * a, a)};
+  std::vector<IntegrationPoint> points;
+  for (int i = 0; i < 6; ++i)
+    points.push_back({places[static_cast<std::size_t>(i)], i < 3 ? near_corner : near_middle, -1, i});
+  return points;
+}
+
+std::vector<IntegrationPoint> nodal_rule(CellType face) {
+  switch (face) {
+  case CellType::seg2:
+    return {on_node(0, {-1, 0}, 1), on_node(1, {1, 0}, 1)};
+  case CellType::seg3:
+    return {on_node(0, {-1, 0}, 1.0 / 3), on_node(1, {1, 0}, 1.0 / 3), on_node(2, {0, 0}, 4.0 / 3)};
+  case CellType::tria3:
+    return {on_node(0, {0, 0}, 1.0 / 6), on_node(1, {1, 0}, 1.0 / 6), on_node(2, {0, 1}, 1.0 / 6)};
+  case CellType::quad4:
+    return {on_node(0, {-1, -1}, 1), on_node(1, {1, -1}, 1), on_node(2, {1, 1}, 1), on_node(3, {-1, 1}, 1)};
+  case CellType::quad8:
+    return quadrangle_nodes(false);
+  case CellType::quad9:
+    return quadrangle_nodes(true);
+  case CellType::tria6:
+  case CellType::tria7:
+    return triangle_six_points();
+  default:
+    throw std::invalid_argument("contact faces are segments, triangles and quadrangles");
+  }
+}
+
+} // namespace
+
+std::vector<IntegrationPoint> contact_rule(CellType face, int gauss) {
+  if (gauss == 0)
+    return nodal_rule(face);
+  std::vector<IntegrationPoint> points;
+  for (const auto& [xi, weight] : fem::gauss_rule(face, gauss))
+    points.push_back({xi.head<2>(), weight, -1, -1});
+  return points;
+}
+
+} // namespace rubato::contact

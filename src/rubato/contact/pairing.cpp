@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/pairing.hpp"
+
+#include <nanoflann.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace rubato::contact {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Code_Aster's TOLE_PROJ_EXT.
+constexpr double largest_overshoot = 0.5;
+
+/// The nodes of a surface as nanoflann wants to see them.
+struct NodeCloud {
+  std::vector<Vector3d> points;
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  double kdtree_get_pt(std::size_t index, std::size_t component) const {
+    return points[index][static_cast<Eigen::Index>(component)];
+  }
+  template <class Box> bool kdtree_get_bbox(Box& /*unused*/) const { return false; }
+};
+
+using NodeTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, NodeCloud>, NodeCloud, 3>;
+
+struct Candidate {
+  int face = -1;
+  Projection projection;
+  double distance = INFINITY;
+
+  bool beats(const Candidate& other) const {
+    if (other.face < 0)
+      return true;
+    if (projection.inside() != other.projection.inside())
+      return projection.inside();
+    return distance < other.distance;
+  }
+};
+
+Candidate candidate_on(const Zone& zone, int face_index, const Vector3d& point,
+                       const Configuration& configuration) {
+  const auto& face = zone.master.faces[static_cast<std::size_t>(face_index)];
+  const auto nodes = deformed(face, configuration);
+  Candidate candidate{face_index, project(face.type, nodes, point), 0};
+  candidate.distance = (point - face_geometry(face.type, nodes, candidate.projection.clamped).position).norm();
+  return candidate;
+}
+
+Pair best_pair(const Zone& zone, const NodeTree& tree, const Vector3d& point, const Configuration& configuration) {
+  std::uint32_t nearest = 0;
+  double squared_distance = 0;
+  tree.knnSearch(point.data(), 1, &nearest, &squared_distance);
+  Candidate best;
+  for (const int face : zone.master.faces_of_node[nearest]) {
+    const auto candidate = candidate_on(zone, face, point, configuration);
+    if (candidate.beats(best))
+      best = candidate;
+  }
+  if (!(best.projection.overshoot <= largest_overshoot))
+    return {};
+  return {best.face, best.projection};
+}
+
+} // namespace
+
+FaceCoordinates deformed(const Face& face, const Configuration& configuration) {
+  FaceCoordinates coordinates(3, face.node_count);
+  for (int i = 0; i < face.node_count; ++i)
+    coordinates.col(i) = configuration.position(face.nodes[static_cast<std::size_t>(i)]);
+  return coordinates;
+}
+
+Vector3d position(const SlavePoint& point, const Configuration& configuration) {
+  Vector3d x = Vector3d::Zero();
+  for (std::size_t i = 0; i < point.nodes.size(); ++i)
+    if (point.shape[i] != 0)
+      x += point.shape[i] * configuration.position(point.nodes[i]);
+  return x;
+}
+
+std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuration) {
+  NodeCloud cloud;
+  cloud.points.reserve(zone.master.nodes.size());
+  for (const auto node : zone.master.nodes)
+    cloud.points.push_back(configuration.position(node));
+  const NodeTree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+
+  std::vector<Pair> pairs;
+  pairs.reserve(zone.points.size());
+  for (const auto& point : zone.points)
+    pairs.push_back(best_pair(zone, tree, position(point, configuration), configuration));
+  return pairs;
+}
+
+} // namespace rubato::contact

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Which master face each slave point faces, on the deformed surfaces.
+#pragma once
+
+#include "rubato/contact/projection.hpp"
+#include "rubato/contact/zone.hpp"
+
+#include <vector>
+
+namespace rubato::contact {
+
+/// A slave point's place on the master surface; master_face = −1 when it faces none.
+struct Pair {
+  int master_face = -1;
+  Projection projection;
+
+  bool paired() const { return master_face >= 0; }
+};
+
+/// The projection of each slave point: the faces around the nearest master node are tried; one that holds the
+/// orthogonal projection beats any that doesn't, then the shortest distance wins. A point whose projection lies more
+/// than half a reference length outside the face it got is unpaired.
+std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuration);
+
+/// Current coordinates of a face's nodes.
+FaceCoordinates deformed(const Face& face, const Configuration& configuration);
+
+/// Current position of a slave point.
+Eigen::Vector3d position(const SlavePoint& point, const Configuration& configuration);
+
+} // namespace rubato::contact

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Orthogonal projection of a point on one curved face, and on the reference cell's limits.
+#pragma once
+
+#include "rubato/mesh/cell_type.hpp"
+
+#include <Eigen/Core>
+
+namespace rubato::contact {
+
+/// Coordinates of the nodes of a face, one a column; at most nine.
+using FaceCoordinates = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9>;
+
+/// Position and parametric derivatives of a face at one reference point. In 2D the second direction is e_z, so that
+/// tangent₁ × tangent₂ is the outward normal there as well.
+struct FaceGeometry {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero(); ///< x,_a
+  Eigen::Vector3d curvatures[2][2];                                           ///< x,_ab
+};
+
+FaceGeometry face_geometry(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
+
+struct Projection {
+  Eigen::Vector2d xi = Eigen::Vector2d::Zero();      ///< of the unconstrained orthogonal projection
+  Eigen::Vector2d clamped = Eigen::Vector2d::Zero(); ///< closest point of the reference face to `xi`
+  /// ∂clamped/∂xi: identity inside, a projection on a side or an edge beyond it, zero at a corner.
+  Eigen::Matrix2d clamp_derivative = Eigen::Matrix2d::Identity();
+  double overshoot = 0; ///< |xi − clamped|, 0 inside
+  bool converged = false;
+
+  bool inside() const { return overshoot == 0; }
+};
+
+/// Moves `xi` to the closest point of the reference face in the parametric plane; within 1e-12 it counts as inside.
+/// Fills clamped, clamp_derivative and overshoot from xi.
+void clamp_to_face(mesh::CellType type, Projection& projection);
+
+/// Solves (x_s − x(ξ))·x,_a(ξ) = 0 by Newton's method from the middle of the face, then clamps.
+Projection project(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector3d& point);
+
+} // namespace rubato::contact

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The side of a body that may touch another: faces whose normals point out of the body.
+#pragma once
+
+#include "rubato/mesh/mesh.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace rubato::contact {
+
+/// A face of a contact surface (a segment in 2D). Its nodes are ordered so that x,₁ × x,₂ (2D: x,₁ × e_z) leaves the
+/// body.
+struct Face {
+  mesh::CellType type = mesh::CellType::seg2;
+  int node_count = 0;
+  std::array<mesh::NodeIndex, 9> nodes{};
+  mesh::CellIndex cell = 0; ///< the face's own cell in the mesh
+
+  std::span<const mesh::NodeIndex> node_span() const {
+    return std::span(nodes).first(static_cast<std::size_t>(node_count));
+  }
+};
+
+struct Surface {
+  std::vector<Face> faces;
+  std::vector<mesh::NodeIndex> nodes;             ///< ascending, without repeats
+  std::vector<std::vector<int>> faces_of_node;    ///< by position in `nodes`
+  double shortest_edge = 0;                       ///< between corners, undeformed [length]
+  double longest_edge = 0;
+
+  /// Position of a mesh node in `nodes`, or −1.
+  int position_of(mesh::NodeIndex node) const;
+};
+
+/// Collects the nodes and neighbours of `faces`, which must be oriented already.
+Surface make_surface(const mesh::Mesh& mesh, std::vector<Face> faces);
+
+/// Reference dimension of a contact face: 1 for segments, 2 for triangles and quadrangles.
+int parametric_dimension(mesh::CellType type);
+
+} // namespace rubato::contact

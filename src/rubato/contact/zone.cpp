@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/zone.hpp"
+
+#include "rubato/contact/integration.hpp"
+#include "rubato/contact/projection.hpp"
+#include "rubato/fem/reference_cell.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace rubato::contact {
+namespace {
+
+using mesh::NodeIndex;
+
+FaceCoordinates undeformed(const mesh::Mesh& mesh, const Face& face) {
+  FaceCoordinates coordinates(3, face.node_count);
+  for (int i = 0; i < face.node_count; ++i)
+    coordinates.col(i) = mesh.points[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])];
+  return coordinates;
+}
+
+double area_factor(const mesh::Mesh& mesh, const Face& face, const IntegrationPoint& point,
+                   const ZoneGeometry& geometry) {
+  const auto at = face_geometry(face.type, undeformed(mesh, face), point.xi);
+  const double jacobian = at.tangents.col(0).cross(at.tangents.col(1)).norm();
+  const double ring = geometry.measure == Measure::ring ? 2 * std::numbers::pi * at.position.x() : 1.0;
+  return jacobian * geometry.thickness * ring;
+}
+
+bool is_excluded(std::span<const NodeIndex> excluded, NodeIndex node) {
+  return std::ranges::binary_search(excluded, node);
+}
+
+/// Nodes that turn the slave's normal are taken along with shape value 0.
+void add_turning_nodes(const Surface& slave, SlavePoint& point) {
+  for (const auto& place : point.stands_on)
+    for (const auto node : slave.faces[static_cast<std::size_t>(place.face)].node_span())
+      if (std::ranges::find(point.nodes, node) == point.nodes.end()) {
+        point.nodes.push_back(node);
+        point.shape.push_back(0.0);
+      }
+}
+
+SlavePoint point_on_node(const Surface& slave, NodeIndex node) {
+  SlavePoint point;
+  point.nodes = {node};
+  point.shape = {1.0};
+  point.node_position = slave.position_of(node);
+  point.multipliers = {point.node_position};
+  point.multiplier_shape = {1.0};
+  return point;
+}
+
+SlavePoint point_inside(const Surface& slave, const Face& face, const IntegrationPoint& at) {
+  SlavePoint point;
+  std::array<double, 9> values{};
+  fem::reference_cell(face.type)
+      .values({at.xi[0], at.xi[1], 0}, std::span(values).first(static_cast<std::size_t>(face.node_count)));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(face.node_count); ++i) {
+    point.nodes.push_back(face.nodes[i]);
+    point.shape.push_back(values[i]);
+    point.multipliers.push_back(slave.position_of(face.nodes[i]));
+    point.multiplier_shape.push_back(values[i]);
+  }
+  return point;
+}
+
+std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const deck::ContactZone& settings,
+                                    const Surface& slave, std::span<const NodeIndex> excluded,
+                                    const ZoneGeometry& geometry) {
+  std::vector<SlavePoint> points;
+  std::map<NodeIndex, std::size_t> point_of_node;
+  for (std::size_t f = 0; f < slave.faces.size(); ++f) {
+    const auto& face = slave.faces[f];
+    for (const auto& at : contact_rule(face.type, settings.gauss_points)) {
+      const double weight = at.weight * area_factor(mesh, face, at, geometry);
+      std::size_t index = points.size();
+      if (at.node >= 0) {
+        const auto node = face.nodes[static_cast<std::size_t>(at.node)];
+        index = point_of_node.emplace(node, index).first->second;
+        if (index == points.size())
+          points.push_back(point_on_node(slave, node));
+      } else {
+        points.push_back(point_inside(slave, face, at));
+      }
+      auto& point = points[index];
+      point.weight += weight;
+      point.stands_on.push_back({static_cast<int>(f), at.xi});
+      if (at.stands_for >= 0 && is_excluded(excluded, face.nodes[static_cast<std::size_t>(at.stands_for)]))
+        point.excluded = true;
+    }
+  }
+  return points;
+}
+
+} // namespace
+
+Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surface master, Surface slave,
+               std::span<const NodeIndex> excluded_nodes, const ZoneGeometry& geometry) {
+  Zone zone;
+  zone.settings = settings;
+  zone.space_dimension = geometry.space_dimension;
+  zone.points = make_points(mesh, settings, slave, excluded_nodes, geometry);
+  zone.master = std::move(master);
+  zone.slave = std::move(slave);
+  if (settings.normal != deck::ContactNormal::master)
+    for (auto& point : zone.points)
+      add_turning_nodes(zone.slave, point);
+  return zone;
+}
+
+Eigen::Vector3d Configuration::position(NodeIndex node) const {
+  Eigen::Vector3d x = mesh->points[static_cast<std::size_t>(node)];
+  const auto first = dofs->first_dof[static_cast<std::size_t>(node)];
+  for (int i = 0; i < dofs->components; ++i)
+    x[i] += (*displacement)[first + i];
+  return x;
+}
+
+Eigen::Vector3d Configuration::increment(NodeIndex node) const {
+  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+  const auto first = dofs->first_dof[static_cast<std::size_t>(node)];
+  for (int i = 0; i < dofs->components; ++i)
+    moved[i] = (*displacement)[first + i] - (*start)[first + i];
+  return moved;
+}
+
+} // namespace rubato::contact

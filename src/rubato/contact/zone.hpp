@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// A contact zone: two surfaces, the points of the slave one where contact is enforced, and how.
+#pragma once
+
+#include "rubato/contact/surface.hpp"
+#include "rubato/deck/study.hpp"
+#include "rubato/fem/dof_map.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace rubato::contact {
+
+/// A point of a slave face, with its reference coordinates there.
+struct PointOnFace {
+  int face = 0;
+  Eigen::Vector2d xi = Eigen::Vector2d::Zero();
+};
+
+/// Where contact is enforced. A slave node shared by several faces carries one point whose weight is the sum of theirs:
+/// its displacement, multiplier and master face are the same seen from each of them.
+struct SlavePoint {
+  std::vector<mesh::NodeIndex> nodes; ///< those that move it and, when the normal is the slave's, turn it
+  std::vector<double> shape;          ///< value of each node's shape function at the point; 0 for turning nodes
+  std::vector<int> multipliers;       ///< positions in the slave surface's nodes, of the nodes with shape ≠ 0
+  std::vector<double> multiplier_shape;
+  std::vector<PointOnFace> stands_on; ///< every slave face it belongs to
+  double weight = 0;                  ///< quadrature weight × undeformed Jacobian [area]
+  bool excluded = false;
+  /// Excluded slave nodes' multipliers stay 0; so does this point's contribution to their rows.
+  int node_position = -1; ///< position in the slave surface's nodes when the point stands on a node, else −1
+};
+
+struct Zone {
+  deck::ContactZone settings;
+  Surface master;
+  Surface slave;
+  std::vector<SlavePoint> points;
+  int space_dimension = 3;
+
+  /// Multipliers of one slave node: the pressure and, with friction, one or two tangential ones.
+  int multipliers_per_node() const { return settings.friction > 0 ? space_dimension : 1; }
+  int multiplier_count() const { return static_cast<int>(slave.nodes.size()) * multipliers_per_node(); }
+};
+
+/// What the weight of a contact point is multiplied with: the thickness, or 2πr of the undeformed point.
+enum class Measure { unit, ring };
+
+struct ZoneGeometry {
+  int space_dimension = 3;
+  double thickness = 1;
+  Measure measure = Measure::unit;
+};
+
+/// `excluded_nodes` are mesh nodes (ascending), those that don't lie on the slave surface don't matter.
+Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surface master, Surface slave,
+               std::span<const mesh::NodeIndex> excluded_nodes, const ZoneGeometry& geometry);
+
+/// Where the nodes are: undeformed coordinates plus u; `start` is u at the beginning of the step.
+struct Configuration {
+  const mesh::Mesh* mesh;
+  const fem::DofMap* dofs;
+  const Eigen::VectorXd* displacement;
+  const Eigen::VectorXd* start;
+
+  Eigen::Vector3d position(mesh::NodeIndex node) const;
+  /// Displacement since the start of the step.
+  Eigen::Vector3d increment(mesh::NodeIndex node) const;
+};
+
+} // namespace rubato::contact

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/load/nodal_forces.hpp"
+#include "rubato/mesh/skin.hpp"
+#include "rubato/model/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace rubato::model {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+class LoadBuilder {
+public:
+  LoadBuilder(const mesh::Mesh& mesh, const fem::DofMap& dofs, const fem::Bulk& bulk, std::vector<Fault>& faults)
+      : mesh_(mesh), dofs_(dofs), bulk_(bulk), faults_(faults) {}
+
+  VectorXd pattern(const deck::Load& load) {
+    VectorXd force = VectorXd::Zero(dofs_.dof_count);
+    const Vector3d value(load.components[0], load.components[1], load.components[2]);
+    switch (load.kind) {
+    case deck::LoadKind::nodal_force:
+      if (const auto nodes = nodes_or_fault(mesh_, load.on, faults_); !nodes.empty())
+        load::add_nodal_force(mesh_, dofs_, nodes, value, force);
+      break;
+    case deck::LoadKind::line_force:
+      load::add_line_force(mesh_, dofs_, edges(load), value, force);
+      break;
+    case deck::LoadKind::surface_force:
+      add_on_faces(load, [&](const auto& faces) {
+        load::add_surface_force(mesh_, dofs_, bulk_.section, faces, value, force);
+      });
+      break;
+    case deck::LoadKind::pressure:
+      add_on_faces(load, [&](const auto& faces) {
+        load::add_pressure(mesh_, dofs_, bulk_.section, faces, load.components[0], force);
+      });
+      break;
+    case deck::LoadKind::gravity:
+      add_gravity(load, value, force);
+      break;
+    }
+    return force;
+  }
+
+private:
+  std::vector<load::Face> edges(const deck::Load& load) {
+    std::vector<load::Face> edges;
+    const auto* group = cells_named(mesh_, load.on, faults_);
+    if (group == nullptr)
+      return edges;
+    for (const auto cell : group->items) {
+      const auto type = mesh_.type_of(cell);
+      if (mesh::topology(type).dimension != 1) {
+        faults_.push_back({load.on.at, fmt::format("group '{}' holds {} cells, expected edges for a line force",
+                                                   load.on.text, mesh::topology(type).name)});
+        return {};
+      }
+      edges.push_back({type, mesh_.nodes_of(cell)});
+    }
+    return edges;
+  }
+
+  template <class Add> void add_on_faces(const deck::Load& load, const Add& add) {
+    const auto* group = cells_named(mesh_, load.on, faults_);
+    if (group == nullptr)
+      return;
+    const auto oriented = mesh::oriented_faces(mesh_, group->items);
+    for (const auto& text : mesh::faults_of(mesh_, oriented))
+      faults_.push_back({load.on.at, fmt::format("loaded surface '{}': {}", load.on.text, text)});
+    std::vector<load::Face> faces;
+    std::ranges::transform(oriented.faces, std::back_inserter(faces), [](const auto& side) {
+      return load::Face{side.type, side.nodes()};
+    });
+    add(faces);
+  }
+
+  void add_gravity(const deck::Load& load, const Vector3d& acceleration, VectorXd& force) {
+    if (load.on.text.empty()) {
+      load::add_gravity(mesh_, dofs_, bulk_, acceleration, force);
+      return;
+    }
+    const auto* group = cells_named(mesh_, load.on, faults_);
+    if (group == nullptr)
+      return;
+    fem::Bulk part{bulk_.section, {}, bulk_.laws, {}};
+    for (std::size_t i = 0; i < bulk_.cells.size(); ++i)
+      if (std::ranges::binary_search(group->items, bulk_.cells[i])) {
+        part.cells.push_back(bulk_.cells[i]);
+        part.law_of_cell.push_back(bulk_.law_of_cell[i]);
+      }
+    if (part.cells.empty())
+      faults_.push_back({load.on.at, fmt::format("group '{}' holds no cells that deform, expected some for gravity",
+                                                 load.on.text)});
+    load::add_gravity(mesh_, dofs_, part, acceleration, force);
+  }
+
+  const mesh::Mesh& mesh_;
+  const fem::DofMap& dofs_;
+  const fem::Bulk& bulk_;
+  std::vector<Fault>& faults_;
+};
+
+} // namespace
+
+std::vector<Force> make_forces(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+                               const fem::Bulk& bulk, std::vector<Fault>& faults) {
+  LoadBuilder builder(mesh, dofs, bulk, faults);
+  std::vector<Force> forces;
+  for (const auto& load : study.loads) {
+    try {
+      forces.push_back({builder.pattern(load), function_named(study, load.function)});
+    } catch (const InputError& error) {
+      for (const auto& fault : error.faults())
+        faults.push_back({fault.at.line > 0 ? fault.at : load.on.at, fault.text});
+    }
+  }
+  return forces;
+}
+
+} // namespace rubato::model

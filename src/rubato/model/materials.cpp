@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rubato::model {
+namespace {
+
+/// More of one kind say no more than the first few.
+constexpr std::size_t listed_faults = 10;
+
+using mesh::CellIndex;
+
+/// Which material each bulk cell of the mesh has.
+class Assignment {
+public:
+  Assignment(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults)
+      : study_(study), mesh_(mesh), faults_(faults), dimension_(fem::component_count(study.physics)),
+        material_(static_cast<std::size_t>(mesh.cell_count()), -1) {
+    for (CellIndex cell = 0; cell < mesh.cell_count(); ++cell)
+      if (mesh::topology(mesh.type_of(cell)).dimension == dimension_)
+        bulk_.push_back(cell);
+  }
+
+  std::vector<CellIndex> cells() const { return bulk_; }
+  int of(CellIndex cell) const { return material_[static_cast<std::size_t>(cell)]; }
+
+  void give(int index) {
+    const auto& material = study_.materials[static_cast<std::size_t>(index)];
+    if (material.everywhere) {
+      give(index, bulk_);
+      if (bulk_.empty())
+        faults_.push_back({material.at, fmt::format("the mesh has no {} cells, expected some for material '{}'",
+                                                    dimension_ == 3 ? "solid" : "surface", material.name)});
+    }
+    for (const auto& name : material.cells)
+      if (const auto* group = cells_named(mesh_, name, faults_))
+        give_group(index, name, group->items);
+  }
+
+  void report_cells_without_material() {
+    const auto bare = [&](CellIndex cell) { return of(cell) < 0; };
+    const auto count = std::ranges::count_if(bulk_, bare);
+    if (count == 0)
+      return;
+    const auto first = *std::ranges::find_if(bulk_, bare);
+    const auto place = mesh_.place_of(first);
+    const auto at = study_.materials.empty() ? Location{} : study_.materials.front().at;
+    faults_.push_back({at, fmt::format("{} of {} cells have no material, the first one is cell {} ({}); expected one for every "
+                                       "cell (`cells: all`, or a group)",
+                                       count, bulk_.size(),
+                                       place.block->numbers[static_cast<std::size_t>(place.index)],
+                                       mesh::topology(place.block->type).name)});
+  }
+
+private:
+  void give(int index, std::span<const CellIndex> cells) {
+    for (const auto cell : cells) {
+      auto& now = material_[static_cast<std::size_t>(cell)];
+      if (now >= 0 && now != index && std::ranges::find(clashes_, std::pair(now, index)) == clashes_.end()) {
+        clashes_.emplace_back(now, index);
+        faults_.push_back({study_.materials[static_cast<std::size_t>(index)].at,
+                           fmt::format("material '{}' is given to cells that have material '{}' already",
+                                       study_.materials[static_cast<std::size_t>(index)].name,
+                                       study_.materials[static_cast<std::size_t>(now)].name)});
+      }
+      now = index;
+    }
+  }
+
+  void give_group(int index, const deck::Name& name, std::span<const CellIndex> items) {
+    std::vector<CellIndex> cells;
+    std::ranges::copy_if(items, std::back_inserter(cells), [&](CellIndex cell) {
+      return mesh::topology(mesh_.type_of(cell)).dimension == dimension_;
+    });
+    if (cells.empty())
+      faults_.push_back({name.at, fmt::format("group '{}' holds cells of dimension {}, expected {} (material '{}')",
+                                              name.text, mesh::topology(mesh_.type_of(items.front())).dimension,
+                                              dimension_, study_.materials[static_cast<std::size_t>(index)].name)});
+    give(index, cells);
+  }
+
+  const deck::Study& study_;
+  const mesh::Mesh& mesh_;
+  std::vector<Fault>& faults_;
+  int dimension_;
+  std::vector<CellIndex> bulk_;
+  std::vector<int> material_;
+  std::vector<std::pair<int, int>> clashes_;
+};
+
+void add_shape_faults(const deck::Study& study, const mesh::Mesh& mesh, std::span<const CellIndex> cells,
+                      std::vector<Fault>& faults) {
+  auto bad = fem::cell_faults(mesh, cells, study.physics);
+  const auto count = bad.size();
+  if (count > listed_faults) {
+    bad.resize(listed_faults);
+    bad.push_back({{}, fmt::format("and {} more cells like these", count - listed_faults)});
+  }
+  for (auto& fault : bad)
+    faults.push_back({study.mesh.file.at, std::move(fault.text)});
+}
+
+} // namespace
+
+fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
+  fem::Bulk bulk;
+  bulk.section = {study.physics, study.thickness};
+  Assignment assignment(study, mesh, faults);
+  for (std::size_t i = 0; i < study.materials.size(); ++i) {
+    const auto& material = study.materials[i];
+    bulk.laws.push_back({material.young, material.poisson, material.density.value_or(0.0)});
+    assignment.give(static_cast<int>(i));
+  }
+  if (faults.empty())
+    assignment.report_cells_without_material();
+  bulk.cells = assignment.cells();
+  for (const auto cell : bulk.cells)
+    bulk.law_of_cell.push_back(assignment.of(cell));
+  if (faults.empty())
+    add_shape_faults(study, mesh, bulk.cells, faults);
+  return bulk;
+}
+
+} // namespace rubato::model

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/model.hpp"
+
+#include "rubato/load/function.hpp"
+#include "rubato/mesh/convert.hpp"
+#include "rubato/mesh/generate.hpp"
+#include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/mesh/orientation.hpp"
+#include "rubato/mesh/refine.hpp"
+#include "rubato/model/build.hpp"
+
+#include <fmt/format.h>
+
+namespace rubato::model {
+namespace {
+
+using Eigen::VectorXd;
+
+void number_unknowns(Model& model) {
+  const auto count = static_cast<std::size_t>(model.dofs.dof_count);
+  model.free_index.assign(count, 0);
+  for (const auto& constraint : model.constraints)
+    model.free_index[static_cast<std::size_t>(constraint.dof)] = -1;
+  for (std::size_t dof = 0; dof < count; ++dof)
+    if (model.free_index[dof] == 0) {
+      model.free_index[dof] = static_cast<int>(model.free_dofs.size());
+      model.free_dofs.push_back(static_cast<int>(dof));
+    }
+  model.node_of_dof.resize(count);
+  for (const auto node : model.dofs.nodes)
+    for (int i = 0; i < model.dofs.components; ++i)
+      model.node_of_dof[static_cast<std::size_t>(model.dofs.dof(node, i))] = node;
+  for (const auto& zone : model.zones) {
+    model.multiplier_offsets.push_back(model.multiplier_count);
+    model.multiplier_count += zone.multiplier_count();
+  }
+}
+
+void assemble_matrices(Model& model, const std::vector<deck::Material>& materials) {
+  const auto& bulk = model.bulk;
+  const fem::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
+  model.stiffness = fem::assemble_stiffness(model.mesh, bulk, pattern);
+  const bool dynamic = model.study.time.scheme != deck::SchemeKind::static_steps;
+  if (!dynamic)
+    return;
+  model.mass = fem::assemble_mass(model.mesh, bulk, pattern);
+  std::vector<double> by_stiffness;
+  std::vector<double> by_mass;
+  bool damped = false;
+  for (const auto& material : materials) {
+    by_stiffness.push_back(material.rayleigh_stiffness);
+    by_mass.push_back(material.rayleigh_mass);
+    damped = damped || material.rayleigh_stiffness != 0 || material.rayleigh_mass != 0;
+  }
+  if (damped)
+    model.damping = fem::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness) +
+                    fem::assemble_mass(model.mesh, bulk, pattern, by_mass);
+}
+
+void stop_on(const std::vector<Fault>& faults) {
+  if (!faults.empty())
+    throw InputError(faults);
+}
+
+double value_of(const std::optional<deck::Function>& function, double t) {
+  return function ? load::value_at(*function, t) : 1.0;
+}
+
+} // namespace
+
+mesh::Mesh load_mesh(const deck::MeshSource& source) {
+  mesh::Mesh mesh;
+  if (source.file.text.empty()) {
+    mesh = mesh::generate(source.bodies, source.refine);
+  } else {
+    mesh = mesh::read_mesh(source.file.text, source.file_mesh);
+    mesh::mend_orientation(mesh);
+  }
+  mesh = mesh::converted(mesh, source.convert);
+  if (!source.file.text.empty() && source.refine > 1)
+    mesh = mesh::refined(mesh, source.refine);
+  return mesh;
+}
+
+Model build_model(const deck::Study& study) {
+  try {
+    return build_model(study, load_mesh(study.mesh));
+  } catch (const InputError& error) {
+    // What is wrong with a mesh file is told at the place of the deck that names it.
+    if (study.mesh.file.text.empty() || error.faults().size() != 1 || !error.faults().front().at.file.empty())
+      throw;
+    throw InputError(error.faults().front().text, study.mesh.file.at);
+  }
+}
+
+Model build_model(const deck::Study& study, mesh::Mesh mesh) {
+  Model model;
+  model.study = study;
+  model.mesh = std::move(mesh);
+  std::vector<Fault> faults;
+  model.bulk = make_bulk(study, model.mesh, faults);
+  stop_on(faults);
+  model.dofs = fem::number_dofs(model.mesh, model.bulk.cells, fem::component_count(study.physics));
+  model.constraints = make_constraints(study, model.mesh, model.dofs, faults);
+  model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
+  model.zones = make_zones(study, model.mesh, model.dofs, faults);
+  stop_on(faults);
+  if (study.time.scheme == deck::SchemeKind::static_steps)
+    check_supported(model, faults);
+  stop_on(faults);
+  number_unknowns(model);
+  assemble_matrices(model, study.materials);
+  return model;
+}
+
+VectorXd external_force(const Model& model, double t) {
+  VectorXd force = VectorXd::Zero(model.dofs.dof_count);
+  for (const auto& part : model.forces)
+    force += value_of(part.function, t) * part.pattern;
+  return force;
+}
+
+VectorXd imposed_displacements(const Model& model, double t) {
+  VectorXd values(static_cast<Eigen::Index>(model.constraints.size()));
+  for (std::size_t i = 0; i < model.constraints.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = model.constraints[i].value * value_of(model.constraints[i].function, t);
+  return values;
+}
+
+std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node) {
+  const auto& x = mesh.points[static_cast<std::size_t>(node)];
+  const auto number = mesh.node_numbers[static_cast<std::size_t>(node)];
+  return mesh.dimension == 2 ? fmt::format("N{} ({:.6g}, {:.6g})", number, x[0], x[1])
+                             : fmt::format("N{} ({:.6g}, {:.6g}, {:.6g})", number, x[0], x[1], x[2]);
+}
+
+} // namespace rubato::model

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The discrete problem of one run: numbered unknowns, matrices, loads as functions of time, contact zones.
+#pragma once
+
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/study.hpp"
+#include "rubato/fem/bulk.hpp"
+#include "rubato/fem/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubato::model {
+
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+/// A force pattern times a function of time (1 when there is none).
+struct Force {
+  Eigen::VectorXd pattern; ///< [force], one a dof
+  std::optional<deck::Function> function;
+};
+
+/// A displacement that is prescribed: value times function (1 when there is none).
+struct Constraint {
+  int dof = 0;
+  double value = 0; ///< [length]
+  std::optional<deck::Function> function;
+};
+
+struct Model {
+  deck::Study study;
+  mesh::Mesh mesh;
+  fem::Bulk bulk; ///< the cells that deform and their materials
+  fem::DofMap dofs;
+  SparseMatrix stiffness;
+  SparseMatrix mass;    ///< empty (no entries) in a static run without densities
+  SparseMatrix damping; ///< no entries without Rayleigh coefficients
+  std::vector<Force> forces;
+  std::vector<Constraint> constraints; ///< ascending dofs, one each
+  std::vector<int> free_dofs;          ///< ascending
+  std::vector<int> free_index;         ///< of a dof in free_dofs, −1 when it is constrained
+  std::vector<contact::Zone> zones;
+  std::vector<int> multiplier_offsets; ///< first multiplier of each zone
+  int multiplier_count = 0;
+
+  /// The node a dof belongs to, and its direction.
+  mesh::NodeIndex node_of(int dof) const { return node_of_dof[static_cast<std::size_t>(dof)]; }
+  std::vector<mesh::NodeIndex> node_of_dof;
+};
+
+/// Builds the discrete problem. Throws InputError with every fault of the study that shows against the mesh.
+Model build_model(const deck::Study& study);
+
+/// The same on a mesh that is already there.
+Model build_model(const deck::Study& study, mesh::Mesh mesh);
+
+/// The mesh a study names or describes: read or generated, mended, converted and refined.
+mesh::Mesh load_mesh(const deck::MeshSource& source);
+
+/// [force], one a dof.
+Eigen::VectorXd external_force(const Model& model, double t);
+
+/// Prescribed displacements at instant t, in the order of model.constraints [length].
+Eigen::VectorXd imposed_displacements(const Model& model, double t);
+
+/// "N90 (1, 0.1, 0.05)": how messages name a node.
+std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node);
+
+} // namespace rubato::model

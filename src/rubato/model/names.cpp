@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/build.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace rubato::model {
+namespace {
+
+std::string unknown_group(const mesh::Mesh& mesh, const deck::Name& name, std::string_view expected) {
+  const auto names = mesh::group_names(mesh);
+  const auto nearest = nearest_word(name.text, names);
+  auto text = fmt::format("found '{}', expected {}", name.text, expected);
+  if (!nearest.empty())
+    return text + fmt::format("; did you mean '{}'?", nearest);
+  return text + (names.empty() ? std::string("; the mesh has no groups")
+                               : fmt::format("; the mesh has the groups {}", fmt::join(names, ", ")));
+}
+
+} // namespace
+
+const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, std::vector<Fault>& faults) {
+  const auto* group = mesh.cell_group(name.text);
+  if (group == nullptr) {
+    if (mesh.node_group(name.text) != nullptr)
+      faults.push_back({name.at, fmt::format("group '{}' holds nodes, expected a group of cells", name.text)});
+    else
+      faults.push_back({name.at, unknown_group(mesh, name, "a group of cells of the mesh")});
+  } else if (group->items.empty()) {
+    faults.push_back({name.at, fmt::format("group '{}' is empty, expected cells in it", name.text)});
+    group = nullptr;
+  }
+  return group;
+}
+
+std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const deck::Name& name,
+                                            std::vector<Fault>& faults) {
+  auto nodes = mesh::nodes_named(mesh, name.text);
+  if (nodes.empty())
+    faults.push_back({name.at, unknown_group(mesh, name, "a group or a node ('N90') of the mesh")});
+  return nodes;
+}
+
+std::optional<deck::Function> function_named(const deck::Study& study, const deck::Name& name) {
+  if (name.text.empty())
+    return std::nullopt;
+  return study.functions.at(name.text);
+}
+
+} // namespace rubato::model

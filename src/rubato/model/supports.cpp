@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/build.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace rubato::model {
+namespace {
+
+constexpr std::string_view axes = "xyz";
+
+class Collector {
+public:
+  Collector(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs, std::vector<Fault>& faults)
+      : study_(study), mesh_(mesh), dofs_(dofs), faults_(faults) {}
+
+  void add(const deck::Support& support) {
+    for (const auto node : nodes_or_fault(mesh_, support.on, faults_))
+      if (dofs_.has(node))
+        for (int i = 0; i < dofs_.components; ++i)
+          if (const auto& amplitude = support.components[static_cast<std::size_t>(i)])
+            prescribe(support, node, i, *amplitude);
+  }
+
+  std::vector<Constraint> constraints() const {
+    std::vector<Constraint> list;
+    for (const auto& [dof, constraint] : by_dof_)
+      list.push_back(constraint);
+    return list;
+  }
+
+private:
+  void prescribe(const deck::Support& support, mesh::NodeIndex node, int component, const deck::Amplitude& amplitude) {
+    const int dof = dofs_.dof(node, component);
+    const Constraint wanted{dof, amplitude.value, function_named(study_, amplitude.function)};
+    const auto [entry, fresh] = by_dof_.emplace(dof, wanted);
+    const auto& there = entry->second;
+    if (fresh || (there.value == wanted.value && there.function == wanted.function) || told_)
+      return;
+    told_ = true;
+    faults_.push_back({support.at, fmt::format("node {} has two different displacements prescribed in {}",
+                                               node_label(mesh_, node), axes[static_cast<std::size_t>(component)])});
+  }
+
+  const deck::Study& study_;
+  const mesh::Mesh& mesh_;
+  const fem::DofMap& dofs_;
+  std::vector<Fault>& faults_;
+  std::map<int, Constraint> by_dof_;
+  bool told_ = false;
+};
+
+} // namespace
+
+std::vector<Constraint> make_constraints(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+                                         std::vector<Fault>& faults) {
+  Collector collector(study, mesh, dofs, faults);
+  for (const auto& support : study.supports)
+    collector.add(support);
+  return collector.constraints();
+}
+
+} // namespace rubato::model

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/results/csv.hpp"
+
+#include "rubato/error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+
+namespace rubato::results {
+namespace {
+
+std::vector<std::string_view> split(std::string_view line) {
+  std::vector<std::string_view> parts;
+  std::size_t begin = 0;
+  for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',', begin)) {
+    parts.push_back(line.substr(begin, comma - begin));
+    begin = comma + 1;
+  }
+  parts.push_back(line.substr(begin));
+  return parts;
+}
+
+double number(std::string_view text, const Location& at) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw InputError(fmt::format("found '{}', expected a number", text), at);
+  return value;
+}
+
+} // namespace
+
+CsvWriter::CsvWriter(std::filesystem::path path, std::span<const std::string> columns)
+    : path_(std::move(path)), file_(path_, std::ios::trunc) {
+  file_ << fmt::format("{}\n", fmt::join(columns, ",")) << std::flush;
+  if (!file_)
+    throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
+}
+
+void CsvWriter::row(std::span<const double> values) {
+  file_ << fmt::format("{}\n", fmt::join(values, ",")) << std::flush;
+  if (!file_)
+    throw std::runtime_error(fmt::format("{}: writing failed, is the disk full?", path_.string()));
+}
+
+int Table::column(const std::string& name) const {
+  const auto found = std::ranges::find(columns, name);
+  return found == columns.end() ? -1 : static_cast<int>(found - columns.begin());
+}
+
+Table read_csv(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file)
+    throw InputError(fmt::format("{}: cannot be read", path.string()));
+  Table table;
+  std::string line;
+  for (int number_of_line = 1; std::getline(file, line); ++number_of_line) {
+    const Location at{path.string(), number_of_line, 1};
+    const auto parts = split(line);
+    if (number_of_line == 1) {
+      table.columns.assign(parts.begin(), parts.end());
+      continue;
+    }
+    if (parts.size() != table.columns.size())
+      throw InputError(fmt::format("found {} values, expected {}", parts.size(), table.columns.size()), at);
+    auto& row = table.rows.emplace_back();
+    for (const auto part : parts)
+      row.push_back(number(part, at));
+  }
+  return table;
+}
+
+} // namespace rubato::results

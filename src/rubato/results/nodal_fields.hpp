@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The fields of a state at the mesh's nodes, and the resultants of contact.
+#pragma once
+
+#include "rubato/model/model.hpp"
+#include "rubato/results/field.hpp"
+#include "rubato/step/state.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace rubato::results {
+
+/// A field that owns its values.
+struct OwnedField {
+  std::string name;
+  int components = 1;
+  std::vector<double> values; ///< node-major
+  std::vector<std::string> component_names;
+  NodalField view() const { return {name, components, values, component_names, ""}; }
+};
+
+/// displacement, velocity, acceleration; stress (averaged at the nodes) and von_mises; with contact also
+/// contact_pressure (≥ 0), contact_gap (> 0 open; 0 where nothing faces the node), contact_slip (along the master's
+/// first and second tangent, of the last step), contact_status (0 open, 1 sticking, 2 slipping). Nodes off the slave
+/// surfaces carry 0. `before` is the state at the start of the step.
+std::vector<OwnedField> nodal_fields(const model::Model& model, const step::State& before, const step::State& now);
+
+struct Resultants {
+  int in_contact = 0;
+  int sticking = 0;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< of the master on the slave [force]
+  double normal = 0;                               ///< ∫ p [force]
+  double friction = 0;                             ///< |∫ tangential traction| [force]
+  double largest_pressure = 0;
+  double smallest_gap = 0;
+};
+
+Resultants contact_resultants(const model::Model& model, std::size_t zone, const step::State& before,
+                              const step::State& now);
+
+} // namespace rubato::results

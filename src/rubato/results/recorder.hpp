@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Writes a run's folder as the run goes: probes, contact resultants, steps, fields. Nobody below reads it.
+///
+///   probes.csv             t, then <probe>.x, <probe>.y[, <probe>.z] of every probe
+///   resultants_<zone>.csv  t; points in contact, sticking; force of the master on the slave x, y[, z];
+///                          normal part (∫p); friction part (|∫ tangential traction|); largest pressure; smallest gap
+///   steps.jsonl            one JSON object a step tried, accepted or not
+///   fields/*.vtu, *.pvd    and fields.med, at the chosen instants
+///   run.json               the study, versions, timings, iterations, checks
+#pragma once
+
+#include "rubato/results/checks.hpp"
+#include "rubato/results/csv.hpp"
+#include "rubato/step/newton.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace rubato::results {
+
+/// One attempt at a step.
+struct Attempt {
+  double begin = 0;
+  double end = 0;
+  int cut_level = 0;
+  bool accepted = false;
+  double seconds = 0; ///< processor time
+};
+
+/// How a run ended.
+struct Ending {
+  bool complete = false;
+  std::string reason; ///< why not, in a sentence
+  double setup_seconds = 0;
+  double loop_seconds = 0;
+  int steps = 0;
+  int iterations = 0;
+  int cuts = 0;
+};
+
+class Recorder {
+public:
+  /// Creates the folder and its files. Throws InputError when that cannot be done and for probes that mean nothing.
+  Recorder(const model::Model& model, std::filesystem::path folder);
+  ~Recorder();
+  Recorder(Recorder&&) noexcept;
+  Recorder& operator=(Recorder&&) noexcept;
+
+  void start(const step::State& state);
+  /// `last` tells whether this is the run's last instant.
+  void step(const step::State& before, const step::State& now, const Attempt& attempt, const step::StepReport& report,
+            bool last);
+  void failed(const Attempt& attempt, const step::StepReport& report);
+  /// Evaluates the checks and writes run.json.
+  std::vector<CheckResult> finish(const Ending& ending);
+
+private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace rubato::results

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/results/stored_run.hpp"
+
+#include "rubato/deck/read.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace rubato::results {
+namespace {
+
+constexpr const char* summary = "run.json";
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file)
+    throw InputError(fmt::format("{}: cannot be read", path.string()));
+  try {
+    return nlohmann::json::parse(file);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: found no valid JSON ({})", path.string(), error.what()));
+  }
+}
+
+/// The end of another run cannot be read from this folder; what was started from does not matter to what came out.
+void forget_start(nlohmann::json& study) {
+  if (study.contains("time") && study["time"].contains("start") && study["time"]["start"].is_object())
+    study["time"]["start"] = "consistent";
+}
+
+} // namespace
+
+StoredRun read_stored_run(const std::filesystem::path& folder) {
+  const auto path = folder / summary;
+  auto json = read_json(path);
+  try {
+    StoredRun run;
+    run.complete = json.at("complete").get<bool>();
+    run.reason = json.at("reason").get<std::string>();
+    auto& study = json.at("study");
+    forget_start(study);
+    run.study = deck::parse_deck(study.dump(), path.string()).runs.front();
+    run.study.name = json.at("run").get<std::string>();
+    run.probes = read_csv(folder / "probes.csv");
+    return run;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: not the summary of a run ({})", path.string(), error.what()));
+  }
+}
+
+std::vector<std::filesystem::path> run_folders(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  if (fs::exists(folder / summary))
+    return {folder};
+  std::vector<fs::path> folders;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.is_directory() && fs::exists(entry.path() / summary))
+      folders.push_back(entry.path());
+  if (folders.empty())
+    throw InputError(fmt::format("{}: found no {}, expected the folder of a run", folder.string(), summary));
+  std::ranges::sort(folders);
+  return folders;
+}
+
+} // namespace rubato::results

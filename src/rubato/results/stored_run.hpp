@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// A run's folder, read back.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+#include "rubato/results/csv.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rubato::results {
+
+struct StoredRun {
+  deck::Study study;
+  bool complete = false;
+  std::string reason; ///< why it is not complete
+  Table probes;
+};
+
+/// Throws InputError when the folder is no run's.
+StoredRun read_stored_run(const std::filesystem::path& folder);
+
+/// The folder itself when it holds a run, else its subfolders that do, by name. Throws InputError when there is none.
+std::vector<std::filesystem::path> run_folders(const std::filesystem::path& folder);
+
+} // namespace rubato::results

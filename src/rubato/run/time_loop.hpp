@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The whole story of a run: build the model, step through time, record, check.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+#include "rubato/results/checks.hpp"
+#include "rubato/step/newton.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rubato::run {
+
+/// What a running computation tells whoever watches it.
+struct Progress {
+  std::string_view run;
+  double t = 0;
+  double begin = 0;
+  double end = 0;
+  double step = 0;
+  int iterations = 0;
+  int contact_points = 0; ///< in contact
+  int cut_level = 0;
+  bool accepted = true;
+  const step::StepReport* report = nullptr;
+};
+
+struct Watch {
+  std::function<void(const Progress&)> progress = [](const Progress&) {};
+  std::function<void(const std::string&)> say = [](const std::string&) {};
+  std::function<bool()> stop = [] { return false; };
+};
+
+enum class Status { complete, not_converged, interrupted };
+
+struct RunResult {
+  Status status = Status::complete;
+  std::string message; ///< why the run is not complete
+  int steps = 0;
+  int iterations = 0;
+  int cuts = 0;
+  double setup_seconds = 0; ///< processor time
+  double loop_seconds = 0;
+  std::vector<results::CheckResult> checks;
+  step::State end; ///< the last accepted state
+
+  bool checks_hold() const;
+};
+
+/// Runs one study into a folder of its own. `previous`: the end of the run it starts from, when it does.
+RunResult run_study(const deck::Study& study, const std::filesystem::path& folder, const Watch& watch,
+                    const step::State* previous = nullptr);
+
+/// Why a step failed, with the node and what to try.
+std::string explain(const model::Model& model, const step::StepReport& report, double begin, double end);
+
+} // namespace rubato::run

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Everything a step changes. Accepting a step is a copy of trial to committed, rolling back is none at all.
+#pragma once
+
+#include "rubato/contact/enforcement.hpp"
+#include "rubato/time/scheme.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace rubato::step {
+
+struct State {
+  double t = 0;
+  time::Motion motion;           ///< u, v, a, one a dof
+  Eigen::VectorXd unbalance;     ///< internal + contact − external force at t: the scheme's history bracket [force]
+  Eigen::VectorXd contact_force; ///< contact and friction, internal side [force]
+  Eigen::VectorXd reaction;      ///< of the supports, on constrained dofs [force]
+  std::vector<contact::ZoneState> zones;
+};
+
+} // namespace rubato::step

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/time/scheme.hpp"
+
+#include <array>
+#include <stdexcept>
+
+namespace rubato::time {
+namespace {
+
+using deck::SchemeKind;
+
+constexpr std::array<SchemeEntry, 5> entries{{
+    {SchemeKind::newmark, "newmark", "NEWMARK", "average acceleration, or any β and γ"},
+    {SchemeKind::hht, "hht", "HHT, MODI_EQUI='OUI'", "α in −1/3…0 damps high frequencies"},
+    {SchemeKind::modified_average_acceleration, "modified_average_acceleration", "HHT, MODI_EQUI='NON'",
+     "hht's β and γ with equilibrium at the end of the step"},
+    {SchemeKind::generalized_alpha, "generalized_alpha", "", "Chung and Hulbert, from the spectral radius ρ_∞"},
+    {SchemeKind::static_steps, "static", "STAT_NON_LINE", "load steps in pseudo-time, no inertia"},
+}};
+
+Scheme with_alpha(double alpha) {
+  Scheme scheme;
+  scheme.beta = (1 - alpha) * (1 - alpha) / 4;
+  scheme.gamma = 0.5 - alpha;
+  return scheme;
+}
+
+Scheme generalized_alpha(double rho) {
+  const double alpha_m = (2 * rho - 1) / (rho + 1);
+  const double alpha_f = rho / (rho + 1);
+  Scheme scheme;
+  scheme.gamma = 0.5 - alpha_m + alpha_f;
+  scheme.beta = (1 - alpha_m + alpha_f) * (1 - alpha_m + alpha_f) / 4;
+  scheme.inertia = {1 - alpha_m, alpha_m};
+  scheme.damping = {1 - alpha_f, alpha_f};
+  scheme.forces = {1 - alpha_f, alpha_f};
+  return scheme;
+}
+
+} // namespace
+
+Scheme make_scheme(const deck::TimeStepping& settings) {
+  switch (settings.scheme) {
+  case SchemeKind::newmark: {
+    Scheme scheme;
+    scheme.beta = settings.beta.value_or(0.25);
+    scheme.gamma = settings.gamma.value_or(0.5);
+    return scheme;
+  }
+  case SchemeKind::hht: {
+    auto scheme = with_alpha(settings.alpha);
+    scheme.forces = {1 + settings.alpha, -settings.alpha};
+    return scheme;
+  }
+  case SchemeKind::modified_average_acceleration:
+    return with_alpha(settings.alpha);
+  case SchemeKind::generalized_alpha:
+    return generalized_alpha(settings.spectral_radius);
+  case SchemeKind::static_steps: {
+    Scheme scheme;
+    scheme.inertia = {0, 0};
+    scheme.damping = {0, 0};
+    scheme.dynamic = false;
+    return scheme;
+  }
+  }
+  throw std::logic_error("a time scheme without its row in the table");
+}
+
+StepCoefficients coefficients_of(const Scheme& scheme, double step) {
+  StepCoefficients coefficients;
+  coefficients.stiffness = scheme.forces.now;
+  if (!scheme.dynamic)
+    return coefficients;
+  coefficients.velocity = scheme.gamma / (scheme.beta * step);
+  coefficients.acceleration = 1 / (scheme.beta * step * step);
+  coefficients.mass = scheme.inertia.now * coefficients.acceleration;
+  coefficients.damping = scheme.damping.now * coefficients.velocity;
+  return coefficients;
+}
+
+Motion predict(const Scheme& scheme, double step, const Motion& start) {
+  const auto size = start.u.size();
+  if (!scheme.dynamic)
+    return {start.u, Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
+  const double beta = scheme.beta;
+  const double gamma = scheme.gamma;
+  return {start.u, (beta - gamma) / beta * start.v + (2 * beta - gamma) * step / (2 * beta) * start.a,
+          -1 / (beta * step) * start.v + (2 * beta - 1) / (2 * beta) * start.a};
+}
+
+void correct(const StepCoefficients& coefficients, const Eigen::VectorXd& d, Motion& motion) {
+  motion.u += d;
+  motion.v += coefficients.velocity * d;
+  motion.a += coefficients.acceleration * d;
+}
+
+std::span<const SchemeEntry> all_schemes() { return entries; }
+
+} // namespace rubato::time

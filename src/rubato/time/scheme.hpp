@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Implicit time schemes as rows of one table.
+///
+/// A scheme is Newmark's pair β, γ and the weights of the terms of equilibrium at the end (now) and at the start
+/// (before) of a step of length h:
+///   m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F(u₁) + f₀ F(u₀) = 0,   F = internal + contact − external force
+///   u₁ = ũ + d,  v₁ = ṽ + γ/(βh) d,  a₁ = ã + d/(βh²)
+/// with the predictor ũ = u₀, ṽ = (β−γ)/β v₀ + (2β−γ)h/(2β) a₀, ã = −v₀/(βh) + (2β−1)/(2β) a₀.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <string_view>
+
+namespace rubato::time {
+
+struct Weights {
+  double now = 1;
+  double before = 0;
+};
+
+struct Scheme {
+  double beta = 0.25;
+  double gamma = 0.5;
+  Weights inertia;
+  Weights damping;
+  Weights forces;
+  bool dynamic = true; ///< false: load steps in pseudo-time, no velocity and no acceleration
+};
+
+/// newmark: β, γ given (default average acceleration). hht: Hilber, Hughes and Taylor (1977) with α ≤ 0, damping
+/// unweighted as Code_Aster does. modified_average_acceleration: the same β, γ, equilibrium at the end of the step.
+/// generalized_alpha: Chung and Hulbert (1993) from ρ_∞. static_steps: no inertia.
+Scheme make_scheme(const deck::TimeStepping& settings);
+
+/// The coefficients of one step: A = mass M + damping C + stiffness K is the effective matrix.
+struct StepCoefficients {
+  double velocity = 0;     ///< γ/(βh): dv per d
+  double acceleration = 0; ///< 1/(βh²): da per d
+  double mass = 0;
+  double damping = 0;
+  double stiffness = 1;
+};
+StepCoefficients coefficients_of(const Scheme& scheme, double step);
+
+struct Motion {
+  Eigen::VectorXd u, v, a;
+};
+/// The predictor: where the step ends if d = 0. Zero velocity and acceleration for static steps.
+Motion predict(const Scheme& scheme, double step, const Motion& start);
+
+/// u += d, v and a accordingly.
+void correct(const StepCoefficients& coefficients, const Eigen::VectorXd& d, Motion& motion);
+
+struct SchemeEntry {
+  deck::SchemeKind kind;
+  std::string_view name;
+  std::string_view code_aster;
+  std::string_view summary;
+};
+/// Every scheme there is, for `rubato list` and the guide.
+std::span<const SchemeEntry> all_schemes();
+
+} // namespace rubato::time

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/time/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+namespace rubato::time {
+namespace {
+
+/// A last step shorter than this part of the others is rounding of (end − begin)/step.
+constexpr double sliver = 1e-6;
+
+/// Steps whose lengths differ by less than this part are the same but for rounding.
+constexpr double same_length = 1e-9;
+
+} // namespace
+
+std::vector<double> instants_of(const deck::TimeStepping& settings) {
+  std::vector<double> instants{settings.begin};
+  if (!settings.instants.empty()) {
+    std::ranges::copy_if(settings.instants, std::back_inserter(instants),
+                         [&](double t) { return t > settings.begin; });
+    return instants;
+  }
+  // Multiples of the step, not sums: a thousand additions of 1e-3 are not 1.
+  const double span = settings.end - settings.begin;
+  const auto steps = static_cast<std::int64_t>(std::ceil(span / settings.step - sliver));
+  for (std::int64_t i = 1; i < steps; ++i)
+    instants.push_back(settings.begin + static_cast<double>(i) * settings.step);
+  instants.push_back(settings.end);
+  return instants;
+}
+
+StepControl::StepControl(const deck::TimeStepping& settings, double start)
+    : instants_(instants_of(settings)), now_(start),
+      usual_length_(settings.instants.empty() ? settings.step : 0), parts_(settings.cut_parts), levels_(settings.cut_levels) {
+  next_ = static_cast<std::size_t>(std::ranges::upper_bound(instants_, start) - instants_.begin());
+}
+
+double StepControl::length() const {
+  const double difference = target() - now_;
+  const double usual = usual_length_ / std::pow(parts_, level());
+  return std::abs(difference - usual) <= same_length * usual ? usual : difference;
+}
+
+void StepControl::accept() {
+  now_ = target();
+  if (!ends_.empty())
+    ends_.pop_back();
+  if (ends_.empty())
+    ++next_;
+}
+
+bool StepControl::cut() {
+  const double end = target();
+  const int deeper = level() + 1;
+  if (deeper > levels_)
+    return false;
+  if (ends_.empty())
+    ends_.push_back({end, 0});
+  ends_.back().level = deeper;
+  const double length = end - now_;
+  for (int part = parts_ - 1; part >= 1; --part)
+    ends_.push_back({now_ + length * part / parts_, deeper});
+  return true;
+}
+
+} // namespace rubato::time

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Which instants a run aims at, and how it gets there when steps fail: cut, and grow back.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+
+#include <vector>
+
+namespace rubato::time {
+
+/// The instants a run must reach, ascending, the first one being the start.
+std::vector<double> instants_of(const deck::TimeStepping& settings);
+
+/// Walks through the list of instants. A failed step is cut into `cut_parts`; the parts may be cut again, `cut_levels`
+/// deep. Parts that succeed bring the walk back to the list, so growing back needs no memory beyond the stack of ends.
+/// A value: copying it copies the place in the list.
+class StepControl {
+public:
+  StepControl(const deck::TimeStepping& settings, double start);
+
+  bool finished() const { return ends_.empty() && next_ >= instants_.size(); }
+  double now() const { return now_; }
+  /// The end of the step to try. Call only while not finished.
+  double target() const { return ends_.empty() ? instants_[next_] : ends_.back().instant; }
+  /// Length of the step to try; the very same number for steps that differ by the rounding of instants only, so that
+  /// what is factored for one serves the others.
+  double length() const;
+  /// How often the interval between two listed instants has been cut to get this step.
+  int level() const { return ends_.empty() ? 0 : ends_.back().level; }
+  /// Whether target() is one of the listed instants.
+  bool target_is_listed() const { return ends_.size() <= 1; }
+
+  void accept();
+  /// Cuts the step; false when the levels are used up.
+  bool cut();
+
+private:
+  struct End {
+    double instant;
+    int level;
+  };
+  std::vector<double> instants_;
+  std::size_t next_ = 1;
+  std::vector<End> ends_; ///< ends of the parts of the interval to instants_[next_], the nearest last
+  double now_ = 0;
+  double usual_length_ = 0;
+  int parts_ = 2;
+  int levels_ = 12;
+};
+
+} // namespace rubato::time

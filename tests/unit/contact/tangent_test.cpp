@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Each derivative of the contact kinematics and of the whole contact system against central differences.
+#include "two_faces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+namespace rubato {
+namespace {
+
+using contact::Status;
+using Eigen::VectorXd;
+using mesh::CellType;
+
+constexpr double h = 1e-6;
+
+struct Variant {
+  std::string name;
+  test::TwoFacesOptions options;
+};
+
+std::vector<Variant> variants() {
+  std::vector<Variant> list;
+  const std::vector<std::pair<CellType, CellType>> pairs{
+      {CellType::seg2, CellType::seg2},   {CellType::seg3, CellType::seg3},   {CellType::seg2, CellType::seg3},
+      {CellType::tria3, CellType::tria3}, {CellType::tria6, CellType::tria6}, {CellType::tria7, CellType::quad9},
+      {CellType::quad4, CellType::quad4}, {CellType::quad8, CellType::quad8}, {CellType::quad9, CellType::tria6},
+      {CellType::quad9, CellType::quad9}};
+  for (const auto& [slave, master] : pairs)
+    for (const double shift : {0.0, 0.9})
+      for (const auto normal : {deck::ContactNormal::master, deck::ContactNormal::slave, deck::ContactNormal::average})
+        for (const auto clamped : {deck::ClampedNormal::projection, deck::ClampedNormal::code_aster}) {
+          test::TwoFacesOptions options;
+          options.slave = slave;
+          options.master = master;
+          options.shift = shift;
+          options.normal = normal;
+          options.clamped_normal = clamped;
+          options.seed = static_cast<unsigned>(list.size()) + 3;
+          list.push_back({std::string(mesh::topology(slave).name) + "On" + std::string(mesh::topology(master).name) +
+                              (shift > 0 ? "Shifted" : "") +
+                              (normal == deck::ContactNormal::master  ? "MasterNormal"
+                               : normal == deck::ContactNormal::slave ? "SlaveNormal"
+                                                                      : "AverageNormal") +
+                              (clamped == deck::ClampedNormal::projection ? "" : "Accumulated"),
+                          options});
+        }
+  return list;
+}
+
+class ContactTangent : public testing::TestWithParam<Variant> {
+protected:
+  test::TwoFaces setup = test::two_faces(GetParam().options);
+};
+
+VectorXd moved(const VectorXd& u, Eigen::Index dof, double by) {
+  VectorXd v = u;
+  v[dof] += by;
+  return v;
+}
+
+/// Whether the point stays in the same piece of the clamp when its unknowns are varied a little.
+bool far_from_a_kink(const contact::Pair& pair, CellType type) {
+  auto nudged = pair.projection;
+  for (int i = 0; i < 8; ++i) {
+    nudged.xi = pair.projection.xi + 1e-4 * Eigen::Vector2d(std::cos(i), std::sin(i));
+    contact::clamp_to_face(type, nudged);
+    if ((nudged.clamp_derivative - pair.projection.clamp_derivative).norm() > 1e-9)
+      return false;
+  }
+  return true;
+}
+
+TEST_P(ContactTangent, KinematicsVaryAsTheySay) {
+  const auto configuration = setup.configuration(setup.u);
+  const auto pairs = contact::find_pairs(setup.zone, configuration);
+  int compared = 0;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (!pairs[p].paired() || !far_from_a_kink(pairs[p], GetParam().options.master))
+      continue;
+    const auto& point = setup.zone.points[p];
+    const auto at = contact::evaluate_kinematics(setup.zone, point, pairs[p], configuration);
+    for (std::size_t node = 0; node < at.nodes.size(); ++node)
+      for (int i = 0; i < at.components; ++i) {
+        const auto dof = setup.dofs.dof(at.nodes[node], i);
+        const VectorXd forward = moved(setup.u, dof, h);
+        const VectorXd backward = moved(setup.u, dof, -h);
+        const auto plus_configuration = setup.configuration(forward);
+        const auto minus_configuration = setup.configuration(backward);
+        const auto plus = contact::evaluate_kinematics(
+            setup.zone, point, contact::find_pairs(setup.zone, plus_configuration)[p], plus_configuration);
+        const auto minus = contact::evaluate_kinematics(
+            setup.zone, point, contact::find_pairs(setup.zone, minus_configuration)[p], minus_configuration);
+        const auto column = static_cast<Eigen::Index>(node) * at.components + i;
+        EXPECT_NEAR((plus.gap - minus.gap) / (2 * h), at.d_gap[column], 2e-7);
+        EXPECT_LT(((plus.normal - minus.normal) / (2 * h) - at.d_normal.col(column)).norm(), 2e-7);
+        EXPECT_LT(((plus.slip - minus.slip) / (2 * h) - at.d_slip.col(column)).norm(), 2e-7);
+        for (int a = 0; a < 2; ++a)
+          EXPECT_LT(((plus.tangents.col(a) - minus.tangents.col(a)) / (2 * h) - at.d_tangent[a].col(column)).norm(), 2e-7);
+        ++compared;
+      }
+  }
+  EXPECT_GT(compared, 0);
+}
+
+struct System {
+  VectorXd residual; ///< forces, then equations
+  Eigen::MatrixXd tangent;
+};
+
+/// The contact system with every paired point in the same status.
+System system_at(const test::TwoFaces& setup, const VectorXd& u, const VectorXd& multipliers, Status wanted) {
+  const auto configuration = setup.configuration(u);
+  const auto points = contact::evaluate(setup.zone, multipliers, configuration);
+  std::vector<Status> status;
+  for (const auto& point : points)
+    status.push_back(point.kinematics ? wanted : Status::open);
+  const contact::ZoneCoefficients coefficients{std::vector<double>(points.size(), 3.0),
+                                               std::vector<double>(points.size(), 2.0)};
+  contact::ContactSystem system(setup.dofs.dof_count, multipliers.size());
+  contact::add_contributions(setup.zone, coefficients, setup.zone.settings.friction, points, status, setup.dofs, 0,
+                             system);
+  System dense;
+  const auto dofs = setup.dofs.dof_count;
+  dense.residual.resize(dofs + multipliers.size());
+  dense.residual << system.force, system.equations;
+  dense.tangent = Eigen::MatrixXd::Zero(dense.residual.size(), dense.residual.size());
+  for (const auto& t : system.force_by_dof)
+    dense.tangent(t.row(), t.col()) += t.value();
+  for (const auto& t : system.force_by_multiplier)
+    dense.tangent(t.row(), dofs + t.col()) += t.value();
+  for (const auto& t : system.equation_by_dof)
+    dense.tangent(dofs + t.row(), t.col()) += t.value();
+  for (const auto& t : system.equation_by_multiplier)
+    dense.tangent(dofs + t.row(), dofs + t.col()) += t.value();
+  return dense;
+}
+
+TEST_P(ContactTangent, IsTheDerivativeOfForcesAndEquations) {
+  const auto pairs = contact::find_pairs(setup.zone, setup.configuration(setup.u));
+  for (const auto& pair : pairs)
+    if (pair.paired() && !far_from_a_kink(pair, GetParam().options.master))
+      GTEST_SKIP() << "a point of this variant stands on a kink of the closest-point map";
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> number(0.5, 1.5);
+  const VectorXd multipliers = VectorXd::NullaryExpr(setup.zone.multiplier_count(), [&] { return number(random); });
+  const auto dofs = setup.dofs.dof_count;
+  for (const auto status : {Status::open, Status::stick, Status::slip}) {
+    const auto at = system_at(setup, setup.u, multipliers, status);
+    for (Eigen::Index i = 0; i < at.residual.size(); ++i) {
+      const bool is_dof = i < dofs;
+      const auto shifted = [&](double by) {
+        return is_dof ? system_at(setup, moved(setup.u, i, by), multipliers, status)
+                      : system_at(setup, setup.u, moved(multipliers, i - dofs, by), status);
+      };
+      const VectorXd difference = (shifted(h).residual - shifted(-h).residual) / (2 * h);
+      EXPECT_LT((difference - at.tangent.col(i)).lpNorm<Eigen::Infinity>(), 2e-6) << "unknown " << i;
+    }
+  }
+}
+
+TEST_P(ContactTangent, ForcesOnTheTwoSidesBalance) {
+  const VectorXd multipliers = VectorXd::Constant(setup.zone.multiplier_count(), 0.7);
+  const auto at = system_at(setup, setup.u, multipliers, Status::slip);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (mesh::NodeIndex node = 0; node < setup.mesh.node_count(); ++node)
+    for (int i = 0; i < setup.dofs.components; ++i)
+      sum[i] += at.residual[setup.dofs.dof(node, i)];
+  EXPECT_LT(sum.norm(), 1e-13);
+}
+
+INSTANTIATE_TEST_SUITE_P(Faces, ContactTangent, testing::ValuesIn(variants()),
+                         [](const auto& variant) { return variant.param.name; });
+
+} // namespace
+} // namespace rubato
