@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "commands.hpp"
-
 #include "rubato/results/checks.hpp"
 #include "rubato/results/stored_run.hpp"
 
 #include <fmt/format.h>
 
+#include "commands.hpp"
 #include <algorithm>
 
 namespace rubato::app {

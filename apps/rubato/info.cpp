@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "commands.hpp"
-
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/mesh/quality.hpp"
 
 #include <fmt/format.h>
+
+#include "commands.hpp"
 
 namespace rubato::app {
 

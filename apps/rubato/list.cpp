@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "commands.hpp"
-
 #include "rubato/contact/law.hpp"
 #include "rubato/fem/reference_cell.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/time/scheme.hpp"
 
 #include <fmt/format.h>
+
+#include "commands.hpp"
 
 namespace rubato::app {
 
@@ -22,10 +22,13 @@ int list() {
   for (const auto& method : contact::all_methods())
     fmt::print("  {:<31} {:<24} {}\n", method.name, method.code_aster, method.summary);
   fmt::print("\nPhysics (physics)\n");
-  for (const auto& [name, summary] : {std::pair{"solid", "3D"}, {"plane_stress", "2D, with thickness"},
-                                      {"plane_strain", "2D, with thickness"}, {"axisymmetric", "2D, x is the radius"}})
+  for (const auto& [name, summary] : {std::pair{"solid", "3D"},
+                                      {"plane_stress", "2D, with thickness"},
+                                      {"plane_strain", "2D, with thickness"},
+                                      {"axisymmetric", "2D, x is the radius"}})
     fmt::print("  {:<31} {}\n", name, summary);
-  fmt::print("\nMaterial laws (materials.NAME)\n  {:<31} {}\n", "isotropic linear elasticity", "young, poisson");
+  fmt::print("\nMaterial laws (materials.NAME)\n  {:<31} {}\n", "isotropic linear elasticity",
+             "young, poisson");
   fmt::print("\nMesh files\n");
   for (const auto& format : rubato::mesh::all_formats())
     fmt::print("  {:<31} {}\n", format.extension, format.summary);

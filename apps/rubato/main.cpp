@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "commands.hpp"
-
 #include "rubato/error.hpp"
 #include "rubato/version.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "commands.hpp"
 #include <functional>
 
 namespace {
@@ -18,14 +17,17 @@ void add_commands(CLI::App& program, std::function<int()>& work) {
   static app::RunArguments run;
   auto* command = program.add_subcommand("run", "run a study");
   command->add_option("deck", run.deck, "the study, a YAML file")->required();
-  command->add_option("-o,--output", run.output, "folder of results; each run gets a folder in it (default: the deck's name)");
+  command->add_option("-o,--output", run.output,
+                      "folder of results; each run gets a folder in it (default: the deck's name)");
   command->add_option("--set", run.settings, "change the deck: path.to.key=value")->allow_extra_args(false);
-  command->add_option("--only", run.only, "run only these runs of the deck (and those they start from)")->delimiter(',');
+  command->add_option("--only", run.only, "run only these runs of the deck (and those they start from)")
+      ->delimiter(',');
   command->add_flag("-q,--quiet", run.quiet, "print checks and errors only");
   command->callback([&work] { work = [] { return app::run(run); }; });
 
   static app::CheckArguments check;
-  command = program.add_subcommand("check", "hold the results of a finished run against its references again");
+  command =
+      program.add_subcommand("check", "hold the results of a finished run against its references again");
   command->add_option("folder", check.folder, "a run's folder, or a folder of runs")->required();
   command->callback([&work] { work = [] { return app::check(check); }; });
 

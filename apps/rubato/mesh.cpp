@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "commands.hpp"
-
 #include "rubato/deck/read.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 
+#include "commands.hpp"
 #include <map>
 
 namespace rubato::app {
 namespace {
 
-bool is_deck(const std::filesystem::path& path) { return path.extension() == ".yaml" || path.extension() == ".yml"; }
+bool is_deck(const std::filesystem::path& path) {
+  return path.extension() == ".yaml" || path.extension() == ".yml";
+}
 
 deck::MeshConversion conversion_named(const std::string& name) {
-  static const std::map<std::string, deck::MeshConversion> words{{"", deck::MeshConversion::none},
-                                                                 {"none", deck::MeshConversion::none},
-                                                                 {"linear", deck::MeshConversion::linear},
-                                                                 {"quadratic", deck::MeshConversion::quadratic},
-                                                                 {"full_quadratic", deck::MeshConversion::full_quadratic}};
+  static const std::map<std::string, deck::MeshConversion> words{
+      {"", deck::MeshConversion::none},
+      {"none", deck::MeshConversion::none},
+      {"linear", deck::MeshConversion::linear},
+      {"quadratic", deck::MeshConversion::quadratic},
+      {"full_quadratic", deck::MeshConversion::full_quadratic}};
   const auto found = words.find(name);
   if (found == words.end())
-    throw InputError(fmt::format("--convert: found '{}', expected linear, quadratic or full_quadratic", name));
+    throw InputError(
+        fmt::format("--convert: found '{}', expected linear, quadratic or full_quadratic", name));
   return found->second;
 }
 
@@ -53,8 +56,8 @@ deck::MeshSource source_of(const MeshArguments& arguments) {
 int mesh(const MeshArguments& arguments) {
   const auto mesh = model::load_mesh(source_of(arguments));
   rubato::mesh::write_mesh(arguments.output, mesh);
-  fmt::print("{}: {} nodes, {} cells, {} groups\n", arguments.output.string(), mesh.node_count(), mesh.cell_count(),
-             rubato::mesh::group_names(mesh).size());
+  fmt::print("{}: {} nodes, {} cells, {} groups\n", arguments.output.string(), mesh.node_count(),
+             mesh.cell_count(), rubato::mesh::group_names(mesh).size());
   return done;
 }
 

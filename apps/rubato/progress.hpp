@@ -9,8 +9,8 @@
 
 namespace rubato::app {
 
-/// On a terminal one line that is rewritten; elsewhere a plain line now and then. Everything goes to standard error,
-/// so that standard output keeps the results.
+/// On a terminal one line that is rewritten; elsewhere a plain line now and then. Everything goes to standard
+/// error, so that standard output keeps the results.
 class ProgressLine {
 public:
   explicit ProgressLine(bool quiet);

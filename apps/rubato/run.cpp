@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "commands.hpp"
-#include "progress.hpp"
-
 #include "rubato/deck/read.hpp"
 #include "rubato/run/time_loop.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "commands.hpp"
+#include "progress.hpp"
 #include <algorithm>
 #include <csignal>
 #include <map>
@@ -18,7 +17,9 @@ namespace {
 // A signal handler can reach nothing else.
 volatile std::sig_atomic_t interrupted = 0;
 
-extern "C" void on_interrupt(int /*signal*/) { interrupted = 1; }
+extern "C" void on_interrupt(int /*signal*/) {
+  interrupted = 1;
+}
 
 deck::Deck read(const RunArguments& arguments) {
   std::vector<deck::Setting> settings;
@@ -68,9 +69,11 @@ int exit_code_of(const run::RunResult& result) {
   return result.checks_hold() ? done : check_failed;
 }
 
-void print_summary(const deck::Study& study, const run::RunResult& result, const std::filesystem::path& folder) {
-  fmt::print("{}: {} steps, {} iterations, {} cuts; set-up {:.3f} s, loop {:.3f} s; results in {}\n", study.name,
-             result.steps, result.iterations, result.cuts, result.setup_seconds, result.loop_seconds, folder.string());
+void print_summary(const deck::Study& study, const run::RunResult& result,
+                   const std::filesystem::path& folder) {
+  fmt::print("{}: {} steps, {} iterations, {} cuts; set-up {:.3f} s, loop {:.3f} s; results in {}\n",
+             study.name, result.steps, result.iterations, result.cuts, result.setup_seconds,
+             result.loop_seconds, folder.string());
   if (!result.checks.empty())
     fmt::print("{}", results::to_text(result.checks));
 }
@@ -90,7 +93,8 @@ int run(const RunArguments& arguments) {
   int worst = done;
   for (const auto* study : runs) {
     const auto folder = output / study->name;
-    const auto* previous = study->time.start == deck::StartKind::from_run ? &ends.at(study->time.start_run.text) : nullptr;
+    const auto* previous =
+        study->time.start == deck::StartKind::from_run ? &ends.at(study->time.start_run.text) : nullptr;
     auto result = run::run_study(*study, folder, watch, previous);
     line.close();
     if (!arguments.quiet || !result.checks.empty())

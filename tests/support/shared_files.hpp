@@ -7,7 +7,8 @@
 
 namespace rubato::test {
 
-/// `relative` below the folder of shared files: the environment's RUBATO_SHARED, else ../shared beside the sources.
+/// `relative` below the folder of shared files: the environment's RUBATO_SHARED, else ../shared beside the
+/// sources.
 inline std::filesystem::path shared_file(const std::filesystem::path& relative) {
   const char* folder = std::getenv("RUBATO_SHARED");
   return std::filesystem::path(folder != nullptr ? folder : RUBATO_SHARED_DIR) / relative;

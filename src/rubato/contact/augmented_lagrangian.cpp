@@ -39,7 +39,8 @@ void close_contact(const PointState& point, const PointCoefficients& coefficient
 }
 
 /// Traction −μ λ ρ and the equation Λ = ρ (slip), c_t Δs = 0 (stick).
-void rub(const PointState& point, Status status, const PointCoefficients& coefficients, PointResponse& response) {
+void rub(const PointState& point, Status status, const PointCoefficients& coefficients,
+         PointResponse& response) {
   const Vector2d r = augmented(point, coefficients);
   Vector2d rho = r;
   Matrix2d d_rho = Matrix2d::Identity();
@@ -65,18 +66,21 @@ Status augmented_lagrangian_status(const PointState& point, const PointCoefficie
   const double held = point.pressure - coefficients.normal * point.gap;
   if (point.pressure > 0 ? held <= 0 : pushed <= 0)
     return Status::open;
-  const bool sticks = coefficients.friction > 0 && point.pressure > 0 && augmented(point, coefficients).norm() <= 1;
+  const bool sticks =
+      coefficients.friction > 0 && point.pressure > 0 && augmented(point, coefficients).norm() <= 1;
   return sticks ? Status::stick : Status::slip;
 }
 
-PointResponse augmented_lagrangian(const PointState& point, Status status, const PointCoefficients& coefficients) {
+PointResponse augmented_lagrangian(const PointState& point, Status status,
+                                   const PointCoefficients& coefficients) {
   PointResponse response;
   if (status == Status::open) {
     open_contact(point, coefficients, response);
     return response;
   }
   close_contact(point, coefficients, response);
-  if (coefficients.friction > 0 && point.pressure > 0 && (status == Status::stick || augmented(point, coefficients).norm() > 0))
+  if (coefficients.friction > 0 && point.pressure > 0 &&
+      (status == Status::stick || augmented(point, coefficients).norm() > 0))
     rub(point, status, coefficients, response);
   else
     free_semi_multipliers(point, response);
@@ -85,7 +89,8 @@ PointResponse augmented_lagrangian(const PointState& point, Status status, const
 
 std::span<const MethodEntry> all_methods() {
   static constexpr std::array<MethodEntry, 1> entries{
-      {{"augmented_lagrangian", "CONTINUE, STANDARD", "exact contact and Coulomb friction with multipliers"}}};
+      {{"augmented_lagrangian", "CONTINUE, STANDARD",
+        "exact contact and Coulomb friction with multipliers"}}};
   return entries;
 }
 

@@ -12,14 +12,16 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The slip at which friction saturates, in lengths of the shortest master edge, when c_t is chosen by itself.
+/// The slip at which friction saturates, in lengths of the shortest master edge, when c_t is chosen by
+/// itself.
 constexpr double saturation_slip = 1e-4;
-/// Penetration, in lengths of the shortest master edge, below which an open point stays open: rounding makes that much.
+/// Penetration, in lengths of the shortest master edge, below which an open point stays open: rounding makes
+/// that much.
 constexpr double closing_gap = 1e-11;
 
 /// Positions of the six point variables among local unknowns: displacement ones first, then λ and Λ.
 struct LocalResponse {
-  VectorXd force;               ///< internal side, by q
+  VectorXd force; ///< internal side, by q
   MatrixXd force_by_q;
   Eigen::Matrix<double, Eigen::Dynamic, 3> force_by_multiplier;
   Vector3d equations;
@@ -38,7 +40,8 @@ LocalResponse localise(const Kinematics& k, const PointResponse& law, double wei
   Eigen::Matrix<double, 3, Eigen::Dynamic> d_variables(3, unknowns);
   d_variables << k.d_gap, k.d_slip;
   Eigen::Matrix<double, 3, Eigen::Dynamic> d_traction = frame * (law.d_traction.leftCols<3>() * d_variables);
-  d_traction += law.traction[0] * k.d_normal + law.traction[1] * k.d_tangent[0] + law.traction[2] * k.d_tangent[1];
+  d_traction +=
+      law.traction[0] * k.d_normal + law.traction[1] * k.d_tangent[0] + law.traction[2] * k.d_tangent[1];
   const Eigen::Matrix3d traction_by_multiplier = frame * law.d_traction.rightCols<3>();
 
   LocalResponse local;
@@ -83,7 +86,8 @@ public:
     add_equations(point, local.equations, local.equations_by_multiplier);
   }
 
-  void add_equations(const SlavePoint& point, const Vector3d& equations, const Eigen::Matrix3d& by_multiplier) {
+  void add_equations(const SlavePoint& point, const Vector3d& equations,
+                     const Eigen::Matrix3d& by_multiplier) {
     for (std::size_t j = 0; j < point.multipliers.size(); ++j)
       for (int a = 0; a < per_node_; ++a) {
         const int row = multiplier(point, j, a);
@@ -110,7 +114,8 @@ private:
     for (int a = 0; a < per_node_; ++a)
       for (Index q = 0; q < local.force.size(); ++q) {
         const int dof = unknowns_[static_cast<std::size_t>(q)];
-        push(system_.force_by_multiplier, dof, multiplier(point, j, a), shape * local.force_by_multiplier(q, a));
+        push(system_.force_by_multiplier, dof, multiplier(point, j, a),
+             shape * local.force_by_multiplier(q, a));
         push(system_.equation_by_dof, multiplier(point, j, a), dof, shape * local.equations_by_q(a, q));
       }
   }
@@ -139,7 +144,8 @@ PointState measured(const Zone& zone, const SlavePoint& point, const VectorXd& m
 }
 
 /// Mean over the directions of the point's own stiffness, each node counted with its share.
-double resistance(const SlavePoint& point, const fem::DofMap& dofs, const Eigen::Ref<const VectorXd>& diagonal) {
+double resistance(const SlavePoint& point, const fem::DofMap& dofs,
+                  const Eigen::Ref<const VectorXd>& diagonal) {
   double sum = 0;
   double shares = 0;
   for (std::size_t i = 0; i < point.nodes.size(); ++i) {
@@ -167,8 +173,8 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dof
   ZoneCoefficients coefficients;
   const double tangential = 1 / (saturation_slip * zone.master.shortest_edge);
   for (const auto& point : zone.points) {
-    coefficients.normal.push_back(
-        zone.settings.normal_coefficient.value_or(resistance(point, dofs, diagonal) / std::abs(point.weight)));
+    coefficients.normal.push_back(zone.settings.normal_coefficient.value_or(
+        resistance(point, dofs, diagonal) / std::abs(point.weight)));
     coefficients.tangential.push_back(zone.settings.tangential_coefficient.value_or(tangential));
   }
   return coefficients;
@@ -213,7 +219,8 @@ void add_contributions(const Zone& zone, const ZoneCoefficients& coefficients, d
     const auto law = augmented_lagrangian(points[i].variables, status[i],
                                           coefficients_of(zone, coefficients, friction, i));
     if (status[i] == Status::open)
-      assembler.add_equations(point, point.weight * law.equations, point.weight * law.d_equations.rightCols<3>());
+      assembler.add_equations(point, point.weight * law.equations,
+                              point.weight * law.d_equations.rightCols<3>());
     else
       assembler.add(point, *points[i].kinematics, localise(*points[i].kinematics, law, point.weight));
   }

@@ -34,9 +34,10 @@ struct ZoneCoefficients {
   std::vector<double> tangential; ///< c_t of each point [1/length]
 };
 
-/// c: what the slave side resists, its mean effective diagonal stiffness over the point's share of the surface.
-/// c_t: the slip at which friction saturates is taken as a small part of the shortest master edge; as with c, the
-/// converged answer does not depend on it. `diagonal` is the effective matrix's, per dof [force/length].
+/// c: what the slave side resists, its mean effective diagonal stiffness over the point's share of the
+/// surface. c_t: the slip at which friction saturates is taken as a small part of the shortest master edge;
+/// as with c, the converged answer does not depend on it. `diagonal` is the effective matrix's, per dof
+/// [force/length].
 ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dofs,
                                         const Eigen::Ref<const Eigen::VectorXd>& diagonal);
 
@@ -53,8 +54,8 @@ std::vector<PointEvaluation> evaluate(const Zone& zone, const Eigen::VectorXd& m
 
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 
-/// Contributions of contact to the discrete equations. Forces stand on the internal side (minus what acts on the
-/// bodies); dof indices are the model's, multiplier indices run through the zones.
+/// Contributions of contact to the discrete equations. Forces stand on the internal side (minus what acts on
+/// the bodies); dof indices are the model's, multiplier indices run through the zones.
 struct ContactSystem {
   Eigen::VectorXd force;     ///< [force], one a dof
   Eigen::VectorXd equations; ///< one a multiplier

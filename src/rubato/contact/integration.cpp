@@ -9,10 +9,12 @@
 namespace rubato::contact {
 namespace {
 
-using mesh::CellType;
 using Eigen::Vector2d;
+using mesh::CellType;
 
-IntegrationPoint on_node(int node, Vector2d xi, double weight) { return {xi, weight, node, node}; }
+IntegrationPoint on_node(int node, Vector2d xi, double weight) {
+  return {xi, weight, node, node};
+}
 
 std::vector<IntegrationPoint> quadrangle_nodes(bool with_centre) {
   static const std::array<Vector2d, 9> places{Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1),
@@ -34,8 +36,9 @@ std::vector<IntegrationPoint> triangle_six_points() {
   constexpr double b = 0.091576213509771;
   constexpr double near_corner = 0.054975871827661;
   constexpr double near_middle = 0.111690794839005;
-  const std::array<Vector2d, 6> places{Vector2d(b, b),         Vector2d(1 - 2 * b, b), Vector2d(b, 1 - 2 * b),
-                                       Vector2d(a, 1 - 2 * a), Vector2d(a, a),         Vector2d(1 - 2 * a, a)};
+  const std::array<Vector2d, 6> places{Vector2d(b, b),         Vector2d(1 - 2 * b, b),
+                                       Vector2d(b, 1 - 2 * b), Vector2d(a, 1 - 2 * a),
+                                       Vector2d(a, a),         Vector2d(1 - 2 * a, a)};
   std::vector<IntegrationPoint> points;
   for (int i = 0; i < 6; ++i)
     points.push_back({places[static_cast<std::size_t>(i)], i < 3 ? near_corner : near_middle, -1, i});

@@ -17,9 +17,10 @@ struct IntegrationPoint {
   int stands_for = -1; ///< local node whose exclusion excludes the point too, or −1
 };
 
-/// Points of a face. `gauss` = 0 puts them on the nodes with the weights of the closed Newton–Cotes rule of the face
-/// (Code_Aster's INTEGRATION='AUTO'); TRIA6 and TRIA7 have no such rule with positive weights and take the six-point
-/// Gauss rule, whose i-th point stands for the i-th node. `gauss` = n > 0 gives n Gauss points a direction.
+/// Points of a face. `gauss` = 0 puts them on the nodes with the weights of the closed Newton–Cotes rule of
+/// the face (Code_Aster's INTEGRATION='AUTO'); TRIA6 and TRIA7 have no such rule with positive weights and
+/// take the six-point Gauss rule, whose i-th point stands for the i-th node. `gauss` = n > 0 gives n Gauss
+/// points a direction.
 std::vector<IntegrationPoint> contact_rule(mesh::CellType face, int gauss);
 
 } // namespace rubato::contact

@@ -54,7 +54,8 @@ Matrix3d cross_matrix(const Vector3d& v) {
 }
 
 /// d(a × b) = a × db − b × da
-Variation<3> cross_variation(const Vector3d& a, const Variation<3>& da, const Vector3d& b, const Variation<3>& db) {
+Variation<3> cross_variation(const Vector3d& a, const Variation<3>& da, const Vector3d& b,
+                             const Variation<3>& db) {
   return cross_matrix(a) * db - cross_matrix(b) * da;
 }
 
@@ -126,13 +127,15 @@ private:
     Eigen::Matrix2d slope = Eigen::Matrix2d::Identity();
     for (int a = 0; a < dimension; ++a)
       for (int b = 0; b < dimension; ++b)
-        slope(a, b) = at_free_.tangents.col(a).dot(at_free_.tangents.col(b)) - r.dot(at_free_.curvatures[a][b]);
+        slope(a, b) =
+            at_free_.tangents.col(a).dot(at_free_.tangents.col(b)) - r.dot(at_free_.curvatures[a][b]);
     d_free_ = slope.inverse() * right;
     out_.d_projection = pair_.projection.clamp_derivative * d_free_;
   }
 
   /// d x,_a at a reference point that moves by d_xi.
-  Variation<3> vary_tangent(int a, const FaceShape& shape, const FaceGeometry& at, const Variation<2>& d_xi) const {
+  Variation<3> vary_tangent(int a, const FaceShape& shape, const FaceGeometry& at,
+                            const Variation<2>& d_xi) const {
     Variation<3> variation = Variation<3>::Zero(3, unknowns());
     if (a >= out_.parametric_dimension)
       return variation;
@@ -146,8 +149,8 @@ private:
   void build_frame() {
     Vector3d t[2];
     Variation<3> dt[2];
-    const bool accumulate = zone_.settings.clamped_normal == deck::ClampedNormal::code_aster &&
-                            !pair_.projection.inside();
+    const bool accumulate =
+        zone_.settings.clamped_normal == deck::ClampedNormal::code_aster && !pair_.projection.inside();
     for (int a = 0; a < 2; ++a) {
       t[a] = at_clamped_.tangents.col(a);
       dt[a] = vary_tangent(a, clamped_, at_clamped_, out_.d_projection);
@@ -211,7 +214,8 @@ private:
     // τ₁ keeps the master's first direction as far as the turned normal allows.
     const Vector3d along = out_.tangents.col(0);
     const double part = along.dot(out_.normal);
-    const Variation<1> d_part = along.transpose() * out_.d_normal + out_.normal.transpose() * out_.d_tangent[0];
+    const Variation<1> d_part =
+        along.transpose() * out_.d_normal + out_.normal.transpose() * out_.d_tangent[0];
     const Unit first(along - part * out_.normal);
     out_.d_tangent[0] =
         first.derivative * (out_.d_tangent[0] - part * out_.d_normal - out_.normal * d_part).eval();

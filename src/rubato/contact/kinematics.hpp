@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Gap, slip and frame of a paired contact point, with their exact derivatives.
 ///
-/// The point's local unknowns q are the displacements of its slave nodes, then of its master face's nodes, component by
-/// component. With x_s the slave point and ξ̄ its clamped projection on the master face (PHYSICS: 2):
+/// The point's local unknowns q are the displacements of its slave nodes, then of its master face's nodes,
+/// component by component. With x_s the slave point and ξ̄ its clamped projection on the master face (PHYSICS:
+/// 2):
 ///   g = n·(x_s − x_m(ξ̄)),   g > 0 open;  n leaves the master
 ///   Δs_a = τ_a·[(u_s − u_s⁰) − Σ N_j(ξ̄)(u_mj − u_mj⁰)],  ⁰ = start of the step
 ///   τ₁ = t₁/|t₁|, τ₂ = n × τ₁
-/// The projection moves with q: (t_a·t_b − r·x,_ab) dξ_b = t_a·(dx_s − ΣN_j dx_j) + r·ΣN_j,_a dx_j, r = x_s − x_m(ξ)
-/// (Laursen, Computational Contact and Impact Mechanics, 2002, ch. 5).
+/// The projection moves with q: (t_a·t_b − r·x,_ab) dξ_b = t_a·(dx_s − ΣN_j dx_j) + r·ΣN_j,_a dx_j, r = x_s −
+/// x_m(ξ) (Laursen, Computational Contact and Impact Mechanics, 2002, ch. 5).
 #pragma once
 
 #include "rubato/contact/pairing.hpp"
@@ -23,16 +24,16 @@ namespace rubato::contact {
 template <int Rows> using Variation = Eigen::Matrix<double, Rows, Eigen::Dynamic>;
 
 struct Kinematics {
-  std::vector<mesh::NodeIndex> nodes;  ///< slave's, then master's
-  Eigen::VectorXd shape;               ///< +N_i on slave nodes, −N_j(ξ̄) on master nodes
-  int components = 3;                  ///< displacement components a node
+  std::vector<mesh::NodeIndex> nodes; ///< slave's, then master's
+  Eigen::VectorXd shape;              ///< +N_i on slave nodes, −N_j(ξ̄) on master nodes
+  int components = 3;                 ///< displacement components a node
   int parametric_dimension = 2;
   Eigen::Vector3d normal;
   Eigen::Matrix<double, 3, 2> tangents; ///< τ₁, τ₂; in 2D only τ₁ counts
   double gap = 0;
   Eigen::Vector2d slip = Eigen::Vector2d::Zero();
 
-  Variation<2> d_projection;           ///< dξ̄
+  Variation<2> d_projection; ///< dξ̄
   Variation<3> d_normal;
   Variation<3> d_tangent[2];
   Variation<1> d_gap;
@@ -43,8 +44,8 @@ struct Kinematics {
   int unknowns() const { return static_cast<int>(nodes.size()) * components; }
 };
 
-/// Everything about a paired point that a contact law asks for. The pair must be one of find_pairs' for the same
-/// configuration.
+/// Everything about a paired point that a contact law asks for. The pair must be one of find_pairs' for the
+/// same configuration.
 Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                                const Configuration& configuration);
 

@@ -24,7 +24,8 @@ struct NodeCloud {
   template <class Box> bool kdtree_get_bbox(Box& /*unused*/) const { return false; }
 };
 
-using NodeTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, NodeCloud>, NodeCloud, 3>;
+using NodeTree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, NodeCloud>, NodeCloud, 3>;
 
 struct Candidate {
   int face = -1;
@@ -45,11 +46,13 @@ Candidate candidate_on(const Zone& zone, int face_index, const Vector3d& point,
   const auto& face = zone.master.faces[static_cast<std::size_t>(face_index)];
   const auto nodes = deformed(face, configuration);
   Candidate candidate{face_index, project(face.type, nodes, point), 0};
-  candidate.distance = (point - face_geometry(face.type, nodes, candidate.projection.clamped).position).norm();
+  candidate.distance =
+      (point - face_geometry(face.type, nodes, candidate.projection.clamped).position).norm();
   return candidate;
 }
 
-Pair best_pair(const Zone& zone, const NodeTree& tree, const Vector3d& point, const Configuration& configuration) {
+Pair best_pair(const Zone& zone, const NodeTree& tree, const Vector3d& point,
+               const Configuration& configuration) {
   std::uint32_t nearest = 0;
   double squared_distance = 0;
   tree.knnSearch(point.data(), 1, &nearest, &squared_distance);

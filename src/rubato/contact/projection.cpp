@@ -23,7 +23,9 @@ constexpr int max_iterations = 30;
 /// Beyond this many face sizes the quadratic shape functions say nothing about the face any more.
 constexpr double far_away = 8.0;
 
-bool is_triangle(mesh::CellType type) { return mesh::topology(type).corner_count == 3; }
+bool is_triangle(mesh::CellType type) {
+  return mesh::topology(type).corner_count == 3;
+}
 
 void finish(Projection& p) {
   p.overshoot = (p.xi - p.clamped).norm();
@@ -57,11 +59,13 @@ void clamp_to_triangle(Projection& p) {
       continue;
     best = distance;
     p.clamped = candidate;
-    p.clamp_derivative = kept == along ? Matrix2d(edge * edge.transpose() / edge.squaredNorm()) : Matrix2d::Zero();
+    p.clamp_derivative =
+        kept == along ? Matrix2d(edge * edge.transpose() / edge.squaredNorm()) : Matrix2d::Zero();
   }
 }
 
-/// One Newton step for the stationary distance; the Gauss–Newton matrix stands in where curvature spoils the minimum.
+/// One Newton step for the stationary distance; the Gauss–Newton matrix stands in where curvature spoils the
+/// minimum.
 Vector2d newton_step(const FaceGeometry& at, const Vector3d& point, int dimension) {
   const Vector3d distance = point - at.position;
   if (dimension == 1) {
@@ -106,7 +110,8 @@ FaceGeometry face_geometry(mesh::CellType type, const FaceCoordinates& nodes, co
     for (int a = 0; a < dimension; ++a) {
       geometry.tangents.col(a) += gradients[static_cast<std::size_t>(i * dimension + a)] * x;
       for (int b = 0; b < dimension; ++b)
-        geometry.curvatures[a][b] += hessians[static_cast<std::size_t>((i * dimension + a) * dimension + b)] * x;
+        geometry.curvatures[a][b] +=
+            hessians[static_cast<std::size_t>((i * dimension + a) * dimension + b)] * x;
     }
   }
   return geometry;

@@ -11,8 +11,8 @@ namespace rubato::contact {
 /// Coordinates of the nodes of a face, one a column; at most nine.
 using FaceCoordinates = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9>;
 
-/// Position and parametric derivatives of a face at one reference point. In 2D the second direction is e_z, so that
-/// tangent₁ × tangent₂ is the outward normal there as well.
+/// Position and parametric derivatives of a face at one reference point. In 2D the second direction is e_z,
+/// so that tangent₁ × tangent₂ is the outward normal there as well.
 struct FaceGeometry {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero(); ///< x,_a
@@ -32,8 +32,8 @@ struct Projection {
   bool inside() const { return overshoot == 0; }
 };
 
-/// Moves `xi` to the closest point of the reference face in the parametric plane; within 1e-12 it counts as inside.
-/// Fills clamped, clamp_derivative and overshoot from xi.
+/// Moves `xi` to the closest point of the reference face in the parametric plane; within 1e-12 it counts as
+/// inside. Fills clamped, clamp_derivative and overshoot from xi.
 void clamp_to_face(mesh::CellType type, Projection& projection);
 
 /// Solves (x_s − x(ξ))·x,_a(ξ) = 0 by Newton's method from the middle of the face, then clamps.

@@ -18,7 +18,8 @@ void collect_neighbours(Surface& surface) {
   surface.faces_of_node.resize(surface.nodes.size());
   for (std::size_t f = 0; f < surface.faces.size(); ++f)
     for (const auto node : surface.faces[f].node_span())
-      surface.faces_of_node[static_cast<std::size_t>(surface.position_of(node))].push_back(static_cast<int>(f));
+      surface.faces_of_node[static_cast<std::size_t>(surface.position_of(node))].push_back(
+          static_cast<int>(f));
 }
 
 void measure_edges(Surface& surface, const mesh::Mesh& mesh) {
@@ -49,6 +50,8 @@ Surface make_surface(const mesh::Mesh& mesh, std::vector<Face> faces) {
   return surface;
 }
 
-int parametric_dimension(mesh::CellType type) { return mesh::topology(type).dimension; }
+int parametric_dimension(mesh::CellType type) {
+  return mesh::topology(type).dimension;
+}
 
 } // namespace rubato::contact

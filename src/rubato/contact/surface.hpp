@@ -12,8 +12,8 @@
 
 namespace rubato::contact {
 
-/// A face of a contact surface (a segment in 2D). Its nodes are ordered so that x,₁ × x,₂ (2D: x,₁ × e_z) leaves the
-/// body.
+/// A face of a contact surface (a segment in 2D). Its nodes are ordered so that x,₁ × x,₂ (2D: x,₁ × e_z)
+/// leaves the body.
 struct Face {
   mesh::CellType type = mesh::CellType::seg2;
   int node_count = 0;
@@ -27,9 +27,9 @@ struct Face {
 
 struct Surface {
   std::vector<Face> faces;
-  std::vector<mesh::NodeIndex> nodes;             ///< ascending, without repeats
-  std::vector<std::vector<int>> faces_of_node;    ///< by position in `nodes`
-  double shortest_edge = 0;                       ///< between corners, undeformed [length]
+  std::vector<mesh::NodeIndex> nodes;          ///< ascending, without repeats
+  std::vector<std::vector<int>> faces_of_node; ///< by position in `nodes`
+  double shortest_edge = 0;                    ///< between corners, undeformed [length]
   double longest_edge = 0;
 
   /// Position of a mesh node in `nodes`, or −1.

@@ -59,8 +59,8 @@ SlavePoint point_on_node(const Surface& slave, NodeIndex node) {
 SlavePoint point_inside(const Surface& slave, const Face& face, const IntegrationPoint& at) {
   SlavePoint point;
   std::array<double, 9> values{};
-  fem::reference_cell(face.type)
-      .values({at.xi[0], at.xi[1], 0}, std::span(values).first(static_cast<std::size_t>(face.node_count)));
+  fem::reference_cell(face.type).values({at.xi[0], at.xi[1], 0},
+                                        std::span(values).first(static_cast<std::size_t>(face.node_count)));
   for (std::size_t i = 0; i < static_cast<std::size_t>(face.node_count); ++i) {
     point.nodes.push_back(face.nodes[i]);
     point.shape.push_back(values[i]);

@@ -20,12 +20,12 @@ struct PointOnFace {
   Eigen::Vector2d xi = Eigen::Vector2d::Zero();
 };
 
-/// Where contact is enforced. A slave node shared by several faces carries one point whose weight is the sum of theirs:
-/// its displacement, multiplier and master face are the same seen from each of them.
+/// Where contact is enforced. A slave node shared by several faces carries one point whose weight is the sum
+/// of theirs: its displacement, multiplier and master face are the same seen from each of them.
 struct SlavePoint {
   std::vector<mesh::NodeIndex> nodes; ///< those that move it and, when the normal is the slave's, turn it
-  std::vector<double> shape;          ///< value of each node's shape function at the point; 0 for turning nodes
-  std::vector<int> multipliers;       ///< positions in the slave surface's nodes, of the nodes with shape ≠ 0
+  std::vector<double> shape;    ///< value of each node's shape function at the point; 0 for turning nodes
+  std::vector<int> multipliers; ///< positions in the slave surface's nodes, of the nodes with shape ≠ 0
   std::vector<double> multiplier_shape;
   std::vector<PointOnFace> stands_on; ///< every slave face it belongs to
   double weight = 0;                  ///< quadrature weight × undeformed Jacobian [area]

@@ -18,21 +18,11 @@ constexpr std::array<Edge, 6> tetra_edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3
 constexpr std::array<Edge, 8> pyra_edges{{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
 constexpr std::array<Edge, 9> penta_edges{
     {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
-constexpr std::array<Edge, 12> hexa_edges{{{0, 1},
-                                           {1, 2},
-                                           {2, 3},
-                                           {3, 0},
-                                           {4, 5},
-                                           {5, 6},
-                                           {6, 7},
-                                           {7, 4},
-                                           {0, 4},
-                                           {1, 5},
-                                           {2, 6},
-                                           {3, 7}}};
+constexpr std::array<Edge, 12> hexa_edges{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-// Sides as node tables: corners, mid-edge nodes, centre. The linear, quadratic and full cells of a family share them:
-// each takes as many nodes of a row as its own side type has.
+// Sides as node tables: corners, mid-edge nodes, centre. The linear, quadratic and full cells of a family
+// share them: each takes as many nodes of a row as its own side type has.
 template <std::size_t N> using Row = std::array<U8, N>;
 
 constexpr std::array<Row<3>, 3> tria_sides{{{0, 1, 3}, {1, 2, 4}, {2, 0, 5}}};
@@ -114,9 +104,13 @@ constexpr std::array<CellTopology, 19> topologies{{
 
 } // namespace
 
-const CellTopology& topology(CellType type) { return topologies[static_cast<std::size_t>(type)]; }
+const CellTopology& topology(CellType type) {
+  return topologies[static_cast<std::size_t>(type)];
+}
 
-std::span<const CellTopology> all_topologies() { return topologies; }
+std::span<const CellTopology> all_topologies() {
+  return topologies;
+}
 
 std::optional<CellType> cell_type_named(std::string_view name) {
   std::string upper(name);

@@ -54,9 +54,13 @@ std::span<const NodeIndex> Mesh::nodes_of(CellIndex cell) const {
   return place.block->cell(place.index);
 }
 
-const Group* Mesh::node_group(std::string_view name) const { return find_group(node_groups, name); }
+const Group* Mesh::node_group(std::string_view name) const {
+  return find_group(node_groups, name);
+}
 
-const Group* Mesh::cell_group(std::string_view name) const { return find_group(cell_groups, name); }
+const Group* Mesh::cell_group(std::string_view name) const {
+  return find_group(cell_groups, name);
+}
 
 std::vector<NodeIndex> nodes_named(const Mesh& mesh, std::string_view name) {
   if (const auto* group = mesh.node_group(name))

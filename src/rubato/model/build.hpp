@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The parts of build_model. Each collects what is wrong with the study on this mesh instead of stopping at the first.
+/// The parts of build_model. Each collects what is wrong with the study on this mesh instead of stopping at
+/// the first.
 #pragma once
 
 #include "rubato/fem/assembly.hpp"
@@ -13,25 +14,27 @@ namespace rubato::model {
 fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
 
 /// Prescribed displacements, ascending by dof.
-std::vector<Constraint> make_constraints(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                         std::vector<Fault>& faults);
+std::vector<Constraint> make_constraints(const deck::Study& study, const mesh::Mesh& mesh,
+                                         const fem::DofMap& dofs, std::vector<Fault>& faults);
 
 /// Loads as nodal forces.
 std::vector<Force> make_forces(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
                                const fem::Bulk& bulk, std::vector<Fault>& faults);
 
 /// Contact zones on oriented surfaces.
-std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                      std::vector<Fault>& faults);
+std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh,
+                                      const fem::DofMap& dofs, std::vector<Fault>& faults);
 
-/// A static run needs bodies that cannot move as rigid ones: supports must hold them, or contact with what is held.
+/// A static run needs bodies that cannot move as rigid ones: supports must hold them, or contact with what is
+/// held.
 void check_supported(const Model& model, std::vector<Fault>& faults);
 
 /// The cells of a group, or a fault that names the nearest group; nullptr then.
 const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, std::vector<Fault>& faults);
 
 /// The nodes of a group or a numbered node; empty and a fault when there is none.
-std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const deck::Name& name, std::vector<Fault>& faults);
+std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const deck::Name& name,
+                                            std::vector<Fault>& faults);
 
 /// The function of that name; nothing when the name is empty.
 std::optional<deck::Function> function_named(const deck::Study& study, const deck::Name& name);

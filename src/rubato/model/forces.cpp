@@ -16,7 +16,8 @@ using Eigen::VectorXd;
 
 class LoadBuilder {
 public:
-  LoadBuilder(const mesh::Mesh& mesh, const fem::DofMap& dofs, const fem::Bulk& bulk, std::vector<Fault>& faults)
+  LoadBuilder(const mesh::Mesh& mesh, const fem::DofMap& dofs, const fem::Bulk& bulk,
+              std::vector<Fault>& faults)
       : mesh_(mesh), dofs_(dofs), bulk_(bulk), faults_(faults) {}
 
   VectorXd pattern(const deck::Load& load) {
@@ -56,8 +57,9 @@ private:
     for (const auto cell : group->items) {
       const auto type = mesh_.type_of(cell);
       if (mesh::topology(type).dimension != 1) {
-        faults_.push_back({load.on.at, fmt::format("group '{}' holds {} cells, expected edges for a line force",
-                                                   load.on.text, mesh::topology(type).name)});
+        faults_.push_back(
+            {load.on.at, fmt::format("group '{}' holds {} cells, expected edges for a line force",
+                                     load.on.text, mesh::topology(type).name)});
         return {};
       }
       edges.push_back({type, mesh_.nodes_of(cell)});
@@ -94,8 +96,9 @@ private:
         part.law_of_cell.push_back(bulk_.law_of_cell[i]);
       }
     if (part.cells.empty())
-      faults_.push_back({load.on.at, fmt::format("group '{}' holds no cells that deform, expected some for gravity",
-                                                 load.on.text)});
+      faults_.push_back(
+          {load.on.at,
+           fmt::format("group '{}' holds no cells that deform, expected some for gravity", load.on.text)});
     load::add_gravity(mesh_, dofs_, part, acceleration, force);
   }
 

@@ -32,8 +32,9 @@ public:
     if (material.everywhere) {
       give(index, bulk_);
       if (bulk_.empty())
-        faults_.push_back({material.at, fmt::format("the mesh has no {} cells, expected some for material '{}'",
-                                                    dimension_ == 3 ? "solid" : "surface", material.name)});
+        faults_.push_back(
+            {material.at, fmt::format("the mesh has no {} cells, expected some for material '{}'",
+                                      dimension_ == 3 ? "solid" : "surface", material.name)});
     }
     for (const auto& name : material.cells)
       if (const auto* group = cells_named(mesh_, name, faults_))
@@ -48,11 +49,12 @@ public:
     const auto first = *std::ranges::find_if(bulk_, bare);
     const auto place = mesh_.place_of(first);
     const auto at = study_.materials.empty() ? Location{} : study_.materials.front().at;
-    faults_.push_back({at, fmt::format("{} of {} cells have no material, the first one is cell {} ({}); expected one for every "
-                                       "cell (`cells: all`, or a group)",
-                                       count, bulk_.size(),
-                                       place.block->numbers[static_cast<std::size_t>(place.index)],
-                                       mesh::topology(place.block->type).name)});
+    faults_.push_back(
+        {at,
+         fmt::format("{} of {} cells have no material, the first one is cell {} ({}); expected one for every "
+                     "cell (`cells: all`, or a group)",
+                     count, bulk_.size(), place.block->numbers[static_cast<std::size_t>(place.index)],
+                     mesh::topology(place.block->type).name)});
   }
 
 private:
@@ -76,9 +78,10 @@ private:
       return mesh::topology(mesh_.type_of(cell)).dimension == dimension_;
     });
     if (cells.empty())
-      faults_.push_back({name.at, fmt::format("group '{}' holds cells of dimension {}, expected {} (material '{}')",
-                                              name.text, mesh::topology(mesh_.type_of(items.front())).dimension,
-                                              dimension_, study_.materials[static_cast<std::size_t>(index)].name)});
+      faults_.push_back(
+          {name.at, fmt::format("group '{}' holds cells of dimension {}, expected {} (material '{}')",
+                                name.text, mesh::topology(mesh_.type_of(items.front())).dimension, dimension_,
+                                study_.materials[static_cast<std::size_t>(index)].name)});
     give(index, cells);
   }
 

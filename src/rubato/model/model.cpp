@@ -123,7 +123,8 @@ VectorXd external_force(const Model& model, double t) {
 VectorXd imposed_displacements(const Model& model, double t) {
   VectorXd values(static_cast<Eigen::Index>(model.constraints.size()));
   for (std::size_t i = 0; i < model.constraints.size(); ++i)
-    values[static_cast<Eigen::Index>(i)] = model.constraints[i].value * value_of(model.constraints[i].function, t);
+    values[static_cast<Eigen::Index>(i)] =
+        model.constraints[i].value * value_of(model.constraints[i].function, t);
   return values;
 }
 

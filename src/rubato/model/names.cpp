@@ -23,7 +23,8 @@ const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, s
   const auto* group = mesh.cell_group(name.text);
   if (group == nullptr) {
     if (mesh.node_group(name.text) != nullptr)
-      faults.push_back({name.at, fmt::format("group '{}' holds nodes, expected a group of cells", name.text)});
+      faults.push_back(
+          {name.at, fmt::format("group '{}' holds nodes, expected a group of cells", name.text)});
     else
       faults.push_back({name.at, unknown_group(mesh, name, "a group of cells of the mesh")});
   } else if (group->items.empty()) {

@@ -23,7 +23,8 @@ constexpr double rank_tolerance = 1e-9;
 /// The connected body of each node.
 class Bodies {
 public:
-  Bodies(const mesh::Mesh& mesh, const fem::Bulk& bulk) : parent_(static_cast<std::size_t>(mesh.node_count())) {
+  Bodies(const mesh::Mesh& mesh, const fem::Bulk& bulk)
+      : parent_(static_cast<std::size_t>(mesh.node_count())) {
     std::iota(parent_.begin(), parent_.end(), 0);
     for (const auto cell : bulk.cells) {
       const auto nodes = mesh.nodes_of(cell);
@@ -63,7 +64,9 @@ class Holds {
 public:
   explicit Holds(const Model& model)
       : model_(model), bodies_(model.mesh, model.bulk),
-        modes_(model.study.physics == deck::Physics::axisymmetric ? 1 : model.dofs.components == 3 ? 6 : 3) {
+        modes_(model.study.physics == deck::Physics::axisymmetric ? 1
+               : model.dofs.components == 3                       ? 6
+                                                                  : 3) {
     Vector3d low = model.mesh.points.front();
     Vector3d high = low;
     for (const auto& point : model.mesh.points) {
@@ -164,10 +167,12 @@ void check_supported(const Model& model, std::vector<Fault>& faults) {
   const int loose = holds.loose_body();
   if (loose < 0)
     return;
-  faults.push_back({model.study.time.at,
-                    fmt::format("the body of node {} is not held: it can move as a rigid body, and a static run has no inertia; "
-                                "expected supports, or contact with something that is held",
-                                node_label(model.mesh, holds.first_node(loose)))});
+  faults.push_back(
+      {model.study.time.at,
+       fmt::format(
+           "the body of node {} is not held: it can move as a rigid body, and a static run has no inertia; "
+           "expected supports, or contact with something that is held",
+           node_label(model.mesh, holds.first_node(loose)))});
 }
 
 } // namespace rubato::model

@@ -12,7 +12,8 @@ constexpr std::string_view axes = "xyz";
 
 class Collector {
 public:
-  Collector(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs, std::vector<Fault>& faults)
+  Collector(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+            std::vector<Fault>& faults)
       : study_(study), mesh_(mesh), dofs_(dofs), faults_(faults) {}
 
   void add(const deck::Support& support) {
@@ -31,7 +32,8 @@ public:
   }
 
 private:
-  void prescribe(const deck::Support& support, mesh::NodeIndex node, int component, const deck::Amplitude& amplitude) {
+  void prescribe(const deck::Support& support, mesh::NodeIndex node, int component,
+                 const deck::Amplitude& amplitude) {
     const int dof = dofs_.dof(node, component);
     const Constraint wanted{dof, amplitude.value, function_named(study_, amplitude.function)};
     const auto [entry, fresh] = by_dof_.emplace(dof, wanted);
@@ -39,8 +41,9 @@ private:
     if (fresh || (there.value == wanted.value && there.function == wanted.function) || told_)
       return;
     told_ = true;
-    faults_.push_back({support.at, fmt::format("node {} has two different displacements prescribed in {}",
-                                               node_label(mesh_, node), axes[static_cast<std::size_t>(component)])});
+    faults_.push_back(
+        {support.at, fmt::format("node {} has two different displacements prescribed in {}",
+                                 node_label(mesh_, node), axes[static_cast<std::size_t>(component)])});
   }
 
   const deck::Study& study_;
@@ -53,8 +56,8 @@ private:
 
 } // namespace
 
-std::vector<Constraint> make_constraints(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                         std::vector<Fault>& faults) {
+std::vector<Constraint> make_constraints(const deck::Study& study, const mesh::Mesh& mesh,
+                                         const fem::DofMap& dofs, std::vector<Fault>& faults) {
   Collector collector(study, mesh, dofs, faults);
   for (const auto& support : study.supports)
     collector.add(support);

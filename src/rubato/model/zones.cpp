@@ -38,7 +38,8 @@ bool share_a_face(const contact::Surface& a, const contact::Surface& b) {
   for (const auto& face : a.faces)
     cells.push_back(face.cell);
   std::ranges::sort(cells);
-  return std::ranges::any_of(b.faces, [&](const auto& face) { return std::ranges::binary_search(cells, face.cell); });
+  return std::ranges::any_of(b.faces,
+                             [&](const auto& face) { return std::ranges::binary_search(cells, face.cell); });
 }
 
 std::vector<mesh::NodeIndex> excluded_nodes(const mesh::Mesh& mesh, const deck::ContactZone& zone,
@@ -61,18 +62,20 @@ void check_rule(const deck::ContactZone& zone, const contact::Surface& slave, st
     const int least = mesh::topology(face.type).order + 1;
     if (zone.gauss_points >= least)
       continue;
-    faults.push_back({zone.at, fmt::format("found {} Gauss points a direction, expected at least {} on the {} faces of '{}'",
-                                           zone.gauss_points, least, mesh::topology(face.type).name,
-                                           zone.slave.text)});
+    faults.push_back(
+        {zone.at,
+         fmt::format("found {} Gauss points a direction, expected at least {} on the {} faces of '{}'",
+                     zone.gauss_points, least, mesh::topology(face.type).name, zone.slave.text)});
     return;
   }
 }
 
 } // namespace
 
-std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                      std::vector<Fault>& faults) {
-  const bool plane = study.physics == deck::Physics::plane_stress || study.physics == deck::Physics::plane_strain;
+std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh,
+                                      const fem::DofMap& dofs, std::vector<Fault>& faults) {
+  const bool plane =
+      study.physics == deck::Physics::plane_stress || study.physics == deck::Physics::plane_strain;
   const contact::ZoneGeometry geometry{dofs.components, plane ? study.thickness : 1.0,
                                        study.physics == deck::Physics::axisymmetric ? contact::Measure::ring
                                                                                     : contact::Measure::unit};
@@ -83,11 +86,13 @@ std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh
     auto slave = surface_named(mesh, settings.slave, faults);
     const auto excluded = excluded_nodes(mesh, settings, faults);
     if (faults.size() == known && share_a_face(master, slave))
-      faults.push_back({settings.slave.at, fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
-                                                       settings.master.text, settings.slave.text)});
+      faults.push_back(
+          {settings.slave.at, fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
+                                          settings.master.text, settings.slave.text)});
     check_rule(settings, slave, faults);
     if (faults.size() == known)
-      zones.push_back(contact::make_zone(mesh, settings, std::move(master), std::move(slave), excluded, geometry));
+      zones.push_back(
+          contact::make_zone(mesh, settings, std::move(master), std::move(slave), excluded, geometry));
   }
   return zones;
 }

@@ -41,7 +41,8 @@ CheckResult evaluate(const deck::Check& check, const Table& probes) {
   result.value = value_at(probes, probes.column(result.quantity), check.at);
   if (!result.value)
     return result;
-  result.deviation = std::abs(*result.value - check.reference) / (check.relative ? std::abs(check.reference) : 1.0);
+  result.deviation =
+      std::abs(*result.value - check.reference) / (check.relative ? std::abs(check.reference) : 1.0);
   result.holds = result.deviation <= check.tolerance;
   return result;
 }
@@ -56,14 +57,14 @@ std::vector<CheckResult> evaluate_checks(std::span<const deck::Check> checks, co
 }
 
 std::string to_text(std::span<const CheckResult> results) {
-  std::string text = fmt::format("{:<12} {:>10} {:>20} {:>20} {:>10} {:>10}  {:<6} {}\n", "quantity", "t", "reference",
-                                 "value", "deviation", "tolerance", "", "source");
+  std::string text = fmt::format("{:<12} {:>10} {:>20} {:>20} {:>10} {:>10}  {:<6} {}\n", "quantity", "t",
+                                 "reference", "value", "deviation", "tolerance", "", "source");
   for (const auto& r : results)
-    text += fmt::format("{:<12} {:>10.6g} {:>20.12g} {:>20} {:>10} {:>10}  {:<6} {}{}{}\n", r.quantity, r.at, r.reference,
-                        r.value ? fmt::format("{:.12g}", *r.value) : "not reached",
+    text += fmt::format("{:<12} {:>10.6g} {:>20.12g} {:>20} {:>10} {:>10}  {:<6} {}{}{}\n", r.quantity, r.at,
+                        r.reference, r.value ? fmt::format("{:.12g}", *r.value) : "not reached",
                         r.value ? fmt::format("{:.2e}", r.deviation) : "",
-                        fmt::format("{:.1e}{}", r.tolerance, r.relative ? "" : " abs"), r.holds ? "ok" : "FAILS", r.source,
-                        r.note.empty() ? "" : ": ", r.note);
+                        fmt::format("{:.1e}{}", r.tolerance, r.relative ? "" : " abs"),
+                        r.holds ? "ok" : "FAILS", r.source, r.note.empty() ? "" : ": ", r.note);
   return text;
 }
 

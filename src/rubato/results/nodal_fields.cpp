@@ -28,12 +28,13 @@ OwnedField vector_field(const Model& model, std::string name, const VectorXd& va
 }
 
 OwnedField scalar_field(const Model& model, std::string name) {
-  return {std::move(name), 1, std::vector<double>(static_cast<std::size_t>(model.mesh.node_count()), 0.0), {}};
+  return {
+      std::move(name), 1, std::vector<double>(static_cast<std::size_t>(model.mesh.node_count()), 0.0), {}};
 }
 
 /// What a zone's points know, at the state's configuration.
-std::vector<contact::PointEvaluation> evaluation(const Model& model, std::size_t zone, const step::State& before,
-                                                 const step::State& now) {
+std::vector<contact::PointEvaluation> evaluation(const Model& model, std::size_t zone,
+                                                 const step::State& before, const step::State& now) {
   const contact::Configuration configuration{&model.mesh, &model.dofs, &now.motion.u, &before.motion.u};
   return contact::evaluate(model.zones[zone], now.zones[zone].multipliers, configuration);
 }
@@ -50,7 +51,10 @@ void add_contact_fields(const Model& model, const step::State& before, const ste
   auto gap = scalar_field(model, "contact_gap");
   auto status = scalar_field(model, "contact_status");
   const int tangents = model.dofs.components - 1;
-  OwnedField slip{"contact_slip", tangents, {}, tangents == 1 ? std::vector<std::string>{"t"} : std::vector<std::string>{"t1", "t2"}};
+  OwnedField slip{"contact_slip",
+                  tangents,
+                  {},
+                  tangents == 1 ? std::vector<std::string>{"t"} : std::vector<std::string>{"t1", "t2"}};
   slip.values.assign(static_cast<std::size_t>(model.mesh.node_count() * tangents), 0.0);
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
@@ -65,7 +69,8 @@ void add_contact_fields(const Model& model, const step::State& before, const ste
       gap.values[node] = points[i].kinematics ? points[i].variables.gap : 0.0;
       status.values[node] = static_cast<double>(now.zones[z].status[i]);
       for (int a = 0; touches && a < tangents; ++a)
-        slip.values[node * static_cast<std::size_t>(tangents) + static_cast<std::size_t>(a)] = points[i].variables.slip[a];
+        slip.values[node * static_cast<std::size_t>(tangents) + static_cast<std::size_t>(a)] =
+            points[i].variables.slip[a];
     }
   }
   fields.insert(fields.end(), {std::move(pressure), std::move(gap), std::move(slip), std::move(status)});
@@ -80,7 +85,8 @@ std::vector<OwnedField> nodal_fields(const Model& model, const step::State& befo
   fields.push_back(vector_field(model, "acceleration", now.motion.a));
   const auto recovered = fem::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u);
   const auto& stress = recovered.stress;
-  OwnedField tensor{"stress", 6, {stress.data(), stress.data() + stress.size()}, {"xx", "yy", "zz", "xy", "yz", "xz"}};
+  OwnedField tensor{
+      "stress", 6, {stress.data(), stress.data() + stress.size()}, {"xx", "yy", "zz", "xy", "yz", "xz"}};
   OwnedField von_mises{"von_mises", 1, {recovered.von_mises.begin(), recovered.von_mises.end()}, {}};
   fields.push_back(std::move(tensor));
   fields.push_back(std::move(von_mises));

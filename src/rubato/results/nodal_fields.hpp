@@ -23,10 +23,11 @@ struct OwnedField {
 };
 
 /// displacement, velocity, acceleration; stress (averaged at the nodes) and von_mises; with contact also
-/// contact_pressure (≥ 0), contact_gap (> 0 open; 0 where nothing faces the node), contact_slip (along the master's
-/// first and second tangent, of the last step), contact_status (0 open, 1 sticking, 2 slipping). Nodes off the slave
-/// surfaces carry 0. `before` is the state at the start of the step.
-std::vector<OwnedField> nodal_fields(const model::Model& model, const step::State& before, const step::State& now);
+/// contact_pressure (≥ 0), contact_gap (> 0 open; 0 where nothing faces the node), contact_slip (along the
+/// master's first and second tangent, of the last step), contact_status (0 open, 1 sticking, 2 slipping).
+/// Nodes off the slave surfaces carry 0. `before` is the state at the start of the step.
+std::vector<OwnedField> nodal_fields(const model::Model& model, const step::State& before,
+                                     const step::State& now);
 
 struct Resultants {
   int in_contact = 0;

@@ -26,7 +26,8 @@ std::filesystem::path created(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
-    throw InputError(fmt::format("{}: the folder of results cannot be made ({})", folder.string(), error.message()));
+    throw InputError(
+        fmt::format("{}: the folder of results cannot be made ({})", folder.string(), error.message()));
   return folder;
 }
 
@@ -43,13 +44,14 @@ mesh::NodeIndex node_of(const model::Model& model, const deck::Probe& probe) {
   const auto nodes = mesh::nodes_named(model.mesh, probe.node.text);
   if (nodes.empty()) {
     const auto nearest = nearest_word(probe.node.text, mesh::group_names(model.mesh));
-    throw InputError(fmt::format("probe '{}': found '{}', expected a node ('N90') or a group of one node{}", probe.name,
-                                 probe.node.text, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
+    throw InputError(fmt::format("probe '{}': found '{}', expected a node ('N90') or a group of one node{}",
+                                 probe.name, probe.node.text,
+                                 nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
                      probe.node.at);
   }
   if (nodes.size() > 1)
-    throw InputError(fmt::format("probe '{}': group '{}' has {} nodes, expected one", probe.name, probe.node.text,
-                                 nodes.size()),
+    throw InputError(fmt::format("probe '{}': group '{}' has {} nodes, expected one", probe.name,
+                                 probe.node.text, nodes.size()),
                      probe.node.at);
   if (!model.dofs.has(nodes.front()))
     throw InputError(fmt::format("probe '{}': node {} belongs to no cell that deforms", probe.name,
@@ -73,10 +75,16 @@ const Eigen::VectorXd& field_of(const step::State& state, deck::ProbeField field
 }
 
 ordered_json to_json(const CheckResult& r) {
-  ordered_json json{{"quantity", r.quantity}, {"at", r.at},           {"reference", r.reference},
-                    {"value", nullptr},       {"deviation", nullptr}, {"tolerance", r.tolerance},
-                    {"kind", r.relative ? "relative" : "absolute"},   {"holds", r.holds},
-                    {"source", r.source},     {"note", r.note}};
+  ordered_json json{{"quantity", r.quantity},
+                    {"at", r.at},
+                    {"reference", r.reference},
+                    {"value", nullptr},
+                    {"deviation", nullptr},
+                    {"tolerance", r.tolerance},
+                    {"kind", r.relative ? "relative" : "absolute"},
+                    {"holds", r.holds},
+                    {"source", r.source},
+                    {"note", r.note}};
   if (r.value) {
     json["value"] = *r.value;
     json["deviation"] = r.deviation;
@@ -111,8 +119,8 @@ public:
       write_fields(state, state);
   }
 
-  void step(const step::State& before, const step::State& now, const Attempt& attempt, const step::StepReport& report,
-            bool last) {
+  void step(const step::State& before, const step::State& now, const Attempt& attempt,
+            const step::StepReport& report, bool last) {
     ++steps_done_;
     write_probes(now);
     write_resultants(before, now);
@@ -209,7 +217,9 @@ private:
       return true;
     if (wanted.every > 0 && steps_done_ % wanted.every == 0)
       return true;
-    return std::ranges::any_of(wanted.at, [&](double at) { return std::abs(t - at) <= std::max(step * 1e-6, same_instant * std::abs(at)); });
+    return std::ranges::any_of(wanted.at, [&](double at) {
+      return std::abs(t - at) <= std::max(step * 1e-6, same_instant * std::abs(at));
+    });
   }
 
   void write_fields(const step::State& before, const step::State& now) {
@@ -242,12 +252,18 @@ Recorder::~Recorder() = default;
 Recorder::Recorder(Recorder&&) noexcept = default;
 Recorder& Recorder::operator=(Recorder&&) noexcept = default;
 
-void Recorder::start(const step::State& state) { impl_->start(state); }
+void Recorder::start(const step::State& state) {
+  impl_->start(state);
+}
 void Recorder::step(const step::State& before, const step::State& now, const Attempt& attempt,
                     const step::StepReport& report, bool last) {
   impl_->step(before, now, attempt, report, last);
 }
-void Recorder::failed(const Attempt& attempt, const step::StepReport& report) { impl_->failed(attempt, report); }
-std::vector<CheckResult> Recorder::finish(const Ending& ending) { return impl_->finish(ending); }
+void Recorder::failed(const Attempt& attempt, const step::StepReport& report) {
+  impl_->failed(attempt, report);
+}
+std::vector<CheckResult> Recorder::finish(const Ending& ending) {
+  return impl_->finish(ending);
+}
 
 } // namespace rubato::results

@@ -3,7 +3,8 @@
 ///
 ///   probes.csv             t, then <probe>.x, <probe>.y[, <probe>.z] of every probe
 ///   resultants_<zone>.csv  t; points in contact, sticking; force of the master on the slave x, y[, z];
-///                          normal part (∫p); friction part (|∫ tangential traction|); largest pressure; smallest gap
+///                          normal part (∫p); friction part (|∫ tangential traction|); largest pressure;
+///                          smallest gap
 ///   steps.jsonl            one JSON object a step tried, accepted or not
 ///   fields/*.vtu, *.pvd    and fields.med, at the chosen instants
 ///   run.json               the study, versions, timings, iterations, checks
@@ -42,7 +43,8 @@ struct Ending {
 
 class Recorder {
 public:
-  /// Creates the folder and its files. Throws InputError when that cannot be done and for probes that mean nothing.
+  /// Creates the folder and its files. Throws InputError when that cannot be done and for probes that mean
+  /// nothing.
   Recorder(const model::Model& model, std::filesystem::path folder);
   ~Recorder();
   Recorder(Recorder&&) noexcept;
@@ -50,8 +52,8 @@ public:
 
   void start(const step::State& state);
   /// `last` tells whether this is the run's last instant.
-  void step(const step::State& before, const step::State& now, const Attempt& attempt, const step::StepReport& report,
-            bool last);
+  void step(const step::State& before, const step::State& now, const Attempt& attempt,
+            const step::StepReport& report, bool last);
   void failed(const Attempt& attempt, const step::StepReport& report);
   /// Evaluates the checks and writes run.json.
   std::vector<CheckResult> finish(const Ending& ending);

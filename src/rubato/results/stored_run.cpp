@@ -25,7 +25,8 @@ nlohmann::json read_json(const std::filesystem::path& path) {
   }
 }
 
-/// The end of another run cannot be read from this folder; what was started from does not matter to what came out.
+/// The end of another run cannot be read from this folder; what was started from does not matter to what came
+/// out.
 void forget_start(nlohmann::json& study) {
   if (study.contains("time") && study["time"].contains("start") && study["time"]["start"].is_object())
     study["time"]["start"] = "consistent";

@@ -21,7 +21,8 @@ struct StoredRun {
 /// Throws InputError when the folder is no run's.
 StoredRun read_stored_run(const std::filesystem::path& folder);
 
-/// The folder itself when it holds a run, else its subfolders that do, by name. Throws InputError when there is none.
+/// The folder itself when it holds a run, else its subfolders that do, by name. Throws InputError when there
+/// is none.
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path& folder);
 
 } // namespace rubato::results

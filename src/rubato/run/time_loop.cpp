@@ -12,7 +12,9 @@
 namespace rubato::run {
 namespace {
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 int points_in_contact(const step::State& state) {
   int count = 0;
@@ -47,12 +49,14 @@ step::State first_state(const model::Model& model, const time::Scheme& scheme, c
   const auto& settings = model.study.time;
   if (settings.start == deck::StartKind::from_run)
     return step::continued_state(model, scheme, *previous, settings.begin);
-  return step::initial_state(model, scheme, settings.begin, settings.start != deck::StartKind::at_rest_unloaded);
+  return step::initial_state(model, scheme, settings.begin,
+                             settings.start != deck::StartKind::at_rest_unloaded);
 }
 
 class Loop {
 public:
-  Loop(const model::Model& model, const std::filesystem::path& folder, const Watch& watch, const step::State* previous)
+  Loop(const model::Model& model, const std::filesystem::path& folder, const Watch& watch,
+       const step::State* previous)
       : model_(model), watch_(watch), scheme_(time::make_scheme(model.study.time)), systems_(model, scheme_),
         recorder_(model, folder), committed_(first_state(model, scheme_, previous)),
         control_(model.study.time, committed_.t), end_(time::instants_of(model.study.time).back()) {}
@@ -69,8 +73,9 @@ public:
     }
     result_.loop_seconds = processor_seconds() - loop_start;
     result_.end = committed_;
-    result_.checks = recorder_.finish({result_.status == Status::complete, result_.message, result_.setup_seconds,
-                                       result_.loop_seconds, result_.steps, result_.iterations, result_.cuts});
+    result_.checks =
+        recorder_.finish({result_.status == Status::complete, result_.message, result_.setup_seconds,
+                          result_.loop_seconds, result_.steps, result_.iterations, result_.cuts});
     return std::move(result_);
   }
 
@@ -93,8 +98,9 @@ private:
       accept(trial, attempt, report);
     else
       reject(attempt, report);
-    watch_.progress({model_.study.name, attempt.end, model_.study.time.begin, end_, attempt.end - attempt.begin,
-                     report.iterations, points_in_contact(committed_), attempt.cut_level, attempt.accepted, &report});
+    watch_.progress({model_.study.name, attempt.end, model_.study.time.begin, end_,
+                     attempt.end - attempt.begin, report.iterations, points_in_contact(committed_),
+                     attempt.cut_level, attempt.accepted, &report});
   }
 
   void accept(step::State& trial, const results::Attempt& attempt, const step::StepReport& report) {
@@ -127,7 +133,9 @@ private:
 
 } // namespace
 
-bool RunResult::checks_hold() const { return std::ranges::all_of(checks, &results::CheckResult::holds); }
+bool RunResult::checks_hold() const {
+  return std::ranges::all_of(checks, &results::CheckResult::holds);
+}
 
 RunResult run_study(const deck::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous) {
@@ -147,8 +155,8 @@ std::string explain(const model::Model& model, const step::StepReport& report, d
   auto text = fmt::format("no convergence from t = {:g} to {:g} ({}, {} iterations)", begin, end,
                           step::to_string(report.outcome), report.iterations);
   if (report.worst_node >= 0)
-    text += fmt::format("; residual {:.2e} (wanted {:.0e}), largest at node {}", report.residual, report.tolerance,
-                        model::node_label(model.mesh, report.worst_node));
+    text += fmt::format("; residual {:.2e} (wanted {:.0e}), largest at node {}", report.residual,
+                        report.tolerance, model::node_label(model.mesh, report.worst_node));
   if (!report.restless.empty()) {
     const auto& point = report.restless.front();
     text += fmt::format("; {} contact points kept changing their status, among them {} of zone '{}'",

@@ -16,8 +16,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using model::Model;
 
-/// Motion of contact points' projections between two iterates, in longest master edges, that counts as settled
-/// (Code_Aster's RESI_GEOM for Newton).
+/// Motion of contact points' projections between two iterates, in longest master edges, that counts as
+/// settled (Code_Aster's RESI_GEOM for Newton).
 constexpr double settled_geometry = 1e-6;
 /// Gap of a point in contact, in shortest master edges, that counts as closed.
 constexpr double closed_gap = 1e-9;
@@ -32,10 +32,10 @@ struct ContactIterate {
 
 class NewtonSolve {
 public:
-  NewtonSolve(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system, const State& committed,
-              double t, double friction_part)
-      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), friction_part_(friction_part),
-        external_(model::external_force(model, t)), history_(history_forces()),
+  NewtonSolve(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+              const State& committed, double t, double friction_part)
+      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t),
+        friction_part_(friction_part), external_(model::external_force(model, t)), history_(history_forces()),
         contact_(committed.motion.u.size(), model.multiplier_count) {}
 
   /// Iterates from `trial` (u, v, a, multipliers and statuses) to the end of the step.
@@ -84,7 +84,8 @@ private:
   void evaluate_contact(const State& trial, int iteration) {
     previous_ = std::move(now_);
     now_ = {};
-    const contact::Configuration configuration{&model_.mesh, &model_.dofs, &trial.motion.u, &committed_.motion.u};
+    const contact::Configuration configuration{&model_.mesh, &model_.dofs, &trial.motion.u,
+                                               &committed_.motion.u};
     contact_ = contact::ContactSystem(trial.motion.u.size(), model_.multiplier_count);
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
       const auto& zone = model_.zones[z];
@@ -108,8 +109,9 @@ private:
   }
 
   void evaluate_residual(const State& trial) {
-    inertia_ = scheme_.inertia.now != 0 ? VectorXd(scheme_.inertia.now * multiply(model_.mass, trial.motion.a))
-                                        : VectorXd::Zero(trial.motion.u.size());
+    inertia_ = scheme_.inertia.now != 0
+                   ? VectorXd(scheme_.inertia.now * multiply(model_.mass, trial.motion.a))
+                   : VectorXd::Zero(trial.motion.u.size());
     if (scheme_.damping.now != 0)
       inertia_ += scheme_.damping.now * multiply(model_.damping, trial.motion.v);
     unbalance_ = model_.stiffness * trial.motion.u + contact_.force - external_;
@@ -118,8 +120,8 @@ private:
     measure_residual(trial);
   }
 
-  /// Code_Aster's RESI_GLOB_RELA: the largest unbalanced force over the largest of reactions and applied forces
-  /// (inertia and history among them), and of the momentum's rate.
+  /// Code_Aster's RESI_GLOB_RELA: the largest unbalanced force over the largest of reactions and applied
+  /// forces (inertia and history among them), and of the momentum's rate.
   void measure_residual(const State& trial) {
     VectorXd reference = scheme_.forces.now * external_ - inertia_ - history_;
     for (const auto& constraint : model_.constraints)
@@ -131,12 +133,14 @@ private:
     Index worst = 0;
     const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
     report_.residual = largest == 0 ? 0 : largest / scale;
-    report_.worst_node = residual_.size() > 0 ? model_.node_of(model_.free_dofs[static_cast<std::size_t>(worst)]) : -1;
+    report_.worst_node =
+        residual_.size() > 0 ? model_.node_of(model_.free_dofs[static_cast<std::size_t>(worst)]) : -1;
   }
 
   bool settled() {
     collect_restless();
-    return report_.residual <= report_.tolerance && report_.status_changes == 0 && geometry_settled() && gaps_closed();
+    return report_.residual <= report_.tolerance && report_.status_changes == 0 && geometry_settled() &&
+           gaps_closed();
   }
 
   void collect_restless() {
@@ -200,7 +204,8 @@ private:
         triplets.emplace_back(free(entry.row()), free(entry.col()), scheme_.forces.now * entry.value());
     for (const auto& entry : contact_.force_by_multiplier)
       if (free(entry.row()) >= 0)
-        triplets.emplace_back(free(entry.row()), free_count + entry.col(), scheme_.forces.now * entry.value());
+        triplets.emplace_back(free(entry.row()), free_count + entry.col(),
+                              scheme_.forces.now * entry.value());
     for (const auto& entry : contact_.equation_by_dof)
       if (free(entry.col()) >= 0)
         triplets.emplace_back(free_count + entry.row(), free(entry.col()), entry.value());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// One implicit step: motion and contact solved together by Newton's method.
 ///
-/// Geometry, friction threshold and contact status are all re-evaluated in every iteration (generalized Newton); the
-/// tangent is exact. Unknowns are the free displacements and the contact multipliers:
+/// Geometry, friction threshold and contact status are all re-evaluated in every iteration (generalized
+/// Newton); the tangent is exact. Unknowns are the free displacements and the contact multipliers:
 ///   [A + f₁ ∂f_c/∂u   f₁ ∂f_c/∂λ] [d ]     [residual ]
 ///   [  ∂e/∂u            ∂e/∂λ   ] [dλ] = − [equations]
 #pragma once
@@ -25,17 +25,17 @@ struct EffectiveSystem {
 
 EffectiveSystem make_effective_system(const model::Model& model, const time::Scheme& scheme, double step);
 
-/// Initial state: displacements and velocities 0, imposed displacements applied, M a = external − internal force.
-/// `loaded_history` false takes the first history bracket as zero (Code_Aster's start). Throws InputError when the mass
-/// matrix is singular.
+/// Initial state: displacements and velocities 0, imposed displacements applied, M a = external − internal
+/// force. `loaded_history` false takes the first history bracket as zero (Code_Aster's start). Throws
+/// InputError when the mass matrix is singular.
 State initial_state(const model::Model& model, const time::Scheme& scheme, double t, bool loaded_history);
 
-/// Continues another run's end: u, multipliers and statuses are kept; velocity too when both runs are dynamic; the
-/// acceleration follows from equilibrium with the contact forces in place.
+/// Continues another run's end: u, multipliers and statuses are kept; velocity too when both runs are
+/// dynamic; the acceleration follows from equilibrium with the contact forces in place.
 State continued_state(const model::Model& model, const time::Scheme& scheme, const State& end, double t);
 
-/// Advances `committed` to t. On success `trial` is the state at t. A failed attempt is repeated with friction
-/// raised in parts before it is reported.
+/// Advances `committed` to t. On success `trial` is the state at t. A failed attempt is repeated with
+/// friction raised in parts before it is reported.
 StepReport advance(const model::Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
                    const State& committed, double t, State& trial);
 

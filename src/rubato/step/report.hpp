@@ -21,11 +21,11 @@ struct RestlessPoint {
 
 struct StepReport {
   Outcome outcome = Outcome::too_many_iterations;
-  int iterations = 0;               ///< linear solves, all attempts of the step together
-  double residual = 0;              ///< relative, of the last iterate
+  int iterations = 0;  ///< linear solves, all attempts of the step together
+  double residual = 0; ///< relative, of the last iterate
   double tolerance = 0;
-  mesh::NodeIndex worst_node = -1;  ///< where the residual is largest
-  int status_changes = 0;           ///< contact points that changed in the last iteration
+  mesh::NodeIndex worst_node = -1; ///< where the residual is largest
+  int status_changes = 0;          ///< contact points that changed in the last iteration
   std::vector<RestlessPoint> restless;
   bool friction_continuation = false; ///< the step needed friction raised in parts
   bool converged() const { return outcome == Outcome::converged; }

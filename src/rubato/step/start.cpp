@@ -40,7 +40,8 @@ void apply_imposed(const Model& model, double t, VectorXd& u) {
 VectorXd balanced_acceleration(const Model& model, const VectorXd& unbalance, const VectorXd& velocity) {
   const auto factor = linalg::CholeskyFactor::of(free_part(model, model.mass));
   if (!factor)
-    throw InputError("the mass matrix is not positive definite: every cell of a dynamic run needs a positive density");
+    throw InputError(
+        "the mass matrix is not positive definite: every cell of a dynamic run needs a positive density");
   VectorXd force = -unbalance;
   if (model.damping.nonZeros() > 0)
     force -= model.damping * velocity;

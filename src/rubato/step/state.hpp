@@ -13,8 +13,9 @@ namespace rubato::step {
 
 struct State {
   double t = 0;
-  time::Motion motion;           ///< u, v, a, one a dof
-  Eigen::VectorXd unbalance;     ///< internal + contact − external force at t: the scheme's history bracket [force]
+  time::Motion motion; ///< u, v, a, one a dof
+  Eigen::VectorXd
+      unbalance; ///< internal + contact − external force at t: the scheme's history bracket [force]
   Eigen::VectorXd contact_force; ///< contact and friction, internal side [force]
   Eigen::VectorXd reaction;      ///< of the supports, on constrained dofs [force]
   std::vector<contact::ZoneState> zones;

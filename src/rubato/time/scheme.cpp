@@ -14,7 +14,8 @@ constexpr std::array<SchemeEntry, 5> entries{{
     {SchemeKind::hht, "hht", "HHT, MODI_EQUI='OUI'", "α in −1/3…0 damps high frequencies"},
     {SchemeKind::modified_average_acceleration, "modified_average_acceleration", "HHT, MODI_EQUI='NON'",
      "hht's β and γ with equilibrium at the end of the step"},
-    {SchemeKind::generalized_alpha, "generalized_alpha", "", "Chung and Hulbert, from the spectral radius ρ_∞"},
+    {SchemeKind::generalized_alpha, "generalized_alpha", "",
+     "Chung and Hulbert, from the spectral radius ρ_∞"},
     {SchemeKind::static_steps, "static", "STAT_NON_LINE", "load steps in pseudo-time, no inertia"},
 }};
 
@@ -95,6 +96,8 @@ void correct(const StepCoefficients& coefficients, const Eigen::VectorXd& d, Mot
   motion.a += coefficients.acceleration * d;
 }
 
-std::span<const SchemeEntry> all_schemes() { return entries; }
+std::span<const SchemeEntry> all_schemes() {
+  return entries;
+}
 
 } // namespace rubato::time

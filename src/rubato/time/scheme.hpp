@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Implicit time schemes as rows of one table.
 ///
-/// A scheme is Newmark's pair β, γ and the weights of the terms of equilibrium at the end (now) and at the start
-/// (before) of a step of length h:
-///   m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F(u₁) + f₀ F(u₀) = 0,   F = internal + contact − external force
-///   u₁ = ũ + d,  v₁ = ṽ + γ/(βh) d,  a₁ = ã + d/(βh²)
+/// A scheme is Newmark's pair β, γ and the weights of the terms of equilibrium at the end (now) and at the
+/// start (before) of a step of length h:
+///   m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F(u₁) + f₀ F(u₀) = 0,   F = internal + contact − external
+///   force u₁ = ũ + d,  v₁ = ṽ + γ/(βh) d,  a₁ = ã + d/(βh²)
 /// with the predictor ũ = u₀, ṽ = (β−γ)/β v₀ + (2β−γ)h/(2β) a₀, ã = −v₀/(βh) + (2β−1)/(2β) a₀.
 #pragma once
 
@@ -31,9 +31,9 @@ struct Scheme {
   bool dynamic = true; ///< false: load steps in pseudo-time, no velocity and no acceleration
 };
 
-/// newmark: β, γ given (default average acceleration). hht: Hilber, Hughes and Taylor (1977) with α ≤ 0, damping
-/// unweighted as Code_Aster does. modified_average_acceleration: the same β, γ, equilibrium at the end of the step.
-/// generalized_alpha: Chung and Hulbert (1993) from ρ_∞. static_steps: no inertia.
+/// newmark: β, γ given (default average acceleration). hht: Hilber, Hughes and Taylor (1977) with α ≤ 0,
+/// damping unweighted as Code_Aster does. modified_average_acceleration: the same β, γ, equilibrium at the
+/// end of the step. generalized_alpha: Chung and Hulbert (1993) from ρ_∞. static_steps: no inertia.
 Scheme make_scheme(const deck::TimeStepping& settings);
 
 /// The coefficients of one step: A = mass M + damping C + stiffness K is the effective matrix.

@@ -35,7 +35,8 @@ std::vector<double> instants_of(const deck::TimeStepping& settings) {
 
 StepControl::StepControl(const deck::TimeStepping& settings, double start)
     : instants_(instants_of(settings)), now_(start),
-      usual_length_(settings.instants.empty() ? settings.step : 0), parts_(settings.cut_parts), levels_(settings.cut_levels) {
+      usual_length_(settings.instants.empty() ? settings.step : 0), parts_(settings.cut_parts),
+      levels_(settings.cut_levels) {
   next_ = static_cast<std::size_t>(std::ranges::upper_bound(instants_, start) - instants_.begin());
 }
 

@@ -11,9 +11,9 @@ namespace rubato::time {
 /// The instants a run must reach, ascending, the first one being the start.
 std::vector<double> instants_of(const deck::TimeStepping& settings);
 
-/// Walks through the list of instants. A failed step is cut into `cut_parts`; the parts may be cut again, `cut_levels`
-/// deep. Parts that succeed bring the walk back to the list, so growing back needs no memory beyond the stack of ends.
-/// A value: copying it copies the place in the list.
+/// Walks through the list of instants. A failed step is cut into `cut_parts`; the parts may be cut again,
+/// `cut_levels` deep. Parts that succeed bring the walk back to the list, so growing back needs no memory
+/// beyond the stack of ends. A value: copying it copies the place in the list.
 class StepControl {
 public:
   StepControl(const deck::TimeStepping& settings, double start);
@@ -22,8 +22,8 @@ public:
   double now() const { return now_; }
   /// The end of the step to try. Call only while not finished.
   double target() const { return ends_.empty() ? instants_[next_] : ends_.back().instant; }
-  /// Length of the step to try; the very same number for steps that differ by the rounding of instants only, so that
-  /// what is factored for one serves the others.
+  /// Length of the step to try; the very same number for steps that differ by the rounding of instants only,
+  /// so that what is factored for one serves the others.
   double length() const;
   /// How often the interval between two listed instants has been cut to get this step.
   int level() const { return ends_.empty() ? 0 : ends_.back().level; }

@@ -16,7 +16,9 @@ Eigen::Matrix<double, 6, 1> variables(const PointState& p) {
   return v;
 }
 
-PointState from(const Eigen::Matrix<double, 6, 1>& v) { return {v[0], v.segment<2>(1), v[3], v.segment<2>(4)}; }
+PointState from(const Eigen::Matrix<double, 6, 1>& v) {
+  return {v[0], v.segment<2>(1), v[3], v.segment<2>(4)};
+}
 
 TEST(AugmentedLagrangianStatus, ClosesWhenPushedAndOpensWhenPulled) {
   EXPECT_EQ(augmented_lagrangian_status({0.1, {}, 0, {}}, steel), Status::open);

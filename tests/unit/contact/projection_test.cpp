@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "two_faces.hpp"
-
 #include "rubato/contact/integration.hpp"
 #include "rubato/contact/projection.hpp"
 
 #include <gtest/gtest.h>
+
+#include "two_faces.hpp"
 
 namespace rubato {
 namespace {
@@ -53,7 +53,8 @@ TEST_P(EveryFace, DistanceIsStationaryOnWarpedFaces) {
     const auto setup = test::two_faces(options);
     const auto configuration = setup.configuration(setup.u);
     const auto nodes = contact::deformed(setup.zone.master.faces.front(), configuration);
-    const Vector3d point = nodes.rowwise().mean() + Vector3d(0.1, 0.1, mesh::topology(GetParam()).dimension == 1 ? 0 : 0.2);
+    const Vector3d point =
+        nodes.rowwise().mean() + Vector3d(0.1, 0.1, mesh::topology(GetParam()).dimension == 1 ? 0 : 0.2);
     const auto projection = contact::project(GetParam(), nodes, point);
     ASSERT_TRUE(projection.converged);
     const auto at = contact::face_geometry(GetParam(), nodes, projection.xi);

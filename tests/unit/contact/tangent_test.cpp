@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Each derivative of the contact kinematics and of the whole contact system against central differences.
-#include "two_faces.hpp"
-
 #include <gtest/gtest.h>
 
+#include "two_faces.hpp"
 #include <tuple>
 
 namespace rubato {
@@ -23,13 +22,15 @@ struct Variant {
 std::vector<Variant> variants() {
   std::vector<Variant> list;
   const std::vector<std::pair<CellType, CellType>> pairs{
-      {CellType::seg2, CellType::seg2},   {CellType::seg3, CellType::seg3},   {CellType::seg2, CellType::seg3},
-      {CellType::tria3, CellType::tria3}, {CellType::tria6, CellType::tria6}, {CellType::tria7, CellType::quad9},
-      {CellType::quad4, CellType::quad4}, {CellType::quad8, CellType::quad8}, {CellType::quad9, CellType::tria6},
-      {CellType::quad9, CellType::quad9}};
+      {CellType::seg2, CellType::seg2},   {CellType::seg3, CellType::seg3},
+      {CellType::seg2, CellType::seg3},   {CellType::tria3, CellType::tria3},
+      {CellType::tria6, CellType::tria6}, {CellType::tria7, CellType::quad9},
+      {CellType::quad4, CellType::quad4}, {CellType::quad8, CellType::quad8},
+      {CellType::quad9, CellType::tria6}, {CellType::quad9, CellType::quad9}};
   for (const auto& [slave, master] : pairs)
     for (const double shift : {0.0, 0.9})
-      for (const auto normal : {deck::ContactNormal::master, deck::ContactNormal::slave, deck::ContactNormal::average})
+      for (const auto normal :
+           {deck::ContactNormal::master, deck::ContactNormal::slave, deck::ContactNormal::average})
         for (const auto clamped : {deck::ClampedNormal::projection, deck::ClampedNormal::code_aster}) {
           test::TwoFacesOptions options;
           options.slave = slave;
@@ -38,8 +39,8 @@ std::vector<Variant> variants() {
           options.normal = normal;
           options.clamped_normal = clamped;
           options.seed = static_cast<unsigned>(list.size()) + 3;
-          list.push_back({std::string(mesh::topology(slave).name) + "On" + std::string(mesh::topology(master).name) +
-                              (shift > 0 ? "Shifted" : "") +
+          list.push_back({std::string(mesh::topology(slave).name) + "On" +
+                              std::string(mesh::topology(master).name) + (shift > 0 ? "Shifted" : "") +
                               (normal == deck::ContactNormal::master  ? "MasterNormal"
                                : normal == deck::ContactNormal::slave ? "SlaveNormal"
                                                                       : "AverageNormal") +
@@ -97,7 +98,9 @@ TEST_P(ContactTangent, KinematicsVaryAsTheySay) {
         EXPECT_LT(((plus.normal - minus.normal) / (2 * h) - at.d_normal.col(column)).norm(), 2e-7);
         EXPECT_LT(((plus.slip - minus.slip) / (2 * h) - at.d_slip.col(column)).norm(), 2e-7);
         for (int a = 0; a < 2; ++a)
-          EXPECT_LT(((plus.tangents.col(a) - minus.tangents.col(a)) / (2 * h) - at.d_tangent[a].col(column)).norm(), 2e-7);
+          EXPECT_LT(
+              ((plus.tangents.col(a) - minus.tangents.col(a)) / (2 * h) - at.d_tangent[a].col(column)).norm(),
+              2e-7);
         ++compared;
       }
   }
@@ -119,8 +122,8 @@ System system_at(const test::TwoFaces& setup, const VectorXd& u, const VectorXd&
   const contact::ZoneCoefficients coefficients{std::vector<double>(points.size(), 3.0),
                                                std::vector<double>(points.size(), 2.0)};
   contact::ContactSystem system(setup.dofs.dof_count, multipliers.size());
-  contact::add_contributions(setup.zone, coefficients, setup.zone.settings.friction, points, status, setup.dofs, 0,
-                             system);
+  contact::add_contributions(setup.zone, coefficients, setup.zone.settings.friction, points, status,
+                             setup.dofs, 0, system);
   System dense;
   const auto dofs = setup.dofs.dof_count;
   dense.residual.resize(dofs + multipliers.size());
@@ -144,7 +147,8 @@ TEST_P(ContactTangent, IsTheDerivativeOfForcesAndEquations) {
       GTEST_SKIP() << "a point of this variant stands on a kink of the closest-point map";
   std::mt19937 random(11);
   std::uniform_real_distribution<double> number(0.5, 1.5);
-  const VectorXd multipliers = VectorXd::NullaryExpr(setup.zone.multiplier_count(), [&] { return number(random); });
+  const VectorXd multipliers =
+      VectorXd::NullaryExpr(setup.zone.multiplier_count(), [&] { return number(random); });
   const auto dofs = setup.dofs.dof_count;
   for (const auto status : {Status::open, Status::stick, Status::slip}) {
     const auto at = system_at(setup, setup.u, multipliers, status);

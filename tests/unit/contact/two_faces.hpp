@@ -34,8 +34,8 @@ struct TwoFacesOptions {
 };
 
 /// Reference points of the face, the master's normal upwards, the slave's downwards (mirrored in x).
-inline void add_face(TwoFaces& setup, contact::Face& face, mesh::CellType type, bool downwards, double shift, double height,
-                     std::mt19937& random, double warp) {
+inline void add_face(TwoFaces& setup, contact::Face& face, mesh::CellType type, bool downwards, double shift,
+                     double height, std::mt19937& random, double warp) {
   std::uniform_real_distribution<double> noise(-warp, warp);
   const auto& cell = fem::reference_cell(type);
   const bool plane = cell.dimension == 1;
@@ -46,7 +46,8 @@ inline void add_face(TwoFaces& setup, contact::Face& face, mesh::CellType type, 
     face.nodes[static_cast<std::size_t>(i)] = setup.mesh.node_count();
     // In 2D the outward normal is (t_y, −t_x): a segment running to −x looks upwards.
     const double x = (plane ? !downwards : downwards) ? -xi[0] : xi[0];
-    Eigen::Vector3d point = plane ? Eigen::Vector3d(x + shift, height, 0) : Eigen::Vector3d(x + shift, xi[1], height);
+    Eigen::Vector3d point =
+        plane ? Eigen::Vector3d(x + shift, height, 0) : Eigen::Vector3d(x + shift, xi[1], height);
     for (int a = 0; a < (plane ? 2 : 3); ++a)
       point[a] += noise(random);
     setup.mesh.points.push_back(point);
@@ -79,8 +80,9 @@ inline TwoFaces two_faces(const TwoFacesOptions& options) {
   settings.normal = options.normal;
   settings.clamped_normal = options.clamped_normal;
   settings.gauss_points = options.gauss;
-  setup.zone = contact::make_zone(setup.mesh, settings, contact::make_surface(setup.mesh, {master}),
-                                  contact::make_surface(setup.mesh, {slave}), {}, {setup.mesh.dimension, 1.0, {}});
+  setup.zone =
+      contact::make_zone(setup.mesh, settings, contact::make_surface(setup.mesh, {master}),
+                         contact::make_surface(setup.mesh, {slave}), {}, {setup.mesh.dimension, 1.0, {}});
   return setup;
 }
 

@@ -8,9 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fstream>
 
