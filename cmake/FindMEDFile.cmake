@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # MED, the exchange format of Salome and Code_Aster, through its C library.
 #   MEDFile::MEDFile   to link with
+#   MEDFile::HDF5      the HDF5 library it was built with, for who calls that too
 #   medfile_sources(target file…)   lets these files of a target include med.h
 # med.h includes hdf5.h and, where MED was built with MPI, mpi.h. Only the files that need it see these headers, so
 # that the rest of a target may use another HDF5.
@@ -16,11 +17,13 @@ if(MEDFile_INCLUDE_DIR)
   string(REPLACE ";" "." MEDFile_VERSION "${MEDFile_VERSION}")
   if(MEDFile_with_mpi)
     find_path(MEDFile_HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/openmpi hdf5/mpich openmpi-x86_64)
+    find_library(MEDFile_HDF5_LIBRARY NAMES hdf5_openmpi hdf5_mpich hdf5)
     find_package(MPI QUIET COMPONENTS C)
     set(MEDFile_DEPENDENT_DIRS ${MPI_C_INCLUDE_DIRS})
     list(APPEND MEDFile_WANTED MPI_C_FOUND)
   else()
     find_path(MEDFile_HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial)
+    find_library(MEDFile_HDF5_LIBRARY NAMES hdf5_serial hdf5)
   endif()
 endif()
 
@@ -29,11 +32,15 @@ find_package_handle_standard_args(
   MEDFile
   REQUIRED_VARS MEDFile_LIBRARY MEDFile_INCLUDE_DIR ${MEDFile_WANTED}
   VERSION_VAR MEDFile_VERSION)
-mark_as_advanced(MEDFile_INCLUDE_DIR MEDFile_LIBRARY MEDFile_HDF5_INCLUDE_DIR)
+mark_as_advanced(MEDFile_INCLUDE_DIR MEDFile_LIBRARY MEDFile_HDF5_INCLUDE_DIR MEDFile_HDF5_LIBRARY)
 
 if(MEDFile_FOUND AND NOT TARGET MEDFile::MEDFile)
   add_library(MEDFile::MEDFile UNKNOWN IMPORTED GLOBAL)
   set_target_properties(MEDFile::MEDFile PROPERTIES IMPORTED_LOCATION ${MEDFile_LIBRARY})
+  if(MEDFile_HDF5_LIBRARY)
+    add_library(MEDFile::HDF5 UNKNOWN IMPORTED GLOBAL)
+    set_target_properties(MEDFile::HDF5 PROPERTIES IMPORTED_LOCATION ${MEDFile_HDF5_LIBRARY})
+  endif()
 endif()
 
 function(medfile_sources target)

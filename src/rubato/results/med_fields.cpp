@@ -145,6 +145,20 @@ const MedField& field_named(const med::File& file, const std::vector<MedField>& 
                           nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest)));
 }
 
+std::vector<double> values_of(const med::File& file, const std::string& field, int number) {
+  const auto fields = fields_of(file);
+  const auto& found = field_named(file, fields, field);
+  const auto nodes = MEDfieldnValue(file.id(), field.c_str(), number, MED_NO_IT, MED_NODE, MED_NONE);
+  if (nodes <= 0)
+    file.refuse(fmt::format("holds no values of '{}' at the nodes for instant {}", field, number));
+  std::vector<double> values(file.plausible(nodes, "values") * found.component_names.size());
+  file.check(MEDfieldValueRd(file.id(), field.c_str(), number, MED_NO_IT, MED_NODE, MED_NONE,
+                             MED_FULL_INTERLACE, MED_ALL_CONSTITUENT,
+                             reinterpret_cast<unsigned char*>(values.data())),
+             "values of a field");
+  return values;
+}
+
 } // namespace
 
 void append_med_fields(const std::filesystem::path& path, const std::string& mesh_name, Instant instant,
@@ -161,23 +175,15 @@ void append_med_fields(const std::filesystem::path& path, const std::string& mes
 }
 
 std::vector<MedField> med_fields(const std::filesystem::path& path) {
-  return fields_of(med::File(path, med::File::Access::read));
+  const auto read = [&] { return fields_of(med::File(path, med::File::Access::read)); };
+  med::rehearse(path, read);
+  return read();
 }
 
 std::vector<double> read_med_field(const std::filesystem::path& path, const std::string& field, int number) {
-  const med::File file(path, med::File::Access::read);
-  const auto fields = fields_of(file);
-  const auto& found = field_named(file, fields, field);
-  const auto nodes = file.plausible(
-      MEDfieldnValue(file.id(), field.c_str(), number, MED_NO_IT, MED_NODE, MED_NONE), "values of a field");
-  if (nodes == 0)
-    file.refuse(fmt::format("holds no values of '{}' at the nodes for instant {}", field, number));
-  std::vector<double> values(nodes * found.component_names.size());
-  file.check(MEDfieldValueRd(file.id(), field.c_str(), number, MED_NO_IT, MED_NODE, MED_NONE,
-                             MED_FULL_INTERLACE, MED_ALL_CONSTITUENT,
-                             reinterpret_cast<unsigned char*>(values.data())),
-             "values of a field");
-  return values;
+  const auto read = [&] { return values_of(med::File(path, med::File::Access::read), field, number); };
+  med::rehearse(path, read);
+  return read();
 }
 
 } // namespace rubato::results

@@ -26,6 +26,7 @@ Mesh read_gmsh(const std::filesystem::path& path) {
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -47,7 +48,10 @@ public:
     gmsh::option::setNumber("General.NumThreads", 1);
     gmsh::logger::start();
   }
-  ~Session() { gmsh::finalize(); }
+  ~Session() {
+    gmsh::logger::stop();
+    gmsh::finalize();
+  }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -284,7 +288,20 @@ int geometry_dimension() {
   return dimension;
 }
 
+// Gmsh drops statements of a last line without an end, and doesn't say so.
+void check_last_line(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(0, std::ios::end);
+  if (stream.tellg() == 0)
+    return;
+  stream.seekg(-1, std::ios::end);
+  if (stream.get() != '\n')
+    throw InputError("its last line has no line end, Gmsh would drop a part of it");
+}
+
 Mesh read_with_gmsh(const std::filesystem::path& path) {
+  if (path.extension() == ".geo")
+    check_last_line(path);
   const Session session;
   gmsh::open(path.string());
   if (!is_meshed() && path.extension() == ".geo")

@@ -8,10 +8,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
 #include <fstream>
 #include <optional>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <system_error>
 #include <tuple>
+#include <unistd.h>
 
 namespace rubato::mesh::med {
 namespace {
@@ -109,31 +117,63 @@ med_access_mode mode_of(File::Access access) {
 
 } // namespace
 
-File::File(const std::filesystem::path& path, Access access) : path_(path), access_(access) {
-  if (access == Access::create) {
-    id_ = MEDfileOpen(path.c_str(), mode_of(access));
-    if (id_ < 0)
-      refuse("cannot be written: is there such a folder, and may you write into it?");
+Silence::Silence() {
+  std::fflush(stderr);
+  kept_ = dup(STDERR_FILENO);
+  const int nowhere = open("/dev/null", O_WRONLY);
+  if (kept_ >= 0 && nowhere >= 0)
+    dup2(nowhere, STDERR_FILENO);
+  if (nowhere >= 0)
+    close(nowhere);
+}
+
+Silence::~Silence() {
+  if (kept_ < 0)
     return;
-  }
-  open_checked();
+  std::fflush(stderr);
+  dup2(kept_, STDERR_FILENO);
+  close(kept_);
+}
+
+namespace {
+
+// HDF5 closes itself at the program's end and prints that it cannot, when an error has cost it handles.
+// Closing it earlier would end that too, but MED then misreads the next file of an older version.
+void close_library_silently_at_exit() {
+  static const int registered = std::atexit([] {
+    const Silence silence;
+    MEDlibraryClose();
+  });
+  static_cast<void>(registered);
+}
+
+} // namespace
+
+Handle::~Handle() {
+  if (id < 0)
+    return;
+  MEDfileClose(id);
+  close_library_silently_at_exit();
+}
+
+File::File(const std::filesystem::path& path, Access access) : path_(path), access_(access) {
+  if (access == Access::create)
+    handle_.id = MEDfileOpen(path.c_str(), mode_of(access));
+  else
+    open_checked();
+  if (handle_.id < 0)
+    refuse("cannot be written: is there such a folder, and may you write into it?");
 }
 
 void File::open_checked() {
   if (const auto fault = fault_of(path_); !fault.empty())
     refuse(fault);
   size_ = std::filesystem::file_size(path_);
-  id_ = MEDfileOpen(path_.c_str(), mode_of(access_));
-  if (id_ < 0)
+  handle_.id = MEDfileOpen(path_.c_str(), mode_of(access_));
+  if (handle_.id < 0)
     refuse("cannot be opened as a MED file: it is an HDF5 file without MED's version, or damaged");
-  if (const auto fault = version_fault(id_); !fault.empty()) {
-    MEDfileClose(id_);
+  if (const auto fault = version_fault(handle_.id); !fault.empty())
     refuse(fault);
-  }
-}
-
-File::~File() {
-  MEDfileClose(id_);
 }
 
 void File::check(std::int64_t result, std::string_view what) const {
@@ -143,15 +183,39 @@ void File::check(std::int64_t result, std::string_view what) const {
 }
 
 std::size_t File::plausible(std::int64_t count, std::string_view what) const {
+  check(count, what);
   // Deflate, the strongest packing HDF5 offers, makes at most 1032 bytes of one.
   constexpr std::uintmax_t strongest_packing = 1032;
-  if (count < 0 || static_cast<std::uintmax_t>(count) > size_ * strongest_packing / sizeof(med_int))
+  if (static_cast<std::uintmax_t>(count) > size_ * strongest_packing / sizeof(med_int))
     refuse(fmt::format("is damaged: it announces {} {}", count, what));
   return static_cast<std::size_t>(count);
 }
 
 void File::refuse(std::string_view text) const {
   throw InputError(fmt::format("mesh file '{}' {}", path_.string(), text));
+}
+
+void rehearse(const std::filesystem::path& path, const std::function<void()>& read) {
+  const auto child = fork();
+  if (child == 0) {
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    for (const int deadly : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+      std::signal(deadly, SIG_DFL);
+    try {
+      read();
+    } catch (const std::exception&) { // the reader itself will meet it again, and throw it
+    }
+    _exit(EXIT_SUCCESS);
+  }
+  // Where no process can be had there is nothing to learn.
+  if (child < 0)
+    return;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS)
+    throw InputError(fmt::format("mesh file '{}' is damaged: HDF5 breaks down on it", path.string()));
 }
 
 std::string text_buffer(std::size_t count, std::size_t width) {

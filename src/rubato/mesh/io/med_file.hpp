@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,28 @@ constexpr std::size_t name_size = 64;       ///< MED_NAME_SIZE: meshes, families
 constexpr std::size_t group_name_size = 80; ///< MED_LNAME_SIZE
 constexpr std::size_t short_name_size = 16; ///< MED_SNAME_SIZE: axes, components, units
 
+/// Standard error shut while it lives: MED and HDF5 print their own traces there before they return an error.
+class Silence {
+public:
+  Silence();
+  ~Silence();
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  int kept_ = -1;
+};
+
+/// A file's identifier in MED, closed with all that is open in the file when it goes.
+class Handle {
+public:
+  Handle() = default;
+  ~Handle();
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  std::int64_t id = -1;
+};
+
 /// An open file, closed when it goes.
 class File {
 public:
@@ -21,11 +44,8 @@ public:
 
   /// Throws InputError, with the reason, when the file can't be opened as MED.
   File(const std::filesystem::path& path, Access access);
-  ~File();
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
 
-  std::int64_t id() const { return id_; }
+  std::int64_t id() const { return handle_.id; }
   const std::filesystem::path& path() const { return path_; }
 
   /// Throws InputError "cannot read/write <what> of <path>" when a call of the library gave a negative
@@ -41,9 +61,14 @@ private:
 
   std::filesystem::path path_;
   Access access_;
-  std::int64_t id_ = -1;
   std::uintmax_t size_ = 0;
+  Silence silence_;
+  Handle handle_;
 };
+
+/// Runs `read` in a process of its own and forgets what came of it. Throws InputError when that process broke
+/// down: HDF5 has damaged files on which it crashes, and then a program that has rehearsed goes on.
+void rehearse(const std::filesystem::path& path, const std::function<void()>& read);
 
 /// Room for `count` texts of `width` characters as MED wants it.
 std::string text_buffer(std::size_t count, std::size_t width);

@@ -93,10 +93,11 @@ void check_kind(const med::File& file, const Header& header) {
 class Entities {
 public:
   Entities(const med::File& file, const Header& header) : file_(file), name_(header.name) {
+    if (header.steps <= 0)
+      file_.refuse(fmt::format("holds '{}' without nodes and cells", name_));
     med_float time = 0.0;
-    if (header.steps > 0)
-      file_.check(MEDmeshComputationStepInfo(file_.id(), name_.c_str(), 1, &step_, &iteration_, &time),
-                  "mesh step");
+    file_.check(MEDmeshComputationStepInfo(file_.id(), name_.c_str(), 1, &step_, &iteration_, &time),
+                "mesh step");
   }
 
   std::size_t count(med_entity_type entity, med_geometry_type geometry, med_data_type data,
@@ -306,9 +307,7 @@ std::vector<Group> groups_of(const std::vector<med_int>& family_of_item, const F
   return groups;
 }
 
-} // namespace
-
-Mesh read_med(const std::filesystem::path& path, const std::string& mesh_name) {
+Mesh read_unguarded(const std::filesystem::path& path, const std::string& mesh_name) {
   const med::File file(path, med::File::Access::read);
   const auto header = chosen_header(file, mesh_name);
   check_kind(file, header);
@@ -323,6 +322,14 @@ Mesh read_med(const std::filesystem::path& path, const std::string& mesh_name) {
   mesh.node_groups = groups_of(node_families, families, +1);
   mesh.cell_groups = groups_of(cell_families, families, -1);
   return mesh;
+}
+
+} // namespace
+
+Mesh read_med(const std::filesystem::path& path, const std::string& mesh_name) {
+  const auto read = [&] { return read_unguarded(path, mesh_name); };
+  med::rehearse(path, read);
+  return read();
 }
 
 } // namespace rubato::mesh

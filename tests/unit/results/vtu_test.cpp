@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/results/vtu.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/faults.hpp"
+#include "support/scratch_folder.hpp"
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+
+namespace rubato::results {
+namespace {
+
+using test::fault_of;
+using test::ScratchFolder;
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A .vtu file taken apart: attributes of each array, and the bytes it points to.
+class Parsed {
+public:
+  explicit Parsed(const std::filesystem::path& path) : text_(text_of(path)) {
+    const std::string mark = "<AppendedData encoding=\"raw\">\n_";
+    const auto start = text_.find(mark);
+    EXPECT_NE(start, std::string::npos);
+    data_ = text_.substr(start + mark.size());
+    head_ = text_.substr(0, start);
+    const std::regex array(R"re(<DataArray type="(\w+)" Name="([^"]+)" NumberOfComponents="(\d+)" )re"
+                           R"re(format="appended" offset="(\d+)"[^>]*/>)re");
+    for (std::sregex_iterator found(head_.begin(), head_.end(), array), end; found != end; ++found) {
+      offsets_[(*found)[2]] = std::stoul((*found)[4]);
+      components_[(*found)[2]] = std::stoi((*found)[3]);
+    }
+  }
+
+  template <class T> std::vector<T> values(const std::string& name) const {
+    const auto at = offsets_.at(name);
+    std::uint64_t size = 0;
+    std::memcpy(&size, data_.data() + at, sizeof size);
+    std::vector<T> found(size / sizeof(T));
+    std::memcpy(found.data(), data_.data() + at + sizeof size, size);
+    return found;
+  }
+
+  /// Whether the blocks follow each other without gap and the document ends after the last one.
+  bool blocks_fill_the_data() const {
+    std::vector<std::size_t> starts;
+    for (const auto& [name, at] : offsets_)
+      starts.push_back(at);
+    std::ranges::sort(starts);
+    std::size_t next = 0;
+    for (const auto at : starts) {
+      if (at != next)
+        return false;
+      std::uint64_t size = 0;
+      std::memcpy(&size, data_.data() + at, sizeof size);
+      next = at + sizeof size + size;
+    }
+    return data_.substr(next) == "\n</AppendedData>\n</VTKFile>\n";
+  }
+
+  bool has(const std::string& name) const { return offsets_.contains(name); }
+  int components(const std::string& name) const { return components_.at(name); }
+  const std::string& head() const { return head_; }
+
+private:
+  std::string text_;
+  std::string head_;
+  std::string data_;
+  std::map<std::string, std::size_t> offsets_;
+  std::map<std::string, int> components_;
+};
+
+/// A quadrangle of nine nodes and a triangle of seven beside it, with one edge.
+mesh::Mesh flat_mesh() {
+  mesh::Mesh mesh;
+  mesh.dimension = 2;
+  for (int i = 0; i < 13; ++i)
+    mesh.points.emplace_back(i, 0.5 * i, 0.0);
+  mesh.node_numbers = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 130};
+  mesh.blocks = {{mesh::CellType::seg3, {0, 1, 4}, {1}},
+                 {mesh::CellType::tria7, {1, 9, 2, 10, 11, 5, 12}, {3}},
+                 {mesh::CellType::quad9, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {2}}};
+  return mesh;
+}
+
+TEST(VtuFile, HoldsTheCellsOfHighestDimensionWithVtksTypes) {
+  const ScratchFolder folder;
+  const auto mesh = flat_mesh();
+  write_vtu(folder / "a.vtu", mesh, {});
+  const Parsed file(folder / "a.vtu");
+  EXPECT_NE(file.head().find("NumberOfPoints=\"13\" NumberOfCells=\"2\""), std::string::npos);
+  EXPECT_EQ(file.values<std::uint8_t>("types"), (std::vector<std::uint8_t>{34, 28}));
+  EXPECT_EQ(file.values<std::int64_t>("offsets"), (std::vector<std::int64_t>{7, 16}));
+  EXPECT_EQ(file.values<std::int32_t>("connectivity"),
+            (std::vector<std::int32_t>{1, 9, 2, 10, 11, 5, 12, 0, 1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(file.values<std::int64_t>("cell_number"), (std::vector<std::int64_t>{3, 2}));
+  EXPECT_EQ(file.values<std::int64_t>("node_number"), mesh.node_numbers);
+  EXPECT_EQ(file.values<double>("Points").at(3 * 5 + 1), 2.5);
+  EXPECT_TRUE(file.blocks_fill_the_data());
+}
+
+TEST(VtuFile, HoldsEveryCellWhenAsked) {
+  const ScratchFolder folder;
+  write_vtu(folder / "a.vtu", flat_mesh(), {}, {.displacement = {}, .all_cells = true});
+  EXPECT_EQ(Parsed(folder / "a.vtu").values<std::uint8_t>("types"), (std::vector<std::uint8_t>{21, 34, 28}));
+}
+
+TEST(VtuFile, KnowsVtksNumberOfEveryCellType) {
+  const ScratchFolder folder;
+  const std::map<std::string_view, int> expected{
+      {"POINT1", 1},   {"SEG2", 3},     {"SEG3", 21},   {"TRIA3", 5},   {"TRIA6", 22},
+      {"TRIA7", 34},   {"QUAD4", 9},    {"QUAD8", 23},  {"QUAD9", 28},  {"TETRA4", 10},
+      {"TETRA10", 24}, {"PYRA5", 14},   {"PYRA13", 27}, {"PENTA6", 13}, {"HEXA8", 12},
+      {"PENTA15", 26}, {"PENTA18", 32}, {"HEXA20", 25}, {"HEXA27", 29}};
+  for (const auto& cell : mesh::all_topologies()) {
+    mesh::Mesh mesh;
+    const auto nodes = static_cast<std::size_t>(cell.node_count);
+    mesh.points.assign(nodes, Eigen::Vector3d::Zero());
+    mesh.blocks = {{cell.type, std::vector<mesh::NodeIndex>(nodes, 0), {}}};
+    write_vtu(folder / "a.vtu", mesh, {});
+    EXPECT_EQ(Parsed(folder / "a.vtu").values<std::uint8_t>("types").at(0), expected.at(cell.name))
+        << cell.name;
+  }
+}
+
+TEST(VtuFile, PadsVectorsOfThePlaneToThreeComponents) {
+  const ScratchFolder folder;
+  std::vector<double> u(26);
+  for (std::size_t i = 0; i < u.size(); ++i)
+    u[i] = static_cast<double>(i);
+  const std::vector<double> p(13, 4.0);
+  const std::array fields{NodalField{"displacement", 2, u, {"DX", "DY"}, "m"},
+                          NodalField{"pressure <x & \"y\">", 1, p, {}, "Pa"}};
+  write_vtu(folder / "a.vtu", flat_mesh(), fields);
+  const Parsed file(folder / "a.vtu");
+  EXPECT_EQ(file.components("displacement"), 3);
+  const auto values = file.values<double>("displacement");
+  ASSERT_EQ(values.size(), 39U);
+  EXPECT_EQ((std::vector<double>(values.begin() + 3, values.begin() + 9)),
+            (std::vector<double>{2, 3, 0, 4, 5, 0}));
+  EXPECT_NE(file.head().find(R"(ComponentName1="DY" ComponentName2="z")"), std::string::npos);
+  EXPECT_EQ(file.values<double>("pressure &lt;x &amp; &quot;y&quot;&gt;"), p);
+  EXPECT_TRUE(file.blocks_fill_the_data());
+}
+
+TEST(VtuFile, ShowsTheDeformedShapeWhenGivenDisplacements) {
+  const ScratchFolder folder;
+  const std::vector<double> u(26, 0.25);
+  write_vtu(folder / "a.vtu", flat_mesh(), {}, {.displacement = u});
+  const auto points = Parsed(folder / "a.vtu").values<double>("Points");
+  EXPECT_EQ((std::vector<double>(points.begin() + 3, points.begin() + 6)),
+            (std::vector<double>{1.25, 0.75, 0.0}));
+}
+
+TEST(VtuFile, RefusesWhatDoesNotFit) {
+  const ScratchFolder folder;
+  const std::vector<double> few(5);
+  const std::array fields{NodalField{"u", 2, few, {}, ""}};
+  EXPECT_THROW(write_vtu(folder / "a.vtu", flat_mesh(), fields), std::invalid_argument);
+  EXPECT_THROW(write_vtu(folder / "a.vtu", flat_mesh(), {}, {.displacement = few}), std::invalid_argument);
+  EXPECT_NE(fault_of([&] { write_vtu(folder / "no/a.vtu", flat_mesh(), {}); }).find("cannot be written"),
+            std::string::npos);
+}
+
+TEST(PvdSeries, IsCompleteAfterEachAddition) {
+  const ScratchFolder folder;
+  PvdSeries series(folder / "run.pvd");
+  EXPECT_FALSE(std::filesystem::exists(folder / "run.pvd"));
+  series.add(0.0, folder / "fields/0.vtu");
+  EXPECT_EQ(text_of(folder / "run.pvd"), "<?xml version=\"1.0\"?>\n"
+                                         "<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n"
+                                         "<DataSet timestep=\"0\" part=\"0\" file=\"fields/0.vtu\"/>\n"
+                                         "</Collection>\n</VTKFile>\n");
+  series.add(0.001, folder / "fields/1.vtu");
+  EXPECT_NE(text_of(folder / "run.pvd").find("timestep=\"0.001\" part=\"0\" file=\"fields/1.vtu\""),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "run.pvd.new"));
+}
+
+TEST(PvdSeries, GoesOnFromWhatWasThere) {
+  const ScratchFolder folder;
+  PvdSeries series(folder / "run.pvd", {{0.0, "0.vtu"}});
+  series.add(1.0, folder / "1.vtu");
+  const auto text = text_of(folder / "run.pvd");
+  EXPECT_LT(text.find("0.vtu"), text.find("1.vtu"));
+  EXPECT_EQ(series.entries().size(), 2U);
+  PvdSeries nowhere(folder / "no/run.pvd");
+  EXPECT_NE(fault_of([&] { nowhere.add(0.0, "0.vtu"); }).find("cannot be written"), std::string::npos);
+}
+
+} // namespace
+} // namespace rubato::results
