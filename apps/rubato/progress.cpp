@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace rubato::app {
@@ -18,6 +20,22 @@ std::string bar(double part) {
                      std::string(static_cast<std::size_t>(bar_width - full), '.'));
 }
 
+/// Columns of the terminal; a longer line would wrap and could not be rewritten.
+std::size_t columns() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+/// "42 s", "3:07 min", "1:02:03 h"
+std::string duration(double seconds) {
+  const auto whole = static_cast<long>(std::min(seconds, 1e9));
+  if (whole < 60)
+    return fmt::format("{} s", whole);
+  if (whole < 3600)
+    return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+  return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
 } // namespace
 
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0) {}
@@ -25,22 +43,31 @@ ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(
 std::string ProgressLine::line_of(const run::Progress& p) const {
   const double part = (p.t - p.begin) / (p.end - p.begin);
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double left = part > 0 ? seconds * (1 - part) / part : 0;
-  return fmt::format("{} {} t = {:.6g}  h = {:.3g}{}  iterations {}  in contact {}  left {:.0f} s", p.run,
+  const double left = p.t > start_t_ ? seconds * (p.end - p.t) / (p.t - start_t_) : 0;
+  return fmt::format("{} {} t = {:.6g}  h = {:.3g}{}  iterations {}  in contact {}  left {}", p.run,
                      terminal_ ? bar(part) : fmt::format("{:3.0f} %", 100 * part), p.t, p.step,
-                     p.accepted ? "" : " (failed, cut)", p.iterations, p.contact_points, left);
+                     p.accepted ? "" : " (failed, cut)", p.iterations, p.contact_points, duration(left));
 }
 
 void ProgressLine::update(const run::Progress& progress) {
   if (quiet_)
     return;
   const auto now = Clock::now();
+  if (run_ != progress.run) {
+    run_ = progress.run;
+    start_ = now;
+    start_t_ = progress.t;
+  }
   const bool last = progress.accepted && progress.t >= progress.end;
   const auto pause = terminal_ ? std::chrono::milliseconds(50) : std::chrono::milliseconds(1000);
   if (!last && progress.accepted && now - last_ < pause)
     return;
   last_ = now;
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line_of(progress), terminal_ ? "" : "\n");
+  const auto line = line_of(progress);
+  if (terminal_)
+    fmt::print(stderr, "\r\033[K{}", std::string_view(line).substr(0, columns() - 1));
+  else
+    fmt::print(stderr, "{}\n", line);
   std::fflush(stderr);
   open_ = terminal_;
 }

@@ -27,7 +27,9 @@ private:
   bool quiet_;
   bool terminal_;
   bool open_ = false;
-  Clock::time_point start_ = Clock::now();
+  std::string run_;         ///< the run that was shown last
+  Clock::time_point start_; ///< when its first step was done
+  double start_t_ = 0;      ///< and the simulated time then
   Clock::time_point last_{};
 };
 

@@ -94,18 +94,6 @@ private:
   std::vector<std::pair<int, int>> clashes_;
 };
 
-void add_shape_faults(const deck::Study& study, const mesh::Mesh& mesh, std::span<const CellIndex> cells,
-                      std::vector<Fault>& faults) {
-  auto bad = fem::cell_faults(mesh, cells, study.physics);
-  const auto count = bad.size();
-  if (count > listed_faults) {
-    bad.resize(listed_faults);
-    bad.push_back({{}, fmt::format("and {} more cells like these", count - listed_faults)});
-  }
-  for (auto& fault : bad)
-    faults.push_back({study.mesh.file.at, std::move(fault.text)});
-}
-
 } // namespace
 
 fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
@@ -121,10 +109,20 @@ fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vecto
     assignment.report_cells_without_material();
   bulk.cells = assignment.cells();
   for (const auto cell : bulk.cells)
-    bulk.law_of_cell.push_back(assignment.of(cell));
-  if (faults.empty())
-    add_shape_faults(study, mesh, bulk.cells, faults);
+    bulk.law_of_cell.push_back(std::max(0, assignment.of(cell)));
   return bulk;
+}
+
+void check_shapes(const deck::Study& study, const mesh::Mesh& mesh, std::span<const CellIndex> cells,
+                  std::vector<Fault>& faults) {
+  auto bad = fem::cell_faults(mesh, cells, study.physics);
+  const auto count = bad.size();
+  if (count > listed_faults) {
+    bad.resize(listed_faults);
+    bad.push_back({{}, fmt::format("and {} more cells like these", count - listed_faults)});
+  }
+  for (auto& fault : bad)
+    faults.push_back({study.mesh.file.at, std::move(fault.text)});
 }
 
 } // namespace rubato::model
