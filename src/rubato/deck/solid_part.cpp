@@ -162,6 +162,7 @@ Load read_load(const Value& value, LoadKind kind, const Context& context,
 
 void read_materials(const Found& value, const Context& context, std::vector<Material>& materials) {
   const auto entries = named_entries(value);
+  materials.reserve(entries.size());
   for (const auto& entry : entries)
     materials.push_back(read_material(entry, context));
   refuse_overlap(materials, entries);
