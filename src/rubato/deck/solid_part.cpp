@@ -179,6 +179,7 @@ void read_function_name(const Found& value, const std::map<std::string, Function
   if (!read(value, name) || functions.contains(name.text))
     return;
   std::vector<std::string> names;
+  names.reserve(functions.size());
   for (const auto& [known, function] : functions)
     names.push_back(known);
   value->fault(fmt::format("no function is called {}{}", shown(name.text), suggestion(name.text, names)));
