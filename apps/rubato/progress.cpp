@@ -41,23 +41,19 @@ std::string duration(double seconds) {
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0) {}
 
 std::string ProgressLine::line_of(const run::Progress& p) const {
-  const double part = (p.t - p.begin) / (p.end - p.begin);
+  const double reached = p.accepted ? p.t : p.t - p.step;
+  const double part = (reached - p.begin) / (p.end - p.begin);
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double left = p.t > start_t_ ? seconds * (p.end - p.t) / (p.t - start_t_) : 0;
-  return fmt::format("{} {} t = {:.6g}  h = {:.3g}{}  iterations {}  in contact {}  left {}", p.run,
+  return fmt::format("{} {} t = {:.6g}  h = {:.3g}{}  iterations {}  in contact {}{}", p.run,
                      terminal_ ? bar(part) : fmt::format("{:3.0f} %", 100 * part), p.t, p.step,
-                     p.accepted ? "" : " (failed, cut)", p.iterations, p.contact_points, duration(left));
+                     p.accepted ? "" : " (failed, cut)", p.iterations, p.contact_points,
+                     part > 0 ? "  left " + duration(seconds * (1 - part) / part) : "");
 }
 
 void ProgressLine::update(const run::Progress& progress) {
   if (quiet_)
     return;
   const auto now = Clock::now();
-  if (run_ != progress.run) {
-    run_ = progress.run;
-    start_ = now;
-    start_t_ = progress.t;
-  }
   const bool last = progress.accepted && progress.t >= progress.end;
   const auto pause = terminal_ ? std::chrono::milliseconds(50) : std::chrono::milliseconds(1000);
   if (!last && progress.accepted && now - last_ < pause)
@@ -74,6 +70,7 @@ void ProgressLine::update(const run::Progress& progress) {
 
 void ProgressLine::say(const std::string& text) {
   close();
+  start_ = Clock::now();
   if (!quiet_)
     fmt::print(stderr, "{}\n", text);
 }

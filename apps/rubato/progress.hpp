@@ -15,7 +15,7 @@ class ProgressLine {
 public:
   explicit ProgressLine(bool quiet);
   void update(const run::Progress& progress);
-  /// Prints a sentence of its own.
+  /// Prints a sentence of its own, as a run does that is about to take its first step.
   void say(const std::string& text);
   /// Ends the rewritten line.
   void close();
@@ -27,9 +27,7 @@ private:
   bool quiet_;
   bool terminal_;
   bool open_ = false;
-  std::string run_;         ///< the run that was shown last
-  Clock::time_point start_; ///< when its first step was done
-  double start_t_ = 0;      ///< and the simulated time then
+  Clock::time_point start_ = Clock::now(); ///< when the run's first step began
   Clock::time_point last_{};
 };
 

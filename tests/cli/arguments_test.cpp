@@ -101,13 +101,17 @@ TEST_F(CommandLine, ListsWhatItKnows) {
 TEST_F(CommandLine, DescribesAndWritesMeshes) {
   expect({{"mesh", "deck.yaml", "blocks.med", "--refine", "2", "--convert", "quadratic"},
           0,
-          "blocks.med: 250 nodes, ",
+          "blocks.med: 242 nodes, 96 cells, 7 groups",
           ""});
   const auto outcome = run_program({"info", "blocks.med"}, folder_.path());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("upper_face"), std::string::npos) << outcome.out;
-  expect({{"info", "none.med"}, 2, "", "error: none.med: does not exist\n"});
-  expect({{"mesh", "deck.yaml", "blocks.stl"}, 2, "", ""});
+  expect({{"info", "none.med"}, 2, "", "error: mesh file 'none.med' does not exist\n"});
+  expect(
+      {{"mesh", "deck.yaml", "blocks.stl"},
+       2,
+       "",
+       "error: mesh file 'blocks.stl' cannot be written: its ending is '.stl', .med or .vtu was expected\n"});
   expect({{"mesh", "deck.yaml", "blocks.med", "--convert", "cubic"},
           2,
           "",

@@ -12,6 +12,7 @@ namespace {
 
 using mesh::CellType;
 
+/// One fault in the file, or one change by --set, and the deck is refused.
 const std::string deck = R"(mesh: {file: blocks.med}
 physics: plane_strain
 materials:
@@ -63,19 +64,23 @@ protected:
 };
 
 TEST_F(BadMeshFile, IsToldWhenItIsAbsent) {
-  EXPECT_EQ(refusal(), "");
+  EXPECT_EQ(refusal(), "error: deck.yaml:1:14: mesh file 'blocks.med' does not exist\n");
 }
 
 TEST_F(BadMeshFile, IsToldWhenItIsTruncated) {
   write(two_squares());
   const auto bytes = test::text_of(folder_ / "blocks.med");
   test::write_text(folder_ / "blocks.med", bytes.substr(0, bytes.size() / 2));
-  EXPECT_EQ(refusal(), "");
+  EXPECT_EQ(refusal(), "error: deck.yaml:1:14: mesh file 'blocks.med' is truncated: it has " +
+                           std::to_string(bytes.size() / 2) + " of its " + std::to_string(bytes.size()) +
+                           " bytes\n");
 }
 
 TEST_F(BadMeshFile, IsToldWhenItIsNotMed) {
   test::write_text(folder_ / "blocks.med", "solid blocks\nendsolid blocks\n");
-  EXPECT_EQ(refusal(), "");
+  EXPECT_EQ(
+      refusal(),
+      "error: deck.yaml:1:14: mesh file 'blocks.med' is not a MED file: it does not begin as an HDF5 file\n");
 }
 
 TEST_F(BadMeshFile, IsToldWhenItIsHdf5ButNotMed) {
@@ -85,22 +90,38 @@ TEST_F(BadMeshFile, IsToldWhenItIsHdf5ButNotMed) {
   for (auto at = bytes.find(mark); at != std::string::npos; at = bytes.find(mark))
     bytes.replace(at, mark.size(), "ZNFOS_GENERALES");
   test::write_text(folder_ / "blocks.med", bytes);
-  EXPECT_EQ(refusal(), "");
+  EXPECT_EQ(refusal(), "error: deck.yaml:1:14: mesh file 'blocks.med' is an HDF5 file but not a MED file: it "
+                       "has no MED version\n");
 }
 
 TEST_F(BadMeshFile, IsToldByNumberWhichCellIsTangled) {
   write(two_squares(true));
-  EXPECT_EQ(refusal(), "");
+  EXPECT_EQ(refusal(), "error: deck.yaml:1:14: mesh file 'blocks.med': cell 12 (QUAD4) is inverted or "
+                       "degenerate: its Jacobian determinant falls to -0.144, it must be positive\n");
 }
 
 TEST_F(BadMeshFile, IsToldWhenItHasNoCellsOfThePhysics) {
   write(two_squares());
-  EXPECT_EQ(refusal({"physics=solid", "supports.0.fix=[x, y, z]"}), "");
+  EXPECT_EQ(refusal({"physics=solid", "supports.0.fix=[x, y, z]"}),
+            "error: deck.yaml:4:3: the mesh has no solid cells, expected some for material 'steel'\n");
 }
 
 TEST_F(BadMeshFile, IsToldWhenContactFacesAreInsideABody) {
   write(two_squares());
-  EXPECT_EQ(refusal({"contact.interface.slave=middle"}), "");
+  EXPECT_EQ(refusal({"contact.interface.slave=middle"}),
+            "error: --set contact.interface.slave: contact surface 'middle': 1 cell (the first: number 2 of "
+            "SEG2) found inside a body, between two of its cells: a skin is expected\n");
+}
+
+TEST_F(BadMeshFile, IsToldWhenMasterAndSlaveShareFaces) {
+  auto mesh = two_squares();
+  auto& both = mesh.cell_groups.emplace_back(mesh::Group{"sides", mesh.cell_group("one_side")->items});
+  both.items.push_back(mesh.cell_group("other_side")->items.front());
+  write(mesh);
+  EXPECT_EQ(
+      refusal({"contact.interface.slave=sides"}),
+      "error: --set contact.interface.slave: master 'one_side' and slave 'sides' share faces, expected two "
+      "surfaces\n");
 }
 
 TEST_F(BadMeshFile, IsToldWhenFacesBelongToNoBody) {
@@ -112,13 +133,18 @@ TEST_F(BadMeshFile, IsToldWhenFacesBelongToNoBody) {
   const auto edge = builder.add_cell(CellType::seg2, std::array{a, b});
   builder.add_to_cell_group("loose", std::array{edge});
   write(std::move(builder).build());
-  EXPECT_EQ(refusal({"contact.interface.slave=loose"}), "");
-  EXPECT_EQ(refusal({"supports.0.on=loose"}), "");
+  EXPECT_EQ(refusal({"contact.interface.slave=loose"}),
+            "error: --set contact.interface.slave: contact surface 'loose': 1 cell (the first: number 5 of "
+            "SEG2) found that bound no surface cell\n");
+  EXPECT_EQ(refusal({"supports.0.on=loose"}),
+            "error: --set supports.0.on: found 'loose', none of whose nodes belongs to a cell that deforms, "
+            "expected a part of a body to hold\n");
 }
 
 TEST_F(BadMeshFile, IsToldWhenTheMeshOfThatNameIsMissing) {
   write(two_squares());
-  EXPECT_EQ(refusal({"mesh.name=other"}), "");
+  EXPECT_EQ(refusal({"mesh.name=other"}),
+            "error: deck.yaml:1:14: mesh file 'blocks.med' holds no mesh 'other'; it holds: mesh\n");
 }
 
 } // namespace

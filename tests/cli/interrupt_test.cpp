@@ -52,8 +52,22 @@ TEST_P(InterruptedBy, ASignalTheRunClosesItsFilesAndSaysWhereItStopped) {
   EXPECT_EQ(test::run_program({"check", "out"}, folder.path()).exit_code, 4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Signal, InterruptedBy, testing::Values(SIGINT, SIGTERM),
-                         [](const auto& info) { return info.param == SIGINT ? "Interrupt" : "Terminate"; });
+INSTANTIATE_TEST_SUITE_P(Signal, InterruptedBy, testing::Values(SIGINT, SIGTERM), [](const auto& chosen) {
+  return chosen.param == SIGINT ? "Interrupt" : "Terminate";
+});
+
+TEST(SecondInterrupt, KillsAtOnce) {
+  const test::ScratchFolder folder;
+  test::write_text(folder / "deck.yaml", endless);
+  test::Program program({"run", "deck.yaml", "-o", "out", "-q"}, folder.path());
+  wait_for_steps(program, folder / "out/run/steps.jsonl");
+  // Both are there before the run can take its next step.
+  program.send(SIGSTOP);
+  program.send(SIGINT);
+  program.send(SIGTERM);
+  program.send(SIGCONT);
+  EXPECT_LT(program.wait().exit_code, 0);
+}
 
 TEST(KilledRun, LeavesAFolderThatSaysSo) {
   const test::ScratchFolder folder;

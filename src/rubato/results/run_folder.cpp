@@ -61,9 +61,9 @@ std::string vtu_file(int step) {
 void prepare_run_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw InputError(fmt::format("{}: the folder of results cannot be made ({})", folder.string(),
-                                 error ? error.message() : "a file has this name"));
+  if (error)
+    throw InputError(
+        fmt::format("{}: the folder of results cannot be made ({})", folder.string(), error.message()));
   if (!fs::exists(folder / summary_file))
     return;
   for (const auto& file : former_files(folder))

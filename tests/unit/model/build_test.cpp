@@ -128,8 +128,8 @@ TEST(Model, DampsByEachMaterialsOwnCoefficients) {
 
 TEST(Model, NumbersTheMultipliersOfItsZonesOneAfterAnother) {
   const auto model =
-      model_of(with(two_blocks, "slave: lower_face, friction: 0.2}",
-                    "slave: lower_face, friction: 0.2}\n  second: {master: lower_face, slave: upper_face}"));
+      model_of(with(two_blocks, "exclude_nodes: [held]}",
+                    "exclude_nodes: [held]}\n  second: {master: lower_face, slave: upper_face}"));
   ASSERT_EQ(model.zones.size(), 2U);
   EXPECT_EQ(model.zones[0].multiplier_count(), 10);
   EXPECT_EQ(model.zones[1].multiplier_count(), 5);
@@ -138,7 +138,7 @@ TEST(Model, NumbersTheMultipliersOfItsZonesOneAfterAnother) {
 }
 
 TEST(Model, ExcludesTheNamedNodesFromContact) {
-  const auto model = model_of(with(two_blocks, "friction: 0.2", "friction: 0.2, exclude_nodes: [held]"));
+  const auto model = model_of(two_blocks);
   EXPECT_EQ(std::ranges::count_if(model.zones.at(0).points, &contact::SlavePoint::excluded), 1);
 }
 

@@ -84,7 +84,8 @@ TEST(BadModel, OfSeveralStudiesTellsCommonFaultsOnce) {
 TEST(BadModel, OfAMeshFileIsToldAtItsName) {
   const auto study =
       study_of("mesh: {file: /nowhere/none.med}\n" + two_blocks.substr(two_blocks.find("physics")));
-  EXPECT_EQ(fault_of([&] { build_model(study); }), "deck.yaml:1:14: /nowhere/none.med: does not exist");
+  EXPECT_EQ(fault_of([&] { build_model(study); }),
+            "deck.yaml:1:14: mesh file '/nowhere/none.med' does not exist");
 }
 
 } // namespace

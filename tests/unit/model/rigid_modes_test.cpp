@@ -38,7 +38,7 @@ TEST(StaticBody, SlidesAwayWithoutFrictionUnlessHeldAlongTheSurface) {
 TEST(StaticBody, WithoutSupportsIsNamedByANodeOfIts) {
   auto apart =
       with(resting, "rectangle: {from: [0, 0], to: [1, 0.2]}", "rectangle: {from: [0, 5], to: [1, 5.2]}");
-  apart = with(apart, "contact:\n  interface: {master: upper_face, slave: lower_face, friction: 0.2}\n", "");
+  apart.erase(apart.find("contact:"), apart.find("time:") - apart.find("contact:"));
   const auto fault = fault_of([&] { model_of(apart); });
   EXPECT_NE(fault.find("the body of node N1 (0, 5) is not held"), std::string::npos) << fault;
   EXPECT_TRUE(fault.starts_with("deck.yaml:21:")) << fault;

@@ -23,6 +23,14 @@ const std::string pressed =
   after: {time: {end: 2e-3, start: {from: preload}}}
 )";
 
+/// A point at the limit of friction may be said to stick or to slip; open or not is certain.
+std::vector<bool> open_points(const RunResult& result) {
+  std::vector<bool> open;
+  for (const auto status : result.end.zones.at(0).status)
+    open.push_back(status == contact::Status::open);
+  return open;
+}
+
 class ContinuedRun : public testing::Test {
 protected:
   RunResult run(const deck::Study& study, const step::State* previous = nullptr) const {
@@ -53,7 +61,7 @@ TEST_F(ContinuedRun, StaysAtRestUnderTheLoadOfItsPreload) {
         << scheme;
     EXPECT_LE(largest(after.end.contact_force - preload.end.contact_force),
               1e-7 * largest(preload.end.contact_force));
-    EXPECT_EQ(after.end.zones.at(0).status, preload.end.zones.at(0).status);
+    EXPECT_EQ(open_points(after), open_points(preload));
   }
 }
 
@@ -72,7 +80,7 @@ TEST_F(ContinuedRun, IsRefusedByTheDeckWhenItsContactIsAnother) {
   const auto refusal = [&](const std::string& change) {
     return fault_of([&] { deck_of(with(pressed, "after: {", "after: {" + change + ", ")); });
   };
-  const std::string sentence = "run after has other contact zones than run preload";
+  const std::string sentence = "run preload has other contact zones than run after";
   EXPECT_NE(refusal("contact: {interface: {integration: {gauss: 3}}}").find(sentence), std::string::npos);
   EXPECT_NE(refusal("contact: {interface: {friction: 0}}").find(sentence), std::string::npos);
   EXPECT_NE(refusal("contact: {interface: {slave: roof}}").find(sentence), std::string::npos);
