@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/newton.hpp"
 
-#include "rubato/linalg/direct_solver.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,8 +30,8 @@ struct ContactIterate {
 
 class NewtonSolve {
 public:
-  NewtonSolve(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
-              const State& committed, double t, double friction_part)
+  NewtonSolve(const Model& model, const time::Scheme& scheme, EffectiveSystem& system, const State& committed,
+              double t, double friction_part)
       : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t),
         friction_part_(friction_part), external_(model::external_force(model, t)), history_(history_forces()),
         contact_(committed.motion.u.size(), model.multiplier_count) {}
@@ -179,43 +177,19 @@ private:
   }
 
   bool solve_and_correct(State& trial) {
-    const auto factor = linalg::LuFactor::of(tangent());
-    if (!factor)
+    const LinearProblem problem{model_, system_.matrix, scheme_.forces.now, contact_, residual_};
+    auto solution = system_.compliance ? solve_condensed(problem, *system_.compliance) : std::nullopt;
+    if (!solution)
+      solution = solve_full(problem);
+    if (!solution)
       return false;
-    VectorXd right(residual_.size() + contact_.equations.size());
-    right << -residual_, -contact_.equations;
-    const VectorXd solution = factor->solve(right);
     VectorXd d = VectorXd::Zero(trial.motion.u.size());
-    d(model_.free_dofs) = solution.head(residual_.size());
+    d(model_.free_dofs) = solution->displacement;
     time::correct(system_.coefficients, d, trial.motion);
     for (std::size_t z = 0; z < model_.zones.size(); ++z)
-      trial.zones[z].multipliers += solution.segment(residual_.size() + model_.multiplier_offsets[z],
-                                                     model_.zones[z].multiplier_count());
+      trial.zones[z].multipliers +=
+          solution->multipliers.segment(model_.multiplier_offsets[z], model_.zones[z].multiplier_count());
     return true;
-  }
-
-  model::SparseMatrix tangent() const {
-    const auto free_count = static_cast<int>(model_.free_dofs.size());
-    const int size = free_count + model_.multiplier_count;
-    std::vector<Eigen::Triplet<double, int>> triplets;
-    const auto free = [&](int dof) { return model_.free_index[static_cast<std::size_t>(dof)]; };
-    for (const auto& entry : contact_.force_by_dof)
-      if (free(entry.row()) >= 0 && free(entry.col()) >= 0)
-        triplets.emplace_back(free(entry.row()), free(entry.col()), scheme_.forces.now * entry.value());
-    for (const auto& entry : contact_.force_by_multiplier)
-      if (free(entry.row()) >= 0)
-        triplets.emplace_back(free(entry.row()), free_count + entry.col(),
-                              scheme_.forces.now * entry.value());
-    for (const auto& entry : contact_.equation_by_dof)
-      if (free(entry.col()) >= 0)
-        triplets.emplace_back(free_count + entry.row(), free(entry.col()), entry.value());
-    for (const auto& entry : contact_.equation_by_multiplier)
-      triplets.emplace_back(free_count + entry.row(), free_count + entry.col(), entry.value());
-    model::SparseMatrix contact_part(size, size);
-    contact_part.setFromTriplets(triplets.begin(), triplets.end());
-    model::SparseMatrix bulk = system_.matrix;
-    bulk.conservativeResize(size, size);
-    return bulk + contact_part;
   }
 
   /// Stores what the next step and the results need.
@@ -232,7 +206,7 @@ private:
 
   const Model& model_;
   const time::Scheme& scheme_;
-  const EffectiveSystem& system_;
+  EffectiveSystem& system_;
   const State& committed_;
   double t_;
   double friction_part_;
@@ -245,7 +219,7 @@ private:
 };
 
 /// Predicted motion with the imposed displacements of the step's end.
-State predicted(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+State predicted(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                 const State& committed, double t) {
   State trial = committed;
   trial.motion = time::predict(scheme, system.step, committed.motion);
@@ -263,7 +237,7 @@ bool has_friction(const Model& model) {
   return std::ranges::any_of(model.zones, [](const auto& zone) { return zone.settings.friction > 0; });
 }
 
-StepReport raise_friction(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+StepReport raise_friction(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                           const State& committed, double t, State& trial) {
   StepReport report;
   int iterations = 0;
@@ -295,7 +269,7 @@ std::string_view to_string(Outcome outcome) {
   return "";
 }
 
-StepReport advance(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial) {
   trial = predicted(model, scheme, system, committed, t);
   auto report = NewtonSolve(model, scheme, system, committed, t, 1.0).run(trial);
