@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <map>
 #include <span>
+#include <stop_token>
 
 namespace rubato::app {
 namespace {
@@ -75,10 +76,11 @@ void print_summary(const deck::Study& study, const run::RunResult& result,
 /// The runs of a deck one after another, each in its own folder.
 class Series {
 public:
-  Series(const RunArguments& arguments, std::filesystem::path output)
-      : output_(std::move(output)), quiet_(arguments.quiet),
-        line_(arguments.quiet), watch_{[this](const run::Progress& progress) { line_.update(progress); },
-                                       [this](const std::string& text) { line_.say(text); }, is_interrupted} {
+  Series(const RunArguments& arguments, std::filesystem::path output, std::stop_token stop)
+      : output_(std::move(output)), quiet_(arguments.quiet), stop_(std::move(stop)), line_(arguments.quiet) {
+    watch_.progress = [this](const run::Progress& progress) { line_.update(progress); };
+    watch_.say = [this](const std::string& text) { line_.say(text); };
+    watch_.stop = [this] { return stop_.stop_requested(); };
   }
 
   int run(std::span<const deck::Study* const> studies) {
@@ -90,7 +92,7 @@ public:
         continue;
       }
       worst = std::max(worst, run(*study, source.empty() ? nullptr : &ends_.at(source)));
-      if (is_interrupted())
+      if (stop_.stop_requested())
         break;
     }
     return worst;
@@ -113,6 +115,7 @@ private:
 
   std::filesystem::path output_;
   bool quiet_;
+  std::stop_token stop_;
   ProgressLine line_;
   run::Watch watch_;
   std::map<std::string, step::State> ends_;
@@ -125,8 +128,9 @@ int run(const RunArguments& arguments) {
   const auto runs = chosen_runs(deck, arguments.only);
   if (runs.size() > 1)
     model::check_studies(runs);
-  catch_interrupts();
-  return Series(arguments, arguments.output.empty() ? arguments.deck.stem() : arguments.output).run(runs);
+  const auto output = arguments.output.empty() ? arguments.deck.stem() : arguments.output;
+  return run_interruptibly(
+      [&](const std::stop_token& stop) { return Series(arguments, output, stop).run(runs); });
 }
 
 } // namespace rubato::app

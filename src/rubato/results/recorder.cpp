@@ -228,7 +228,7 @@ private:
     if (model_.study.fields.vtu) {
       const auto file = std::filesystem::path(vtu_folder) / vtu_file(steps_done_);
       write_vtu(folder_ / file, model_.mesh, fields);
-      series_.add(now.t, file);
+      series_.add(now.t, folder_ / file);
     }
     if (model_.study.fields.med)
       append_med_fields(folder_ / med_file, mesh_name, {steps_done_, now.t}, fields);
