@@ -229,7 +229,7 @@ private:
     if (model_.study.fields.vtu) {
       const auto file = std::filesystem::path("fields") / fmt::format("{:06}.vtu", steps_done_);
       write_vtu(folder_ / file, model_.mesh, fields);
-      series_.add(now.t, file);
+      series_.add(now.t, folder_ / file);
     }
     if (model_.study.fields.med)
       append_med_fields(folder_ / "fields.med", mesh_name, {steps_done_, now.t}, fields);
