@@ -39,7 +39,7 @@ CsvWriter::CsvWriter(std::filesystem::path path, std::span<const std::string> co
     : path_(std::move(path)), file_(path_, std::ios::trunc) {
   file_ << fmt::format("{}\n", fmt::join(columns, ",")) << std::flush;
   if (!file_)
-    throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
+    throw InputError(fmt::format("{}: cannot be written", path_.string()));
 }
 
 void CsvWriter::row(std::span<const double> values) {
