@@ -5,7 +5,6 @@
 #include "rubato/error.hpp"
 
 #include <map>
-#include <set>
 #include <string>
 #include <tuple>
 #include <vector>

@@ -48,6 +48,7 @@ std::vector<Run> take_runs(Tree& deck, Faults& faults) {
 
 std::vector<std::string> names_of(const std::vector<Run>& runs) {
   std::vector<std::string> names;
+  names.reserve(runs.size());
   for (const auto& run : runs)
     names.push_back(run.name.text);
   return names;
@@ -116,7 +117,7 @@ std::string title_of(Tree deck, std::span<const Change> changes) {
 
 } // namespace
 
-Deck parse_deck(std::string_view text, std::string file_name, std::span<const Setting> settings) {
+Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings) {
   Faults faults;
   auto base = parse_tree(text, file_name, faults);
   if (base && !base->is(Tree::Kind::map))

@@ -37,7 +37,7 @@ struct Deck {
 Deck read_deck(const std::filesystem::path& file, std::span<const Setting> settings = {});
 
 /// The same from text; `file_name` stands in the places of faults, its folder is where mesh files are.
-Deck parse_deck(std::string_view text, std::string file_name, std::span<const Setting> settings = {});
+Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings = {});
 
 /// The study as a deck of one run, in JSON (which is YAML) with every default written out and two blanks of
 /// indentation. parse_deck reads it back to an equal study, unless it starts from another run.

@@ -62,6 +62,7 @@ void read_probe_component(const Found& value, const Context& context, const std:
   }
   check.probe = {written.text.substr(0, dot), written.at};
   std::vector<std::string> names;
+  names.reserve(probes.size());
   for (const auto& probe : probes)
     names.push_back(probe.name);
   if (std::ranges::find(names, check.probe.text) == names.end())
@@ -87,7 +88,8 @@ Check read_check(const Value& value, const Context& context, const std::vector<P
   const auto reference = map.require("reference");
   const bool reference_read = read(reference, check.reference);
   read(map.require("tolerance"), check.tolerance, above(0));
-  const bool kind_known = !map.find("kind") || read(map.find("kind"), check.relative, check_kind_words);
+  const auto kind = map.find("kind");
+  const bool kind_known = !kind || read(kind, check.relative, check_kind_words);
   read(map.find("source"), check.source, check_source_words);
   read(map.find("note"), check.note);
   map.finish();

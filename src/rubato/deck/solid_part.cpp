@@ -162,6 +162,7 @@ Load read_load(const Value& value, LoadKind kind, const Context& context,
 
 void read_materials(const Found& value, const Context& context, std::vector<Material>& materials) {
   const auto entries = named_entries(value);
+  materials.reserve(entries.size());
   for (const auto& entry : entries)
     materials.push_back(read_material(entry, context));
   refuse_overlap(materials, entries);
@@ -178,6 +179,7 @@ void read_function_name(const Found& value, const std::map<std::string, Function
   if (!read(value, name) || functions.contains(name.text))
     return;
   std::vector<std::string> names;
+  names.reserve(functions.size());
   for (const auto& [known, function] : functions)
     names.push_back(known);
   value->fault(fmt::format("no function is called {}{}", shown(name.text), suggestion(name.text, names)));

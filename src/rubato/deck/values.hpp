@@ -6,9 +6,9 @@
 #include "rubato/deck/tree.hpp"
 #include "rubato/deck/words.hpp"
 
+#include <array>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>

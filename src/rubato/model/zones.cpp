@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/build.hpp"
 
@@ -10,12 +11,36 @@
 namespace rubato::model {
 namespace {
 
-contact::Face face_of(const mesh::SurfaceFace& side) {
+/// Whether `nodes` runs round the face the same way as `outward`.
+bool same_sense(std::span<const mesh::NodeIndex> nodes, std::span<const mesh::NodeIndex> outward,
+                int corners) {
+  const auto corner = [&](std::span<const mesh::NodeIndex> list, int i) {
+    return list[static_cast<std::size_t>(i % corners)];
+  };
+  int shift = 0;
+  while (corner(nodes, 0) != corner(outward, shift))
+    ++shift;
+  return corner(nodes, 1) == corner(outward, shift + 1);
+}
+
+/// The side with the numbering of the mesh's own face, mirrored when that one looks inwards. Where a
+/// projection leaves a triangle, the closest point of the reference cell depends on which corner is the first
+/// one: it is the user's.
+contact::Face face_of(const mesh::Mesh& mesh, const mesh::SurfaceFace& side) {
   contact::Face face;
   face.type = side.type;
   face.node_count = static_cast<int>(side.nodes().size());
-  std::ranges::copy(side.nodes(), face.nodes.begin());
   face.cell = side.face;
+  std::ranges::copy(side.nodes(), face.nodes.begin());
+  if (mesh.type_of(side.face) != side.type)
+    return face;
+  const auto own = mesh.nodes_of(side.face);
+  const auto& topology = mesh::topology(side.type);
+  const auto mirrored = mesh::mirrored_numbering(side.type);
+  const bool outwards = topology.dimension == 1 ? own[0] == side.nodes()[0]
+                                                : same_sense(own, side.nodes(), topology.corner_count);
+  for (std::size_t i = 0; i < own.size(); ++i)
+    face.nodes[i] = own[outwards ? i : mirrored[i]];
   return face;
 }
 
@@ -29,7 +54,8 @@ contact::Surface surface_named(const mesh::Mesh& mesh, const deck::Name& name, s
   if (!oriented.sound())
     return {};
   std::vector<contact::Face> faces;
-  std::ranges::transform(oriented.faces, std::back_inserter(faces), face_of);
+  std::ranges::transform(oriented.faces, std::back_inserter(faces),
+                         [&](const auto& side) { return face_of(mesh, side); });
   return contact::make_surface(mesh, std::move(faces));
 }
 

@@ -58,9 +58,8 @@ PvdSeries::PvdSeries(std::filesystem::path path, std::vector<Entry> entries)
     : path_(std::move(path)), entries_(std::move(entries)) {}
 
 void PvdSeries::add(double time, const std::filesystem::path& file) {
-  const auto folder = path_.parent_path();
-  entries_.push_back({time, file.is_absolute() ? file.lexically_proximate(std::filesystem::absolute(folder))
-                                               : file.lexically_proximate(folder)});
+  const auto folder = std::filesystem::absolute(path_).parent_path();
+  entries_.push_back({time, std::filesystem::absolute(file).lexically_proximate(folder)});
   write();
 }
 

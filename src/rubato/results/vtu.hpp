@@ -36,7 +36,8 @@ public:
   /// `entries`: what a run that goes on has already written. Nothing is written before the first add.
   explicit PvdSeries(std::filesystem::path path, std::vector<Entry> entries = {});
 
-  /// Adds a file at a time. Throws InputError when the series can't be written.
+  /// Adds a file, by the path this program would open it with, at a time. Throws InputError when the series
+  /// can't be written.
   void add(double time, const std::filesystem::path& file);
 
   const std::vector<Entry>& entries() const { return entries_; }

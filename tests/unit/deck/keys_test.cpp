@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "sample_deck.hpp"
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 namespace rubato::deck {
 namespace {
@@ -279,6 +279,18 @@ TEST(ReadDeck, ReadsAFile) {
   EXPECT_THROW(read_deck(folder / "absent.yaml"), InputError);
   EXPECT_THROW(read_deck(folder), InputError);
   std::filesystem::remove_all(folder);
+}
+
+TEST(DeckGuide, ShowsADeckThatIsRead) {
+  std::ifstream page(RUBATO_SOURCE_DIR "/docs/guide/deck.md");
+  ASSERT_TRUE(page.good());
+  const std::string text(std::istreambuf_iterator<char>(page), {});
+  const std::string opening = "```yaml\n";
+  const auto begin = text.find(opening) + opening.size();
+  const auto deck = parse(text.substr(begin, text.find("```", begin) - begin));
+  ASSERT_EQ(deck.runs.size(), 2U);
+  EXPECT_EQ(deck.runs[0].contact.at(0).friction, 0.2);
+  EXPECT_EQ(deck.runs[1].contact.at(0).friction, 0);
 }
 
 } // namespace

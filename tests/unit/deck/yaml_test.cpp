@@ -123,11 +123,11 @@ TEST(DeckText, NestingIsBounded) {
 
 TEST(DeckText, AliasesCannotGrowWithoutBound) {
   std::string text = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n";
-  for (int i = 1; i < 10; ++i) {
-    const auto name = "a" + std::to_string(i);
-    text += name + ": &" + name + " [";
+  for (char level = '1'; level <= '9'; ++level) {
+    text.append("a").append(1, level).append(": &a").append(1, level).append(" [x");
     for (int j = 0; j < 10; ++j)
-      text += "*a" + std::to_string(i - 1) + (j < 9 ? ", " : "]\n");
+      text.append(", *a").append(1, static_cast<char>(level - 1));
+    text += "]\n";
   }
   const auto faults = faults_of(text);
   ASSERT_EQ(faults.size(), 1U);

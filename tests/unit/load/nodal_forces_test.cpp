@@ -60,7 +60,8 @@ protected:
     double work = 0;
     for (const auto node : dofs_.nodes) {
       const Vector3d moved = h * mesh_.points[static_cast<std::size_t>(node)];
-      work += force_.segment(dofs_.dof(node, 0), d_).dot(moved.head(d_));
+      for (int a = 0; a < d_; ++a)
+        work += force_[dofs_.dof(node, a)] * moved[a];
     }
     return work;
   }

@@ -26,6 +26,10 @@ struct Expected {
   std::vector<std::string> clamped_interface;
 };
 
+void PrintTo(const Expected& expected, std::ostream* to) {
+  *to << "sdnl140" << expected.letter;
+}
+
 std::vector<Expected> all_expected() {
   using T = CellType;
   const Eigen::Vector3d middle(1.0, 0.1, 0.05);

@@ -10,7 +10,6 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <regex>
 
 namespace rubato::results {
 namespace {
@@ -32,11 +31,11 @@ public:
     EXPECT_NE(start, std::string::npos);
     data_ = text_.substr(start + mark.size());
     head_ = text_.substr(0, start);
-    const std::regex array(R"re(<DataArray type="(\w+)" Name="([^"]+)" NumberOfComponents="(\d+)" )re"
-                           R"re(format="appended" offset="(\d+)"[^>]*/>)re");
-    for (std::sregex_iterator found(head_.begin(), head_.end(), array), end; found != end; ++found) {
-      offsets_[(*found)[2]] = std::stoul((*found)[4]);
-      components_[(*found)[2]] = std::stoi((*found)[3]);
+    for (auto at = head_.find(opening); at != std::string::npos; at = head_.find(opening, at + 1)) {
+      const auto tag = head_.substr(at, head_.find("/>", at) - at);
+      EXPECT_EQ(attribute(tag, "format"), "appended");
+      offsets_[attribute(tag, "Name")] = std::stoul(attribute(tag, "offset"));
+      components_[attribute(tag, "Name")] = std::stoi(attribute(tag, "NumberOfComponents"));
     }
   }
 
@@ -71,6 +70,13 @@ public:
   const std::string& head() const { return head_; }
 
 private:
+  static constexpr const char* opening = "<DataArray ";
+
+  static std::string attribute(const std::string& tag, const std::string& name) {
+    const auto start = tag.find(" " + name + "=\"") + name.size() + 3;
+    return tag.substr(start, tag.find('"', start) - start);
+  }
+
   std::string text_;
   std::string head_;
   std::string data_;

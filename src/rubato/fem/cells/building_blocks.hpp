@@ -57,12 +57,12 @@ inline TriangleFunctions hierarchic_triangle(double x, double y) {
 /// a node (values, gradients or Hessians alike).
 template <int Stride> void subtract_half_of_mid_edges(mesh::CellType type, std::span<double> rows) {
   const auto& cell = mesh::topology(type);
-  const double* mid = rows.data() + cell.corner_count * Stride;
+  auto mid_edge = static_cast<std::size_t>(cell.corner_count);
   for (const auto& edge : cell.edges) {
-    for (const auto corner : edge)
-      for (int k = 0; k < Stride; ++k)
-        rows[static_cast<std::size_t>(corner * Stride + k)] -= 0.5 * mid[k];
-    mid += Stride;
+    for (const std::size_t corner : edge)
+      for (std::size_t k = 0; k < Stride; ++k)
+        rows[corner * Stride + k] -= 0.5 * rows[mid_edge * Stride + k];
+    ++mid_edge;
   }
 }
 
