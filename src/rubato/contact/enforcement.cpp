@@ -14,10 +14,15 @@ using Eigen::VectorXd;
 
 /// The slip at which friction saturates, in lengths of the shortest master edge, when c_t is chosen by
 /// itself.
-constexpr double saturation_slip = 1e-4;
+constexpr double saturation_slip = 2e-3;
 /// Penetration, in lengths of the shortest master edge, below which an open point stays open: rounding makes
 /// that much.
 constexpr double closing_gap = 1e-11;
+
+/// Where gaps close only on average over a face, single points keep small gaps of either sign. An
+/// augmentation as stiff as the body would answer each of them with a pressure of its own and make statuses
+/// flicker.
+constexpr double averaged_share = 1e-4;
 
 /// Positions of the six point variables among local unknowns: displacement ones first, then λ and Λ.
 struct LocalResponse {
@@ -173,8 +178,9 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dof
   ZoneCoefficients coefficients;
   const double tangential = 1 / (saturation_slip * zone.master.shortest_edge);
   for (const auto& point : zone.points) {
+    const double share = point.node_position >= 0 ? 1.0 : averaged_share;
     coefficients.normal.push_back(zone.settings.normal_coefficient.value_or(
-        resistance(point, dofs, diagonal) / std::abs(point.weight)));
+        share * resistance(point, dofs, diagonal) / std::abs(point.weight)));
     coefficients.tangential.push_back(zone.settings.tangential_coefficient.value_or(tangential));
   }
   return coefficients;

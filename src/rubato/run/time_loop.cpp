@@ -29,7 +29,7 @@ class SystemCache {
 public:
   SystemCache(const model::Model& model, const time::Scheme& scheme) : model_(model), scheme_(scheme) {}
 
-  const step::EffectiveSystem& of(double length) {
+  step::EffectiveSystem& of(double length) {
     const auto known = std::ranges::find(systems_, length, &step::EffectiveSystem::step);
     if (known != systems_.end())
       return *known;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/newton.hpp"
 
-#include "rubato/linalg/direct_solver.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,6 +21,9 @@ constexpr double settled_geometry = 1e-6;
 constexpr double closed_gap = 1e-9;
 /// Parts of μ tried one after the other, each from the last one's solution, when the whole of it fails.
 constexpr std::array<double, 5> friction_parts{0, 0.25, 0.5, 0.75, 1};
+/// Multiples of the tangential augmentation tried before that. It does not change the answer, only which
+/// points are guessed to stick on the way there.
+constexpr std::array<double, 3> tangential_multiples{1, 0.1, 10};
 
 /// Contact of all zones at one iterate.
 struct ContactIterate {
@@ -30,13 +31,23 @@ struct ContactIterate {
   std::vector<std::vector<Status>> status;
 };
 
+/// How an attempt at the step differs from the plain one.
+struct Variant {
+  double friction_part = 1;       ///< of μ
+  double tangential_multiple = 1; ///< of c_t
+};
+
 class NewtonSolve {
 public:
-  NewtonSolve(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
-              const State& committed, double t, double friction_part)
-      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t),
-        friction_part_(friction_part), external_(model::external_force(model, t)), history_(history_forces()),
-        contact_(committed.motion.u.size(), model.multiplier_count) {}
+  NewtonSolve(const Model& model, const time::Scheme& scheme, EffectiveSystem& system, const State& committed,
+              double t, const Variant& variant)
+      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), variant_(variant),
+        external_(model::external_force(model, t)), history_(history_forces()), coefficients_(system.zones),
+        contact_(committed.motion.u.size(), model.multiplier_count) {
+    for (auto& zone : coefficients_)
+      for (auto& tangential : zone.tangential)
+        tangential *= variant.tangential_multiple;
+  }
 
   /// Iterates from `trial` (u, v, a, multipliers and statuses) to the end of the step.
   StepReport run(State& trial) {
@@ -79,7 +90,9 @@ private:
     return history;
   }
 
-  double friction_of(const contact::Zone& zone) const { return friction_part_ * zone.settings.friction; }
+  double friction_of(const contact::Zone& zone) const {
+    return variant_.friction_part * zone.settings.friction;
+  }
 
   void evaluate_contact(const State& trial, int iteration) {
     previous_ = std::move(now_);
@@ -90,10 +103,10 @@ private:
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
       const auto& zone = model_.zones[z];
       auto points = contact::evaluate(zone, trial.zones[z].multipliers, configuration);
-      auto status = contact::wanted_status(zone, system_.zones[z], friction_of(zone), points);
+      auto status = contact::wanted_status(zone, coefficients_[z], friction_of(zone), points);
       if (iteration == 0)
         keep_given_status(zone, points, trial.zones[z].status, status);
-      contact::add_contributions(zone, system_.zones[z], friction_of(zone), points, status, model_.dofs,
+      contact::add_contributions(zone, coefficients_[z], friction_of(zone), points, status, model_.dofs,
                                  model_.multiplier_offsets[z], contact_);
       now_.points.push_back(std::move(points));
       now_.status.push_back(std::move(status));
@@ -179,43 +192,19 @@ private:
   }
 
   bool solve_and_correct(State& trial) {
-    const auto factor = linalg::LuFactor::of(tangent());
-    if (!factor)
+    const LinearProblem problem{model_, system_.matrix, scheme_.forces.now, contact_, residual_};
+    auto solution = system_.compliance ? solve_condensed(problem, *system_.compliance) : std::nullopt;
+    if (!solution)
+      solution = solve_full(problem);
+    if (!solution || !solution->displacement.allFinite() || !solution->multipliers.allFinite())
       return false;
-    VectorXd right(residual_.size() + contact_.equations.size());
-    right << -residual_, -contact_.equations;
-    const VectorXd solution = factor->solve(right);
     VectorXd d = VectorXd::Zero(trial.motion.u.size());
-    d(model_.free_dofs) = solution.head(residual_.size());
+    d(model_.free_dofs) = solution->displacement;
     time::correct(system_.coefficients, d, trial.motion);
     for (std::size_t z = 0; z < model_.zones.size(); ++z)
-      trial.zones[z].multipliers += solution.segment(residual_.size() + model_.multiplier_offsets[z],
-                                                     model_.zones[z].multiplier_count());
+      trial.zones[z].multipliers +=
+          solution->multipliers.segment(model_.multiplier_offsets[z], model_.zones[z].multiplier_count());
     return true;
-  }
-
-  model::SparseMatrix tangent() const {
-    const auto free_count = static_cast<int>(model_.free_dofs.size());
-    const int size = free_count + model_.multiplier_count;
-    std::vector<Eigen::Triplet<double, int>> triplets;
-    const auto free = [&](int dof) { return model_.free_index[static_cast<std::size_t>(dof)]; };
-    for (const auto& entry : contact_.force_by_dof)
-      if (free(entry.row()) >= 0 && free(entry.col()) >= 0)
-        triplets.emplace_back(free(entry.row()), free(entry.col()), scheme_.forces.now * entry.value());
-    for (const auto& entry : contact_.force_by_multiplier)
-      if (free(entry.row()) >= 0)
-        triplets.emplace_back(free(entry.row()), free_count + entry.col(),
-                              scheme_.forces.now * entry.value());
-    for (const auto& entry : contact_.equation_by_dof)
-      if (free(entry.col()) >= 0)
-        triplets.emplace_back(free_count + entry.row(), free(entry.col()), entry.value());
-    for (const auto& entry : contact_.equation_by_multiplier)
-      triplets.emplace_back(free_count + entry.row(), free_count + entry.col(), entry.value());
-    model::SparseMatrix contact_part(size, size);
-    contact_part.setFromTriplets(triplets.begin(), triplets.end());
-    model::SparseMatrix bulk = system_.matrix;
-    bulk.conservativeResize(size, size);
-    return bulk + contact_part;
   }
 
   /// Stores what the next step and the results need.
@@ -232,12 +221,13 @@ private:
 
   const Model& model_;
   const time::Scheme& scheme_;
-  const EffectiveSystem& system_;
+  EffectiveSystem& system_;
   const State& committed_;
   double t_;
-  double friction_part_;
+  Variant variant_;
   VectorXd external_;
   VectorXd history_;
+  std::vector<contact::ZoneCoefficients> coefficients_;
   contact::ContactSystem contact_;
   ContactIterate now_, previous_;
   VectorXd inertia_, unbalance_, full_residual_, residual_;
@@ -245,7 +235,7 @@ private:
 };
 
 /// Predicted motion with the imposed displacements of the step's end.
-State predicted(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+State predicted(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                 const State& committed, double t) {
   State trial = committed;
   trial.motion = time::predict(scheme, system.step, committed.motion);
@@ -263,18 +253,37 @@ bool has_friction(const Model& model) {
   return std::ranges::any_of(model.zones, [](const auto& zone) { return zone.settings.friction > 0; });
 }
 
-StepReport raise_friction(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+/// Counts what earlier attempts of the same step have cost.
+StepReport added(StepReport report, int spent) {
+  report.iterations += spent;
+  return report;
+}
+
+/// Attempts one after the other until one converges; each starts afresh.
+StepReport try_multiples(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                         const State& committed, double t, State& trial) {
+  StepReport report;
+  for (const double multiple : tangential_multiples) {
+    trial = predicted(model, scheme, system, committed, t);
+    report = added(NewtonSolve(model, scheme, system, committed, t, {1.0, multiple}).run(trial),
+                   report.iterations);
+    if (report.converged() || !has_friction(model))
+      break;
+  }
+  return report;
+}
+
+/// Friction from none to all of it, each part from the last one's solution.
+StepReport raise_friction(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                           const State& committed, double t, State& trial) {
   StepReport report;
-  int iterations = 0;
   trial = predicted(model, scheme, system, committed, t);
   for (const double part : friction_parts) {
-    report = NewtonSolve(model, scheme, system, committed, t, part).run(trial);
-    iterations += report.iterations;
+    report =
+        added(NewtonSolve(model, scheme, system, committed, t, {part, 1.0}).run(trial), report.iterations);
     if (!report.converged())
       break;
   }
-  report.iterations = iterations;
   report.friction_continuation = true;
   return report;
 }
@@ -295,16 +304,12 @@ std::string_view to_string(Outcome outcome) {
   return "";
 }
 
-StepReport advance(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial) {
-  trial = predicted(model, scheme, system, committed, t);
-  auto report = NewtonSolve(model, scheme, system, committed, t, 1.0).run(trial);
+  const auto report = try_multiples(model, scheme, system, committed, t, trial);
   if (report.converged() || !has_friction(model))
     return report;
-  const int spent = report.iterations;
-  report = raise_friction(model, scheme, system, committed, t, trial);
-  report.iterations += spent;
-  return report;
+  return added(raise_friction(model, scheme, system, committed, t, trial), report.iterations);
 }
 
 } // namespace rubato::step

@@ -8,9 +8,13 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
+#include "rubato/step/compliance.hpp"
+#include "rubato/step/linear_step.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
+
+#include <optional>
 
 namespace rubato::step {
 
@@ -21,9 +25,14 @@ struct EffectiveSystem {
   model::SparseMatrix matrix;
   Eigen::VectorXd diagonal; ///< of every dof, constrained ones included
   std::vector<contact::ZoneCoefficients> zones;
+  /// The factored matrix; nothing when every iteration solves the whole system.
+  std::optional<Compliance> compliance;
 };
 
-EffectiveSystem make_effective_system(const model::Model& model, const time::Scheme& scheme, double step);
+/// Factors the matrix unless `engine` is full. Throws InputError when it is not positive definite: something
+/// can move without resistance.
+EffectiveSystem make_effective_system(const model::Model& model, const time::Scheme& scheme, double step,
+                                      LinearEngine engine = LinearEngine::automatic);
 
 /// Initial state: displacements and velocities 0, imposed displacements applied, M a = external − internal
 /// force. `loaded_history` false takes the first history bracket as zero (Code_Aster's start). Throws
@@ -36,7 +45,7 @@ State continued_state(const model::Model& model, const time::Scheme& scheme, con
 
 /// Advances `committed` to t. On success `trial` is the state at t. A failed attempt is repeated with
 /// friction raised in parts before it is reported.
-StepReport advance(const model::Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+StepReport advance(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial);
 
 } // namespace rubato::step

@@ -52,7 +52,8 @@ VectorXd balanced_acceleration(const Model& model, const VectorXd& unbalance, co
 
 } // namespace
 
-EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step) {
+EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
+                                      LinearEngine engine) {
   EffectiveSystem system;
   system.step = step;
   system.coefficients = time::coefficients_of(scheme, step);
@@ -65,6 +66,9 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   system.matrix = free_part(model, full);
   for (const auto& zone : model.zones)
     system.zones.push_back(contact::automatic_coefficients(zone, model.dofs, system.diagonal));
+  if (engine == LinearEngine::automatic)
+    if (auto factor = linalg::CholeskyFactor::of(system.matrix))
+      system.compliance.emplace(std::move(*factor), surface_unknowns(model), system.matrix.rows());
   return system;
 }
 
