@@ -9,19 +9,34 @@
 
 namespace rubato::app {
 
+namespace {
+
+int exit_code_of(const results::StoredRun& run, bool checks_hold) {
+  switch (run.status) {
+  case results::RunStatus::complete:
+    return checks_hold ? done : check_failed;
+  case results::RunStatus::not_converged:
+    return no_convergence;
+  default:
+    return other_failure;
+  }
+}
+
+int check_run(const std::filesystem::path& folder) {
+  const auto run = results::read_stored_run(folder);
+  const auto checks = results::evaluate_checks(run.study.checks, run.probes);
+  fmt::print("{}: {}\n", run.study.name,
+             run.status == results::RunStatus::complete ? "complete" : run.reason);
+  fmt::print("{}", checks.empty() ? "no checks in the deck\n" : results::to_text(checks));
+  return exit_code_of(run, std::ranges::all_of(checks, &results::CheckResult::holds));
+}
+
+} // namespace
+
 int check(const CheckArguments& arguments) {
   int code = done;
-  for (const auto& folder : results::run_folders(arguments.folder)) {
-    const auto run = results::read_stored_run(folder);
-    const auto checks = results::evaluate_checks(run.study.checks, run.probes);
-    fmt::print("{}: {}\n", run.study.name, run.complete ? "complete" : run.reason);
-    if (checks.empty())
-      fmt::print("no checks in the deck\n");
-    else
-      fmt::print("{}", results::to_text(checks));
-    const bool hold = std::ranges::all_of(checks, &results::CheckResult::holds);
-    code = std::max<int>(code, !run.complete ? no_convergence : hold ? done : check_failed);
-  }
+  for (const auto& folder : results::run_folders(arguments.folder))
+    code = std::max(code, check_run(folder));
   return code;
 }
 

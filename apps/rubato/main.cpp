@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "commands.hpp"
 #include <functional>
@@ -12,42 +13,94 @@ namespace {
 
 using namespace rubato;
 
-/// Adds the subcommands; the one that is chosen leaves its work in `work`.
-void add_commands(CLI::App& program, std::function<int()>& work) {
-  static app::RunArguments run;
+/// What the command line says; the subcommand that was chosen reads its part.
+struct Arguments {
+  app::RunArguments run;
+  app::CheckArguments check;
+  app::InfoArguments info;
+  app::MeshArguments mesh;
+  std::function<int()> work;
+};
+
+void add_run(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand("run", "run a study");
+  auto& run = arguments.run;
   command->add_option("deck", run.deck, "the study, a YAML file")->required();
   command->add_option("-o,--output", run.output,
                       "folder of results; each run gets a folder in it (default: the deck's name)");
   command->add_option("--set", run.settings, "change the deck: path.to.key=value")->allow_extra_args(false);
   command->add_option("--only", run.only, "run only these runs of the deck (and those they start from)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_flag("-q,--quiet", run.quiet, "print checks and errors only");
-  command->callback([&work] { work = [] { return app::run(run); }; });
+  command->callback([&arguments] { arguments.work = [&] { return app::run(arguments.run); }; });
+}
 
-  static app::CheckArguments check;
-  command =
+void add_check(CLI::App& program, Arguments& arguments) {
+  auto* command =
       program.add_subcommand("check", "hold the results of a finished run against its references again");
-  command->add_option("folder", check.folder, "a run's folder, or a folder of runs")->required();
-  command->callback([&work] { work = [] { return app::check(check); }; });
+  command->add_option("folder", arguments.check.folder, "a run's folder, or a folder of runs")->required();
+  command->callback([&arguments] { arguments.work = [&] { return app::check(arguments.check); }; });
+}
 
-  static app::InfoArguments info;
-  command = program.add_subcommand("info", "say what a mesh file holds and what looks wrong");
-  command->add_option("file", info.file, "mesh file (.med, .msh, .geo)")->required();
-  command->add_option("--mesh", info.mesh_name, "name of the mesh inside the file");
-  command->callback([&work] { work = [] { return app::info(info); }; });
+void add_info(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("info", "say what a mesh file holds and what looks wrong");
+  command->add_option("file", arguments.info.file, "mesh file (.med, .msh, .geo)")->required();
+  command->add_option("--mesh", arguments.info.mesh_name, "name of the mesh inside the file");
+  command->callback([&arguments] { arguments.work = [&] { return app::info(arguments.info); }; });
+}
 
-  static app::MeshArguments mesh;
-  command = program.add_subcommand("mesh", "write the mesh of a deck, or convert a mesh file");
+void add_mesh(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("mesh", "write the mesh of a deck, or convert a mesh file");
+  auto& mesh = arguments.mesh;
   command->add_option("source", mesh.source, "a deck (.yaml) or a mesh file")->required();
   command->add_option("output", mesh.output, "file to write (.med, .vtu)")->required();
   command->add_option("--set", mesh.settings, "change the deck: path.to.key=value")->allow_extra_args(false);
   command->add_option("--convert", mesh.convert, "linear, quadratic or full_quadratic");
   command->add_option("--refine", mesh.refine, "cut every edge into that many parts");
-  command->callback([&work] { work = [] { return app::mesh(mesh); }; });
+  command->callback([&arguments] { arguments.work = [&] { return app::mesh(arguments.mesh); }; });
+}
 
-  command = program.add_subcommand("list", "list cells, schemes, methods, laws and formats");
-  command->callback([&work] { work = [] { return app::list(); }; });
+void add_list(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("list", "list cells, schemes, methods, laws and formats");
+  command->callback([&arguments] { arguments.work = [] { return app::list(); }; });
+}
+
+/// A first word that is no subcommand is better told with those there are.
+void refuse_unknown_command(const CLI::App& program, const std::string& word) {
+  std::vector<std::string> names;
+  for (const auto* command : program.get_subcommands(nullptr))
+    names.push_back(command->get_name());
+  if (word.starts_with('-') || std::ranges::find(names, word) != names.end())
+    return;
+  const auto nearest = nearest_word(word, names);
+  throw InputError(fmt::format("found '{}', expected one of {}{}", word, fmt::join(names, ", "),
+                               nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+}
+
+int parse_and_work(int argc, char** argv) {
+  CLI::App program("rubato: how elastic bodies move, touch, rub and part", "rubato");
+  program.set_version_flag("--version", fmt::format("rubato {}", version));
+  program.require_subcommand(1);
+  Arguments arguments;
+  add_run(program, arguments);
+  add_check(program, arguments);
+  add_info(program, arguments);
+  add_mesh(program, arguments);
+  add_list(program, arguments);
+  if (argc < 2) {
+    fmt::print(stderr, "{}", program.help());
+    return app::bad_input;
+  }
+  refuse_unknown_command(program, argv[1]);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0)
+      return program.exit(error);
+    throw InputError(fmt::format("{} (rubato --help tells more)", error.what()));
+  }
+  return arguments.work();
 }
 
 int report(const InputError& error) {
@@ -62,17 +115,7 @@ int report(const InputError& error) {
 
 int main(int argc, char** argv) {
   try {
-    CLI::App program("rubato: how elastic bodies move, touch, rub and part", "rubato");
-    program.set_version_flag("--version", fmt::format("rubato {}", version));
-    program.require_subcommand(1);
-    std::function<int()> work;
-    add_commands(program, work);
-    try {
-      program.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      return program.exit(error) == 0 ? app::done : app::bad_input;
-    }
-    return work();
+    return parse_and_work(argc, argv);
   } catch (const InputError& error) {
     return report(error);
   } catch (const std::exception& error) {

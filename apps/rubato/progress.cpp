@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace rubato::app {
@@ -18,17 +20,34 @@ std::string bar(double part) {
                      std::string(static_cast<std::size_t>(bar_width - full), '.'));
 }
 
+/// Columns of the terminal; a longer line would wrap and could not be rewritten.
+std::size_t columns() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+/// "42 s", "3:07 min", "1:02:03 h"
+std::string duration(double seconds) {
+  const auto whole = static_cast<long>(std::min(seconds, 1e9));
+  if (whole < 60)
+    return fmt::format("{} s", whole);
+  if (whole < 3600)
+    return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+  return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
 } // namespace
 
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0) {}
 
 std::string ProgressLine::line_of(const run::Progress& p) const {
-  const double part = (p.t - p.begin) / (p.end - p.begin);
+  const double reached = p.accepted ? p.t : p.t - p.step;
+  const double part = (reached - p.begin) / (p.end - p.begin);
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double left = part > 0 ? seconds * (1 - part) / part : 0;
-  return fmt::format("{} {} t = {:.6g}  h = {:.3g}{}  iterations {}  in contact {}  left {:.0f} s", p.run,
+  return fmt::format("{} {} t = {:.6g}  h = {:.3g}{}  iterations {}  in contact {}{}", p.run,
                      terminal_ ? bar(part) : fmt::format("{:3.0f} %", 100 * part), p.t, p.step,
-                     p.accepted ? "" : " (failed, cut)", p.iterations, p.contact_points, left);
+                     p.accepted ? "" : " (failed, cut)", p.iterations, p.contact_points,
+                     part > 0 ? "  left " + duration(seconds * (1 - part) / part) : "");
 }
 
 void ProgressLine::update(const run::Progress& progress) {
@@ -40,13 +59,18 @@ void ProgressLine::update(const run::Progress& progress) {
   if (!last && progress.accepted && now - last_ < pause)
     return;
   last_ = now;
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line_of(progress), terminal_ ? "" : "\n");
+  const auto line = line_of(progress);
+  if (terminal_)
+    fmt::print(stderr, "\r\033[K{}", std::string_view(line).substr(0, columns() - 1));
+  else
+    fmt::print(stderr, "{}\n", line);
   std::fflush(stderr);
   open_ = terminal_;
 }
 
 void ProgressLine::say(const std::string& text) {
   close();
+  start_ = Clock::now();
   if (!quiet_)
     fmt::print(stderr, "{}\n", text);
 }

@@ -15,7 +15,7 @@ class ProgressLine {
 public:
   explicit ProgressLine(bool quiet);
   void update(const run::Progress& progress);
-  /// Prints a sentence of its own.
+  /// Prints a sentence of its own, as a run does that is about to take its first step.
   void say(const std::string& text);
   /// Ends the rewritten line.
   void close();
@@ -27,7 +27,7 @@ private:
   bool quiet_;
   bool terminal_;
   bool open_ = false;
-  Clock::time_point start_ = Clock::now();
+  Clock::time_point start_ = Clock::now(); ///< when the run's first step began
   Clock::time_point last_{};
 };
 

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/read.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/run/time_loop.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "progress.hpp"
 #include <algorithm>
-#include <csignal>
 #include <map>
+#include <span>
 
 namespace rubato::app {
 namespace {
-
-// A signal handler can reach nothing else.
-volatile std::sig_atomic_t interrupted = 0;
-
-extern "C" void on_interrupt(int /*signal*/) {
-  interrupted = 1;
-}
 
 deck::Deck read(const RunArguments& arguments) {
   std::vector<deck::Setting> settings;
@@ -41,7 +36,9 @@ std::vector<const deck::Study*> chosen_runs(const deck::Deck& deck, const std::v
     if (study == nullptr) {
       std::vector<std::string> names;
       std::ranges::transform(deck.runs, std::back_inserter(names), &deck::Study::name);
-      throw InputError(fmt::format("--only: found '{}', expected one of {}", name, fmt::join(names, ", ")));
+      const auto nearest = nearest_word(name, names);
+      throw InputError(fmt::format("--only: found '{}', expected one of {}{}", name, fmt::join(names, ", "),
+                                   nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
     }
     for (; study != nullptr; study = find_run(deck, study->time.start_run.text))
       wanted.push_back(study->name);
@@ -53,15 +50,12 @@ std::vector<const deck::Study*> chosen_runs(const deck::Deck& deck, const std::v
   return runs;
 }
 
-bool is_start_of_another(const deck::Deck& deck, const std::string& name) {
-  return std::ranges::any_of(deck.runs, [&](const auto& study) { return study.time.start_run.text == name; });
-}
-
 int exit_code_of(const run::RunResult& result) {
   switch (result.status) {
   case run::Status::not_converged:
     return no_convergence;
   case run::Status::interrupted:
+  case run::Status::running:
     return other_failure;
   case run::Status::complete:
     break;
@@ -78,39 +72,61 @@ void print_summary(const deck::Study& study, const run::RunResult& result,
     fmt::print("{}", results::to_text(result.checks));
 }
 
+/// The runs of a deck one after another, each in its own folder.
+class Series {
+public:
+  Series(const RunArguments& arguments, std::filesystem::path output)
+      : output_(std::move(output)), quiet_(arguments.quiet),
+        line_(arguments.quiet), watch_{[this](const run::Progress& progress) { line_.update(progress); },
+                                       [this](const std::string& text) { line_.say(text); }, is_interrupted} {
+  }
+
+  int run(std::span<const deck::Study* const> studies) {
+    int worst = done;
+    for (const auto* study : studies) {
+      const auto& source = study->time.start_run.text;
+      if (!source.empty() && !ends_.contains(source)) {
+        fmt::print(stderr, "error: {}: not run, because {} did not come to its end\n", study->name, source);
+        continue;
+      }
+      worst = std::max(worst, run(*study, source.empty() ? nullptr : &ends_.at(source)));
+      if (is_interrupted())
+        break;
+    }
+    return worst;
+  }
+
+private:
+  int run(const deck::Study& study, const step::State* previous) {
+    const auto folder = output_ / study.name;
+    auto result = run::run_study(study, folder, watch_, previous);
+    line_.close();
+    if (!quiet_ || !result.checks.empty())
+      print_summary(study, result, folder);
+    if (result.status == run::Status::complete)
+      ends_.emplace(study.name, std::move(result.end));
+    else
+      fmt::print(stderr, "error: {}: {}; the results up to there are in {}\n", study.name, result.message,
+                 folder.string());
+    return exit_code_of(result);
+  }
+
+  std::filesystem::path output_;
+  bool quiet_;
+  ProgressLine line_;
+  run::Watch watch_;
+  std::map<std::string, step::State> ends_;
+};
+
 } // namespace
 
 int run(const RunArguments& arguments) {
   const auto deck = read(arguments);
   const auto runs = chosen_runs(deck, arguments.only);
-  const auto output = arguments.output.empty() ? arguments.deck.stem() : arguments.output;
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  ProgressLine line(arguments.quiet);
-  run::Watch watch{[&](const run::Progress& progress) { line.update(progress); },
-                   [&](const std::string& text) { line.say(text); }, [] { return interrupted != 0; }};
-  std::map<std::string, step::State> ends;
-  int worst = done;
-  for (const auto* study : runs) {
-    const auto folder = output / study->name;
-    const auto* previous =
-        study->time.start == deck::StartKind::from_run ? &ends.at(study->time.start_run.text) : nullptr;
-    auto result = run::run_study(*study, folder, watch, previous);
-    line.close();
-    if (!arguments.quiet || !result.checks.empty())
-      print_summary(*study, result, folder);
-    if (result.status != run::Status::complete)
-      fmt::print(stderr, "error: {}: {}\n", study->name, result.message);
-    worst = std::max(worst, exit_code_of(result));
-    if (result.status == run::Status::interrupted)
-      break;
-    if (is_start_of_another(deck, study->name)) {
-      if (result.status != run::Status::complete)
-        break;
-      ends.emplace(study->name, std::move(result.end));
-    }
-  }
-  return worst;
+  if (runs.size() > 1)
+    model::check_studies(runs);
+  catch_interrupts();
+  return Series(arguments, arguments.output.empty() ? arguments.deck.stem() : arguments.output).run(runs);
 }
 
 } // namespace rubato::app

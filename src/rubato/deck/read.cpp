@@ -88,6 +88,14 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   return study;
 }
 
+/// Whether multipliers and statuses of one study's contact mean the same in the other.
+bool same_contact(const Study& a, const Study& b) {
+  return std::ranges::equal(a.contact, b.contact, [](const ContactZone& one, const ContactZone& other) {
+    return one.name == other.name && one.master == other.master && one.slave == other.slave &&
+           one.gauss_points == other.gauss_points && (one.friction > 0) == (other.friction > 0);
+  });
+}
+
 void check_start(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
                  Faults& faults) {
   const auto& from = study.time.start_run;
@@ -103,6 +111,10 @@ void check_start(const Study& study, std::span<const Study> earlier, const std::
     fault(fmt::format("run {} comes later than run {}, expected an earlier one", from.text, study.name));
   else if (source->mesh != study.mesh || source->physics != study.physics)
     fault(fmt::format("run {} has another mesh or physics than run {}", from.text, study.name));
+  else if (!same_contact(*source, study))
+    fault(fmt::format("run {} has other contact zones than run {}, expected the same surfaces, the same "
+                      "integration and friction in both or in none",
+                      from.text, study.name));
 }
 
 /// The deck's title as the settings leave it; a run may have its own.
@@ -153,7 +165,9 @@ Deck read_deck(const std::filesystem::path& file, std::span<const Setting> setti
   std::ifstream stream(file, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(stream), {});
   if (!stream)
-    throw InputError("the deck file cannot be read", {file.string()});
+    throw InputError(std::filesystem::exists(file) ? "the deck file cannot be read"
+                                                   : "the deck file does not exist",
+                     {file.string()});
   return parse_deck(text, file.string(), settings);
 }
 

@@ -10,8 +10,12 @@
 
 namespace rubato::model {
 
-/// The cells that deform and their materials.
+/// The cells that deform and their materials; a cell that got none has the first one.
 fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
+
+/// Faults for cells that cannot be computed with.
+void check_shapes(const deck::Study& study, const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,
+                  std::vector<Fault>& faults);
 
 /// Prescribed displacements, ascending by dof.
 std::vector<Constraint> make_constraints(const deck::Study& study, const mesh::Mesh& mesh,
@@ -24,6 +28,10 @@ std::vector<Force> make_forces(const deck::Study& study, const mesh::Mesh& mesh,
 /// Contact zones on oriented surfaces.
 std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh,
                                       const fem::DofMap& dofs, std::vector<Fault>& faults);
+
+/// The node of each probe.
+std::vector<mesh::NodeIndex> make_probe_nodes(const deck::Study& study, const mesh::Mesh& mesh,
+                                              const fem::DofMap& dofs, std::vector<Fault>& faults);
 
 /// A static run needs bodies that cannot move as rigid ones: supports must hold them, or contact with what is
 /// held.

@@ -34,7 +34,7 @@ public:
       if (bulk_.empty())
         faults_.push_back(
             {material.at, fmt::format("the mesh has no {} cells, expected some for material '{}'",
-                                      dimension_ == 3 ? "solid" : "surface", material.name)});
+                                      bulk_noun(), material.name)});
     }
     for (const auto& name : material.cells)
       if (const auto* group = cells_named(mesh_, name, faults_))
@@ -58,6 +58,8 @@ public:
   }
 
 private:
+  const char* bulk_noun() const { return dimension_ == 3 ? "solid" : "surface"; }
+
   void give(int index, std::span<const CellIndex> cells) {
     for (const auto cell : cells) {
       auto& now = material_[static_cast<std::size_t>(cell)];
@@ -79,8 +81,8 @@ private:
     });
     if (cells.empty())
       faults_.push_back(
-          {name.at, fmt::format("group '{}' holds cells of dimension {}, expected {} (material '{}')",
-                                name.text, mesh::topology(mesh_.type_of(items.front())).dimension, dimension_,
+          {name.at, fmt::format("group '{}' holds {} cells, expected {} cells for material '{}'", name.text,
+                                mesh::topology(mesh_.type_of(items.front())).name, bulk_noun(),
                                 study_.materials[static_cast<std::size_t>(index)].name)});
     give(index, cells);
   }
@@ -93,18 +95,6 @@ private:
   std::vector<int> material_;
   std::vector<std::pair<int, int>> clashes_;
 };
-
-void add_shape_faults(const deck::Study& study, const mesh::Mesh& mesh, std::span<const CellIndex> cells,
-                      std::vector<Fault>& faults) {
-  auto bad = fem::cell_faults(mesh, cells, study.physics);
-  const auto count = bad.size();
-  if (count > listed_faults) {
-    bad.resize(listed_faults);
-    bad.push_back({{}, fmt::format("and {} more cells like these", count - listed_faults)});
-  }
-  for (auto& fault : bad)
-    faults.push_back({study.mesh.file.at, std::move(fault.text)});
-}
 
 } // namespace
 
@@ -121,10 +111,20 @@ fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vecto
     assignment.report_cells_without_material();
   bulk.cells = assignment.cells();
   for (const auto cell : bulk.cells)
-    bulk.law_of_cell.push_back(assignment.of(cell));
-  if (faults.empty())
-    add_shape_faults(study, mesh, bulk.cells, faults);
+    bulk.law_of_cell.push_back(std::max(0, assignment.of(cell)));
   return bulk;
+}
+
+void check_shapes(const deck::Study& study, const mesh::Mesh& mesh, std::span<const CellIndex> cells,
+                  std::vector<Fault>& faults) {
+  const auto& file = study.mesh.file;
+  const auto where = file.text.empty() ? "" : fmt::format("mesh file '{}': ", file.text);
+  const auto tell = [&](const std::string& text) { faults.push_back(Fault{file.at, text}); };
+  const auto bad = fem::cell_faults(mesh, cells, study.physics);
+  for (const auto& fault : std::span(bad).first(std::min(bad.size(), listed_faults)))
+    tell(where + fault.text);
+  if (bad.size() > listed_faults)
+    tell(fmt::format("{}and {} more cells like these", where, bad.size() - listed_faults));
 }
 
 } // namespace rubato::model

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rubato::model {
 namespace {
 
@@ -66,9 +68,7 @@ double value_of(const std::optional<deck::Function>& function, double t) {
   return function ? load::value_at(*function, t) : 1.0;
 }
 
-} // namespace
-
-mesh::Mesh load_mesh(const deck::MeshSource& source) {
+mesh::Mesh source_mesh(const deck::MeshSource& source) {
   mesh::Mesh mesh;
   if (source.file.text.empty()) {
     mesh = mesh::generate(source.bodies, source.refine);
@@ -82,33 +82,80 @@ mesh::Mesh load_mesh(const deck::MeshSource& source) {
   return mesh;
 }
 
-Model build_model(const deck::Study& study) {
-  try {
-    return build_model(study, load_mesh(study.mesh));
-  } catch (const InputError& error) {
-    // What is wrong with a mesh file is told at the place of the deck that names it.
-    if (study.mesh.file.text.empty() || error.faults().size() != 1 || !error.faults().front().at.file.empty())
-      throw;
-    throw InputError(error.faults().front().text, study.mesh.file.at);
-  }
-}
-
-Model build_model(const deck::Study& study, mesh::Mesh mesh) {
+/// Everything but the matrices.
+Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   Model model;
   model.study = study;
   model.mesh = std::move(mesh);
   std::vector<Fault> faults;
   model.bulk = make_bulk(study, model.mesh, faults);
-  stop_on(faults);
+  const auto known = faults.size();
+  check_shapes(study, model.mesh, model.bulk.cells, faults);
+  // What comes next integrates over cells.
+  if (model.bulk.cells.empty() || faults.size() > known)
+    stop_on(faults);
   model.dofs = fem::number_dofs(model.mesh, model.bulk.cells, fem::component_count(study.physics));
   model.constraints = make_constraints(study, model.mesh, model.dofs, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
   model.zones = make_zones(study, model.mesh, model.dofs, faults);
+  model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults);
   stop_on(faults);
   if (study.time.scheme == deck::SchemeKind::static_steps)
     check_supported(model, faults);
   stop_on(faults);
   number_unknowns(model);
+  return model;
+}
+
+/// Runs that inherit a part of a deck all meet its faults: each is kept once.
+void add_new(const std::vector<Fault>& met, std::vector<Fault>& faults) {
+  for (const auto& fault : met) {
+    const auto same = [&](const Fault& known) {
+      return known.text == fault.text && to_string(known.at) == to_string(fault.at);
+    };
+    if (std::ranges::none_of(faults, same))
+      faults.push_back(fault);
+  }
+}
+
+} // namespace
+
+mesh::Mesh load_mesh(const deck::MeshSource& source) {
+  try {
+    return source_mesh(source);
+  } catch (const InputError& error) {
+    auto faults = error.faults();
+    for (auto& fault : faults)
+      if (to_string(fault.at).empty())
+        fault.at = source.file.at;
+    throw InputError(std::move(faults));
+  }
+}
+
+void check_studies(std::span<const deck::Study* const> studies) {
+  std::vector<Fault> faults;
+  std::optional<mesh::Mesh> mesh;
+  const deck::MeshSource* source = nullptr;
+  for (const auto* study : studies) {
+    try {
+      if (source == nullptr || *source != study->mesh) {
+        mesh = load_mesh(study->mesh);
+        source = &study->mesh;
+      }
+      lay_out(*study, *mesh);
+    } catch (const InputError& error) {
+      add_new(error.faults(), faults);
+    }
+  }
+  stop_on(faults);
+}
+
+Model build_model(const deck::Study& study) {
+  return build_model(study, load_mesh(study.mesh));
+}
+
+Model build_model(const deck::Study& study, mesh::Mesh mesh) {
+  auto model = lay_out(study, std::move(mesh));
   assemble_matrices(model, study.materials);
   return model;
 }

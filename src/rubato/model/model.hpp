@@ -12,6 +12,7 @@
 #include <Eigen/SparseCore>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,8 @@ struct Model {
   std::vector<int> free_dofs;          ///< ascending
   std::vector<int> free_index;         ///< of a dof in free_dofs, −1 when it is constrained
   std::vector<contact::Zone> zones;
-  std::vector<int> multiplier_offsets; ///< first multiplier of each zone
+  std::vector<mesh::NodeIndex> probe_nodes; ///< one a probe of the study
+  std::vector<int> multiplier_offsets;      ///< first multiplier of each zone
   int multiplier_count = 0;
 
   /// The node a dof belongs to, and its direction.
@@ -59,7 +61,12 @@ Model build_model(const deck::Study& study);
 /// The same on a mesh that is already there.
 Model build_model(const deck::Study& study, mesh::Mesh mesh);
 
-/// The mesh a study names or describes: read or generated, mended, converted and refined.
+/// Throws InputError with every fault of the studies that shows against their meshes, without assembling
+/// anything: whoever is about to run several learns first whether one of them is bad.
+void check_studies(std::span<const deck::Study* const> studies);
+
+/// The mesh a study names or describes: read or generated, mended, converted and refined. Throws InputError;
+/// what is wrong with a mesh file is told at the place that names it.
 mesh::Mesh load_mesh(const deck::MeshSource& source);
 
 /// [force], one a dof.

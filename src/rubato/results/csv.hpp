@@ -13,8 +13,9 @@ namespace rubato::results {
 /// A comma-separated file with one header line. Numbers are written so that reading them gives the same bits.
 class CsvWriter {
 public:
-  /// Throws std::runtime_error, naming the file, when it cannot be written; so does `row`.
+  /// Throws InputError, naming the file, when it cannot be written.
   CsvWriter(std::filesystem::path path, std::span<const std::string> columns);
+  /// Throws std::runtime_error when writing fails.
   void row(std::span<const double> values);
 
 private:

@@ -5,6 +5,7 @@
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
+#include "rubato/results/run_folder.hpp"
 #include "rubato/results/vtu.hpp"
 #include "rubato/version.hpp"
 
@@ -22,42 +23,16 @@ using nlohmann::ordered_json;
 constexpr std::string_view axes = "xyz";
 constexpr double same_instant = 1e-9;
 
-std::filesystem::path created(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw InputError(
-        fmt::format("{}: the folder of results cannot be made ({})", folder.string(), error.message()));
+std::filesystem::path prepared(std::filesystem::path folder) {
+  prepare_run_folder(folder);
   return folder;
 }
 
-mesh::NodeIndex nearest_node(const model::Model& model, const std::array<double, 3>& point) {
-  const Eigen::Vector3d x(point[0], point[1], point[2]);
-  return *std::ranges::min_element(model.dofs.nodes, {}, [&](mesh::NodeIndex node) {
-    return (model.mesh.points[static_cast<std::size_t>(node)] - x).squaredNorm();
-  });
-}
-
-mesh::NodeIndex node_of(const model::Model& model, const deck::Probe& probe) {
-  if (probe.point)
-    return nearest_node(model, *probe.point);
-  const auto nodes = mesh::nodes_named(model.mesh, probe.node.text);
-  if (nodes.empty()) {
-    const auto nearest = nearest_word(probe.node.text, mesh::group_names(model.mesh));
-    throw InputError(fmt::format("probe '{}': found '{}', expected a node ('N90') or a group of one node{}",
-                                 probe.name, probe.node.text,
-                                 nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
-                     probe.node.at);
-  }
-  if (nodes.size() > 1)
-    throw InputError(fmt::format("probe '{}': group '{}' has {} nodes, expected one", probe.name,
-                                 probe.node.text, nodes.size()),
-                     probe.node.at);
-  if (!model.dofs.has(nodes.front()))
-    throw InputError(fmt::format("probe '{}': node {} belongs to no cell that deforms", probe.name,
-                                 model::node_label(model.mesh, nodes.front())),
-                     probe.node.at);
-  return nodes.front();
+std::ofstream opened(const std::filesystem::path& path) {
+  std::ofstream file(path, std::ios::trunc);
+  if (!file)
+    throw InputError(fmt::format("{}: cannot be written", path.string()));
+  return file;
 }
 
 const Eigen::VectorXd& field_of(const step::State& state, deck::ProbeField field) {
@@ -97,20 +72,17 @@ ordered_json to_json(const CheckResult& r) {
 class Recorder::Impl {
 public:
   Impl(const model::Model& model, std::filesystem::path folder)
-      : model_(model), folder_(created(std::move(folder))), probe_nodes_(find_probes()),
-        probes_(folder_ / "probes.csv", probe_columns()), steps_(folder_ / "steps.jsonl", std::ios::trunc),
-        series_(folder_ / "fields.pvd") {
+      : model_(model), folder_(prepared(std::move(folder))), probes_(folder_ / probes_file, probe_columns()),
+        steps_(opened(folder_ / steps_file)), series_(folder_ / pvd_file) {
+    write_summary({.status = RunStatus::running, .reason = "the run did not come to its end"}, {});
     history_.columns = probe_columns();
-    std::vector<std::string> columns{"t", "in_contact", "sticking"};
-    for (int i = 0; i < model_.dofs.components; ++i)
-      columns.push_back(fmt::format("force.{}", axes[static_cast<std::size_t>(i)]));
-    columns.insert(columns.end(), {"normal", "friction", "largest_pressure", "smallest_gap"});
+    const auto columns = resultant_columns();
     for (const auto& zone : model_.zones)
-      resultants_.emplace_back(folder_ / fmt::format("resultants_{}.csv", zone.settings.name), columns);
+      resultants_.emplace_back(folder_ / resultants_file(zone.settings.name), columns);
     if (model_.study.fields.vtu)
-      created(folder_ / "fields");
+      std::filesystem::create_directories(folder_ / vtu_folder);
     if (model_.study.fields.med)
-      mesh::write_med(folder_ / "fields.med", model_.mesh, mesh_name);
+      mesh::write_med(folder_ / med_file, model_.mesh, mesh_name);
   }
 
   void start(const step::State& state) {
@@ -125,17 +97,36 @@ public:
     write_probes(now);
     write_resultants(before, now);
     write_attempt(attempt, report);
+    unwritten_.reset();
     if (wants_fields(now.t, now.t - before.t, last))
       write_fields(before, now);
+    else if (has_fields() && model_.study.fields.last)
+      unwritten_.emplace(Step{before, now});
   }
 
   void failed(const Attempt& attempt, const step::StepReport& report) { write_attempt(attempt, report); }
 
   std::vector<CheckResult> finish(const Ending& ending) {
-    const auto checks = evaluate_checks(model_.study.checks, history_);
+    if (unwritten_ && ending.status != RunStatus::complete)
+      write_fields(unwritten_->before, unwritten_->now);
+    auto checks = evaluate_checks(model_.study.checks, history_);
+    write_summary(ending, checks);
+    return checks;
+  }
+
+private:
+  static constexpr const char* mesh_name = "mesh";
+
+  struct Step {
+    step::State before;
+    step::State now;
+  };
+
+  /// Written beside and then renamed: whoever reads it meanwhile finds a whole one.
+  void write_summary(const Ending& ending, const std::vector<CheckResult>& checks) const {
     ordered_json json{{"run", model_.study.name},
                       {"rubato", std::string(version)},
-                      {"complete", ending.complete},
+                      {"status", to_string(ending.status)},
                       {"reason", ending.reason},
                       {"steps", ending.steps},
                       {"iterations", ending.iterations},
@@ -148,21 +139,23 @@ public:
                       {"study", ordered_json::parse(deck::to_json(model_.study))}};
     for (const auto& check : checks)
       json["checks"].push_back(to_json(check));
-    std::ofstream file(folder_ / "run.json");
+    const auto path = folder_ / summary_file;
+    auto beside = path;
+    beside += ".new";
+    auto file = opened(beside);
     file << json.dump(2) << '\n';
+    file.close();
     if (!file)
-      throw std::runtime_error(fmt::format("{}: cannot be written", (folder_ / "run.json").string()));
-    return checks;
+      throw std::runtime_error(fmt::format("{}: writing failed, is the disk full?", beside.string()));
+    std::filesystem::rename(beside, path);
   }
 
-private:
-  static constexpr const char* mesh_name = "mesh";
-
-  std::vector<mesh::NodeIndex> find_probes() const {
-    std::vector<mesh::NodeIndex> nodes;
-    for (const auto& probe : model_.study.probes)
-      nodes.push_back(node_of(model_, probe));
-    return nodes;
+  std::vector<std::string> resultant_columns() const {
+    std::vector<std::string> columns{"t", "in_contact", "sticking"};
+    for (int i = 0; i < model_.dofs.components; ++i)
+      columns.push_back(fmt::format("force.{}", axes[static_cast<std::size_t>(i)]));
+    columns.insert(columns.end(), {"normal", "friction", "largest_pressure", "smallest_gap"});
+    return columns;
   }
 
   std::vector<std::string> probe_columns() const {
@@ -175,9 +168,10 @@ private:
 
   void write_probes(const step::State& state) {
     std::vector<double> row{state.t};
-    for (std::size_t p = 0; p < probe_nodes_.size(); ++p)
+    for (std::size_t p = 0; p < model_.probe_nodes.size(); ++p)
       for (int i = 0; i < model_.dofs.components; ++i)
-        row.push_back(field_of(state, model_.study.probes[p].field)[model_.dofs.dof(probe_nodes_[p], i)]);
+        row.push_back(
+            field_of(state, model_.study.probes[p].field)[model_.dofs.dof(model_.probe_nodes[p], i)]);
     probes_.row(row);
     history_.rows.push_back(std::move(row));
   }
@@ -207,11 +201,16 @@ private:
     if (!attempt.accepted && report.worst_node >= 0)
       json["worst_node"] = model::node_label(model_.mesh, report.worst_node);
     steps_ << json.dump() << '\n' << std::flush;
+    if (!steps_)
+      throw std::runtime_error(
+          fmt::format("{}: writing failed, is the disk full?", (folder_ / steps_file).string()));
   }
+
+  bool has_fields() const { return model_.study.fields.vtu || model_.study.fields.med; }
 
   bool wants_fields(double t, double step, bool last) const {
     const auto& wanted = model_.study.fields;
-    if (!wanted.vtu && !wanted.med)
+    if (!has_fields())
       return false;
     if (last && wanted.last)
       return true;
@@ -227,22 +226,22 @@ private:
     std::vector<NodalField> fields;
     std::ranges::transform(owned, std::back_inserter(fields), &OwnedField::view);
     if (model_.study.fields.vtu) {
-      const auto file = std::filesystem::path("fields") / fmt::format("{:06}.vtu", steps_done_);
+      const auto file = std::filesystem::path(vtu_folder) / vtu_file(steps_done_);
       write_vtu(folder_ / file, model_.mesh, fields);
       series_.add(now.t, folder_ / file);
     }
     if (model_.study.fields.med)
-      append_med_fields(folder_ / "fields.med", mesh_name, {steps_done_, now.t}, fields);
+      append_med_fields(folder_ / med_file, mesh_name, {steps_done_, now.t}, fields);
   }
 
   const model::Model& model_;
   std::filesystem::path folder_;
-  std::vector<mesh::NodeIndex> probe_nodes_;
   CsvWriter probes_;
   std::ofstream steps_;
   PvdSeries series_;
   std::vector<CsvWriter> resultants_;
   Table history_;
+  std::optional<Step> unwritten_; // the last step, while it has no fields
   int steps_done_ = 0;
 };
 

@@ -7,11 +7,13 @@
 ///                          smallest gap
 ///   steps.jsonl            one JSON object a step tried, accepted or not
 ///   fields/*.vtu, *.pvd    and fields.med, at the chosen instants
-///   run.json               the study, versions, timings, iterations, checks
+///   run.json               status, the study, versions, timings, iterations, checks; there from the start,
+///                          with status "running"
 #pragma once
 
 #include "rubato/results/checks.hpp"
 #include "rubato/results/csv.hpp"
+#include "rubato/results/run_status.hpp"
 #include "rubato/step/newton.hpp"
 
 #include <filesystem>
@@ -32,8 +34,8 @@ struct Attempt {
 
 /// How a run ended.
 struct Ending {
-  bool complete = false;
-  std::string reason; ///< why not, in a sentence
+  RunStatus status = RunStatus::running;
+  std::string reason; ///< why it is not complete, in a sentence
   double setup_seconds = 0;
   double loop_seconds = 0;
   int steps = 0;
@@ -43,8 +45,8 @@ struct Ending {
 
 class Recorder {
 public:
-  /// Creates the folder and its files. Throws InputError when that cannot be done and for probes that mean
-  /// nothing.
+  /// Creates the folder and its files; those of a run that was there before are gone then. Throws InputError
+  /// when that cannot be done.
   Recorder(const model::Model& model, std::filesystem::path folder);
   ~Recorder();
   Recorder(Recorder&&) noexcept;
@@ -55,7 +57,8 @@ public:
   void step(const step::State& before, const step::State& now, const Attempt& attempt,
             const step::StepReport& report, bool last);
   void failed(const Attempt& attempt, const step::StepReport& report);
-  /// Evaluates the checks and writes run.json.
+  /// Evaluates the checks and writes run.json. Of a run that stopped early the last instant reached gets its
+  /// fields when the last one is wanted.
   std::vector<CheckResult> finish(const Ending& ending);
 
 private:

@@ -2,6 +2,7 @@
 #include "rubato/results/stored_run.hpp"
 
 #include "rubato/deck/read.hpp"
+#include "rubato/results/run_folder.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,8 +12,6 @@
 
 namespace rubato::results {
 namespace {
-
-constexpr const char* summary = "run.json";
 
 nlohmann::json read_json(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -32,20 +31,27 @@ void forget_start(nlohmann::json& study) {
     study["time"]["start"] = "consistent";
 }
 
+RunStatus status_named(const std::string& word, const std::filesystem::path& path) {
+  const auto* const found = std::ranges::find(run_status_words, word, &RunStatusWord::word);
+  if (found == run_status_words.end())
+    throw InputError(fmt::format("{}: found the status '{}', which no run has", path.string(), word));
+  return found->status;
+}
+
 } // namespace
 
 StoredRun read_stored_run(const std::filesystem::path& folder) {
-  const auto path = folder / summary;
+  const auto path = folder / summary_file;
   auto json = read_json(path);
   try {
     StoredRun run;
-    run.complete = json.at("complete").get<bool>();
+    run.status = status_named(json.at("status").get<std::string>(), path);
     run.reason = json.at("reason").get<std::string>();
     auto& study = json.at("study");
     forget_start(study);
     run.study = deck::parse_deck(study.dump(), path.string()).runs.front();
     run.study.name = json.at("run").get<std::string>();
-    run.probes = read_csv(folder / "probes.csv");
+    run.probes = read_csv(folder / probes_file);
     return run;
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: not the summary of a run ({})", path.string(), error.what()));
@@ -54,15 +60,16 @@ StoredRun read_stored_run(const std::filesystem::path& folder) {
 
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
-  if (fs::exists(folder / summary))
+  if (fs::exists(folder / summary_file))
     return {folder};
   std::vector<fs::path> folders;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.is_directory() && fs::exists(entry.path() / summary))
+    if (entry.is_directory() && fs::exists(entry.path() / summary_file))
       folders.push_back(entry.path());
   if (folders.empty())
-    throw InputError(fmt::format("{}: found no {}, expected the folder of a run", folder.string(), summary));
+    throw InputError(
+        fmt::format("{}: found no {}, expected the folder of a run", folder.string(), summary_file));
   std::ranges::sort(folders);
   return folders;
 }

@@ -4,6 +4,7 @@
 
 #include "rubato/deck/study.hpp"
 #include "rubato/results/csv.hpp"
+#include "rubato/results/run_status.hpp"
 
 #include <filesystem>
 #include <string>
@@ -13,7 +14,7 @@ namespace rubato::results {
 
 struct StoredRun {
   deck::Study study;
-  bool complete = false;
+  RunStatus status = RunStatus::running;
   std::string reason; ///< why it is not complete
   Table probes;
 };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <stdexcept>
 
 namespace rubato::run {
 namespace {
@@ -45,10 +46,27 @@ private:
   std::vector<step::EffectiveSystem> systems_;
 };
 
+/// The end of another run goes on only on the same unknowns and contact points.
+void check_fits(const model::Model& model, const step::State& end) {
+  const auto same_zone = [](const contact::Zone& zone, const contact::ZoneState& state) {
+    return zone.points.size() == state.status.size() && zone.multiplier_count() == state.multipliers.size();
+  };
+  if (end.motion.u.size() == model.dofs.dof_count && std::ranges::equal(model.zones, end.zones, same_zone))
+    return;
+  throw InputError(fmt::format("run '{}' cannot start from the end of run '{}': that one has another mesh or "
+                               "other contact zones",
+                               model.study.name, model.study.time.start_run.text),
+                   model.study.time.start_run.at);
+}
+
 step::State first_state(const model::Model& model, const time::Scheme& scheme, const step::State* previous) {
   const auto& settings = model.study.time;
-  if (settings.start == deck::StartKind::from_run)
+  if (settings.start == deck::StartKind::from_run) {
+    if (previous == nullptr)
+      throw std::invalid_argument("a study that starts from another run needs the end of that run");
+    check_fits(model, *previous);
     return step::continued_state(model, scheme, *previous, settings.begin);
+  }
   return step::initial_state(model, scheme, settings.begin,
                              settings.start != deck::StartKind::at_rest_unloaded);
 }
@@ -58,7 +76,7 @@ public:
   Loop(const model::Model& model, const std::filesystem::path& folder, const Watch& watch,
        const step::State* previous)
       : model_(model), watch_(watch), scheme_(time::make_scheme(model.study.time)), systems_(model, scheme_),
-        recorder_(model, folder), committed_(first_state(model, scheme_, previous)),
+        committed_(first_state(model, scheme_, previous)), recorder_(model, folder),
         control_(model.study.time, committed_.t), end_(time::instants_of(model.study.time).back()) {}
 
   RunResult run(double setup_start) {
@@ -74,8 +92,8 @@ public:
     result_.loop_seconds = processor_seconds() - loop_start;
     result_.end = committed_;
     result_.checks =
-        recorder_.finish({result_.status == Status::complete, result_.message, result_.setup_seconds,
-                          result_.loop_seconds, result_.steps, result_.iterations, result_.cuts});
+        recorder_.finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
+                          result_.steps, result_.iterations, result_.cuts});
     return std::move(result_);
   }
 
@@ -124,8 +142,8 @@ private:
   const Watch& watch_;
   time::Scheme scheme_;
   SystemCache systems_;
-  results::Recorder recorder_;
   step::State committed_;
+  results::Recorder recorder_; // after the first state: a study that has none leaves no folder
   time::StepControl control_;
   double end_;
   RunResult result_;

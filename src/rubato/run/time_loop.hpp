@@ -4,6 +4,7 @@
 
 #include "rubato/deck/study.hpp"
 #include "rubato/results/checks.hpp"
+#include "rubato/results/run_status.hpp"
 #include "rubato/step/newton.hpp"
 
 #include <filesystem>
@@ -33,7 +34,7 @@ struct Watch {
   std::function<bool()> stop = [] { return false; };
 };
 
-enum class Status { complete, not_converged, interrupted };
+using Status = results::RunStatus;
 
 struct RunResult {
   Status status = Status::complete;
@@ -50,6 +51,8 @@ struct RunResult {
 };
 
 /// Runs one study into a folder of its own. `previous`: the end of the run it starts from, when it does.
+/// Throws InputError, before the folder is made, for a study that cannot be run and for an end that does not
+/// fit it.
 RunResult run_study(const deck::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous = nullptr);
 

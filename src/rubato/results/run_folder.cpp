@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/results/run_folder.hpp"
+
+#include "rubato/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+namespace rubato::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view resultants_prefix = "resultants_";
+constexpr std::size_t step_digits = 6;
+
+bool is_vtu_file(const std::string& name) {
+  const fs::path path(name);
+  const auto stem = path.stem().string();
+  return path.extension() == ".vtu" && stem.size() >= step_digits &&
+         std::ranges::all_of(stem, [](unsigned char letter) { return std::isdigit(letter) != 0; });
+}
+
+bool is_file_of_a_run(const std::string& name) {
+  constexpr std::array known{probes_file, steps_file, pvd_file, med_file};
+  return std::ranges::find(known, name) != known.end() ||
+         (name.starts_with(resultants_prefix) && name.ends_with(".csv"));
+}
+
+template <class Predicate>
+void collect(const fs::path& folder, const Predicate& is_wanted, std::vector<fs::path>& files) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.is_regular_file() && is_wanted(entry.path().filename().string()))
+      files.push_back(entry.path());
+}
+
+/// The summary comes last: as long as it is there, the folder is known as a run's.
+std::vector<fs::path> former_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  collect(folder / vtu_folder, is_vtu_file, files);
+  collect(folder, is_file_of_a_run, files);
+  files.push_back(folder / summary_file);
+  return files;
+}
+
+} // namespace
+
+std::string resultants_file(std::string_view zone) {
+  return fmt::format("{}{}.csv", resultants_prefix, zone);
+}
+
+std::string vtu_file(int step) {
+  return fmt::format("{:0{}}.vtu", step, step_digits);
+}
+
+void prepare_run_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(
+        fmt::format("{}: the folder of results cannot be made ({})", folder.string(), error.message()));
+  if (!fs::exists(folder / summary_file))
+    return;
+  for (const auto& file : former_files(folder))
+    if (!fs::remove(file, error) && error)
+      throw InputError(fmt::format("{}: cannot be removed to make room for new results ({})", file.string(),
+                                   error.message()));
+}
+
+} // namespace rubato::results

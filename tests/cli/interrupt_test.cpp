@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Ctrl-C: the run stops after its step, everything written can be read.
+#include "rubato/results/csv.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+#include "support/two_blocks.hpp"
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace rubato {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// So many steps that nobody waits for their end.
+const std::string endless = test::with(test::two_blocks, "step: 1e-4, end: 4e-4", "step: 1e-4, end: 1e3") +
+                            "fields: {formats: [vtu, med]}\n";
+
+/// Waits until some steps are written.
+void wait_for_steps(const test::Program& program, const std::filesystem::path& steps) {
+  const auto is_written = [&] {
+    return std::filesystem::exists(steps) && std::filesystem::file_size(steps) > 500;
+  };
+  while (program.is_running() && !is_written())
+    std::this_thread::sleep_for(5ms);
+  ASSERT_TRUE(program.is_running());
+}
+
+class InterruptedBy : public testing::TestWithParam<int> {};
+
+TEST_P(InterruptedBy, ASignalTheRunClosesItsFilesAndSaysWhereItStopped) {
+  const test::ScratchFolder folder;
+  test::write_text(folder / "deck.yaml", endless);
+  test::Program program({"run", "deck.yaml", "-o", "out", "-q"}, folder.path());
+  wait_for_steps(program, folder / "out/run/steps.jsonl");
+  EXPECT_EQ(nlohmann::json::parse(test::text_of(folder / "out/run/run.json")).at("status"), "running");
+  program.send(GetParam());
+  const auto outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.err.find("error: run: interrupted at t = "), std::string::npos) << outcome.err;
+
+  const auto json = nlohmann::json::parse(test::text_of(folder / "out/run/run.json"));
+  EXPECT_EQ(json.at("status"), "interrupted");
+  const auto probes = results::read_csv(folder / "out/run/probes.csv");
+  EXPECT_EQ(probes.rows.size(), json.at("steps").get<std::size_t>() + 1);
+  EXPECT_NE(test::text_of(folder / "out/run/fields.pvd").find("</VTKFile>"), std::string::npos)
+      << "the last instant reached has its fields";
+  EXPECT_EQ(test::run_program({"check", "out"}, folder.path()).exit_code, 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signal, InterruptedBy, testing::Values(SIGINT, SIGTERM), [](const auto& chosen) {
+  return chosen.param == SIGINT ? "Interrupt" : "Terminate";
+});
+
+TEST(SecondInterrupt, KillsAtOnce) {
+  const test::ScratchFolder folder;
+  test::write_text(folder / "deck.yaml", endless);
+  test::Program program({"run", "deck.yaml", "-o", "out", "-q"}, folder.path());
+  wait_for_steps(program, folder / "out/run/steps.jsonl");
+  // Both are there before the run can take its next step.
+  program.send(SIGSTOP);
+  program.send(SIGINT);
+  program.send(SIGTERM);
+  program.send(SIGCONT);
+  EXPECT_LT(program.wait().exit_code, 0);
+}
+
+TEST(KilledRun, LeavesAFolderThatSaysSo) {
+  const test::ScratchFolder folder;
+  test::write_text(folder / "deck.yaml", endless);
+  test::Program program({"run", "deck.yaml", "-o", "out", "-q"}, folder.path());
+  wait_for_steps(program, folder / "out/run/steps.jsonl");
+  program.send(SIGKILL);
+  EXPECT_EQ(program.wait().exit_code, -SIGKILL);
+  const auto outcome = test::run_program({"check", "out"}, folder.path());
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_TRUE(outcome.out.starts_with("run: the run did not come to its end\n")) << outcome.out;
+}
+
+} // namespace
+} // namespace rubato

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// rubato as a process of its own.
+#pragma once
+
+#include "support/scratch_folder.hpp"
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace rubato::test {
+
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+struct Outcome {
+  int exit_code = -1; ///< −signal when one killed it
+  std::string out;
+  std::string err;
+};
+
+/// The running program. Whatever is still running when it goes is killed.
+class Program {
+public:
+  /// `folder` is the program's current folder.
+  Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) : id_(fork()) {
+    if (id_ < 0)
+      throw std::runtime_error("no process");
+    if (id_ == 0)
+      become(arguments, folder);
+  }
+  ~Program() {
+    if (id_ > 0) {
+      kill(id_, SIGKILL);
+      waitpid(id_, nullptr, 0);
+    }
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void send(int signal) const { kill(id_, signal); }
+
+  bool is_running() const {
+    siginfo_t info{};
+    return waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+  }
+
+  Outcome wait() {
+    int status = 0;
+    waitpid(id_, &status, 0);
+    id_ = -1;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), text_of(streams_ / "out"),
+            text_of(streams_ / "err")};
+  }
+
+private:
+  [[noreturn]] void become(const std::vector<std::string>& arguments,
+                           const std::filesystem::path& folder) const {
+    redirect(STDOUT_FILENO, streams_ / "out");
+    redirect(STDERR_FILENO, streams_ / "err");
+    std::vector<std::string> words{RUBATO_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (auto& word : words)
+      pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    if (chdir(folder.c_str()) == 0)
+      execv(RUBATO_PROGRAM, pointers.data());
+    _exit(127);
+  }
+
+  static void redirect(int stream, const std::filesystem::path& path) {
+    const int file = open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+    dup2(file, stream);
+    close(file);
+  }
+
+  ScratchFolder streams_;
+  pid_t id_;
+};
+
+inline Outcome run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+  return Program(arguments, folder).wait();
+}
+
+} // namespace rubato::test

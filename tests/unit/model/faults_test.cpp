@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What a study asks of a mesh that does not have it; the sentences are held in tests/cli.
+#include "rubato/mesh/builder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "studies.hpp"
+#include "support/faults.hpp"
+
+namespace rubato::model {
+namespace {
+
+using test::fault_of;
+using test::model_of;
+using test::study_of;
+using test::two_blocks;
+using test::with;
+
+std::vector<Fault> faults_of(const std::string& deck) {
+  try {
+    model_of(deck);
+  } catch (const InputError& error) {
+    return error.faults();
+  }
+  return {};
+}
+
+TEST(BadModel, IsToldEverythingAtOnceAndWhere) {
+  auto deck = with(two_blocks, "cells: all", "cells: [upper, lowre]");
+  deck = with(deck, "on: held,", "on: hold,");
+  deck = with(deck, "{on: tip, y", "{on: top, y");
+  deck = with(deck, "slave: lower_face", "slave: lower_fase");
+  deck = with(deck, "node: tip", "node: held");
+  const auto faults = faults_of(deck);
+  std::vector<int> lines;
+  for (const auto& fault : faults)
+    lines.push_back(fault.at.line);
+  EXPECT_EQ(lines, (std::vector<int>{16, 18, 20, 22, 25}));
+}
+
+TEST(BadModel, NamesNoMoreThanTheFirstFewBadCells) {
+  mesh::MeshBuilder builder(2);
+  for (int i = 0; i < 4; ++i)
+    builder.add_node(Eigen::Vector3d(i % 2, i / 2, 0));
+  for (int i = 0; i < 15; ++i)
+    builder.add_cell(mesh::CellType::quad4, std::array{0, 1, 2, 3});
+  try {
+    build_model(study_of(with(two_blocks, "cells: all", "cells: all")), std::move(builder).build());
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.faults().size(), 11U);
+    EXPECT_EQ(error.faults().back().text, "and 5 more cells like these");
+  }
+}
+
+TEST(BadModel, IsToldWhenSupportsContradictEachOther) {
+  const auto faults = faults_of(with(two_blocks, "fix: [x, y]}", "fix: [x, y]}\n  - {on: held, x: 0.1}"));
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].at.line, 19);
+  EXPECT_NE(faults[0].text.find("two different displacements prescribed in x"), std::string::npos);
+  EXPECT_TRUE(faults_of(with(two_blocks, "fix: [x, y]}", "fix: [x, y]}\n  - {on: held, x: 0}")).empty());
+}
+
+TEST(BadModel, IsToldWhenGaussPointsAreTooFewForTheMultipliers) {
+  const auto faults = faults_of(with(two_blocks, "friction: 0.2", "friction: 0.2, integration: {gauss: 1}"));
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].text.find("found 1 Gauss points a direction, expected at least 2"), std::string::npos);
+}
+
+TEST(BadModel, OfSeveralStudiesTellsCommonFaultsOnce) {
+  const auto deck = deck::parse_deck(with(two_blocks, "on: held,", "on: hold,") +
+                                         "runs:\n  a: {}\n  b: {probes: {end: {node: nowhere}}}\n",
+                                     "deck.yaml");
+  try {
+    check_studies(std::vector{&deck.runs[0], &deck.runs[1]});
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.faults().size(), 2U);
+    EXPECT_EQ(error.faults()[0].at.line, 18);
+    EXPECT_EQ(error.faults()[1].at.line, 28);
+  }
+}
+
+TEST(BadModel, OfAMeshFileIsToldAtItsName) {
+  const auto study =
+      study_of("mesh: {file: /nowhere/none.med}\n" + two_blocks.substr(two_blocks.find("physics")));
+  EXPECT_EQ(fault_of([&] { build_model(study); }),
+            "deck.yaml:1:14: mesh file '/nowhere/none.med' does not exist");
+}
+
+} // namespace
+} // namespace rubato::model

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// A static run needs every body held, by supports or by contact with what is held.
+#include <gtest/gtest.h>
+
+#include "studies.hpp"
+#include "support/faults.hpp"
+
+namespace rubato::model {
+namespace {
+
+using test::fault_of;
+using test::model_of;
+using test::with;
+
+/// The lower block is held; of the upper one the left side lies on nothing but contact.
+const std::string resting =
+    with(with(with(test::two_blocks, "{left: held, bottom: upper_face, top: roof}",
+                   "{left: free, bottom: upper_face, top: roof}"),
+              "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}", "{scheme: static, step: 1, end: 1}"),
+         "nodal_force: {on: tip, y: -1e7}", "pressure: {on: roof, value: 1e6}");
+
+bool is_held(const std::string& deck) {
+  const auto fault = fault_of([&] { model_of(deck); });
+  EXPECT_TRUE(fault == "nothing thrown" || fault.find("is not held") != std::string::npos) << fault;
+  return fault == "nothing thrown";
+}
+
+TEST(StaticBody, MayRestOnAnotherWithFriction) {
+  EXPECT_TRUE(is_held(resting));
+}
+
+TEST(StaticBody, SlidesAwayWithoutFrictionUnlessHeldAlongTheSurface) {
+  const auto smooth = with(resting, ", friction: 0.2", "");
+  EXPECT_FALSE(is_held(smooth));
+  EXPECT_TRUE(is_held(with(smooth, "fix: [x, y]}", "fix: [x, y]}\n  - {on: tip, fix: x}")));
+}
+
+TEST(StaticBody, WithoutSupportsIsNamedByANodeOfIts) {
+  auto apart =
+      with(resting, "rectangle: {from: [0, 0], to: [1, 0.2]}", "rectangle: {from: [0, 5], to: [1, 5.2]}");
+  apart.erase(apart.find("contact:"), apart.find("time:") - apart.find("contact:"));
+  const auto fault = fault_of([&] { model_of(apart); });
+  EXPECT_NE(fault.find("the body of node N1 (0, 5) is not held"), std::string::npos) << fault;
+  EXPECT_TRUE(fault.starts_with("deck.yaml:21:")) << fault;
+}
+
+TEST(StaticBody, TurnsWhenHeldAtOnePointOnly) {
+  const auto lower_only = with(resting, "on: held, fix: [x, y]", "on: N16, fix: [x, y]");
+  EXPECT_FALSE(is_held(lower_only));
+}
+
+TEST(StaticBody, OfAxisymmetryIsHeldByOneNodeAlongTheAxis) {
+  const std::string ring =
+      "mesh: {generate: [{name: body, rectangle: {from: [1, 0], to: [3, 2]}, divisions: [2, 2]}]}\n"
+      "physics: axisymmetric\n"
+      "materials: {steel: {young: 1000, poisson: 0.25, cells: all}}\n"
+      "supports: [{on: N1, fix: y}]\n"
+      "time: {scheme: static, step: 1, end: 1}\n";
+  EXPECT_TRUE(is_held(ring));
+  EXPECT_FALSE(is_held(with(ring, "fix: y", "fix: x")));
+}
+
+TEST(StaticBody, InSpaceNeedsSixHolds) {
+  const auto box = with(test::box_deck, "{scheme: hht, alpha: 0, step: 1e-4, end: 4e-4}",
+                        "{scheme: static, step: 1, end: 1}");
+  EXPECT_TRUE(is_held(box));
+  EXPECT_FALSE(is_held(with(box, "fix: [x, y, z]", "fix: x")));
+  EXPECT_FALSE(is_held(with(box, "on: held, fix: [x, y, z]", "on: ridge, fix: [x, y, z]")));
+}
+
+TEST(DynamicBody, NeedsNoHolds) {
+  EXPECT_EQ(
+      fault_of([] { model_of(with(test::box_deck, "supports:\n  - {on: held, fix: [x, y, z]}\n", "")); }),
+      "nothing thrown");
+}
+
+} // namespace
+} // namespace rubato::model

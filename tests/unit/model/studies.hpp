@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Studies and models from decks, shortly.
+#pragma once
+
+#include "rubato/deck/read.hpp"
+#include "rubato/model/model.hpp"
+
+#include "support/two_blocks.hpp"
+#include <string>
+#include <string_view>
+
+namespace rubato::test {
+
+inline deck::Study study_of(std::string_view deck) {
+  return deck::parse_deck(deck, "deck.yaml").runs.front();
+}
+
+inline model::Model model_of(std::string_view deck) {
+  return model::build_model(study_of(deck));
+}
+
+/// Sum over all nodes of the force in x, y, z.
+inline Eigen::Vector3d resultant(const model::Model& model, const Eigen::VectorXd& force) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto node : model.dofs.nodes)
+    for (int i = 0; i < model.dofs.components; ++i)
+      sum[i] += force[model.dofs.dof(node, i)];
+  return sum;
+}
+
+/// A box of 2 × 1 × 0.5 with named sides, clamped at its left end; its own time, without loads.
+inline const std::string box_deck = R"(mesh:
+  generate:
+    - name: box
+      box: {from: [0, 0, 0], to: [2, 1, 0.5]}
+      divisions: [2, 2, 1]
+      cells: hexa8
+      sides: {left: held, right: end, top: roof}
+      edges: {right_top: ridge}
+physics: solid
+materials:
+  steel: {young: 200e9, poisson: 0.3, density: 7800, cells: all}
+supports:
+  - {on: held, fix: [x, y, z]}
+time: {scheme: hht, alpha: 0, step: 1e-4, end: 4e-4}
+)";
+
+} // namespace rubato::test

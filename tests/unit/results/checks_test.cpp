@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/results/checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace rubato::results {
+namespace {
+
+/// y = −1 − 10 t at four instants, x = 0.
+const Table probes{{"t", "tip.x", "tip.y"}, {{0, 0, -1}, {0.1, 0, -2}, {0.3, 0, -4}, {0.4, 0, -5}}};
+
+deck::Check check(int component, double at, double reference, double tolerance, bool relative) {
+  deck::Check check;
+  check.probe.text = "tip";
+  check.component = component;
+  check.at = at;
+  check.reference = reference;
+  check.tolerance = tolerance;
+  check.relative = relative;
+  return check;
+}
+
+CheckResult result_of(const deck::Check& check, const Table& table = probes) {
+  return evaluate_checks(std::array{check}, table).at(0);
+}
+
+TEST(Check, TakesTheValueOfItsInstant) {
+  const auto result = result_of(check(1, 0.3, -4.004, 1e-3, true));
+  EXPECT_EQ(result.quantity, "tip.y");
+  EXPECT_EQ(result.value, -4.0);
+  EXPECT_NEAR(result.deviation, 0.004 / 4.004, 1e-15);
+  EXPECT_TRUE(result.holds);
+  EXPECT_FALSE(result_of(check(1, 0.3, -4.005, 1e-3, true)).holds);
+}
+
+TEST(Check, InterpolatesBetweenTwoInstants) {
+  EXPECT_NEAR(result_of(check(1, 0.15, -2.5, 1e-12, true)).value.value(), -2.5, 1e-15);
+}
+
+TEST(Check, SeesInstantsThroughTheRoundingOfTime) {
+  auto table = probes;
+  table.rows[2][0] = 0.1 + 0.2;
+  EXPECT_EQ(result_of(check(1, 0.3, -4, 1e-12, true), table).value, -4.0);
+  EXPECT_EQ(result_of(check(1, 0.4 * (1 + 1e-12), -5, 1e-12, true)).value, -5.0);
+}
+
+TEST(Check, MeasuresAbsolutelyWhenAsked) {
+  const auto result = result_of(check(0, 0.1, 1e-4, 2e-4, false));
+  EXPECT_NEAR(result.deviation, 1e-4, 1e-18);
+  EXPECT_TRUE(result.holds);
+  EXPECT_FALSE(result_of(check(0, 0.1, 3e-4, 2e-4, false)).holds);
+}
+
+TEST(Check, FailsWhenTheRunDidNotReachItsInstant) {
+  for (const double at : {0.41, -0.1}) {
+    const auto result = result_of(check(1, at, -5, 1, true));
+    EXPECT_FALSE(result.value.has_value());
+    EXPECT_FALSE(result.holds);
+  }
+  EXPECT_FALSE(result_of(check(1, 0, 0, 1, false), {{"t", "tip.y"}, {}}).value.has_value());
+  EXPECT_FALSE(result_of(check(2, 0.1, 0, 1, false)).value.has_value()) << "no such column";
+  EXPECT_NE(to_text(std::array{result_of(check(1, 0.41, -5, 1, true))}).find("not reached"),
+            std::string::npos);
+}
+
+TEST(Check, NeverHoldsForWhatIsNotANumber) {
+  const Table broken{{"t", "tip.y"}, {{0, std::nan("")}}};
+  EXPECT_FALSE(result_of(check(1, 0, 1, 1, true), broken).holds);
+}
+
+TEST(CheckTable, ShowsSourceAndNote) {
+  auto one = check(1, 0.3, -4, 1e-3, true);
+  one.source = deck::CheckSource::other_code;
+  one.note = "a report";
+  const auto text = to_text(std::array{result_of(one), result_of(check(0, 0.1, 1, 0.5, false))});
+  EXPECT_NE(text.find("ok     other_code: a report\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("FAILS  external\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("5.0e-01 abs"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace rubato::results

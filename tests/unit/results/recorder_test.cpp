@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What a small run leaves in its folder.
+#include "rubato/deck/read.hpp"
+#include "rubato/results/med_fields.hpp"
+#include "rubato/results/stored_run.hpp"
+#include "rubato/run/time_loop.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/faults.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/two_blocks.hpp"
+#include <algorithm>
+#include <iterator>
+
+namespace rubato::results {
+namespace {
+
+using test::two_blocks;
+using test::with;
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+double last(const Table& table, const std::string& column) {
+  return table.rows.back().at(static_cast<std::size_t>(table.column(column)));
+}
+
+class RunFolder : public testing::Test {
+protected:
+  run::RunResult run(const std::string& deck, const run::Watch& watch = {}) const {
+    return run::run_study(deck::parse_deck(deck, "deck.yaml").runs.front(), folder_.path(), watch);
+  }
+
+  Table table(const std::string& file) const { return read_csv(folder_ / file); }
+  nlohmann::json summary() const { return nlohmann::json::parse(text_of(folder_ / "run.json")); }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(RunFolder, HoldsHistoriesStepsAndASummary) {
+  const auto result = run(two_blocks + "checks: [{probe: end.y, at: 2e-4, reference: 1, tolerance: 0.1}]\n");
+  EXPECT_EQ(names_in(folder_.path()),
+            (std::vector<std::string>{"probes.csv", "resultants_interface.csv", "run.json", "steps.jsonl"}));
+  const auto probes = table("probes.csv");
+  EXPECT_EQ(probes.columns, (std::vector<std::string>{"t", "end.x", "end.y"}));
+  ASSERT_EQ(probes.rows.size(), 5U);
+  EXPECT_EQ(probes.rows.front(), (std::vector<double>{0, 0, 0}));
+  EXPECT_DOUBLE_EQ(probes.rows.back()[0], 4e-4);
+  EXPECT_EQ(table("resultants_interface.csv").columns,
+            (std::vector<std::string>{"t", "in_contact", "sticking", "force.x", "force.y", "normal",
+                                      "friction", "largest_pressure", "smallest_gap"}));
+  const auto steps = text_of(folder_ / "steps.jsonl");
+  EXPECT_EQ(std::ranges::count(steps, '\n'), 4);
+  EXPECT_TRUE(nlohmann::json::parse(steps.substr(0, steps.find('\n'))).at("accepted"));
+
+  const auto json = summary();
+  EXPECT_EQ(json.at("status"), "complete");
+  EXPECT_EQ(json.at("steps"), result.steps);
+  EXPECT_EQ(json.at("iterations"), result.iterations);
+  EXPECT_EQ(json.at("unknowns"), 48);
+  EXPECT_EQ(json.at("checks").at(0).at("holds"), false);
+  EXPECT_EQ(json.at("study").at("thickness"), 1.0);
+}
+
+TEST_F(RunFolder, IsReadBackAsTheStudyAndItsHistory) {
+  const auto deck = two_blocks + "checks: [{probe: end.y, at: 2e-4, reference: 1, tolerance: 0.1}]\n";
+  const auto result = run(deck);
+  const auto stored = read_stored_run(folder_.path());
+  EXPECT_EQ(stored.status, RunStatus::complete);
+  EXPECT_EQ(stored.study, deck::parse_deck(deck, "deck.yaml").runs.front());
+  const auto again = evaluate_checks(stored.study.checks, stored.probes);
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_EQ(again[0].value, result.checks[0].value);
+  EXPECT_EQ(again[0].deviation, result.checks[0].deviation);
+}
+
+TEST_F(RunFolder, RecordsEveryKindOfProbe) {
+  const std::string probes = "  v: {node: tip, field: velocity}\n  a: {node: tip, field: acceleration}\n"
+                             "  r: {point: [0, 0.2], field: reaction}\n";
+  run(two_blocks + probes);
+  const auto history = table("probes.csv");
+  EXPECT_EQ(history.columns.size(), 9U);
+  EXPECT_LT(last(history, "v.y"), 0);
+  EXPECT_NE(last(history, "a.y"), 0);
+  EXPECT_NE(last(history, "r.y"), 0);
+}
+
+/// At rest the supports carry what the load and the other body push with.
+TEST_F(RunFolder, BalancesContactWithLoadsAndReactions) {
+  auto deck = with(two_blocks, "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}",
+                   "{scheme: static, step: 1, end: 1}");
+  deck = with(deck, "nodal_force: {on: tip, y: -1e7}", "surface_force: {on: roof, x: 1e5, y: -1e6}");
+  std::string probes;
+  for (const auto* y : {"-0.2", "-0.1", "0"})
+    probes += std::string("  at") + std::to_string(probes.size()) + ": {node: N" +
+              (y == std::string("-0.2")   ? "16"
+               : y == std::string("-0.1") ? "21"
+                                          : "26") +
+              ", field: reaction}\n";
+  run(deck + probes);
+  const auto contact = table("resultants_interface.csv");
+  const auto history = table("probes.csv");
+  for (const auto* axis : {"x", "y"}) {
+    double reaction = 0;
+    for (std::size_t c = 0; c < history.columns.size(); ++c)
+      if (history.columns[c].starts_with("at") && history.columns[c].ends_with(axis))
+        reaction += history.rows.back()[c];
+    EXPECT_NEAR(last(contact, std::string("force.") + axis), -reaction, 1e-7 * 1e6) << axis;
+  }
+  EXPECT_LT(last(contact, "force.y"), -1e5) << "the upper body presses on the lower one, the slave";
+  EXPECT_NEAR(last(contact, "normal"), std::abs(last(contact, "force.y")), 0.05 * last(contact, "normal"));
+  EXPECT_LE(last(contact, "friction"), 0.2 * last(contact, "normal") * (1 + 1e-12));
+}
+
+TEST_F(RunFolder, HoldsFieldsAtTheChosenInstantsInBothFormats) {
+  run(with(two_blocks, "end: 4e-4", "end: 7e-4") + "fields: {formats: [vtu, med], at: [1e-4], every: 3}\n");
+  EXPECT_EQ(names_in(folder_ / "fields"),
+            (std::vector<std::string>{"000000.vtu", "000001.vtu", "000003.vtu", "000006.vtu", "000007.vtu"}));
+  const auto series = text_of(folder_ / "fields.pvd");
+  EXPECT_NE(series.find("timestep=\"0.0007\" part=\"0\" file=\"fields/000007.vtu\""), std::string::npos)
+      << series;
+
+  auto fields = med_fields(folder_ / "fields.med");
+  std::vector<std::string> names;
+  std::ranges::transform(fields, std::back_inserter(names), &MedField::name);
+  std::ranges::sort(names);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"acceleration", "contact_gap", "contact_pressure", "contact_slip",
+                                      "contact_status", "displacement", "stress", "velocity", "von_mises"}));
+  std::vector<int> numbers;
+  std::ranges::transform(fields.front().instants, std::back_inserter(numbers), &Instant::number);
+  EXPECT_EQ(numbers, (std::vector<int>{0, 1, 3, 6, 7}));
+
+  const auto u = read_med_field(folder_ / "fields.med", "displacement", 7);
+  EXPECT_EQ(u.at(2 * 14 + 1), last(table("probes.csv"), "end.y")) << "N15 is the tip";
+}
+
+TEST_F(RunFolder, HoldsOnlyTheLastInstantUnlessMoreIsAsked) {
+  run(two_blocks + "fields: {}\n");
+  EXPECT_EQ(names_in(folder_ / "fields"), std::vector<std::string>{"000004.vtu"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "fields.med"));
+}
+
+TEST_F(RunFolder, OfAnInterruptedRunHoldsWhatWasReached) {
+  int steps = 0;
+  run::Watch watch;
+  watch.progress = [&](const run::Progress& progress) { steps += progress.accepted ? 1 : 0; };
+  watch.stop = [&] { return steps == 2; };
+  const auto result = run(two_blocks + "fields: {}\n", watch);
+  EXPECT_EQ(result.status, run::Status::interrupted);
+  EXPECT_EQ(result.message, "interrupted at t = 0.0002");
+  EXPECT_EQ(table("probes.csv").rows.size(), 3U);
+  EXPECT_EQ(names_in(folder_ / "fields"), std::vector<std::string>{"000002.vtu"});
+  EXPECT_EQ(summary().at("status"), "interrupted");
+  EXPECT_EQ(summary().at("reason"), "interrupted at t = 0.0002");
+}
+
+TEST_F(RunFolder, SaysFromTheStartThatTheRunIsNotAtItsEnd) {
+  std::string status;
+  run::Watch watch;
+  watch.stop = [&] {
+    status = summary().at("status");
+    return false;
+  };
+  run(two_blocks, watch);
+  EXPECT_EQ(status, "running");
+  EXPECT_EQ(summary().at("status"), "complete");
+}
+
+TEST_F(RunFolder, NamesTheNodeWhereAStepFailed) {
+  const auto result = run(two_blocks + "newton: {residual: 1e-300, max_iterations: 2}\n");
+  EXPECT_EQ(result.status, run::Status::not_converged);
+  EXPECT_EQ(summary().at("reason"), result.message);
+  const auto steps = text_of(folder_ / "steps.jsonl");
+  EXPECT_EQ(std::ranges::count(steps, '\n'), 13) << "the whole step and twelve cuts";
+  const auto first = nlohmann::json::parse(steps.substr(0, steps.find('\n')));
+  EXPECT_EQ(first.at("accepted"), false);
+  EXPECT_EQ(first.at("outcome"), "too many iterations");
+  EXPECT_TRUE(first.at("worst_node").get<std::string>().starts_with("N"));
+}
+
+TEST_F(RunFolder, IsNotTakenForOneWithoutASoundSummary) {
+  const auto fault = [&](const std::string& text) {
+    std::ofstream(folder_ / "run.json") << text;
+    return test::fault_of([&] { read_stored_run(folder_.path()); });
+  };
+  const auto path = (folder_ / "run.json").string();
+  EXPECT_NE(fault("{").find(path + ": found no valid JSON"), std::string::npos);
+  EXPECT_NE(fault("{}").find(path + ": not the summary of a run"), std::string::npos);
+  EXPECT_EQ(fault(R"({"status": "lost", "reason": ""})"),
+            path + ": found the status 'lost', which no run has");
+}
+
+} // namespace
+} // namespace rubato::results
