@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
                               both(without_contact(), {{"time.end", "0.002"}}), linear, 0.002}),
     name_of);
 
+/// Without damping by the scheme the third step cycles from the coefficient chosen by default and is cut,
+/// which makes another list of instants; Code_Aster's own coefficient takes it whole.
 INSTANTIATE_TEST_SUITE_P(
     Frictionless, History,
     testing::ValuesIn(on_both_meshes({
@@ -105,13 +107,12 @@ INSTANTIATE_TEST_SUITE_P(Rubbing, History,
                              {"c_evol1", 'c', MeshFrom::file, {}, 1e-7},
                              {"e_evol1", 'e', MeshFrom::file, {}, 1e-7},
                              {"f_evol1", 'f', MeshFrom::file, {}, 1e-7},
-                             {"f_evol1_150ms",
-                              'f',
-                              MeshFrom::file,
-                              {{"time.end", "0.15"}, {"contact.interface.coefficients", "{tangential: 1e4}"}},
-                              1e-7},
+                             {"f_evol1_150ms", 'f', MeshFrom::file, {{"time.end", "0.15"}}, 1e-7},
                          })),
                          name_of);
+
+INSTANTIATE_TEST_SUITE_P(RubbingTetrahedra, History,
+                         testing::Values(Reference{"a_evol1", 'a', MeshFrom::file, {}, 1e-7}), name_of);
 
 /// At 12 ms D's statuses are nearly undecided.
 INSTANTIATE_TEST_SUITE_P(

@@ -9,6 +9,7 @@
 #include "rubato/step/newton.hpp"
 #include "rubato/time/step_control.hpp"
 
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -32,9 +33,10 @@ public:
     bool listed = false;
     while (!listed) {
       listed = control.target_is_listed();
-      const auto system = step::make_effective_system(model, scheme, control.length());
+      if (!system || system->step != control.length())
+        system = step::make_effective_system(model, scheme, control.length());
       step::State trial;
-      reports.push_back(step::advance(model, scheme, system, state, control.target(), trial));
+      reports.push_back(step::advance(model, scheme, *system, state, control.target(), trial));
       if (!reports.back().converged()) {
         if (!control.cut()) {
           control = next;
@@ -82,6 +84,7 @@ public:
   step::State state;  ///< the last accepted one
   step::State before; ///< the one before it
   time::StepControl control;
+  std::optional<step::EffectiveSystem> system; ///< of the last step's length
   std::vector<step::StepReport> reports;
 };
 
