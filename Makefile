@@ -9,7 +9,7 @@ SCRATCH := build/installed
 SOURCES = $(shell find src apps tests bench -name '*.hpp' -o -name '*.cpp' 2>/dev/null)
 TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 
-.PHONY: help deps configure build demo test installed-test debug-test verify bench format lint clean
+.PHONY: help deps configure build demo picture test installed-test debug-test verify bench format lint clean
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 
@@ -27,6 +27,13 @@ build: configure ## build/release/rubato
 
 demo: deps build ## two beams rub: tip history and checks
 	build/release/rubato run cases/sdnl140/f.yaml --only evol1 -o out/demo
+	@printf '\nout/demo/evol1/probes.csv, the tip of the upper beam [s, m]:\n'
+	@awk -F, '{for (i = 1; i <= NF; ++i) printf "%-24s", $$i; print ""}' out/demo/evol1/probes.csv
+
+picture: build ## docs/pictures/beams.png from a run (python3-matplotlib)
+	build/release/rubato run cases/sdnl140/f.yaml --only evol1 -o out/picture --set mesh.refine=4 --set time.step=2e-4 \
+	  --set time.start=consistent --set fields.at=[0.0032] --set checks=
+	/usr/bin/python3 docs/pictures/draw_beams.py out/picture/evol1 0.0032 docs/pictures/beams.png
 
 test: deps build ## every test, and a program built against the installed package
 	ctest --preset release -j$(JOBS)

@@ -42,6 +42,7 @@ install(TARGETS rubato EXPORT rubatoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_
 install(EXPORT rubatoTargets NAMESPACE rubato:: DESTINATION ${rubato_package_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/rubato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.hpp")
+install(FILES ${PROJECT_BINARY_DIR}/generated/rubato/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rubato)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/cmake/ DESTINATION ${rubato_package_dir}
         FILES_MATCHING PATTERN "Find*.cmake")
 install(FILES ${PROJECT_BINARY_DIR}/rubatoConfig.cmake ${PROJECT_BINARY_DIR}/rubatoConfigVersion.cmake

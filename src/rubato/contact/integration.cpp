@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 using mesh::CellType;
 
-IntegrationPoint on_node(int node, Vector2d xi, double weight) {
+IntegrationPoint on_node(int node, const Vector2d& xi, double weight) {
   return {xi, weight, node, node};
 }
 
@@ -21,6 +21,7 @@ std::vector<IntegrationPoint> quadrangle_nodes(bool with_centre) {
                                               Vector2d(-1, 1),  Vector2d(0, -1), Vector2d(1, 0),
                                               Vector2d(0, 1),   Vector2d(-1, 0), Vector2d(0, 0)};
   std::vector<IntegrationPoint> points;
+  points.reserve(places.size());
   for (int i = 0; i < 9; ++i) {
     const double weight = i < 4 ? 1.0 / 9 : i < 8 ? 4.0 / 9 : 16.0 / 9;
     points.push_back(on_node(i, places[static_cast<std::size_t>(i)], weight));
@@ -40,6 +41,7 @@ std::vector<IntegrationPoint> triangle_six_points() {
                                        Vector2d(b, 1 - 2 * b), Vector2d(a, 1 - 2 * a),
                                        Vector2d(a, a),         Vector2d(1 - 2 * a, a)};
   std::vector<IntegrationPoint> points;
+  points.reserve(places.size());
   for (int i = 0; i < 6; ++i)
     points.push_back({places[static_cast<std::size_t>(i)], i < 3 ? near_corner : near_middle, -1, i});
   return points;

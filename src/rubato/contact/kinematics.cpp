@@ -127,8 +127,8 @@ private:
     Eigen::Matrix2d slope = Eigen::Matrix2d::Identity();
     for (int a = 0; a < dimension; ++a)
       for (int b = 0; b < dimension; ++b)
-        slope(a, b) =
-            at_free_.tangents.col(a).dot(at_free_.tangents.col(b)) - r.dot(at_free_.curvatures[a][b]);
+        slope(a, b) = at_free_.tangents.col(a).dot(at_free_.tangents.col(b)) -
+                      r.dot(at_free_.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)]);
     d_free_ = slope.inverse() * right;
     out_.d_projection = pair_.projection.clamp_derivative * d_free_;
   }
@@ -142,21 +142,22 @@ private:
     for (Eigen::Index j = 0; j < face_.node_count; ++j)
       add_node(variation, slave_count_ + j, shape.gradient(j, a));
     for (int b = 0; b < out_.parametric_dimension; ++b)
-      variation += at.curvatures[a][b] * d_xi.row(b);
+      variation += at.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] * d_xi.row(b);
     return variation;
   }
 
   void build_frame() {
-    Vector3d t[2];
-    Variation<3> dt[2];
+    std::array<Vector3d, 2> t;
+    std::array<Variation<3>, 2> dt;
     const bool accumulate =
         zone_.settings.clamped_normal == deck::ClampedNormal::code_aster && !pair_.projection.inside();
     for (int a = 0; a < 2; ++a) {
-      t[a] = at_clamped_.tangents.col(a);
-      dt[a] = vary_tangent(a, clamped_, at_clamped_, out_.d_projection);
+      const auto i = static_cast<std::size_t>(a);
+      t[i] = at_clamped_.tangents.col(a);
+      dt[i] = vary_tangent(a, clamped_, at_clamped_, out_.d_projection);
       if (accumulate && a < out_.parametric_dimension) {
-        t[a] += at_free_.tangents.col(a);
-        dt[a] += vary_tangent(a, free_, at_free_, d_free_);
+        t[i] += at_free_.tangents.col(a);
+        dt[i] += vary_tangent(a, free_, at_free_, d_free_);
       }
     }
     const Unit first(t[0]);
@@ -178,11 +179,13 @@ private:
       const auto& face = zone_.slave.faces[static_cast<std::size_t>(place.face)];
       const auto at = face_geometry(face.type, deformed(face, configuration_), place.xi);
       const FaceShape shape(face.type, place.xi);
-      Variation<3> dt[2];
+      std::array<Variation<3>, 2> dt;
       for (int a = 0; a < 2; ++a) {
-        dt[a] = Variation<3>::Zero(3, unknowns());
+        auto& variation_of_tangent = dt[static_cast<std::size_t>(a)];
+        variation_of_tangent = Variation<3>::Zero(3, unknowns());
         for (int i = 0; a < out_.parametric_dimension && i < face.node_count; ++i)
-          add_node(dt[a], local_slave_node(face.nodes[static_cast<std::size_t>(i)]), shape.gradient(i, a));
+          add_node(variation_of_tangent, local_slave_node(face.nodes[static_cast<std::size_t>(i)]),
+                   shape.gradient(i, a));
       }
       const Unit unit(at.tangents.col(0).cross(at.tangents.col(1)));
       sum += unit.direction;
@@ -256,7 +259,8 @@ private:
     for (int a = 0; a < out_.parametric_dimension; ++a) {
       const Vector3d tau = out_.tangents.col(a);
       out_.slip[a] = tau.dot(moved);
-      out_.d_slip.row(a) = along_shape(tau) + moved.transpose() * out_.d_tangent[a] +
+      out_.d_slip.row(a) = along_shape(tau) +
+                           moved.transpose() * out_.d_tangent[static_cast<std::size_t>(a)] +
                            (tau.transpose() * moved_slope) * out_.d_projection;
     }
   }

@@ -15,7 +15,7 @@
 
 #include <Eigen/Core>
 
-#include <span>
+#include <array>
 #include <vector>
 
 namespace rubato::contact {
@@ -35,7 +35,7 @@ struct Kinematics {
 
   Variation<2> d_projection; ///< dξ̄
   Variation<3> d_normal;
-  Variation<3> d_tangent[2];
+  std::array<Variation<3>, 2> d_tangent;
   Variation<1> d_gap;
   Variation<2> d_slip;
   /// −∂N_j/∂ξ_b(ξ̄) on master nodes, 0 on slave nodes: the shape's own change is shape_slope · dξ̄.

@@ -78,7 +78,7 @@ Vector2d newton_step(const FaceGeometry& at, const Vector3d& point, int dimensio
   Matrix2d exact = metric;
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b)
-      exact(a, b) -= distance.dot(at.curvatures[a][b]);
+      exact(a, b) -= distance.dot(at.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)]);
   const bool minimum = exact.determinant() > 0.01 * metric.determinant() && exact(0, 0) > 0;
   const Vector2d slope = at.tangents.transpose() * distance;
   return (minimum ? exact : metric).inverse() * slope;
@@ -110,7 +110,7 @@ FaceGeometry face_geometry(mesh::CellType type, const FaceCoordinates& nodes, co
     for (int a = 0; a < dimension; ++a) {
       geometry.tangents.col(a) += gradients[static_cast<std::size_t>(i * dimension + a)] * x;
       for (int b = 0; b < dimension; ++b)
-        geometry.curvatures[a][b] +=
+        geometry.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] +=
             hessians[static_cast<std::size_t>((i * dimension + a) * dimension + b)] * x;
     }
   }

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+
 namespace rubato::contact {
 
 /// Coordinates of the nodes of a face, one a column; at most nine.
@@ -16,7 +18,7 @@ using FaceCoordinates = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9>;
 struct FaceGeometry {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero(); ///< x,_a
-  Eigen::Vector3d curvatures[2][2];                                           ///< x,_ab
+  std::array<std::array<Eigen::Vector3d, 2>, 2> curvatures;                   ///< x,_ab
 };
 
 FaceGeometry face_geometry(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);

@@ -56,7 +56,10 @@ SlavePoint point_on_node(const Surface& slave, NodeIndex node) {
   return point;
 }
 
-SlavePoint point_inside(const Surface& slave, const Face& face, const IntegrationPoint& at) {
+/// A point between the nodes. Excluded nodes move it but bear no pressure, unless the point stands for one
+/// node.
+SlavePoint point_inside(const Surface& slave, const Face& face, const IntegrationPoint& at,
+                        std::span<const NodeIndex> excluded) {
   SlavePoint point;
   std::array<double, 9> values{};
   fem::reference_cell(face.type).values({at.xi[0], at.xi[1], 0},
@@ -64,6 +67,8 @@ SlavePoint point_inside(const Surface& slave, const Face& face, const Integratio
   for (std::size_t i = 0; i < static_cast<std::size_t>(face.node_count); ++i) {
     point.nodes.push_back(face.nodes[i]);
     point.shape.push_back(values[i]);
+    if (at.stands_for < 0 && is_excluded(excluded, face.nodes[i]))
+      continue;
     point.multipliers.push_back(slave.position_of(face.nodes[i]));
     point.multiplier_shape.push_back(values[i]);
   }
@@ -86,7 +91,7 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const deck::ContactZ
         if (index == points.size())
           points.push_back(point_on_node(slave, node));
       } else {
-        points.push_back(point_inside(slave, face, at));
+        points.push_back(point_inside(slave, face, at, excluded));
       }
       auto& point = points[index];
       point.weight += weight;

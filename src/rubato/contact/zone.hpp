@@ -30,7 +30,6 @@ struct SlavePoint {
   std::vector<PointOnFace> stands_on; ///< every slave face it belongs to
   double weight = 0;                  ///< quadrature weight × undeformed Jacobian [area]
   bool excluded = false;
-  /// Excluded slave nodes' multipliers stay 0; so does this point's contribution to their rows.
   int node_position = -1; ///< position in the slave surface's nodes when the point stands on a node, else −1
 };
 

@@ -61,6 +61,8 @@ Table read_csv(const std::filesystem::path& path) {
   std::string line;
   for (int number_of_line = 1; std::getline(file, line); ++number_of_line) {
     const Location at{path.string(), number_of_line, 1};
+    if (line.ends_with('\r')) // other programs' tables may end their lines so
+      line.pop_back();
     const auto parts = split(line);
     if (number_of_line == 1) {
       table.columns.assign(parts.begin(), parts.end());

@@ -21,6 +21,8 @@ using Triplet = Eigen::Triplet<double, int>;
 constexpr std::size_t largest_dense = 1500;
 /// Rows of multipliers whose entries are below this part of the largest one say nothing about any unknown.
 constexpr double empty_row = 1e-13;
+/// Reciprocal condition of the scaled dense system below which it has no solution to speak of.
+constexpr double singular = 1e-15;
 
 /// The contact triplets on free dofs, forces weighted, rows that no free unknown can fulfil replaced by "no
 /// change".
@@ -169,6 +171,8 @@ std::optional<VectorXd> solve_dense(MatrixXd matrix, VectorXd right) {
   matrix = row_scale.asDiagonal() * matrix;
   right = row_scale.cwiseProduct(right);
   const Eigen::PartialPivLU<MatrixXd> lu(matrix);
+  if (!(lu.rcond() > singular))
+    return std::nullopt;
   VectorXd solution = lu.solve(right);
   // One refinement: the condensed answer is to be the whole system's to rounding.
   solution += lu.solve(VectorXd(right - matrix * solution));

@@ -306,7 +306,7 @@ std::string_view to_string(Outcome outcome) {
 
 StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial) {
-  const auto report = try_multiples(model, scheme, system, committed, t, trial);
+  auto report = try_multiples(model, scheme, system, committed, t, trial);
   if (report.converged() || !has_friction(model))
     return report;
   return added(raise_friction(model, scheme, system, committed, t, trial), report.iterations);

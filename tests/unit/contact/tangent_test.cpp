@@ -98,9 +98,10 @@ TEST_P(ContactTangent, KinematicsVaryAsTheySay) {
         EXPECT_LT(((plus.normal - minus.normal) / (2 * h) - at.d_normal.col(column)).norm(), 2e-7);
         EXPECT_LT(((plus.slip - minus.slip) / (2 * h) - at.d_slip.col(column)).norm(), 2e-7);
         for (int a = 0; a < 2; ++a)
-          EXPECT_LT(
-              ((plus.tangents.col(a) - minus.tangents.col(a)) / (2 * h) - at.d_tangent[a].col(column)).norm(),
-              2e-7);
+          EXPECT_LT(((plus.tangents.col(a) - minus.tangents.col(a)) / (2 * h) -
+                     at.d_tangent[static_cast<std::size_t>(a)].col(column))
+                        .norm(),
+                    2e-7);
         ++compared;
       }
   }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The condensed system of an iteration must give what the whole system gives.
+#include "rubato/deck/read.hpp"
+#include "rubato/step/newton.hpp"
+#include "rubato/time/step_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rubato {
+namespace {
+
+std::string beams(const std::string& cells, const std::string& contact) {
+  const bool solid = cells.starts_with("hexa");
+  const std::string shape = solid ? "box" : "rectangle";
+  const auto corner = [&](const std::string& xy) { return "[" + xy + (solid ? ", 0]" : "]"); };
+  const auto far_corner = [&](const std::string& xy) { return "[" + xy + (solid ? ", 0.1]" : "]"); };
+  const std::string divisions = solid ? "[8, 1, 1]" : "[8, 1]";
+  const std::string load = solid ? "surface_force: {on: Tip, y: -2e8}" : "surface_force: {on: Tip, y: -2e7}";
+  return "mesh:\n"
+         "  generate:\n"
+         "    - {name: Upper, " +
+         shape + ": {from: " + corner("0, 0") + ", to: " + far_corner("1, 0.1") +
+         "}, divisions: " + divisions + ", cells: " + cells +
+         ", sides: {left: Wall, bottom: Above, right: Tip}}\n"
+         "    - {name: Lower, " +
+         shape + ": {from: " + corner("0, -0.1") + ", to: " + far_corner("1, 0") +
+         "}, divisions: " + divisions + ", cells: " + cells +
+         ", sides: {left: Wall, top: Below}}\n"
+         "physics: " +
+         (solid ? "solid" : "plane_stress") +
+         "\n"
+         "materials: {steel: {young: 200e9, poisson: 0.3, density: 7800, cells: all}}\n"
+         "supports: [{on: Wall, fix: " +
+         (solid ? "[x, y, z]" : "[x, y]") +
+         "}]\n"
+         "loads: [" +
+         load +
+         "]\n"
+         "contact: {interface: {master: Above, slave: Below, exclude_nodes: [Wall], method: "
+         "augmented_lagrangian, " +
+         contact +
+         "}}\n"
+         "time: {scheme: hht, alpha: -0.1, step: 5e-4, end: 4e-3}\n";
+}
+
+/// u at the end of every step, one a column.
+Eigen::MatrixXd history(const std::string& deck, step::LinearEngine engine) {
+  const auto study = deck::parse_deck(deck, "beams.yaml").runs.front();
+  const auto model = model::build_model(study);
+  const auto scheme = time::make_scheme(study.time);
+  auto system = step::make_effective_system(model, scheme, study.time.step, engine);
+  auto state = step::initial_state(model, scheme, 0, true);
+  const auto instants = time::instants_of(study.time);
+  Eigen::MatrixXd all(state.motion.u.size(), static_cast<Eigen::Index>(instants.size()) - 1);
+  for (std::size_t i = 1; i < instants.size(); ++i) {
+    step::State trial;
+    const auto report = step::advance(model, scheme, system, state, instants[i], trial);
+    EXPECT_TRUE(report.converged()) << "at " << instants[i];
+    state = trial;
+    all.col(static_cast<Eigen::Index>(i) - 1) = state.motion.u;
+  }
+  return all;
+}
+
+struct Variant {
+  std::string name, cells, contact;
+};
+
+class Condensed : public testing::TestWithParam<Variant> {};
+
+TEST_P(Condensed, GivesWhatTheWholeSystemGives) {
+  const auto deck = beams(GetParam().cells, GetParam().contact);
+  const auto condensed = history(deck, step::LinearEngine::automatic);
+  const auto full = history(deck, step::LinearEngine::full);
+  EXPECT_LT((condensed - full).cwiseAbs().maxCoeff(), 1e-10 * full.cwiseAbs().maxCoeff());
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, Condensed,
+                         testing::Values(Variant{"Plane", "quad4", "friction: 0.2"},
+                                         Variant{"PlaneFrictionless", "quad4", "friction: 0"},
+                                         Variant{"PlaneQuadratic", "quad8", "friction: 0.4"},
+                                         Variant{"PlaneGauss", "quad4",
+                                                 "friction: 0.2, integration: {gauss: 2}"},
+                                         Variant{"Solid", "hexa8", "friction: 0.2"},
+                                         Variant{"SolidSlaveNormal", "hexa8", "friction: 0.2, normal: slave"},
+                                         Variant{"SolidQuadratic", "hexa27", "friction: 0.3"}),
+                         [](const auto& variant) { return variant.param.name; });
+
+} // namespace
+} // namespace rubato

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// A block on a plane: forces that statics give without any mechanics of bodies.
+#include <gtest/gtest.h>
+
+#include "unit/step/decks.hpp"
+#include "unit/step/walk.hpp"
+
+namespace rubato::step {
+namespace {
+
+using test::Walk;
+
+constexpr double weight = 1000;
+constexpr double mu = 0.3;
+
+/// The push that the supports of the block's top feel [force].
+double push(const Walk& walk) {
+  double sum = 0;
+  for (const auto node : mesh::nodes_named(walk.model.mesh, "top"))
+    sum += walk.state.reaction[walk.model.dofs.dof(node, 0)];
+  return sum;
+}
+
+TEST(BlockOnAPlane, SticksAndHandsOnTheWholePush) {
+  Walk walk(test::block_on_plane, {{"supports.1.x.value", "1e-7"}});
+  ASSERT_TRUE(walk.to_end());
+  const auto foot = walk.resultants();
+  EXPECT_GT(push(walk), 0);
+  EXPECT_LT(push(walk), mu * weight);
+  EXPECT_NEAR(foot.force[0], -push(walk), 1e-8 * weight);
+  EXPECT_NEAR(foot.force[1], weight, 1e-8 * weight);
+  EXPECT_NEAR(foot.friction, push(walk), 1e-5 * weight);
+  EXPECT_EQ(foot.sticking, foot.in_contact);
+  EXPECT_EQ(foot.in_contact, 5);
+}
+
+TEST(BlockOnAPlane, SlipsUnderFrictionTimesItsWeight) {
+  Walk walk(test::block_on_plane, {{"supports.1.x.value", "1e-4"}});
+  ASSERT_TRUE(walk.to_end());
+  const auto foot = walk.resultants();
+  EXPECT_NEAR(foot.force[0], -mu * weight, 1e-5 * weight);
+  EXPECT_NEAR(foot.force[1], weight, 1e-8 * weight);
+  EXPECT_NEAR(foot.friction, mu * foot.normal, 1e-9 * weight);
+  EXPECT_NEAR(push(walk), mu * weight, 1e-5 * weight);
+  EXPECT_EQ(foot.sticking, 0);
+}
+
+TEST(BlockOnAPlane, FeelsNoPushWithoutFriction) {
+  Walk walk(test::block_on_plane, {{"contact.foot.friction", "0"}});
+  ASSERT_TRUE(walk.to_end());
+  EXPECT_NEAR(push(walk), 0, 1e-6 * weight);
+  EXPECT_NEAR(walk.resultants().force[1], weight, 1e-8 * weight);
+}
+
+/// Gauss points hold the gap shut in the mean only.
+TEST(BlockOnAPlane, CarriesItsWeightThroughGaussPoints) {
+  Walk walk(test::block_on_plane,
+            {{"contact.foot.friction", "0"}, {"contact.foot.integration", "{gauss: 2}"}});
+  ASSERT_TRUE(walk.to_end());
+  EXPECT_NEAR(push(walk), 0, 1e-4 * weight);
+  double carried = 0;
+  for (const auto node : mesh::nodes_named(walk.model.mesh, "ground"))
+    carried += walk.state.reaction[walk.model.dofs.dof(node, 1)];
+  EXPECT_NEAR(carried, weight, 1e-6 * weight);
+}
+
+/// Two units of length over faces of 5/13: the block crosses six of them and still stands on the plane.
+class LargeSliding : public testing::TestWithParam<const char*> {};
+
+TEST_P(LargeSliding, KeepsTheForcesOverManyMasterFaces) {
+  Walk walk(test::block_on_plane,
+            {{"supports.1.x.value", "2"}, {"time.step", "0.05"}, {"contact.foot.friction", GetParam()}});
+  const double friction = std::stod(GetParam());
+  while (!walk.control.finished()) {
+    ASSERT_TRUE(walk.advance()) << "t = " << walk.state.t;
+    const auto foot = walk.resultants();
+    EXPECT_NEAR(foot.force[1], weight, 1e-8 * weight);
+    EXPECT_NEAR(foot.force[0], -friction * weight, 1e-4 * weight);
+  }
+  EXPECT_NEAR(walk.displacement(walk.node_at(0, 0), 0), 2, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Friction, LargeSliding, testing::Values("0", "0.3"),
+                         [](const auto& instance) { return instance.index == 0 ? "none" : "some"; });
+
+/// Sum of the contact forces of both sides and of their moments, at the places where the nodes are now, over
+/// the sum of the forces' lengths.
+struct Imbalance {
+  double force = 0;
+  double moment = 0;
+};
+
+Imbalance imbalance(const Walk& walk) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double moment = 0, scale = 0;
+  for (const auto node : walk.model.dofs.nodes) {
+    const auto dof = walk.model.dofs.dof(node, 0);
+    const Eigen::Vector2d f = walk.state.contact_force.segment<2>(dof);
+    const Eigen::Vector2d x = walk.model.mesh.points[static_cast<std::size_t>(node)].head<2>() +
+                              walk.state.motion.u.segment<2>(dof);
+    sum += f;
+    moment += x[0] * f[1] - x[1] * f[0];
+    scale += f.norm();
+  }
+  return {sum.norm() / scale, std::abs(moment) / scale};
+}
+
+TEST(ContactForces, OfTheTwoSidesBalanceInForceAndMoment) {
+  Walk walk(test::block_on_plane, {{"supports.1.x.value", "1"}, {"time.step", "0.1"}});
+  while (!walk.control.finished()) {
+    ASSERT_TRUE(walk.advance());
+    EXPECT_LT(imbalance(walk).force, 1e-14);
+    EXPECT_LT(imbalance(walk).moment, 1e-12);
+  }
+}
+
+/// A slave node beside the end of the master is held by the end: the two forces have an arm as long as the
+/// distance between them, at most half a face.
+TEST(ContactForces, BalanceInForceAlwaysAndInMomentButForPointsBesideTheMastersEnd) {
+  Walk walk(test::two_beams);
+  while (!walk.control.finished()) {
+    ASSERT_TRUE(walk.advance());
+    EXPECT_LT(imbalance(walk).force, 1e-14);
+    EXPECT_LT(imbalance(walk).moment, 0.05 / 2);
+  }
+}
+
+} // namespace
+} // namespace rubato::step

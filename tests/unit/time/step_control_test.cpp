@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/time/step_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace rubato::time {
+namespace {
+
+using Instants = std::vector<double>;
+
+deck::TimeStepping even(double step, double end) {
+  deck::TimeStepping settings;
+  settings.step = step;
+  settings.end = end;
+  return settings;
+}
+
+deck::TimeStepping listed(Instants instants) {
+  deck::TimeStepping settings;
+  settings.instants = std::move(instants);
+  settings.end = settings.instants.back();
+  return settings;
+}
+
+/// Every target up to the end when nothing fails.
+Instants walked(StepControl control) {
+  Instants targets;
+  for (; !control.finished(); control.accept())
+    targets.push_back(control.target());
+  return targets;
+}
+
+TEST(Instants, AreMultiplesOfTheStepNotSums) {
+  const auto instants = instants_of(even(1e-3, 1));
+  ASSERT_EQ(instants.size(), 1001u);
+  EXPECT_EQ(instants[700], 700 * 1e-3);
+  EXPECT_EQ(instants.back(), 1);
+}
+
+TEST(Instants, EndWithAShorterStepWhenTheEndIsNoMultiple) {
+  EXPECT_EQ(instants_of(even(0.25, 0.6)), (Instants{0, 0.25, 0.5, 0.6}));
+}
+
+TEST(Instants, HaveNoSliverAtTheEnd) {
+  EXPECT_EQ(instants_of(even(0.1, 0.3)).size(), 4u);
+  EXPECT_EQ(instants_of(even(0.1, 0.3 + 1e-9)).size(), 4u);
+  EXPECT_EQ(instants_of(even(0.1, 0.3 - 1e-9)).size(), 4u);
+}
+
+TEST(Instants, ListedOnesAreTakenAsTheyAre) {
+  EXPECT_EQ(instants_of(listed({0.1, 0.15, 0.7})), (Instants{0, 0.1, 0.15, 0.7}));
+}
+
+TEST(StepControl, WalksThroughTheInstants) {
+  EXPECT_EQ(walked({even(0.25, 1), 0}), (Instants{0.25, 0.5, 0.75, 1}));
+  EXPECT_EQ(walked({listed({0.1, 0.15, 0.7}), 0}), (Instants{0.1, 0.15, 0.7}));
+}
+
+TEST(StepControl, GoesOnFromTheMiddle) {
+  EXPECT_EQ(walked({even(0.25, 1), 0.5}), (Instants{0.75, 1}));
+  EXPECT_EQ(walked({even(0.25, 1), 0.6}), (Instants{0.75, 1}));
+  EXPECT_TRUE(StepControl(even(0.25, 1), 1).finished());
+}
+
+TEST(StepControl, CutsAFailedStepIntoPartsAndComesBackToTheList) {
+  auto settings = even(1, 3);
+  settings.cut_parts = 4;
+  StepControl control(settings, 0);
+  control.accept();
+  ASSERT_TRUE(control.cut());
+  EXPECT_EQ(control.level(), 1);
+  EXPECT_FALSE(control.target_is_listed());
+  EXPECT_EQ(walked(control), (Instants{1.25, 1.5, 1.75, 2, 3}));
+  for (int part = 0; part < 3; ++part)
+    control.accept();
+  EXPECT_EQ(control.target(), 2);
+  EXPECT_TRUE(control.target_is_listed());
+  EXPECT_EQ(control.level(), 1);
+  control.accept();
+  EXPECT_EQ(control.level(), 0);
+  EXPECT_EQ(control.length(), 1);
+}
+
+TEST(StepControl, CutsAPartAgainAndGrowsBackLevelByLevel) {
+  StepControl control(even(1, 2), 0);
+  ASSERT_TRUE(control.cut());
+  ASSERT_TRUE(control.cut());
+  EXPECT_EQ(walked(control), (Instants{0.25, 0.5, 1, 2}));
+  EXPECT_EQ(control.level(), 2);
+  control.accept();
+  control.accept();
+  EXPECT_EQ(control.level(), 1);
+  ASSERT_TRUE(control.cut());
+  EXPECT_EQ(walked(control), (Instants{0.75, 1, 2}));
+}
+
+TEST(StepControl, StaysWhereItIsWhenAStepIsCut) {
+  StepControl control(even(1, 2), 0);
+  control.accept();
+  control.cut();
+  EXPECT_EQ(control.now(), 1);
+}
+
+TEST(StepControl, GivesUpWhenItsLevelsAreUsed) {
+  auto settings = even(1, 2);
+  settings.cut_levels = 3;
+  StepControl control(settings, 0);
+  for (int level = 1; level <= 3; ++level)
+    EXPECT_TRUE(control.cut());
+  EXPECT_FALSE(control.cut());
+  EXPECT_EQ(control.level(), 3);
+  EXPECT_EQ(control.target(), 0.125);
+
+  settings.cut_levels = 0;
+  EXPECT_FALSE(StepControl(settings, 0).cut());
+}
+
+TEST(StepControl, HasOneLengthForAllEvenSteps) {
+  std::set<double> lengths;
+  for (StepControl control(even(1e-3, 2), 0); !control.finished(); control.accept())
+    lengths.insert(control.length());
+  EXPECT_EQ(lengths, std::set<double>{1e-3});
+}
+
+TEST(StepControl, HasOneLengthForAllPartsOfALevel) {
+  for (const int parts : {2, 3, 5}) {
+    auto settings = even(1e-3, 0.1);
+    settings.cut_parts = parts;
+    std::set<double> lengths;
+    StepControl control(settings, 0);
+    while (!control.finished()) {
+      if (control.level() == 0)
+        control.cut();
+      lengths.insert(control.length());
+      control.accept();
+    }
+    EXPECT_EQ(lengths.size(), 1u) << parts;
+  }
+}
+
+TEST(StepControl, MeasuresListedStepsOneByOne) {
+  StepControl control(listed({0.1, 0.15, 0.7}), 0);
+  EXPECT_EQ(control.length(), 0.1);
+  control.accept();
+  EXPECT_EQ(control.length(), 0.15 - 0.1);
+  control.accept();
+  EXPECT_EQ(control.length(), 0.7 - 0.15);
+}
+
+TEST(StepControl, IsAValue) {
+  StepControl control(even(1, 3), 0);
+  control.cut();
+  StepControl copy = control;
+  copy.accept();
+  EXPECT_EQ(control.now(), 0);
+  EXPECT_EQ(copy.now(), 0.5);
+}
+
+} // namespace
+} // namespace rubato::time

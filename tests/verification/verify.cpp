@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// verify FOLDER [page…]: makes the runs of the pages (all when none is named) and writes FOLDER/<page>.md.
+#include "verification/verify.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+namespace rubato::verification {
+
+Page::Page(const std::filesystem::path& file, const std::string& title) : file_(file) {
+  line("<!-- SPDX-License-Identifier: LGPL-3.0-or-later -->");
+  line(fmt::format("# {}\n", title));
+  line("This page is written by the target `verify` from runs of the program as built; seconds are processor "
+       "time on the machine that ran it.\n");
+}
+
+void Page::paragraph(const std::string& text) {
+  line("\n" + text + "\n");
+}
+
+void Page::table(const std::vector<std::string>& columns) {
+  row(columns);
+  row(std::vector<std::string>(columns.size(), "---"));
+}
+
+void Page::row(const std::vector<std::string>& values) {
+  line(fmt::format("| {} |", fmt::join(values, " | ")));
+}
+
+void Page::line(const std::string& text) {
+  file_ << text << '\n' << std::flush;
+  if (!file_)
+    throw std::runtime_error("a page cannot be written");
+}
+
+std::string outcome_of(const run::RunResult& result) {
+  return result.status == run::Status::complete ? "complete" : result.message;
+}
+
+std::string seconds_of(const run::RunResult& result) {
+  return fmt::format("{:.2f}", result.setup_seconds + result.loop_seconds);
+}
+
+} // namespace rubato::verification
+
+namespace {
+
+struct Entry {
+  std::string_view page;
+  void (*write)(const std::filesystem::path&);
+};
+
+constexpr std::array<Entry, 4> entries{{{"v3", rubato::verification::write_contact_patch},
+                                        {"v11", rubato::verification::write_free_beam},
+                                        {"sdnl140", rubato::verification::write_histories},
+                                        {"defaults", rubato::verification::write_defaults}}};
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string_view> words(argv + 1, argv + argc);
+  if (words.empty()) {
+    std::fputs("usage: verify FOLDER [v3 v11 sdnl140 defaults]\n", stderr);
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder(words.front());
+    std::filesystem::create_directories(folder);
+    for (const auto& entry : entries)
+      if (words.size() == 1 || std::ranges::find(words.begin() + 1, words.end(), entry.page) != words.end()) {
+        std::puts(fmt::format("{}.md", entry.page).c_str());
+        std::fflush(stdout);
+        entry.write(folder);
+      }
+  } catch (const std::exception& error) {
+    std::fputs(fmt::format("verify: {}\n", error.what()).c_str(), stderr);
+    return 1;
+  }
+  return 0;
+}

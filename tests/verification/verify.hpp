@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The pages of docs/verification, each written from runs made now.
+#pragma once
+
+#include "verification/sdnl140.hpp"
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace rubato::verification {
+
+/// A page in Markdown. Lines appear in the file as they are written.
+class Page {
+public:
+  Page(const std::filesystem::path& file, const std::string& title);
+  void paragraph(const std::string& text);
+  void table(const std::vector<std::string>& columns);
+  void row(const std::vector<std::string>& values);
+
+private:
+  void line(const std::string& text);
+  std::ofstream file_;
+};
+
+/// "complete", or why not.
+std::string outcome_of(const run::RunResult& result);
+/// Processor seconds of set-up and steps.
+std::string seconds_of(const run::RunResult& result);
+
+/// SDNL140 against Code_Aster: largest deviations, iterations, seconds.
+void write_histories(const std::filesystem::path& folder);
+/// V3.
+void write_contact_patch(const std::filesystem::path& folder);
+/// V11.
+void write_free_beam(const std::filesystem::path& folder);
+/// Modeling C with nothing chosen by the user, at smaller steps and on finer meshes.
+void write_defaults(const std::filesystem::path& folder);
+
+} // namespace rubato::verification
