@@ -25,7 +25,8 @@ configure:
 build: configure ## build/release/rubato
 	@cmake --build --preset release -j$(JOBS)
 
-demo: deps build ## two beams rub: tip history and checks
+demo: deps configure ## two beams rub: tip history and checks
+	@cmake --build --preset release -j$(JOBS) --target rubato_cli
 	build/release/rubato run cases/sdnl140/f.yaml --only evol1 -o out/demo
 	@printf '\nout/demo/evol1/probes.csv, the tip of the upper beam [s, m]:\n'
 	@awk -F, '{for (i = 1; i <= NF; ++i) printf "%-24s", $$i; print ""}' out/demo/evol1/probes.csv

@@ -112,7 +112,16 @@ INSTANTIATE_TEST_SUITE_P(Rubbing, History,
                          name_of);
 
 INSTANTIATE_TEST_SUITE_P(RubbingTetrahedra, History,
-                         testing::Values(Reference{"a_evol1", 'a', MeshFrom::file, {}, 1e-7}), name_of);
+                         testing::Values(Reference{"a_evol1", 'a', MeshFrom::file, {}, 1e-7},
+                                         Reference{"b_evol1",
+                                                   'b',
+                                                   MeshFrom::file,
+                                                   {{"time.end", "0.002"},
+                                                    {"contact.interface.coefficients",
+                                                     "{normal: 1e9, tangential: 1e7}"},
+                                                    {"contact.interface.clamped_normal", "code_aster"}},
+                                                   1e-7}),
+                         name_of);
 
 /// At 12 ms D's statuses are nearly undecided.
 INSTANTIATE_TEST_SUITE_P(

@@ -76,6 +76,16 @@ void add_contact_fields(const Model& model, const step::State& before, const ste
   fields.insert(fields.end(), {std::move(pressure), std::move(gap), std::move(slip), std::move(status)});
 }
 
+/// What the equations hold, augmentation included: where gaps close on average only, multipliers alone fall
+/// short of it.
+Eigen::Vector3d force_on_slave(const Model& model, std::size_t zone, const step::State& now) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto node : model.zones[zone].slave.nodes)
+    for (int i = 0; i < model.dofs.components; ++i)
+      sum[i] -= now.contact_force[model.dofs.dof(node, i)];
+  return sum;
+}
+
 } // namespace
 
 std::vector<OwnedField> nodal_fields(const Model& model, const step::State& before, const step::State& now) {
@@ -101,6 +111,7 @@ Resultants contact_resultants(const Model& model, std::size_t zone, const step::
   sum.smallest_gap = std::numeric_limits<double>::infinity();
   const auto points = evaluation(model, zone, before, now);
   const auto& points_of_zone = model.zones[zone].points;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].kinematics)
@@ -114,11 +125,13 @@ Resultants contact_resultants(const Model& model, std::size_t zone, const step::
     const auto& k = *points[i].kinematics;
     const double share = points_of_zone[i].weight * variables.pressure;
     sum.normal += share;
-    sum.force += share * k.normal;
+    normal += share * k.normal;
     tangential -= model.zones[zone].settings.friction * share * (k.tangents * variables.semi);
     sum.largest_pressure = std::max(sum.largest_pressure, variables.pressure);
   }
-  sum.force += tangential;
+  const bool closes_at_points =
+      std::ranges::all_of(points_of_zone, [](const auto& point) { return point.node_position >= 0; });
+  sum.force = closes_at_points ? Eigen::Vector3d(normal + tangential) : force_on_slave(model, zone, now);
   sum.friction = tangential.norm();
   return sum;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace rubato::step {
 namespace {
@@ -19,11 +20,10 @@ using model::Model;
 constexpr double settled_geometry = 1e-6;
 /// Gap of a point in contact, in shortest master edges, that counts as closed.
 constexpr double closed_gap = 1e-9;
+/// Rounding errors that a row of K u may gather, in units of the last digit of its largest term.
+constexpr double rounding_steps = 16;
 /// Parts of μ tried one after the other, each from the last one's solution, when the whole of it fails.
 constexpr std::array<double, 5> friction_parts{0, 0.25, 0.5, 0.75, 1};
-/// Multiples of the tangential augmentation tried before that. It does not change the answer, only which
-/// points are guessed to stick on the way there.
-constexpr std::array<double, 3> tangential_multiples{1, 0.1, 10};
 
 /// Contact of all zones at one iterate.
 struct ContactIterate {
@@ -34,8 +34,13 @@ struct ContactIterate {
 /// How an attempt at the step differs from the plain one.
 struct Variant {
   double friction_part = 1;       ///< of μ
+  double normal_multiple = 1;     ///< of c
   double tangential_multiple = 1; ///< of c_t
 };
+
+/// Augmentations tried one after the other. They do not change the answer, only which points are guessed to
+/// touch and to stick on the way there.
+constexpr std::array<Variant, 3> augmentations{{{1, 1, 1}, {1, 0.01, 0.1}, {1, 10, 10}}};
 
 class NewtonSolve {
 public:
@@ -44,9 +49,12 @@ public:
       : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), variant_(variant),
         external_(model::external_force(model, t)), history_(history_forces()), coefficients_(system.zones),
         contact_(committed.motion.u.size(), model.multiplier_count) {
-    for (auto& zone : coefficients_)
+    for (auto& zone : coefficients_) {
+      for (auto& normal : zone.normal)
+        normal *= variant.normal_multiple;
       for (auto& tangential : zone.tangential)
         tangential *= variant.tangential_multiple;
+    }
   }
 
   /// Iterates from `trial` (u, v, a, multipliers and statuses) to the end of the step.
@@ -145,7 +153,12 @@ private:
                                   system_.coefficients.acceleration * system_.step);
     Index worst = 0;
     const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
-    report_.residual = largest == 0 ? 0 : largest / scale;
+    // Where nothing but rounding is left there is no force to measure it by: a body that moves without
+    // strain.
+    const double rounding = rounding_steps * std::numeric_limits<double>::epsilon() *
+                            system_.diagonal.lpNorm<Eigen::Infinity>() *
+                            trial.motion.u.lpNorm<Eigen::Infinity>();
+    report_.residual = largest == 0 || std::max(largest, scale) <= rounding ? 0 : largest / scale;
     report_.worst_node =
         residual_.size() > 0 ? model_.node_of(model_.free_dofs[static_cast<std::size_t>(worst)]) : -1;
   }
@@ -259,15 +272,14 @@ StepReport added(StepReport report, int spent) {
   return report;
 }
 
-/// Attempts one after the other until one converges; each starts afresh.
-StepReport try_multiples(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                         const State& committed, double t, State& trial) {
+/// Attempts until one converges; each starts afresh. Without contact one is enough: the problem is linear.
+StepReport try_augmentations(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                             const State& committed, double t, State& trial) {
   StepReport report;
-  for (const double multiple : tangential_multiples) {
+  for (const auto& variant : augmentations) {
     trial = predicted(model, scheme, system, committed, t);
-    report = added(NewtonSolve(model, scheme, system, committed, t, {1.0, multiple}).run(trial),
-                   report.iterations);
-    if (report.converged() || !has_friction(model))
+    report = added(NewtonSolve(model, scheme, system, committed, t, variant).run(trial), report.iterations);
+    if (report.converged() || model.zones.empty())
       break;
   }
   return report;
@@ -280,7 +292,7 @@ StepReport raise_friction(const Model& model, const time::Scheme& scheme, Effect
   trial = predicted(model, scheme, system, committed, t);
   for (const double part : friction_parts) {
     report =
-        added(NewtonSolve(model, scheme, system, committed, t, {part, 1.0}).run(trial), report.iterations);
+        added(NewtonSolve(model, scheme, system, committed, t, {part, 1, 1}).run(trial), report.iterations);
     if (!report.converged())
       break;
   }
@@ -306,7 +318,7 @@ std::string_view to_string(Outcome outcome) {
 
 StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial) {
-  auto report = try_multiples(model, scheme, system, committed, t, trial);
+  auto report = try_augmentations(model, scheme, system, committed, t, trial);
   if (report.converged() || !has_friction(model))
     return report;
   return added(raise_friction(model, scheme, system, committed, t, trial), report.iterations);
