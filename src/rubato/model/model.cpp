@@ -175,6 +175,23 @@ VectorXd imposed_displacements(const Model& model, double t) {
   return values;
 }
 
+SparseMatrix free_part(const Model& model, const SparseMatrix& matrix) {
+  const auto size = static_cast<Eigen::Index>(model.free_dofs.size());
+  std::vector<Eigen::Triplet<double, int>> triplets;
+  triplets.reserve(static_cast<std::size_t>(matrix.nonZeros()));
+  for (int column = 0; column < matrix.outerSize(); ++column) {
+    const int free_column = model.free_index[static_cast<std::size_t>(column)];
+    if (free_column < 0)
+      continue;
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+      if (const int free_row = model.free_index[static_cast<std::size_t>(entry.row())]; free_row >= 0)
+        triplets.emplace_back(free_row, free_column, entry.value());
+  }
+  SparseMatrix part(size, size);
+  part.setFromTriplets(triplets.begin(), triplets.end());
+  return part;
+}
+
 std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node) {
   const auto& x = mesh.points[static_cast<std::size_t>(node)];
   const auto number = mesh.node_numbers[static_cast<std::size_t>(node)];

@@ -2,6 +2,8 @@
 #include "rubato/run/time_loop.hpp"
 
 #include "rubato/results/recorder.hpp"
+#include "rubato/step/advance.hpp"
+#include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
 
 #include <fmt/format.h>

@@ -168,10 +168,20 @@ const Mistake sense_mistakes[] = {
      "time.start: the scheme static has no first acceleration, expected consistent or {from: run}"},
     {"slave: Beneath", "slave: Below", "Below\n    friction",
      "contact.interface.slave: found 'Below' as slave and as master, expected two surfaces"},
-    {"geometry: newton", "geometry: fixed_point", "fixed_point",
-     "contact.interface.iterate.geometry: found 'fixed_point', expected newton"},
-    {"method: augmented_lagrangian", "method: penalty", "penalty",
-     "contact.interface.method: found 'penalty', expected augmented_lagrangian"},
+    {"friction: newton", "friction: newtn", "newtn",
+     "contact.interface.iterate.friction: found 'newtn', expected one of newton, fixed_point; did you mean "
+     "'newton'?"},
+    {"by: fixed_point, tolerance: 2e-3, max_loops: 7", "by: newton, max_loops: 7", "7}, friction",
+     "contact.interface.iterate.geometry.max_loops: by newton the level has no loop of its own, fixed_point "
+     "has one"},
+    {"status: fixed_point", "status: {by: fixed_point, tolerance: 1}", "1}}\n    history",
+     "contact.interface.iterate.status.tolerance: the status loop ends when no status changes"},
+    {"method: augmented_lagrangian", "method: penaltie", "penaltie",
+     "contact.interface.method: found 'penaltie', expected one of augmented_lagrangian, penalty, "
+     "nodal_lagrange, nodal_penalty, nodal_pcg; did you mean 'penalty'?"},
+    {"friction_method: penalty", "friction_method: nodal_penalty", "nodal_penalty",
+     "contact.interface.friction_method: found nodal_penalty with the contact method augmented_lagrangian, "
+     "expected augmented_lagrangian or penalty"},
     {"[Clamped, N6]", "[N6, N6]", "N6]", "contact.interface.exclude_nodes.1: found 'N6' a second time"},
     {"y: -1e7", "z: -1e7", "-1e7", "loads.0.nodal_force.z: plane_stress has no z, expected x or y"},
     {"fix: [x, y]", "fix: [x, z]", "z]",
@@ -281,6 +291,39 @@ TEST(DeckFaults, ThicknessOnlyBelongsToPlanes) {
   EXPECT_EQ(
       faults_of(smallest_deck + "thickness: 2"),
       Sentences{"study.yaml:5:12: thickness: solid has no thickness, plane_stress and plane_strain do"});
+}
+
+Sentences faults_of_zone(const std::string& settings) {
+  Sentences sentences;
+  for (const auto& sentence :
+       faults_of(smallest_deck + "contact: {a: {master: M, slave: S, " + settings + "}}\n"))
+    sentences.push_back(sentence.substr(sentence.find("contact")));
+  return sentences;
+}
+
+TEST(DeckFaults, MethodsThatDoNotGoTogetherAreToldApart) {
+  EXPECT_EQ(
+      faults_of_zone("method: nodal_pcg, friction: 0.2"),
+      Sentences{"contact.a.friction: found 0.2, nodal_pcg is without friction, expected 0 or the method "
+                "nodal_lagrange"});
+  EXPECT_EQ(faults_of_zone("method: nodal_penalty, integration: {gauss: 2}"),
+            Sentences{"contact.a.integration: nodal_penalty has one relation a node, expected nodes; "
+                      "augmented_lagrangian and penalty take Gauss points"});
+  EXPECT_EQ(
+      faults_of_zone("method: nodal_lagrange, iterate: {geometry: newton}"),
+      Sentences{"contact.a.iterate.geometry: nodal_lagrange holds its relations during a loop, expected "
+                "fixed_point"});
+  EXPECT_EQ(faults_of_zone("method: nodal_pcg, iterate: {status: fixed_point}"),
+            Sentences{"contact.a.iterate.status: nodal_pcg finds the points that touch by itself, expected "
+                      "newton"});
+  EXPECT_EQ(
+      faults_of_zone("method: penalty, friction: 0.1, friction_method: nodal_penalty"),
+      Sentences{"contact.a.friction_method: found nodal_penalty with the contact method penalty, expected "
+                "penalty or augmented_lagrangian"});
+  EXPECT_EQ(
+      faults_of_zone("method: nodal_pcg}, b: {master: K, slave: L"),
+      Sentences{"contact.b: found the method augmented_lagrangian beside nodal_pcg, which solves for all "
+                "zones together, expected nodal_pcg in every zone or in none"});
 }
 
 TEST(DeckFaults, BodiesFitThePhysics) {
