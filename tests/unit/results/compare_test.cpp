@@ -132,7 +132,7 @@ TEST_F(TwoRuns, AreRefusedWithOneSentence) {
                                     "{formats: [med], at: [0.0002]}'");
   EXPECT_EQ(fault("rough", "fine", "displacement", 2e-4),
             rough + " and " + of("fine").string() +
-                " have different meshes: 30 nodes and 35 cells against 90 and 102");
+                " have different meshes: 30 nodes and 32 cells against 90 and 96");
   const auto mesh = compared().mesh;
   EXPECT_NE(fault_of([&] { nodes_of(mesh, "hold"); }).find("did you mean 'held'?"), std::string::npos);
 }
@@ -170,7 +170,7 @@ TEST(Histories, AreComparedAtTheInstantsThatBothHave) {
 TEST(Histories, AreComparedAtOneInstantBetweenRowsToo) {
   const auto found = compare_histories(coarse, dense, "tip.y", 0.3);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_DOUBLE_EQ(found[0].difference(), -3.5 + 3);
+  EXPECT_NEAR(found[0].difference(), -3.5 + 3, 1e-14);
 }
 
 TEST(Histories, AreRefusedWithoutTheProbeOrTheInstant) {
@@ -179,7 +179,7 @@ TEST(Histories, AreRefusedWithoutTheProbeOrTheInstant) {
   EXPECT_EQ(fault_of([&] { compare_histories(coarse, dense, "tp"); }),
             "run A: no probe is called 'tp'; did you mean 'tip'?");
   EXPECT_EQ(fault_of([&] { compare_histories(coarse, other, "tip"); }),
-            "run B: no probe is called 'tip'; did you mean 'end'?");
+            "run B: no probe is called 'tip'; there are end");
   EXPECT_EQ(fault_of([&] { compare_histories(coarse, dense, "tip", 0.5); }),
             "run A: goes from t = 0 to 0.4, which does not reach 0.5");
   EXPECT_EQ(fault_of([&] { compare_histories(coarse, elsewhere, "tip"); }),
