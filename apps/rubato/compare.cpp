@@ -128,14 +128,21 @@ int compare_fields(const CompareArguments& arguments) {
     throw InputError("'--at' is missing: expected the instant at which the field is compared, or '--probe' "
                      "to compare histories");
   const auto fields = results::compare_fields(arguments.a, arguments.b, arguments.field, *arguments.at);
+  // Names are looked up before anything is printed.
+  std::optional<NodeIndex> node;
+  std::vector<NodeIndex> group;
+  if (!arguments.node.empty())
+    node = node_of(arguments, fields.mesh);
+  if (!arguments.group.empty())
+    group = results::nodes_of(fields.mesh, arguments.group);
   fmt::print("{} at t = {:g}, A = {}, B = {}\n", fields.field, fields.at, arguments.a.string(),
              arguments.b.string());
   Report report(fields);
-  if (!arguments.node.empty())
-    report.at_node(node_of(arguments, fields.mesh));
-  if (!arguments.group.empty())
-    report.over(arguments.group, results::nodes_of(fields.mesh, arguments.group));
-  if (arguments.norms || (arguments.node.empty() && arguments.group.empty()))
+  if (node)
+    report.at_node(*node);
+  if (!group.empty())
+    report.over(arguments.group, group);
+  if (arguments.norms || (!node && group.empty()))
     report.over("whole mesh", results::all_nodes(fields.mesh));
   if (!arguments.output.empty()) {
     results::write_vtu(arguments.output, fields);
@@ -150,7 +157,8 @@ int compare_histories(const CompareArguments& arguments) {
   const auto columns = results::compare_histories(a.probes, b.probes, arguments.probe, arguments.at);
   fmt::print("A = {}, B = {}, {}\n", arguments.a.string(), arguments.b.string(),
              arguments.at ? fmt::format("t = {:g}", *arguments.at)
-                          : fmt::format("{} common instants", columns.front().instants));
+                          : fmt::format("{} common instant{}", columns.front().instants,
+                                        columns.front().instants == 1 ? "" : "s"));
   fmt::print("  {:<12} {:>14} {:>12} {:>12} {:>22} {:>22}\n", "", "largest A - B", "over max |A|", "at t",
              "A", "B");
   double largest = 0;

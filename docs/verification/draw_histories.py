@@ -54,7 +54,7 @@ def draw_references(axes, converged, references):
     for number, history in enumerate(references.values()):
         axes.plot(*history, "x", color="black", markersize=4, linewidth=0, label=None if number else "Code_Aster 15.1.21")
     for number, (t, y, tolerance) in enumerate(DOCUMENT):
-        axes.errorbar(t, y, yerr=tolerance or None, fmt="D", color="#c00000", markersize=5, capsize=3,
+        axes.errorbar(t, y, yerr=tolerance or None, fmt="D", color="#c00000", markersize=5, capsize=3, clip_on=False,
                       label=None if number else "document", zorder=5)
 
 
@@ -74,7 +74,7 @@ def draw_differences(axes, runs):
         common = (t > 0) & (t <= t_other[-1] + 1e-9)
         difference = np.abs(np.interp(t[common], t_other, y_other) - y[common])
         axes.semilogy(t[common], np.maximum(difference, 1e-12), ".-", color=f"C{number}", linewidth=1)
-    axes.set_ylabel(f"|difference| from {first} [mm]")
+    axes.set_ylabel(f"|DY − {first}'s| [mm]")
 
 
 def draw(letter, runs, converged, references, picture):

@@ -84,7 +84,8 @@ std::vector<ModelingRun> run_modeling(char letter, const std::filesystem::path& 
 ModelingRun run_converged(const std::filesystem::path& folder) {
   const auto deck = deck_of('f', {{"mesh.refine", "4"},
                                   {"mesh.convert", "full_quadratic"},
-                                  {"time.step", "1e-4"},
+                                  {"time.step", "5e-5"},
+                                  {"time.alpha", "-0.05"},
                                   {"time.start", "consistent"},
                                   {"checks", ""},
                                   {"runs.evol1.checks", ""},

@@ -31,8 +31,9 @@ std::vector<ModelingRun> run_modeling(char letter, const std::filesystem::path& 
 /// Whether the original mesh is there.
 bool has_original_mesh(char letter);
 
-/// Modeling F on cells four times as fine, quadratic, with a tenth of the step and a true start: what all
-/// modelings are approximations of (2D and 3D are one problem, as ν = 0). Into FOLDER/converged.
+/// Modeling F on cells four times as fine, quadratic, with a twentieth of the step, hardly damped by the
+/// scheme and with a true start: what all modelings are approximations of (2D and 3D are one problem, as ν =
+/// 0). Into FOLDER/converged.
 ModelingRun run_converged(const std::filesystem::path& folder);
 
 /// Values of DY at the tip that were printed with the case; nothing where none was.

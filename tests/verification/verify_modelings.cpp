@@ -149,8 +149,8 @@ void write_runs(Page& page, const std::vector<std::vector<ModelingRun>>& modelin
 
 void write_figures(Page& page, const std::string& letters) {
   page.paragraph(
-      "## Histories\n\nEvery run, the converged one (modeling F on QUAD9 four times as fine, a tenth of the "
-      "step, a true start), the document's points, and how far the runs are from the first.");
+      "## Histories\n\nEvery run, the converged one (modeling F on QUAD9 four times as fine, step 0.05 ms, "
+      "α = −0.05, a true start), the document's points, and how far the runs are from the first.");
   for (const char letter : letters)
     page.paragraph(fmt::format("![DY of the loaded end in the runs of modeling {0}](sdnl140_{1}.svg)",
                                name_of(letter), letter));
