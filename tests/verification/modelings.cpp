@@ -48,7 +48,9 @@ deck::Deck deck_of(char letter, const std::vector<deck::Setting>& settings) {
 /// Runs a study; what stops it before its first step is told, not thrown.
 ModelingRun run_one(char letter, const deck::Study& study, const std::filesystem::path& folder,
                     const step::State* previous) {
-  ModelingRun run{.letter = letter, .name = study.name};
+  ModelingRun run;
+  run.letter = letter;
+  run.name = study.name;
   try {
     run.result = run::run_study(study, folder, {}, previous);
     run.probes = results::read_csv(folder / "probes.csv");
@@ -71,7 +73,7 @@ bool has_original_mesh(char letter) {
 std::vector<ModelingRun> run_modeling(char letter, const std::filesystem::path& folder) {
   std::vector<deck::Setting> settings;
   if (has_original_mesh(letter))
-    settings.push_back({"mesh.file", "'" + original_mesh(letter).string() + "'"});
+    settings.push_back({"mesh.file", fmt::format("'{}'", original_mesh(letter).string())});
   std::vector<ModelingRun> runs;
   for (const auto& study : deck_of(letter, settings).runs) {
     const auto from = std::ranges::find(runs, study.time.start_run.text, &ModelingRun::name);
