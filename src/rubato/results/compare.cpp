@@ -257,9 +257,10 @@ std::vector<HistoryComparison> compare_histories(const Table& a, const Table& b,
   const auto columns = columns_of(a, probe, "A");
   columns_of(b, probe, "B");
   const auto instants = at ? std::vector{*at} : common_instants(a, b);
-  std::vector<HistoryComparison> found;
-  for (const auto& column : columns)
-    found.push_back(compare_column(a, b, column, instants));
+  std::vector<HistoryComparison> found(columns.size());
+  std::ranges::transform(columns, found.begin(), [&](const std::string& column) {
+    return compare_column(a, b, column, instants);
+  });
   return found;
 }
 
