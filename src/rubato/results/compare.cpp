@@ -258,9 +258,8 @@ std::vector<HistoryComparison> compare_histories(const Table& a, const Table& b,
   columns_of(b, probe, "B");
   const auto instants = at ? std::vector{*at} : common_instants(a, b);
   std::vector<HistoryComparison> found(columns.size());
-  std::ranges::transform(columns, found.begin(), [&](const std::string& column) {
-    return compare_column(a, b, column, instants);
-  });
+  std::ranges::transform(columns, found.begin(),
+                         [&](const std::string& column) { return compare_column(a, b, column, instants); });
   return found;
 }
 
