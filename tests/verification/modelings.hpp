@@ -25,7 +25,7 @@ struct ModelingRun {
 };
 
 /// Runs everything of one deck into FOLDER/<letter>/<run>; on the mesh of the public test base when that is
-/// there, on the deck's own otherwise.
+/// there (B then only as far as Code_Aster's histories go), on the deck's own otherwise.
 std::vector<ModelingRun> run_modeling(char letter, const std::filesystem::path& folder);
 
 /// Whether the original mesh is there.

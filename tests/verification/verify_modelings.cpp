@@ -139,7 +139,8 @@ void write_runs(Page& page, const std::vector<std::vector<ModelingRun>>& modelin
                  "and the instant "
                  "of it. Code_Aster counts the iterations of its last loop only where there are loops (evol2 "
                  "to evol4); its "
-                 "history may be longer or shorter than what is compared.");
+                 "history may be longer or shorter than what is compared. B's runs on the original mesh "
+                 "go only as far as they can be compared.");
   page.table({"modeling", "run", "to (ms)", "deviation / peak", "at (ms)", "iterations", "Code_Aster's",
               "cuts", "seconds", "run"});
   for (const auto& runs : modelings)
