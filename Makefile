@@ -60,7 +60,7 @@ verify: build ## the slow studies of docs/verification, and their figures
 
 figures: ## docs/verification/*.svg from the runs that verify left (python3-matplotlib)
 	/usr/bin/python3 docs/verification/draw_histories.py build/release/verification/sdnl140 docs/verification \
-	  $(wildcard ../shared/sdnl140/code_aster)
+	  $(wildcard $(or $(RUBATO_SHARED),../shared)/sdnl140/code_aster)
 
 bench: build ## the benchmarks
 	@cmake --build --preset release --target bench
