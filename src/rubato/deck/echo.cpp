@@ -193,14 +193,24 @@ Json echo(const FieldOutput& fields) {
 }
 
 Json echo(const Check& check) {
-  const auto axis = std::string(axis_words.at(static_cast<std::size_t>(check.component)));
-  return {{"probe", check.probe.text + "." + axis},
-          {"at", check.at},
-          {"reference", check.reference},
-          {"tolerance", check.tolerance},
-          {"kind", word(check_kind_words, check.relative)},
-          {"source", word(check_source_words, check.source)},
-          {"note", check.note}};
+  auto map = Json::object();
+  if (check.field) {
+    const auto& field = *check.field;
+    map["field"] = field.component.empty() ? field.name : field.name + "." + field.component;
+    put_name(map, "on", field.on);
+  } else {
+    const auto axis = std::string(axis_words.at(static_cast<std::size_t>(check.component)));
+    map["probe"] = check.probe.text + "." + axis;
+  }
+  map["at"] = check.at;
+  if (check.run.text.empty())
+    map["reference"] = check.reference;
+  put_name(map, "run", check.run);
+  map["tolerance"] = check.tolerance;
+  map["kind"] = word(check_kind_words, check.relative);
+  map["source"] = word(check_source_words, check.source);
+  map["note"] = check.note;
+  return map;
 }
 
 template <class T, class... More> Json echo_list(const std::vector<T>& entries, More... more) {

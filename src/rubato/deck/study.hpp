@@ -231,13 +231,25 @@ struct FieldOutput {
 
 enum class CheckSource { external, analytic, other_code, other_run };
 
+/// A field at the nodes of a group, as a check compares it.
+struct CheckedField {
+  std::string name;      ///< "displacement"
+  std::string component; ///< "y"; empty: every component
+  Name on;               ///< a group or a node; empty: every node
+  bool operator==(const CheckedField&) const = default;
+};
+
+/// A number that must come out: a probe's value, held against a reference; or the difference of a probe or a
+/// field from another run's, held against 0.
 struct Check {
-  Name probe;        ///< "tip"
-  int component = 0; ///< 0, 1, 2
-  double at = 0;     ///< instant
-  double reference = 0;
+  Name probe;                        ///< "tip"; empty when a field is compared
+  int component = 0;                 ///< of the probe: 0, 1, 2
+  std::optional<CheckedField> field; ///< only with `run`
+  Name run;                          ///< an earlier run of the deck, which is subtracted; empty: none
+  double at = 0;                     ///< instant
+  double reference = 0;              ///< 0 with `run`
   double tolerance = 0;
-  bool relative = true;
+  bool relative = true; ///< to the reference; with `run` to what the other run has
   CheckSource source = CheckSource::external;
   std::string note; ///< where the number comes from
   Location where;

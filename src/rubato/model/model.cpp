@@ -99,6 +99,7 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
   model.zones = make_zones(study, model.mesh, model.dofs, faults);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults);
+  check_compared_places(study, model.mesh, faults);
   stop_on(faults);
   if (study.time.scheme == deck::SchemeKind::static_steps)
     check_supported(model, faults);

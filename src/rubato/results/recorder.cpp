@@ -60,6 +60,12 @@ ordered_json to_json(const CheckResult& r) {
                     {"holds", r.holds},
                     {"source", r.source},
                     {"note", r.note}};
+  if (!r.run.empty())
+    json["run"] = r.run;
+  if (!r.where.empty())
+    json["where"] = r.where;
+  if (!r.failure.empty())
+    json["failure"] = r.failure;
   if (r.value) {
     json["value"] = *r.value;
     json["deviation"] = r.deviation;
@@ -109,7 +115,7 @@ public:
   std::vector<CheckResult> finish(const Ending& ending) {
     if (unwritten_ && ending.status != RunStatus::complete)
       write_fields(*unwritten_);
-    auto checks = evaluate_checks(model_.study.checks, history_);
+    auto checks = evaluate_checks(model_.study.checks, history_, folder_);
     write_summary(ending, checks);
     return checks;
   }

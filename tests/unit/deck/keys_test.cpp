@@ -264,8 +264,9 @@ TEST(DeckKeys, NewtonProbesFieldsAndChecks) {
   EXPECT_EQ(study.probes[1].field, ProbeField::reaction);
   EXPECT_EQ(study.fields, (FieldOutput{true, true, {0.001, 0.006}, 10, false}));
   ASSERT_EQ(study.checks.size(), 1U);
-  EXPECT_EQ(study.checks[0],
-            (Check{{"tip", {}}, 1, 0.012, -0.0132, 1e-3, false, CheckSource::other_code, "table 3", {}}));
+  EXPECT_EQ(
+      study.checks[0],
+      (Check{{"tip", {}}, 1, {}, {}, 0.012, -0.0132, 1e-3, false, CheckSource::other_code, "table 3", {}}));
 }
 
 TEST(DeckKeys, FieldsAloneAreWrittenForParaView) {
