@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The document's runs evol2 to evol5, by every algorithm it names, against a running Code_Aster on the
 /// original meshes: up to the first step that it cut, from which on its list of instants is another one.
+#include "rubato/results/history.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -146,6 +148,20 @@ TEST(FrictionlessActiveSet, IsNodalLagrange) {
       EXPECT_LE(deviation(finished.probes, *reference).relative(), 1e-8) << name << ' ' << method;
     }
   }
+}
+
+/// One cell on two over the height of a beam is enough for quadratic ones; the step must be fine.
+TEST(Convergence, ComesToTheAnswerOfAnIndependentExplicitComputation) {
+  const auto deck = deck::read_deck(RUBATO_SOURCE_DIR "/cases/sdnl140/convergence.yaml");
+  const auto study = std::ranges::find(deck.runs, "mesh1_step2e-5", &deck::Study::name);
+  ASSERT_NE(study, deck.runs.end());
+  const auto finished = finish(*study);
+  ASSERT_EQ(finished.result.status, run::Status::complete) << finished.result.message;
+  constexpr double hundredth_of_peak = 0.00186;
+  const auto column = finished.probes.column("tip.y");
+  EXPECT_NEAR(results::value_at(finished.probes, column, 0.001).value(), -0.0180, hundredth_of_peak);
+  EXPECT_NEAR(results::value_at(finished.probes, column, 0.006).value(), -0.1855, hundredth_of_peak);
+  EXPECT_NEAR(results::value_at(finished.probes, column, 0.012).value(), -0.0079, hundredth_of_peak);
 }
 
 } // namespace
