@@ -197,6 +197,7 @@ private:
                       {"iterations", report.iterations},
                       {"residual", report.residual},
                       {"status_changes", report.status_changes},
+                      {"geometry_by_loop", report.geometry_by_loop},
                       {"friction_continuation", report.friction_continuation},
                       {"seconds", attempt.seconds}};
     for (const auto& round : report.rounds)

@@ -14,7 +14,9 @@ using model::Model;
 
 /// Augmentations tried one after the other. They do not change the answer, only which points are guessed to
 /// touch and to stick on the way there.
-constexpr std::array<Variant, 3> augmentations{{{1, 1, 1}, {1, 0.01, 0.1}, {1, 10, 10}}};
+constexpr std::array<Variant, 3> augmentations{{{},
+                                                {.normal_multiple = 0.01, .tangential_multiple = 0.1},
+                                                {.normal_multiple = 10, .tangential_multiple = 10}}};
 /// Parts of μ tried one after the other, each from the last one's solution, when the whole of it fails.
 constexpr std::array<double, 5> friction_parts{0, 0.25, 0.5, 0.75, 1};
 
@@ -29,7 +31,7 @@ public:
   StepReport vary_augmentation(State& trial) {
     StepReport report;
     for (const auto& variant : augmentations) {
-      trial = predicted();
+      trial = predict(model_, scheme_, system_, committed_, t_);
       report = solve(variant, trial);
       if (report.converged() || !has_augmentation())
         break;
@@ -37,12 +39,26 @@ public:
     return report;
   }
 
+  /// Points on the border of two faces may never settle on one of them while everything moves at once.
+  StepReport loop_geometry(State& trial) {
+    trial = predict(model_, scheme_, system_, committed_, t_);
+    auto report = solve({.geometry_by_loop = true}, trial);
+    report.geometry_by_loop = true;
+    return report;
+  }
+
+  bool has_newton_geometry() const {
+    return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
+      return zone.settings.geometry.by == deck::Iteration::newton;
+    });
+  }
+
   /// Friction from none to all of it, each part from the last one's solution.
   StepReport raise_friction(State& trial) {
     StepReport report;
-    trial = predicted();
+    trial = predict(model_, scheme_, system_, committed_, t_);
     for (const double part : friction_parts) {
-      report = solve({part, 1, 1}, trial);
+      report = solve({.friction_part = part}, trial);
       if (!report.converged())
         break;
     }
@@ -72,20 +88,6 @@ private:
     });
   }
 
-  /// Predicted motion with the imposed displacements of the step's end.
-  State predicted() const {
-    State trial = committed_;
-    trial.motion = time::predict(scheme_, system_.step, committed_.motion);
-    const VectorXd imposed = model::imposed_displacements(model_, t_);
-    VectorXd d = VectorXd::Zero(trial.motion.u.size());
-    for (std::size_t i = 0; i < model_.constraints.size(); ++i) {
-      const int dof = model_.constraints[i].dof;
-      d[dof] = imposed[static_cast<Eigen::Index>(i)] - trial.motion.u[dof];
-    }
-    time::correct(system_.coefficients, d, trial.motion);
-    return trial;
-  }
-
   const Model& model_;
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
@@ -96,10 +98,26 @@ private:
 
 } // namespace
 
+State predict(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+              const State& committed, double t) {
+  State trial = committed;
+  trial.motion = time::predict(scheme, system.step, committed.motion);
+  const VectorXd imposed = model::imposed_displacements(model, t);
+  VectorXd d = VectorXd::Zero(trial.motion.u.size());
+  for (std::size_t i = 0; i < model.constraints.size(); ++i) {
+    const int dof = model.constraints[i].dof;
+    d[dof] = imposed[static_cast<Eigen::Index>(i)] - trial.motion.u[dof];
+  }
+  time::correct(system.coefficients, d, trial.motion);
+  return trial;
+}
+
 StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial) {
   Attempts attempts(model, scheme, system, committed, t);
   auto report = attempts.vary_augmentation(trial);
+  if (!report.converged() && attempts.has_newton_geometry())
+    report = attempts.loop_geometry(trial);
   if (!report.converged() && attempts.has_friction())
     report = attempts.raise_friction(trial);
   return report;

@@ -10,8 +10,13 @@
 
 namespace rubato::step {
 
+/// What the scheme predicts for t, with the displacements imposed there.
+State predict(const model::Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+              const State& committed, double t);
+
 /// Advances `committed` to t. On success `trial` is the state at t. A failed attempt is repeated with other
-/// augmentations, then with friction raised in parts, before it is reported.
+/// augmentations, then with the geometry in a loop, then with friction raised in parts, before it is
+/// reported.
 StepReport advance(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial);
 

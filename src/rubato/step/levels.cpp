@@ -12,22 +12,48 @@ using deck::Iteration;
 using Eigen::VectorXd;
 using model::Model;
 
+/// How settled a geometry should be that the zones want by Newton but a loop found.
+constexpr double newton_like = 1e-8;
+/// Rounds to get there.
+constexpr int newton_like_rounds = 30;
+
 /// The loop of one level: zones may differ in whether they have it and how strict they are.
 struct Loop {
   bool exists = false;
   double tolerance = 1;
+  double last_tolerance = 1; ///< of the last round
   int max_rounds = 1;
+
+  bool settles(double change, int round) const {
+    return change <= (round == max_rounds ? last_tolerance : tolerance);
+  }
 };
 
-Loop loop_of(const Model& model, deck::Level deck::ContactZone::*level) {
+using LevelOfZone = deck::Level deck::ContactZone::*;
+
+/// Whether this attempt loops a level that the zone wants by Newton.
+bool loops_instead(const contact::Zone& zone, LevelOfZone level, const Variant& variant) {
+  return variant.geometry_by_loop && level == &deck::ContactZone::geometry &&
+         zone.settings.geometry.by == Iteration::newton;
+}
+
+bool loops(const contact::Zone& zone, LevelOfZone level, const Variant& variant) {
+  return (zone.settings.*level).by == Iteration::fixed_point || loops_instead(zone, level, variant);
+}
+
+/// A point that goes to and fro between two faces never settles to `newton_like`: then the zone's own
+/// tolerance has to do.
+Loop loop_of(const Model& model, LevelOfZone level, const Variant& variant) {
   Loop loop;
   for (const auto& zone : model.zones) {
-    const auto& settings = zone.settings.*level;
-    if (settings.by == Iteration::newton)
+    if (!loops(zone, level, variant))
       continue;
+    const auto& settings = zone.settings.*level;
+    const bool instead = loops_instead(zone, level, variant);
     loop.exists = true;
-    loop.tolerance = std::min(loop.tolerance, settings.tolerance);
-    loop.max_rounds = std::max(loop.max_rounds, settings.max_loops);
+    loop.tolerance = std::min(loop.tolerance, instead ? newton_like : settings.tolerance);
+    loop.last_tolerance = std::min(loop.last_tolerance, settings.tolerance);
+    loop.max_rounds = std::max(loop.max_rounds, instead ? newton_like_rounds : settings.max_loops);
   }
   return loop;
 }
@@ -47,12 +73,12 @@ public:
 
 private:
   /// Whether the zone iterates this level by a loop.
-  bool loops(std::size_t zone, deck::Level deck::ContactZone::*level) const {
-    return (model_.zones[zone].settings.*level).by == Iteration::fixed_point;
+  bool loops(std::size_t zone, LevelOfZone level) const {
+    return step::loops(model_.zones[zone], level, newton_.variant());
   }
 
   void settle_geometry() {
-    const auto loop = loop_of(model_, &deck::ContactZone::geometry);
+    const auto loop = loop_of(model_, &deck::ContactZone::geometry, newton_.variant());
     for (int round = 1; round <= loop.max_rounds; ++round) {
       const VectorXd before = trial_.motion.u;
       const int spent = iterations_;
@@ -60,11 +86,9 @@ private:
       settle_friction();
       if (!report_.converged() || !loop.exists)
         return;
-      const double moved = (trial_.motion.u - before).lpNorm<Eigen::Infinity>();
-      const double size = (before - committed_.motion.u).lpNorm<Eigen::Infinity>();
-      const bool settled = round > 1 && moved <= loop.tolerance * size;
-      rounds_.push_back({LoopLevel::geometry, round, iterations_ - spent,
-                         round > 1 && size > 0 ? moved / size : 0.0, settled});
+      const double change = round > 1 ? relative_move(before) : 0.0;
+      const bool settled = round > 1 && loop.settles(change, round);
+      rounds_.push_back({LoopLevel::geometry, round, iterations_ - spent, change, settled});
       if (settled)
         return;
     }
@@ -72,7 +96,7 @@ private:
   }
 
   void settle_friction() {
-    const auto loop = loop_of(model_, &deck::ContactZone::threshold);
+    const auto loop = loop_of(model_, &deck::ContactZone::threshold, newton_.variant());
     for (int round = 1; round <= loop.max_rounds; ++round) {
       const int spent = iterations_;
       settle_status();
@@ -81,7 +105,7 @@ private:
       const auto before = std::move(pressures_);
       pressures_ = hold_thresholds();
       const double change = relative_change(before, pressures_);
-      const bool settled = change <= loop.tolerance;
+      const bool settled = loop.settles(change, round);
       rounds_.push_back({LoopLevel::friction, round, iterations_ - spent, change, settled});
       if (settled)
         return;
@@ -90,7 +114,7 @@ private:
   }
 
   void settle_status() {
-    const auto loop = loop_of(model_, &deck::ContactZone::status);
+    const auto loop = loop_of(model_, &deck::ContactZone::status, newton_.variant());
     hold_status();
     for (int round = 1; round <= loop.max_rounds; ++round) {
       auto report = newton_.run(trial_, held_);
@@ -154,6 +178,13 @@ private:
       held_[z].status = wanted;
       trial_.zones[z].status = std::move(wanted);
     }
+  }
+
+  /// How far a round moved the bodies, as part of how far they had come in this step.
+  double relative_move(const VectorXd& before) const {
+    const double moved = (trial_.motion.u - before).lpNorm<Eigen::Infinity>();
+    const double size = (before - committed_.motion.u).lpNorm<Eigen::Infinity>();
+    return moved == 0 ? 0.0 : moved / size;
   }
 
   static double relative_change(const std::vector<double>& before, const std::vector<double>& now) {

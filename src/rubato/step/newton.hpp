@@ -23,6 +23,7 @@ struct Variant {
   double friction_part = 1;       ///< of μ
   double normal_multiple = 1;     ///< of c where it is an augmentation
   double tangential_multiple = 1; ///< of c_t where it is an augmentation
+  bool geometry_by_loop = false;  ///< also where the zone iterates it by Newton
 };
 
 /// What outer loops hold of one zone while Newton iterates; empty: nothing.
@@ -49,6 +50,7 @@ public:
 
   /// Contact at `trial` as `held` has it, with the statuses of `trial` where a point can have them.
   ContactIterate contact_at(const State& trial, const Held& held) const;
+  const Variant& variant() const { return variant_; }
   /// How the zone behaves in this attempt.
   contact::ZoneLaw law_of(std::size_t zone, const Held& held) const;
 

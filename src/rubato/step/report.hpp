@@ -49,6 +49,7 @@ struct StepReport {
   int status_changes = 0;          ///< contact points that changed in the last iteration or round
   std::vector<RestlessPoint> restless;
   std::vector<LoopRound> rounds;      ///< in the order they ended, of the last attempt
+  bool geometry_by_loop = false;      ///< the step needed its geometry in a loop of its own
   bool friction_continuation = false; ///< the step needed friction raised in parts
   bool converged() const { return outcome == Outcome::converged; }
 };

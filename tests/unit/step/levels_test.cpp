@@ -113,6 +113,25 @@ TEST(ALoopThatDoesNotSettle, SaysWhichOneItIs) {
   EXPECT_EQ(outcome("{status: {by: fixed_point, max_loops: 1}}"), Outcome::status_unsettled);
 }
 
+/// A slave node that stands on the corner of two curved master faces belongs to neither while all moves.
+TEST(AGeometryThatNewtonCannotSettle, IsSettledByALoop) {
+  Walk walk(R"(
+mesh:
+  generate:
+    - {name: low, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [2, 2], cells: quad9, sides: {left: left, bottom: ground, top: low_face}}
+    - {name: high, rectangle: {from: [0, 1], to: [1, 2]}, divisions: [3, 3], cells: quad9, sides: {left: left, top: roof, bottom: high_face}}
+physics: plane_strain
+materials: {rubber: {young: 2e6, poisson: 0}}
+supports: [{on: ground, fix: y}, {on: roof, y: -0.1}, {on: left, fix: x}]
+contact: {interface: {master: low_face, slave: high_face}}
+time: {scheme: static, step: 1, end: 1, on_failure: {levels: 0}}
+)");
+  ASSERT_TRUE(walk.to_end());
+  EXPECT_TRUE(walk.reports.back().geometry_by_loop);
+  EXPECT_EQ(walk.resultants().in_contact, 7);
+  EXPECT_NEAR(walk.resultants().force[1], 1e5, 2e3);
+}
+
 TEST(HistoryForce, OnlyMattersWhereTheSchemeWeighsTheStartOfAStep) {
   const Changes forgetful{{"contact.interface.history_force", "false"}};
   EXPECT_GT(apart(end_of(forgetful), end_of({})), 1e-4);
