@@ -73,26 +73,27 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
                               VectorXd& force) {
   neighbours_.update(configuration);
   for (std::size_t i = 0; i < springs_.size(); ++i) {
-    auto& spring = springs_[i];
     if (zone_->points[i].excluded)
       continue;
+    auto& spring = springs_[i];
+    const double energy = tangential_energy(i);
     if (!neighbours_.pairs()[i].paired()) {
-      dissipated_ += tangential_energy(i);
-      spring = {};
+      dissipated_ += energy;
+      spring = {.paired = false};
       continue;
     }
     const auto place = place_of(i, configuration);
     spring.gap = place.normal.dot(contact::position(zone_->points[i], configuration) - place.position);
-    if (spring.gap >= 0 && spring.status == Status::open)
+    if (!press(spring, normal_stiffness_[i])) {
+      dissipated_ += energy;
       continue;
+    }
     const Vector3d slip = step * slip_of(i, place, velocity);
-    const double energy = tangential_energy(i);
     const Vector3d traction = spring.traction;
     rub(spring, normal_stiffness_[i], place, slip);
     const double work = -0.5 * zone_->points[i].weight * (traction + spring.traction).dot(slip);
     dissipated_ += work - (tangential_energy(i) - energy);
-    if (spring.status != Status::open)
-      add_force(i, place, force);
+    add_force(i, place, force);
   }
 }
 
@@ -101,7 +102,7 @@ double ExplicitPenalty::stored() const {
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     if (springs_[i].status == Status::open)
       continue;
-    const double normal = 0.5 * normal_stiffness_[i] * springs_[i].gap * springs_[i].gap;
+    const double normal = 0.5 * springs_[i].pressure * springs_[i].pressure / normal_stiffness_[i];
     sum += zone_->points[i].weight * normal + tangential_energy(i);
   }
   return sum;
@@ -213,15 +214,22 @@ Vector3d ExplicitPenalty::slip_of(std::size_t index, const Place& place, const V
   return in_plane(relative, place.normal);
 }
 
-/// Pressure and friction after a slip increment: elastic as far as Coulomb allows.
+/// The pressure that the gap calls for; false, and a relaxed spring, when there is none.
+bool ExplicitPenalty::press(Spring& spring, double normal_stiffness) const {
+  const double known = spring.paired ? spring.forgiven : spring.gap;
+  spring.forgiven = std::min(std::max(known, spring.gap), 0.0);
+  spring.paired = true;
+  spring.pressure = normal_stiffness * (spring.forgiven - spring.gap);
+  if (spring.pressure > 0)
+    return true;
+  spring = {.forgiven = spring.forgiven, .gap = spring.gap};
+  return false;
+}
+
+/// Friction after a slip increment: elastic as far as Coulomb allows.
 void ExplicitPenalty::rub(Spring& spring, double normal_stiffness, const Place& place,
                           const Vector3d& slip) const {
-  if (spring.gap >= 0) {
-    spring = {.gap = spring.gap};
-    return;
-  }
   const auto& settings = zone_->settings;
-  spring.pressure = -normal_stiffness * spring.gap;
   spring.status = Status::slip;
   const double limit = settings.friction * spring.pressure;
   if (limit == 0)

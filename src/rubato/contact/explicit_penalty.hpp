@@ -7,6 +7,10 @@
 /// s grows with the slip increments of the steps, whatever their number, and is cut back to |t| = μ p when it
 /// slips (return mapping). It must be carried from step to step: the thousandth part of a millisecond is too
 /// short for a slip that starts anew each step to make any friction.
+///
+/// A point that faced nothing and is found to penetrate when it faces the master again (a tip that has slid
+/// off an edge and comes back) would be shot away. The gap it is found with is forgiven instead: p = k_n ⟨g₀
+/// − g⟩, and g₀ follows g as far as the point comes out by itself.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
@@ -66,6 +70,8 @@ private:
   /// What a point keeps from step to step.
   struct Spring {
     Status status = Status::open;
+    bool paired = true;  ///< at the end of the last step; in the first one nothing is forgiven
+    double forgiven = 0; ///< g₀ ≤ 0
     double gap = 0;
     double pressure = 0;
     double tangential_stiffness = 0;
@@ -78,6 +84,7 @@ private:
   Place place_of(std::size_t point, const Configuration& configuration) const;
   Eigen::Vector3d slave_normal(const SlavePoint& point, const Configuration& configuration) const;
   Eigen::Vector3d slip_of(std::size_t point, const Place& place, const Eigen::VectorXd& velocity) const;
+  bool press(Spring& spring, double normal_stiffness) const;
   void rub(Spring& spring, double normal_stiffness, const Place& place, const Eigen::Vector3d& slip) const;
   void add_force(std::size_t point, const Place& place, Eigen::VectorXd& force) const;
   double tangential_energy(std::size_t point) const;

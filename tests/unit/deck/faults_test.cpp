@@ -76,7 +76,7 @@ const Mistake type_mistakes[] = {
     {"scheme: hht", "scheme: hth", "hth",
      "time.scheme: found 'hth', expected one of newmark, hht, modified_average_acceleration, "
      "generalized_alpha, "
-     "static; did you mean 'hht'?"},
+     "static, central_difference; did you mean 'hht'?"},
     {"formats: [vtu, med]", "formats: [vtu, vtk]", "vtk",
      "fields.formats.1: found 'vtk', expected one of vtu, med; "
      "did you mean 'vtu'?"},
@@ -151,6 +151,10 @@ const Mistake range_mistakes[] = {
     {"tolerance: 1e-3", "tolerance: 0", "0, kind", "checks.0.tolerance: found '0', expected a number > 0"},
 };
 
+/// The whole part about time.
+constexpr const char* explicit_scheme = "scheme: hht\n  alpha: -0.3\n  begin: 0.001\n  step: 1e-3\n  end: "
+                                        "0.013\n  start: at_rest_unloaded\n  on_failure: {cut: 4, levels: 6}";
+
 const Mistake sense_mistakes[] = {
     {"scheme: hht", "scheme: newmark", "-0.3",
      "time.alpha: the scheme newmark takes no alpha, hht and modified_average_acceleration take it; a run "
@@ -166,6 +170,22 @@ const Mistake sense_mistakes[] = {
      "time.instants: found 0.012 after 0.013, expected numbers that ascend"},
     {"scheme: hht\n  alpha: -0.3", "scheme: static", "at_rest",
      "time.start: the scheme static has no first acceleration, expected consistent or {from: run}"},
+    {"alpha: -0.3", "alpha: -0.3\n  record: 1e-4", "1e-4\n  begin",
+     "time.record: the scheme hht takes no record, central_difference takes it; a run removes it by "
+     "'record: ~'"},
+    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  safety: 1.5\n  end: 0.013", "1.5",
+     "time.safety: found '1.5', expected a number > 0 and <= 1"},
+    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  record: 1\n  end: 0.013", "1\n  end",
+     "time.record: found 1, expected at most the length of the run, 0.012"},
+    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  instants: [0.013]\n  end: 0.013",
+     "[0.013]",
+     "time.instants: the scheme central_difference chooses its steps; results are kept every 'record'"},
+    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  end: 0.013\n  start: at_rest_unloaded",
+     "at_rest",
+     "time.start: the scheme central_difference starts at rest from the true equilibrium, expected "
+     "consistent"},
+    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  end: 0.013\n  on_failure: {cut: 4}",
+     "{cut: 4}", "time.on_failure: the scheme central_difference has no steps that fail"},
     {"slave: Beneath", "slave: Below", "Below\n    friction",
      "contact.interface.slave: found 'Below' as slave and as master, expected two surfaces"},
     {"geometry: newton", "geometry: fixed_point", "fixed_point",
