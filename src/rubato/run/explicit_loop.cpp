@@ -15,8 +15,9 @@ namespace {
 
 /// Quotients this little above a whole number are that number but for rounding.
 constexpr double rounding = 1e-9;
-/// Fewer than these steps between two looks at whoever wants the run to stop.
-constexpr int most_steps_at_once = 10'000;
+/// Contact stiffens as points slide to lighter nodes of the master; in that many steps they move by a small
+/// part of a face, which the safety of the step allows for.
+constexpr int steps_between_estimates = 20;
 
 int whole(double quotient) {
   return std::max(1, static_cast<int>(std::ceil(quotient - rounding)));
@@ -39,7 +40,7 @@ public:
     const auto spectrum = motion_.spectrum();
     check_step(time_, spectrum.stable_step());
     records_ = whole((time_.end - time_.begin) / time_.record);
-    choose_steps(spectrum);
+    limit_step(spectrum);
     tell_steps(spectrum);
     recorder_.emplace(model, folder);
   }
@@ -66,28 +67,27 @@ private:
     return record == records_ ? time_.end : time_.begin + record * (time_.end - time_.begin) / records_;
   }
 
-  /// As many steps between two records as are stable now. They never become fewer again: each change of the
-  /// step costs a little accuracy.
-  void choose_steps(const step::Spectrum& spectrum) {
+  /// The step never grows again: each change costs a little accuracy.
+  void limit_step(const step::Spectrum& spectrum) {
     const double stable = spectrum.stable_step();
-    const double wanted = time_.step > 0 ? std::min(time_.step, stable) : time_.safety * stable;
-    steps_ = std::max(steps_, whole((time_.end - time_.begin) / records_ / wanted));
+    limit_ = std::min(limit_, time_.step > 0 ? std::min(time_.step, stable) : time_.safety * stable);
   }
 
   void tell_steps(const step::Spectrum& spectrum) const {
-    const double step = (time_.end - time_.begin) / records_ / steps_;
+    const double record = (time_.end - time_.begin) / records_;
+    const int steps = whole(record / limit_);
     const step::Spectrum free{spectrum.stiffness, 0, spectrum.damping};
     watch_.say(
         fmt::format("{}: stable step {:.4g}{}; steps of {:.4g}, {} a record, {} in all", model_.study.name,
                     spectrum.stable_step(),
                     spectrum.contact > 0 ? fmt::format(" ({:.4g} without contact)", free.stable_step()) : "",
-                    step, steps_, std::int64_t{steps_} * records_));
+                    record / steps, steps, std::int64_t{steps} * records_));
   }
 
   void go_to(int record) {
     const double before = processor_seconds();
     const double begin = motion_.t();
-    choose_steps(motion_.spectrum());
+    const auto steps_before = motion_.steps();
     if (!advance(instant(record)))
       return interrupt();
     auto next = motion_.state();
@@ -102,15 +102,16 @@ private:
                      0, points_in_contact(now_), 0, attempt.accepted, &report});
   }
 
-  /// False when the run was asked to stop.
+  /// In steps that the contact as it stands allows. False when the run was asked to stop.
   bool advance(double end) {
-    const double begin = motion_.t();
-    for (int done = 0; done < steps_;) {
+    while (motion_.t() < end) {
       if (watch_.stop())
         return false;
-      const int part = std::min(most_steps_at_once, steps_ - done);
-      done += part;
-      motion_.advance(done == steps_ ? end : begin + (end - begin) * done / steps_, part);
+      limit_step(motion_.spectrum());
+      const double left = end - motion_.t();
+      const int steps = whole(left / limit_);
+      const int part = std::min(steps, steps_between_estimates);
+      motion_.advance(part == steps ? end : motion_.t() + left * part / steps, part);
     }
     return true;
   }
@@ -149,7 +150,7 @@ private:
   std::optional<results::Recorder> recorder_; // after the step is known to be good
   step::State now_;
   int records_ = 1;
-  int steps_ = 1; ///< between two records
+  double limit_ = INFINITY; ///< of the step
   double largest_balance_ = 0;
   double largest_energy_ = 0;
   RunResult result_;

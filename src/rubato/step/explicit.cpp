@@ -14,6 +14,9 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using model::Model;
 
+/// Steps whose lengths differ by less than this part are the same but for the rounding of instants.
+constexpr double rounding = 1e-9;
+
 double factor_at(const std::optional<deck::Function>& function, double t) {
   return function ? load::value_at(*function, t) : 1.0;
 }
@@ -121,7 +124,7 @@ void ExplicitMotion::advance(double end, int steps) {
 /// The velocity half a step before t moves with the length of the step. So does the kinetic energy there,
 /// which the balance must not take for a gain.
 void ExplicitMotion::set_step(double step) {
-  if (step == h_)
+  if (std::abs(step - h_) <= rounding * h_)
     return;
   const double kinetic = energy().kinetic;
   v_ += (h_ - step) / 2 * acceleration();
@@ -136,15 +139,13 @@ void ExplicitMotion::set_step(double step) {
 }
 
 void ExplicitMotion::step(double end) {
+  for (const auto& support : supports_) {
+    const int dof = support.constraint->dof;
+    v_[dof] = (imposed_at(*support.constraint, end) - u_[dof]) / h_;
+  }
   leap(h_, inverse_mass_, unbalance_, v_, u_);
   t_ = end;
   ++steps_;
-  for (const auto& support : supports_) {
-    const int dof = support.constraint->dof;
-    const double before = u_[dof];
-    u_[dof] = imposed_at(*support.constraint, t_);
-    v_[dof] = (u_[dof] - before) / h_;
-  }
   const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
   find_forces();
   if (damping_)

@@ -10,12 +10,12 @@
 namespace rubato::contact {
 namespace {
 
-/// The upper beam bends and slides along the lower one, which lifts and turns.
+/// The upper beam's face, the master, bends and slides along the lower one, which lifts and turns.
 Eigen::VectorXd sliding(const model::Model& model, double t) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(model.dofs.dof_count);
   for (const auto node : model.dofs.nodes) {
     const auto& x = model.mesh.points[static_cast<std::size_t>(node)];
-    const bool upper = x[1] > 0.01;
+    const bool upper = model.zones.front().master.position_of(node) >= 0;
     u[model.dofs.dof(node, 0)] = 0.3 * (upper ? t : 0) + 0.2 * t * t * x[1];
     u[model.dofs.dof(node, 1)] = 0.4 * std::sin(3 * t) + (upper ? -0.05 : 0.1) * t * x[0] * x[0];
   }

@@ -168,7 +168,22 @@ TEST(ExplicitImpact, KeepsMomentumAndEnergy) {
   motion.advance(0.03, steps - steps / 2);
   const auto energy = motion.energy();
   EXPECT_GT(energy.friction, 0);
-  EXPECT_LT(std::abs(energy.balance()), 2e-3 * energy.largest());
+  EXPECT_LT(std::abs(energy.balance()), 1e-2 * energy.largest());
+}
+
+/// What the balance still misses comes from points that touch and leave within a step.
+TEST(ExplicitImpact, ClosesItsEnergyBetterInShorterSteps) {
+  const auto model = model_of(impact);
+  std::vector<double> missing;
+  for (const int refined : {1, 8}) {
+    ExplicitMotion motion(model);
+    motion.advance(0.03,
+                   refined * static_cast<int>(std::ceil(0.03 / (0.9 * motion.spectrum().stable_step()))));
+    const auto energy = motion.energy();
+    missing.push_back(std::abs(energy.balance()) / energy.largest());
+  }
+  EXPECT_LT(missing[1], 1e-3);
+  EXPECT_LT(missing[1], missing[0]);
 }
 
 TEST(AStableStep, IsShorterWithStifferContact) {
