@@ -9,7 +9,7 @@ SCRATCH := build/installed
 SOURCES = $(shell find src apps tests bench -name '*.hpp' -o -name '*.cpp' 2>/dev/null)
 TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 
-.PHONY: help deps configure build demo picture test installed-test debug-test verify bench format lint clean
+.PHONY: help deps configure build demo picture test installed-test debug-test verify figures bench format lint clean
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 
@@ -54,8 +54,13 @@ debug-test: deps ## the tests under the address and undefined-behaviour sanitize
 	@cmake --build --preset debug -j$(JOBS)
 	ctest --preset debug -j$(JOBS)
 
-verify: build ## the slow studies of docs/verification
+verify: build ## the slow studies of docs/verification, and their figures
 	@cmake --build --preset release --target verify
+	@$(MAKE) --no-print-directory figures
+
+figures: ## docs/verification/*.svg from the runs that verify left (python3-matplotlib)
+	/usr/bin/python3 docs/verification/draw_histories.py build/release/verification/sdnl140 docs/verification \
+	  $(wildcard $(or $(RUBATO_SHARED),../shared)/sdnl140/code_aster)
 
 bench: build ## the benchmarks
 	@cmake --build --preset release --target bench

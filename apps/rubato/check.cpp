@@ -24,7 +24,7 @@ int exit_code_of(const results::StoredRun& run, bool checks_hold) {
 
 int check_run(const std::filesystem::path& folder) {
   const auto run = results::read_stored_run(folder);
-  const auto checks = results::evaluate_checks(run.study.checks, run.probes);
+  const auto checks = results::evaluate_checks(run.study.checks, run.probes, folder);
   fmt::print("{}: {}\n", run.study.name,
              run.status == results::RunStatus::complete ? "complete" : run.reason);
   fmt::print("{}", checks.empty() ? "no checks in the deck\n" : results::to_text(checks));

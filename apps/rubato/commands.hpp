@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,21 @@ struct CheckArguments {
   std::filesystem::path folder;
 };
 int check(const CheckArguments& arguments);
+
+/// What is looked at in two runs: a field at an instant, or the histories of a probe.
+struct CompareArguments {
+  std::filesystem::path a;
+  std::filesystem::path b;
+  std::optional<double> at;
+  std::string field = "displacement";
+  std::string probe; ///< when given, histories
+  std::string node;
+  std::string group;
+  bool norms = false; ///< over the whole mesh; also when neither node nor group is given
+  std::filesystem::path output;
+  std::optional<double> tolerance;
+};
+int compare(const CompareArguments& arguments);
 
 struct InfoArguments {
   std::filesystem::path file;

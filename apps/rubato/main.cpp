@@ -17,6 +17,7 @@ using namespace rubato;
 struct Arguments {
   app::RunArguments run;
   app::CheckArguments check;
+  app::CompareArguments compare;
   app::InfoArguments info;
   app::MeshArguments mesh;
   std::function<int()> work;
@@ -41,6 +42,25 @@ void add_check(CLI::App& program, Arguments& arguments) {
       program.add_subcommand("check", "hold the results of a finished run against its references again");
   command->add_option("folder", arguments.check.folder, "a run's folder, or a folder of runs")->required();
   command->callback([&arguments] { arguments.work = [&] { return app::check(arguments.check); }; });
+}
+
+void add_compare(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("compare", "the difference A - B of two runs");
+  auto& compare = arguments.compare;
+  command->add_option("run_a", compare.a, "folder of run A")->required();
+  command->add_option("run_b", compare.b, "folder of run B")->required();
+  command->add_option("--at", compare.at, "instant (of --probe: all common ones when not given)");
+  auto* field = command->add_option("--field", compare.field, "field at the nodes (default: displacement)");
+  auto* node = command->add_option("--node", compare.node, "at a node: N90, a group of one node, a probe");
+  auto* group = command->add_option("--group", compare.group, "over the nodes of a group");
+  auto* norms = command->add_flag("--norms", compare.norms, "over the whole mesh (default)");
+  auto* output =
+      command->add_option("-o,--output", compare.output, "write the difference for ParaView (.vtu)");
+  auto* probe = command->add_option("--probe", compare.probe, "compare histories: tip, or tip.y");
+  for (auto* of_fields : {field, node, group, static_cast<CLI::Option*>(norms), output})
+    probe->excludes(of_fields);
+  command->add_option("--tolerance", compare.tolerance, "fail when the largest difference is beyond it");
+  command->callback([&arguments] { arguments.work = [&] { return app::compare(arguments.compare); }; });
 }
 
 void add_info(CLI::App& program, Arguments& arguments) {
@@ -85,6 +105,7 @@ int parse_and_work(int argc, char** argv) {
   Arguments arguments;
   add_run(program, arguments);
   add_check(program, arguments);
+  add_compare(program, arguments);
   add_info(program, arguments);
   add_mesh(program, arguments);
   add_list(program, arguments);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/results/run_folder.hpp"
 #include "rubato/run/time_loop.hpp"
 
 #include <fmt/format.h>
@@ -49,6 +50,24 @@ std::vector<const deck::Study*> chosen_runs(const deck::Deck& deck, const std::v
     if (only.empty() || std::ranges::find(wanted, study.name) != wanted.end())
       runs.push_back(&study);
   return runs;
+}
+
+/// What a check subtracts must come from this command, or lie in the folder of results from a former one.
+void require_compared_runs(std::span<const deck::Study* const> runs, const std::filesystem::path& output) {
+  std::vector<Fault> faults;
+  for (const auto* study : runs)
+    for (const auto& check : study->checks) {
+      const auto& other = check.run.text;
+      const bool is_run = std::ranges::any_of(runs, [&](const auto* run) { return run->name == other; });
+      if (other.empty() || is_run || std::filesystem::exists(output / other / results::summary_file))
+        continue;
+      faults.push_back(
+          {check.run.at, fmt::format("run {} is checked against run {}, which is not run now and "
+                                     "is not in {}; expected '--only {},{}'",
+                                     study->name, other, output.string(), other, study->name)});
+    }
+  if (!faults.empty())
+    throw InputError(std::move(faults));
 }
 
 int exit_code_of(const run::RunResult& result) {
@@ -129,6 +148,7 @@ int run(const RunArguments& arguments) {
   if (runs.size() > 1)
     model::check_studies(runs);
   const auto output = arguments.output.empty() ? arguments.deck.stem() : arguments.output;
+  require_compared_runs(runs, output);
   return run_interruptibly(
       [&](const std::stop_token& stop) { return Series(arguments, output, stop).run(runs); });
 }

@@ -44,10 +44,11 @@ TEST_F(CommandLine, ShowsItsHelpAsAFaultWhenNothingIsAsked) {
 }
 
 TEST_F(CommandLine, RefusesUnknownSubcommandsAndOptions) {
-  expect({{"rum"},
-          2,
-          "",
-          "error: found 'rum', expected one of run, check, info, mesh, list; did you mean 'run'?\n"});
+  expect(
+      {{"rum"},
+       2,
+       "",
+       "error: found 'rum', expected one of run, check, compare, info, mesh, list; did you mean 'run'?\n"});
   expect({{"run"}, 2, "", "error: deck is required (rubato --help tells more)\n"});
   expect({{"run", "deck.yaml", "--fast"},
           2,

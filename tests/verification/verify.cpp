@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// verify FOLDER [page…]: makes the runs of the pages (all when none is named) and writes FOLDER/<page>.md.
+/// A page sdnl140_<letters>, as in sdnl140_f, has the runs of these modelings only.
 #include "verification/verify.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <ranges>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -60,15 +62,17 @@ struct Entry {
 
 constexpr std::array<Entry, 4> entries{{{"v3", rubato::verification::write_contact_patch},
                                         {"v11", rubato::verification::write_free_beam},
-                                        {"sdnl140", rubato::verification::write_histories},
+                                        {"sdnl140", rubato::verification::write_sdnl140},
                                         {"defaults", rubato::verification::write_defaults}}};
+
+constexpr std::string_view modelings_prefix = "sdnl140_";
 
 } // namespace
 
 int main(int argc, char** argv) {
   const std::vector<std::string_view> words(argv + 1, argv + argc);
   if (words.empty()) {
-    std::fputs("usage: verify FOLDER [v3 v11 sdnl140 defaults]\n", stderr);
+    std::fputs("usage: verify FOLDER [v3 v11 sdnl140 sdnl140_<letters> defaults]\n", stderr);
     return 2;
   }
   try {
@@ -80,6 +84,9 @@ int main(int argc, char** argv) {
         std::fflush(stdout);
         entry.write(folder);
       }
+    for (const auto word : words | std::views::drop(1))
+      if (word.starts_with(modelings_prefix))
+        rubato::verification::write_sdnl140_of(folder, std::string(word.substr(modelings_prefix.size())));
   } catch (const std::exception& error) {
     std::fputs(fmt::format("verify: {}\n", error.what()).c_str(), stderr);
     return 1;

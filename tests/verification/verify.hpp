@@ -28,8 +28,12 @@ std::string outcome_of(const run::RunResult& result);
 /// Processor seconds of set-up and steps.
 std::string seconds_of(const run::RunResult& result);
 
-/// SDNL140 against Code_Aster: largest deviations, iterations, seconds.
-void write_histories(const std::filesystem::path& folder);
+/// SDNL140: every run of every modeling against the document and Code_Aster, and further histories.
+void write_sdnl140(const std::filesystem::path& folder);
+/// The same for the modelings of these letters, without the further histories: sdnl140_<letters>.md.
+void write_sdnl140_of(const std::filesystem::path& folder, const std::string& letters);
+/// The part of that page on the decks' runs, which stay in the build folder for draw_histories.py.
+void write_modelings(Page& page, const std::string& letters);
 /// V3.
 void write_contact_patch(const std::filesystem::path& folder);
 /// V11.

@@ -60,11 +60,9 @@ void write_row(Page& page, const Row& row, MeshFrom from, const results::Table& 
             std::to_string(run.result.cuts), seconds_of(run.result), outcome_of(run.result)});
 }
 
-} // namespace
-
-void write_histories(const std::filesystem::path& folder) {
-  Page page(folder / "sdnl140.md", "SDNL140 against Code_Aster");
-  page.paragraph("Deflection of the loaded end at every instant of Code_Aster 15.1.21's history: the largest "
+void write_histories(Page& page) {
+  page.paragraph("## Further histories\n\nDeflection of the loaded end at every instant of Code_Aster "
+                 "15.1.21's history: the largest "
                  "deviation over the largest deflection, the instant of that deviation, Newton iterations of "
                  "all steps (a history's own count is of the whole history), steps that were cut. "
                  "`start: at_rest_unloaded`; D with `clamped_normal: code_aster`; no coefficient is given.");
@@ -80,6 +78,19 @@ void write_histories(const std::filesystem::path& folder) {
     if (row.history.front() >= 'c')
       write_row(page, row, MeshFrom::generator, *reference);
   }
+}
+
+} // namespace
+
+void write_sdnl140(const std::filesystem::path& folder) {
+  Page page(folder / "sdnl140.md", "SDNL140 against Code_Aster");
+  write_modelings(page, "abcdef");
+  write_histories(page);
+}
+
+void write_sdnl140_of(const std::filesystem::path& folder, const std::string& letters) {
+  Page page(folder / fmt::format("sdnl140_{}.md", letters), "SDNL140 against Code_Aster");
+  write_modelings(page, letters);
 }
 
 void write_defaults(const std::filesystem::path& folder) {

@@ -24,6 +24,10 @@ constexpr double closing_gap = 1e-11;
 /// flicker.
 constexpr double averaged_share = 1e-4;
 
+/// Penalties in units of the automatic augmentation.
+constexpr double normal_stiffening = 10;
+constexpr double tangential_stiffening = 10;
+
 /// Positions of the six point variables among local unknowns: displacement ones first, then λ and Λ.
 struct LocalResponse {
   VectorXd force; ///< internal side, by q
@@ -71,7 +75,7 @@ LocalResponse localise(const Kinematics& k, const PointResponse& law, double wei
 class ZoneAssembler {
 public:
   ZoneAssembler(const Zone& zone, const fem::DofMap& dofs, int multiplier_offset, ContactSystem& system)
-      : per_node_(zone.multipliers_per_node()), dofs_(dofs), offset_(multiplier_offset), system_(system) {}
+      : variables_(zone.multiplier_variables()), dofs_(dofs), offset_(multiplier_offset), system_(system) {}
 
   void add(const SlavePoint& point, const Kinematics& kinematics, const LocalResponse& local) {
     const int d = kinematics.components;
@@ -94,19 +98,20 @@ public:
   void add_equations(const SlavePoint& point, const Vector3d& equations,
                      const Eigen::Matrix3d& by_multiplier) {
     for (std::size_t j = 0; j < point.multipliers.size(); ++j)
-      for (int a = 0; a < per_node_; ++a) {
+      for (const int a : variables_) {
         const int row = multiplier(point, j, a);
         system_.equations[row] += point.multiplier_shape[j] * equations[a];
         for (std::size_t k = 0; k < point.multipliers.size(); ++k)
-          for (int b = 0; b < per_node_; ++b)
+          for (const int b : variables_)
             push(system_.equation_by_multiplier, row, multiplier(point, k, b),
                  point.multiplier_shape[j] * point.multiplier_shape[k] * by_multiplier(a, b));
       }
   }
 
 private:
-  int multiplier(const SlavePoint& point, std::size_t node, int component) const {
-    return offset_ + point.multipliers[node] * per_node_ + component;
+  int multiplier(const SlavePoint& point, std::size_t node, int variable) const {
+    return offset_ + point.multipliers[node] * static_cast<int>(variables_.size()) + variable -
+           variables_.front();
   }
 
   static void push(Triplets& triplets, int row, int column, double value) {
@@ -116,7 +121,7 @@ private:
 
   void couple(const SlavePoint& point, std::size_t j, const LocalResponse& local) {
     const double shape = point.multiplier_shape[j];
-    for (int a = 0; a < per_node_; ++a)
+    for (const int a : variables_)
       for (Index q = 0; q < local.force.size(); ++q) {
         const int dof = unknowns_[static_cast<std::size_t>(q)];
         push(system_.force_by_multiplier, dof, multiplier(point, j, a),
@@ -125,7 +130,7 @@ private:
       }
   }
 
-  int per_node_;
+  std::span<const int> variables_;
   const fem::DofMap& dofs_;
   int offset_;
   ContactSystem& system_;
@@ -134,14 +139,16 @@ private:
 
 PointState measured(const Zone& zone, const SlavePoint& point, const VectorXd& multipliers,
                     const std::optional<Kinematics>& kinematics) {
-  const int per_node = zone.multipliers_per_node();
-  PointState state;
+  const auto variables = zone.multiplier_variables();
+  Vector3d values = Vector3d::Zero();
   for (std::size_t j = 0; j < point.multipliers.size(); ++j) {
-    const Index first = static_cast<Index>(point.multipliers[j]) * per_node;
-    state.pressure += point.multiplier_shape[j] * multipliers[first];
-    for (int a = 1; a < per_node; ++a)
-      state.semi[a - 1] += point.multiplier_shape[j] * multipliers[first + a];
+    Index next = point.multipliers[j] * static_cast<Index>(variables.size());
+    for (const int variable : variables)
+      values[variable] += point.multiplier_shape[j] * multipliers[next++];
   }
+  PointState state;
+  state.pressure = values[0];
+  state.semi = values.tail<2>();
   state.gap = kinematics ? kinematics->gap : std::numeric_limits<double>::infinity();
   if (kinematics)
     state.slip = kinematics->slip;
@@ -167,7 +174,8 @@ double resistance(const SlavePoint& point, const fem::DofMap& dofs,
 ZoneState initial_state(const Zone& zone) {
   const bool active = zone.settings.initially_active.value_or(true);
   return {VectorXd::Zero(zone.multiplier_count()),
-          std::vector<Status>(zone.points.size(), active ? Status::slip : Status::open)};
+          std::vector<Status>(zone.points.size(), active ? Status::slip : Status::open),
+          std::vector<PointOutcome>(zone.points.size())};
 }
 
 ContactSystem::ContactSystem(Index dofs, Index multipliers)
@@ -175,13 +183,20 @@ ContactSystem::ContactSystem(Index dofs, Index multipliers)
 
 ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dofs,
                                         const Eigen::Ref<const VectorXd>& diagonal) {
+  using deck::FrictionMethod;
+  const auto& settings = zone.settings;
   ZoneCoefficients coefficients;
-  const double tangential = 1 / (saturation_slip * zone.master.shortest_edge);
   for (const auto& point : zone.points) {
     const double share = point.node_position >= 0 ? 1.0 : averaged_share;
-    coefficients.normal.push_back(zone.settings.normal_coefficient.value_or(
-        share * resistance(point, dofs, diagonal) / std::abs(point.weight)));
-    coefficients.tangential.push_back(zone.settings.tangential_coefficient.value_or(tangential));
+    const double stiffness = resistance(point, dofs, diagonal) / std::abs(point.weight);
+    const double normal = (is_exact(settings.method) ? share : normal_stiffening) * stiffness;
+    double tangential = 1 / (saturation_slip * zone.master.shortest_edge);
+    if (settings.friction_method == FrictionMethod::penalty)
+      tangential *= tangential_stiffening;
+    else if (settings.friction_method == FrictionMethod::nodal_penalty)
+      tangential = tangential_stiffening * stiffness;
+    coefficients.normal.push_back(settings.normal_coefficient.value_or(normal));
+    coefficients.tangential.push_back(settings.tangential_coefficient.value_or(tangential));
   }
   return coefficients;
 }
@@ -200,36 +215,89 @@ std::vector<PointEvaluation> evaluate(const Zone& zone, const VectorXd& multipli
   return evaluations;
 }
 
-PointCoefficients coefficients_of(const Zone& zone, const ZoneCoefficients& coefficients, double friction,
-                                  std::size_t index) {
-  return {friction, coefficients.normal[index], coefficients.tangential[index],
-          closing_gap * zone.master.shortest_edge, zone.space_dimension - 1};
+std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> points) {
+  for (auto& point : points)
+    if (point.kinematics)
+      point.kinematics = with_held_frame(std::move(*point.kinematics));
+  return points;
 }
 
-std::vector<Status> wanted_status(const Zone& zone, const ZoneCoefficients& coefficients, double friction,
-                                  std::span<const PointEvaluation> points) {
+std::vector<PointEvaluation> evaluate_in_held_frames(std::vector<PointEvaluation> held, const Zone& zone,
+                                                     const VectorXd& multipliers,
+                                                     const Configuration& configuration) {
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (held[i].kinematics)
+      measure_in_held_frame(*held[i].kinematics, configuration);
+    held[i].variables = measured(zone, zone.points[i], multipliers, held[i].kinematics);
+  }
+  return held;
+}
+
+PointLaw ZoneLaw::of_point(std::size_t index) const {
+  PointLaw law{zone->settings.method,
+               zone->settings.friction_method,
+               friction,
+               coefficients.normal[index],
+               coefficients.tangential[index],
+               closing_gap * zone->master.shortest_edge,
+               zone->space_dimension - 1,
+               std::nullopt};
+  if (!held_thresholds.empty())
+    law.held_threshold = held_thresholds[index];
+  return law;
+}
+
+std::vector<Status> wanted_status(const ZoneLaw& law, std::span<const PointEvaluation> points) {
   std::vector<Status> status(points.size(), Status::open);
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].kinematics && !zone.points[i].excluded)
-      status[i] =
-          augmented_lagrangian_status(points[i].variables, coefficients_of(zone, coefficients, friction, i));
+    if (points[i].kinematics && !law.zone->points[i].excluded)
+      status[i] = wanted_status(points[i].variables, law.of_point(i));
   return status;
 }
 
-void add_contributions(const Zone& zone, const ZoneCoefficients& coefficients, double friction,
-                       std::span<const PointEvaluation> points, std::span<const Status> status,
-                       const fem::DofMap& dofs, int multiplier_offset, ContactSystem& system) {
-  ZoneAssembler assembler(zone, dofs, multiplier_offset, system);
+std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                                       std::span<const Status> status) {
+  std::vector<double> pressures(points.size(), 0.0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (status[i] != Status::open) {
+      auto point_law = law.of_point(i);
+      point_law.held_threshold.reset();
+      pressures[i] = friction_pressure(points[i].variables, point_law);
+    }
+  return pressures;
+}
+
+void add_contributions(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                       std::span<const Status> status, const fem::DofMap& dofs, int multiplier_offset,
+                       ContactSystem& system) {
+  ZoneAssembler assembler(*law.zone, dofs, multiplier_offset, system);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& point = zone.points[i];
-    const auto law = augmented_lagrangian(points[i].variables, status[i],
-                                          coefficients_of(zone, coefficients, friction, i));
+    const auto& point = law.zone->points[i];
+    const auto response = respond(points[i].variables, status[i], law.of_point(i));
     if (status[i] == Status::open)
-      assembler.add_equations(point, point.weight * law.equations,
-                              point.weight * law.d_equations.rightCols<3>());
+      assembler.add_equations(point, point.weight * response.equations,
+                              point.weight * response.d_equations.rightCols<3>());
     else
-      assembler.add(point, *points[i].kinematics, localise(*points[i].kinematics, law, point.weight));
+      assembler.add(point, *points[i].kinematics, localise(*points[i].kinematics, response, point.weight));
   }
+}
+
+std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                                   std::span<const Status> status) {
+  std::vector<PointOutcome> all(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& point = law.zone->points[i];
+    auto& outcome = all[i];
+    outcome.gap = points[i].variables.gap;
+    outcome.slip = points[i].variables.slip;
+    if (status[i] == Status::open)
+      continue;
+    const auto traction = respond(points[i].variables, status[i], law.of_point(i)).traction;
+    outcome.pressure = traction[0] * point.weight / point.area;
+    outcome.normal = point.weight * traction[0] * points[i].kinematics->normal;
+    outcome.tangential = point.weight * (points[i].kinematics->tangents * traction.tail<2>());
+  }
+  return all;
 }
 
 } // namespace rubato::contact

@@ -16,11 +16,23 @@
 
 namespace rubato::contact {
 
+/// What a contact point does at the end of a step, for the results.
+struct PointOutcome {
+  double gap = 0; ///< infinite when nothing faces the point [length]
+  Eigen::Vector2d slip = Eigen::Vector2d::Zero();
+  double pressure = 0;                              ///< T_n; of nodal methods over the node's area
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< force of the master on the slave, its two parts
+  Eigen::Vector3d tangential = Eigen::Vector3d::Zero();
+
+  bool operator==(const PointOutcome&) const = default;
+};
+
 /// What a step changes in a zone.
 struct ZoneState {
-  /// Node after node of the slave surface: λ, then Λ₁ (and Λ₂ in 3D) when there is friction.
+  /// Node after node of the slave surface, those of the zone's multiplier_variables.
   Eigen::VectorXd multipliers;
-  std::vector<Status> status; ///< one a contact point
+  std::vector<Status> status;         ///< one a contact point
+  std::vector<PointOutcome> outcomes; ///< one a contact point
 
   bool operator==(const ZoneState&) const = default;
 };
@@ -28,16 +40,17 @@ struct ZoneState {
 /// A zone before anything touched: multipliers 0, every point in contact or none.
 ZoneState initial_state(const Zone& zone);
 
-/// Automatic augmentation of one zone's points unless the deck gives it.
+/// Coefficients of one zone's points, automatic unless the deck gives them.
 struct ZoneCoefficients {
-  std::vector<double> normal;     ///< c of each point [pressure/length]
-  std::vector<double> tangential; ///< c_t of each point [1/length]
+  std::vector<double> normal;     ///< c or k of each point [pressure/length]
+  std::vector<double> tangential; ///< c_t or k_t of each point [1/length]; nodal methods: E [force/length]
 };
 
 /// c: what the slave side resists, its mean effective diagonal stiffness over the point's share of the
 /// surface. c_t: the slip at which friction saturates is taken as a small part of the shortest master edge;
-/// as with c, the converged answer does not depend on it. `diagonal` is the effective matrix's, per dof
-/// [force/length].
+/// as with c, the converged answer does not depend on it. Penalties are a multiple of c, so that bodies sink
+/// into each other by a small part of what they give way, and of c_t. `diagonal` is the effective matrix's,
+/// per dof [force/length].
 ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dofs,
                                         const Eigen::Ref<const Eigen::VectorXd>& diagonal);
 
@@ -51,6 +64,14 @@ struct PointEvaluation {
 /// Pairs the points and measures gaps, slips and multipliers.
 std::vector<PointEvaluation> evaluate(const Zone& zone, const Eigen::VectorXd& multipliers,
                                       const Configuration& configuration);
+
+/// The points with the place on the master, normal and tangents they have now, held.
+std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> points);
+
+/// Measures the points anew in frames that with_held_frames gave.
+std::vector<PointEvaluation> evaluate_in_held_frames(std::vector<PointEvaluation> held, const Zone& zone,
+                                                     const Eigen::VectorXd& multipliers,
+                                                     const Configuration& configuration);
 
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 
@@ -67,18 +88,32 @@ struct ContactSystem {
   ContactSystem(Eigen::Index dofs, Eigen::Index multipliers);
 };
 
-/// The coefficients of point `index`; `friction` is the zone's μ or, during continuation, a part of it.
-PointCoefficients coefficients_of(const Zone& zone, const ZoneCoefficients& coefficients, double friction,
-                                  std::size_t index);
+/// How a zone's points are to behave in one attempt at a step.
+struct ZoneLaw {
+  const Zone* zone = nullptr;
+  ZoneCoefficients coefficients = {};
+  double friction = 0; ///< the zone's μ or, during continuation, a part of it
+  /// P of every point, while a loop holds it; empty otherwise.
+  std::vector<double> held_thresholds = {};
+
+  PointLaw of_point(std::size_t index) const;
+};
 
 /// The statuses that the points' present variables call for; excluded and unpaired points are open.
-std::vector<Status> wanted_status(const Zone& zone, const ZoneCoefficients& coefficients, double friction,
-                                  std::span<const PointEvaluation> points);
+std::vector<Status> wanted_status(const ZoneLaw& law, std::span<const PointEvaluation> points);
+
+/// P of every point of those statuses; 0 where it is open.
+std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                                       std::span<const Status> status);
 
 /// Adds the forces, equations and tangent of the zone's points, which have the given statuses.
 /// `multiplier_offset`: index of the zone's first multiplier.
-void add_contributions(const Zone& zone, const ZoneCoefficients& coefficients, double friction,
-                       std::span<const PointEvaluation> points, std::span<const Status> status,
-                       const fem::DofMap& dofs, int multiplier_offset, ContactSystem& system);
+void add_contributions(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                       std::span<const Status> status, const fem::DofMap& dofs, int multiplier_offset,
+                       ContactSystem& system);
+
+/// What the points of those statuses do.
+std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                                   std::span<const Status> status);
 
 } // namespace rubato::contact

@@ -89,6 +89,8 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
       continue;
     }
     const Vector3d slip = step * slip_of(i, place, velocity);
+    spring.normal = place.normal;
+    spring.slip_on_tangents = {slip.dot(place.tangent), slip.dot(place.normal.cross(place.tangent))};
     const Vector3d traction = spring.traction;
     rub(spring, normal_stiffness_[i], place, slip);
     const double work = -0.5 * zone_->points[i].weight * (traction + spring.traction).dot(slip);
@@ -110,23 +112,14 @@ double ExplicitPenalty::stored() const {
 
 ZoneState ExplicitPenalty::state() const {
   auto state = initial_state(*zone_);
-  const int per_node = zone_->multipliers_per_node();
-  VectorXd shares = VectorXd::Zero(static_cast<Index>(zone_->slave.nodes.size()));
+  state.outcomes.assign(springs_.size(), {});
   for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const auto& point = zone_->points[i];
-    state.status[i] = springs_[i].status;
-    for (std::size_t j = 0; j < point.multipliers.size(); ++j) {
-      const Index node = point.multipliers[j];
-      const double share = std::abs(point.weight * point.multiplier_shape[j]);
-      shares[node] += share;
-      state.multipliers[node * per_node] += share * springs_[i].pressure;
-      for (int a = 1; a < per_node; ++a)
-        state.multipliers[node * per_node + a] += share * springs_[i].semi[a - 1];
-    }
+    const auto& spring = springs_[i];
+    const double weight = zone_->points[i].weight;
+    state.status[i] = spring.status;
+    state.outcomes[i] = {neighbours_.pairs()[i].paired() ? spring.gap : INFINITY, spring.slip_on_tangents,
+                         spring.pressure, weight * spring.pressure * spring.normal, weight * spring.traction};
   }
-  for (Index node = 0; node < shares.size(); ++node)
-    if (shares[node] > 0)
-      state.multipliers.segment(node * per_node, per_node) /= shares[node];
   return state;
 }
 
@@ -243,8 +236,6 @@ void ExplicitPenalty::rub(Spring& spring, double normal_stiffness, const Place& 
   else
     spring.slip *= limit / trial;
   spring.traction = -spring.tangential_stiffness * spring.slip;
-  const Vector3d second = place.normal.cross(place.tangent);
-  spring.semi = -Eigen::Vector2d(spring.traction.dot(place.tangent), spring.traction.dot(second)) / limit;
 }
 
 void ExplicitPenalty::add_force(std::size_t index, const Place& place, VectorXd& force) const {

@@ -48,8 +48,7 @@ public:
   double stored() const;                            ///< in the springs [force · length]
   double dissipated() const { return dissipated_; } ///< by friction, in all steps
 
-  /// Pressures, tangential tractions over −μ p and statuses as methods with multipliers keep them. A node
-  /// between points has their mean.
+  /// Statuses and outcomes for the results; slips are those of the last step.
   ZoneState state() const;
 
   /// Adds what springs of the points that face the master put on each node, Σ w k_n |N|, at its first dof.
@@ -77,7 +76,8 @@ private:
     double tangential_stiffness = 0;
     Eigen::Vector3d slip = Eigen::Vector3d::Zero();     ///< elastic [length]
     Eigen::Vector3d traction = Eigen::Vector3d::Zero(); ///< tangential, on the slave [pressure]
-    Eigen::Vector2d semi = Eigen::Vector2d::Zero();     ///< −traction/(μ p) along the tangents
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    Eigen::Vector2d slip_on_tangents = Eigen::Vector2d::Zero(); ///< of the last step
   };
 
   const Face& master_face(std::size_t point) const;

@@ -2,7 +2,9 @@
 #include "rubato/contact/integration.hpp"
 
 #include "rubato/fem/quadrature.hpp"
+#include "rubato/fem/reference_cell.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -77,6 +79,21 @@ std::vector<IntegrationPoint> contact_rule(CellType face, int gauss) {
   std::vector<IntegrationPoint> points;
   for (const auto& [xi, weight] : fem::gauss_rule(face, gauss))
     points.push_back({xi.head<2>(), weight, -1, -1});
+  return points;
+}
+
+std::vector<IntegrationPoint> node_rule(CellType face) {
+  auto points = nodal_rule(face);
+  if (std::ranges::all_of(points, [](const auto& point) { return point.node >= 0; }))
+    return points;
+  double measure = 0;
+  for (const auto& point : points)
+    measure += point.weight;
+  const auto& cell = fem::reference_cell(face);
+  points.clear();
+  for (int i = 0; i < cell.node_count; ++i)
+    points.push_back(
+        on_node(i, cell.nodes[static_cast<std::size_t>(i)].head<2>(), measure / cell.node_count));
   return points;
 }
 

@@ -23,4 +23,8 @@ struct IntegrationPoint {
 /// points a direction.
 std::vector<IntegrationPoint> contact_rule(mesh::CellType face, int gauss);
 
+/// One point on every node. Their weights are contact_rule's where that has them, else equal shares of the
+/// face.
+std::vector<IntegrationPoint> node_rule(mesh::CellType face);
+
 } // namespace rubato::contact

@@ -287,4 +287,35 @@ Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const 
   return Evaluation(zone, point, pair, configuration).run();
 }
 
+Kinematics with_held_frame(Kinematics k) {
+  const auto unknowns = k.unknowns();
+  k.d_projection = Variation<2>::Zero(2, unknowns);
+  k.d_normal = Variation<3>::Zero(3, unknowns);
+  k.d_tangent.fill(Variation<3>::Zero(3, unknowns));
+  k.shape_slope.setZero();
+  k.d_gap = Variation<1>::Zero(unknowns);
+  k.d_slip = Variation<2>::Zero(2, unknowns);
+  for (Eigen::Index node = 0; node < k.shape.size(); ++node)
+    for (int i = 0; i < k.components; ++i) {
+      const auto column = node * k.components + i;
+      k.d_gap[column] = k.shape[node] * k.normal[i];
+      for (int a = 0; a < k.parametric_dimension; ++a)
+        k.d_slip(a, column) = k.shape[node] * k.tangents(i, a);
+    }
+  return k;
+}
+
+void measure_in_held_frame(Kinematics& k, const Configuration& configuration) {
+  Vector3d apart = Vector3d::Zero();
+  Vector3d moved = Vector3d::Zero();
+  for (std::size_t node = 0; node < k.nodes.size(); ++node) {
+    const double shape = k.shape[static_cast<Eigen::Index>(node)];
+    apart += shape * configuration.position(k.nodes[node]);
+    moved += shape * configuration.increment(k.nodes[node]);
+  }
+  k.gap = k.normal.dot(apart);
+  for (int a = 0; a < k.parametric_dimension; ++a)
+    k.slip[a] = k.tangents.col(a).dot(moved);
+}
+
 } // namespace rubato::contact

@@ -49,4 +49,11 @@ struct Kinematics {
 Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                                const Configuration& configuration);
 
+/// The same point with its place on the master, normal and tangents held: only gap and slip follow the
+/// bodies. The relation is linear in q then.
+Kinematics with_held_frame(Kinematics kinematics);
+
+/// Gap and slip of a held frame at another configuration.
+void measure_in_held_frame(Kinematics& kinematics, const Configuration& configuration);
+
 } // namespace rubato::contact

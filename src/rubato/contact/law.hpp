@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// What a contact point answers to its gap, slip and multipliers: the traction on the slave and, for methods
 /// with multipliers, the equations that determine them. Laws know nothing about meshes.
+///
+/// Normal part. Exact methods: T_n = λ − c g with the equation g = 0 in contact, λ = 0 apart (Alart and
+/// Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991, in the form of Code_Aster R5.03.52); nodal_pcg finds λ
+/// by itself, T_n = λ. Penalty ones: T_n = k ⟨−g⟩.
+/// Tangential part, P being the pressure friction is measured by (λ, or T_n of a penalty): augmented
+/// Lagrangian −μ P ρ, ρ = Λ + c_t Δs in stick with the equation Δs = 0, ρ = r/|r|, r = Λ + c_t Δs in slip
+/// with Λ = ρ. Penalty: the same without Λ. Nodal penalty: −E Δs in stick, −μ P Δs/|Δs| in slip.
+/// Nodal methods read "force of a node" wherever "pressure" stands.
 #pragma once
+
+#include "rubato/deck/study.hpp"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -21,12 +32,16 @@ struct PointState {
   Eigen::Vector2d semi = Eigen::Vector2d::Zero(); ///< Λ, |Λ| ≤ 1
 };
 
-struct PointCoefficients {
+struct PointLaw {
+  deck::ContactMethod method = deck::ContactMethod::augmented_lagrangian;
+  deck::FrictionMethod friction_method = deck::FrictionMethod::augmented_lagrangian;
   double friction = 0;      ///< μ
-  double normal = 0;        ///< c [pressure/length]
-  double tangential = 0;    ///< c_t [1/length]
+  double normal = 0;        ///< c or k [pressure/length]
+  double tangential = 0;    ///< c_t or k_t [1/length]; nodal: E [force/length]
   double gap_tolerance = 0; ///< an open point closes when it penetrates more than that [length]
   int tangents = 2;         ///< tangential directions: 1 in 2D
+  /// P while an outer loop holds it; follows the point otherwise.
+  std::optional<double> held_threshold;
 };
 
 /// Traction on the slave side T = traction[0] n + traction[1] τ₁ + traction[2] τ₂ and the residuals of the
@@ -38,15 +53,21 @@ struct PointResponse {
   Eigen::Matrix<double, 3, 6> d_equations = Eigen::Matrix<double, 3, 6>::Zero();
 };
 
-/// Contact iff λ − c g > 0, stick iff |Λ + c_t Δs| ≤ 1 (Alart and Curnier, Comput. Methods Appl. Mech. Eng.
-/// 92, 1991, in the form of Code_Aster R5.03.52). Frictionless points in contact count as slipping.
-Status augmented_lagrangian_status(const PointState& point, const PointCoefficients& coefficients);
+/// Whether gaps close exactly, by a multiplier λ of their own.
+constexpr bool is_exact(deck::ContactMethod method) {
+  return method != deck::ContactMethod::penalty && method != deck::ContactMethod::nodal_penalty;
+}
 
-/// In contact: p = λ − c g with g = 0 as λ's equation; tangential traction −μ λ ρ with ρ = Λ + c_t Δs and Δs
-/// = 0 in stick, ρ = r/|r|, r = Λ + c_t Δs, and Λ = ρ in slip. Open: λ = 0, Λ = 0. In contact at λ ≤ 0 there
-/// is no friction yet and Λ = 0.
-PointResponse augmented_lagrangian(const PointState& point, Status status,
-                                   const PointCoefficients& coefficients);
+/// The status that the present variables call for: in contact iff T_n > 0, sticking iff friction stays below
+/// its limit. Frictionless points in contact count as slipping.
+Status wanted_status(const PointState& point, const PointLaw& law);
+
+/// Traction and equations of a point of that status. In contact without pressure there is no friction yet
+/// and Λ = 0.
+PointResponse respond(const PointState& point, Status status, const PointLaw& law);
+
+/// P, the pressure that friction is measured by, at a point in contact; never negative.
+double friction_pressure(const PointState& point, const PointLaw& law);
 
 struct MethodEntry {
   std::string_view name;
@@ -55,5 +76,7 @@ struct MethodEntry {
 };
 /// Every way to enforce contact there is, for `rubato list` and the guide.
 std::span<const MethodEntry> all_methods();
+/// Every way to enforce friction there is.
+std::span<const MethodEntry> all_friction_methods();
 
 } // namespace rubato::contact

@@ -2,6 +2,7 @@
 #include "rubato/contact/zone.hpp"
 
 #include "rubato/contact/integration.hpp"
+#include "rubato/contact/law.hpp"
 #include "rubato/contact/projection.hpp"
 #include "rubato/fem/reference_cell.hpp"
 
@@ -82,7 +83,9 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const deck::ContactZ
   std::map<NodeIndex, std::size_t> point_of_node;
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     const auto& face = slave.faces[f];
-    for (const auto& at : contact_rule(face.type, settings.gauss_points)) {
+    const auto rule = deck::is_nodal(settings.method) ? node_rule(face.type)
+                                                      : contact_rule(face.type, settings.gauss_points);
+    for (const auto& at : rule) {
       const double weight = at.weight * area_factor(mesh, face, at, geometry);
       std::size_t index = points.size();
       if (at.node >= 0) {
@@ -94,7 +97,7 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const deck::ContactZ
         points.push_back(point_inside(slave, face, at, excluded));
       }
       auto& point = points[index];
-      point.weight += weight;
+      point.area += weight;
       point.stands_on.push_back({static_cast<int>(f), at.xi});
       if (at.stands_for >= 0 && is_excluded(excluded, face.nodes[static_cast<std::size_t>(at.stands_for)]))
         point.excluded = true;
@@ -113,10 +116,21 @@ Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surfac
   zone.points = make_points(mesh, settings, slave, excluded_nodes, geometry);
   zone.master = std::move(master);
   zone.slave = std::move(slave);
+  for (auto& point : zone.points)
+    point.weight = deck::is_nodal(settings.method) ? 1.0 : point.area;
   if (settings.normal != deck::ContactNormal::master)
     for (auto& point : zone.points)
       add_turning_nodes(zone.slave, point);
   return zone;
+}
+
+std::span<const int> Zone::multiplier_variables() const {
+  static constexpr std::array variables{0, 1, 2};
+  const bool tangential =
+      settings.friction > 0 && settings.friction_method == deck::FrictionMethod::augmented_lagrangian;
+  const std::size_t first = is_exact(settings.method) ? 0 : 1;
+  const std::size_t last = tangential ? static_cast<std::size_t>(space_dimension) : 1;
+  return std::span(variables).subspan(first, last - first);
 }
 
 Eigen::Vector3d Configuration::position(NodeIndex node) const {

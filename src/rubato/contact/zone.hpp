@@ -28,7 +28,8 @@ struct SlavePoint {
   std::vector<int> multipliers; ///< positions in the slave surface's nodes, of the nodes with shape ≠ 0
   std::vector<double> multiplier_shape;
   std::vector<PointOnFace> stands_on; ///< every slave face it belongs to
-  double weight = 0;                  ///< quadrature weight × undeformed Jacobian [area]
+  double area = 0;                    ///< quadrature weight × undeformed Jacobian [area]
+  double weight = 0; ///< what tractions are multiplied with: the area, or 1 for nodal methods
   bool excluded = false;
   int node_position = -1; ///< position in the slave surface's nodes when the point stands on a node, else −1
 };
@@ -40,8 +41,9 @@ struct Zone {
   std::vector<SlavePoint> points;
   int space_dimension = 3;
 
-  /// Multipliers of one slave node: the pressure and, with friction, one or two tangential ones.
-  int multipliers_per_node() const { return settings.friction > 0 ? space_dimension : 1; }
+  /// Which of λ, Λ₁, Λ₂ (0, 1, 2) are unknowns of a slave node, in their order there.
+  std::span<const int> multiplier_variables() const;
+  int multipliers_per_node() const { return static_cast<int>(multiplier_variables().size()); }
   int multiplier_count() const { return static_cast<int>(slave.nodes.size()) * multipliers_per_node(); }
 };
 

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
 
 namespace rubato::deck {
@@ -32,14 +35,76 @@ void read_coefficients(const Found& value, ContactZone& zone) {
   map.finish();
 }
 
+/// `newton`, `fixed_point`, or `{by: fixed_point, tolerance: …, max_loops: …}`.
+void read_level(const Found& value, bool has_tolerance, Level& level) {
+  if (!value || !value->tree().is(Tree::Kind::map)) {
+    read(value, level.by, iteration_words);
+    return;
+  }
+  MapReader map(*value);
+  if (!read(map.require("by"), level.by, iteration_words))
+    return;
+  if (level.by == Iteration::newton)
+    for (const auto* key : {"tolerance", "max_loops"})
+      map.refuse(key, "by newton the level has no loop of its own, fixed_point has one");
+  if (has_tolerance)
+    read(map.find("tolerance"), level.tolerance, between(0, 1));
+  else
+    map.refuse("tolerance", "the status loop ends when no status changes");
+  read(map.find("max_loops"), level.max_loops, from_to(1, 10'000));
+  map.finish();
+}
+
 void read_iterations(const Found& value, ContactZone& zone) {
   if (!value)
     return;
   MapReader map(*value);
-  read(map.find("geometry"), zone.geometry, geometry_iteration_words);
-  read(map.find("friction"), zone.friction_threshold, friction_iteration_words);
-  read(map.find("status"), zone.status, status_iteration_words);
+  const auto geometry = map.find("geometry");
+  read_level(geometry, true, zone.geometry);
+  if (is_nodal(zone.method) && zone.geometry.by == Iteration::newton)
+    geometry->fault(fmt::format("{} holds its relations during a loop, expected fixed_point",
+                                word_of(contact_method_words, zone.method)));
+  read_level(map.find("friction"), true, zone.threshold);
+  const auto status = map.find("status");
+  read_level(status, false, zone.status);
+  if (zone.method == ContactMethod::nodal_pcg && zone.status.by == Iteration::fixed_point)
+    status->fault("nodal_pcg finds the points that touch by itself, expected newton");
   map.finish();
+}
+
+/// What a friction method goes with; the first one by itself.
+std::span<const FrictionMethod> friction_methods_of(ContactMethod method) {
+  using enum FrictionMethod;
+  static constexpr std::array exact{augmented_lagrangian, penalty};
+  static constexpr std::array soft{penalty, augmented_lagrangian};
+  static constexpr std::array nodal{nodal_penalty};
+  if (is_nodal(method))
+    return nodal;
+  return method == ContactMethod::penalty ? std::span<const FrictionMethod>(soft) : exact;
+}
+
+std::string either(std::span<const FrictionMethod> methods) {
+  std::string text;
+  for (const auto method : methods)
+    text += fmt::format("{}{}", text.empty() ? "" : " or ", word_of(friction_method_words, method));
+  return text;
+}
+
+void read_friction(MapReader& map, ContactZone& zone) {
+  const auto friction = map.find("friction");
+  read(friction, zone.friction, at_least(0));
+  if (zone.method == ContactMethod::nodal_pcg && zone.friction > 0)
+    friction->fault(fmt::format("found {}, nodal_pcg is without friction, expected 0 or the method "
+                                "nodal_lagrange",
+                                zone.friction));
+  const auto allowed = friction_methods_of(zone.method);
+  zone.friction_method = allowed.front();
+  const auto method = map.find("friction_method");
+  if (read(method, zone.friction_method, friction_method_words) &&
+      std::ranges::find(allowed, zone.friction_method) == allowed.end())
+    method->fault(fmt::format("found {} with the contact method {}, expected {}",
+                              word_of(friction_method_words, zone.friction_method),
+                              word_of(contact_method_words, zone.method), either(allowed)));
 }
 
 ContactZone read_zone(const NamedValue& entry) {
@@ -52,15 +117,23 @@ ContactZone read_zone(const NamedValue& entry) {
   if (read(slave, zone.slave) && master_read && zone.slave.text == zone.master.text)
     slave->fault(
         fmt::format("found {} as slave and as master, expected two surfaces", shown(zone.slave.text)));
-  read(map.find("friction"), zone.friction, at_least(0));
   read(map.find("method"), zone.method, contact_method_words);
+  if (is_nodal(zone.method))
+    zone.geometry.by = Iteration::fixed_point;
+  read_friction(map, zone);
   read(map.find("normal"), zone.normal, contact_normal_words);
   read(map.find("clamped_normal"), zone.clamped_normal, clamped_normal_words);
-  read_integration(map.find("integration"), zone);
+  const auto integration = map.find("integration");
+  read_integration(integration, zone);
+  if (is_nodal(zone.method) && zone.gauss_points > 0)
+    integration->fault(fmt::format("{} has one relation a node, expected nodes; augmented_lagrangian and "
+                                   "penalty take Gauss points",
+                                   word_of(contact_method_words, zone.method)));
   read(map.find("exclude_nodes"), zone.exclude_nodes);
   read(map.find("initially_active"), zone.initially_active);
   read_coefficients(map.find("coefficients"), zone);
   read_iterations(map.find("iterate"), zone);
+  read(map.find("history_force"), zone.history_force);
   map.finish();
   return zone;
 }
@@ -68,8 +141,17 @@ ContactZone read_zone(const NamedValue& entry) {
 } // namespace
 
 void read_contact(const Found& value, std::vector<ContactZone>& zones) {
-  for (const auto& entry : named_entries(value))
+  const auto entries = named_entries(value);
+  for (const auto& entry : entries)
     zones.push_back(read_zone(entry));
+  const auto by_cg = [](const ContactZone& zone) { return zone.method == ContactMethod::nodal_pcg; };
+  if (std::ranges::none_of(zones, by_cg) || std::ranges::all_of(zones, by_cg))
+    return;
+  const auto other = std::ranges::find_if_not(zones, by_cg);
+  entries[static_cast<std::size_t>(other - zones.begin())].value.fault(fmt::format(
+      "found the method {} beside nodal_pcg, which solves for all zones together, expected nodal_pcg "
+      "in every zone or in none",
+      word_of(contact_method_words, other->method)));
 }
 
 } // namespace rubato::deck

@@ -112,9 +112,19 @@ Json echo(const Load& load, int dimension) {
   return {{word(load_words, load.kind), map}};
 }
 
+Json echo(const Level& level) {
+  if (level.by == Iteration::newton)
+    return word(iteration_words, level.by);
+  Json map{{"by", word(iteration_words, level.by)}, {"max_loops", level.max_loops}};
+  if (level.tolerance > 0)
+    map["tolerance"] = level.tolerance;
+  return map;
+}
+
 Json echo(const ContactZone& zone) {
   Json map{{"master", zone.master.text}, {"slave", zone.slave.text}, {"friction", zone.friction}};
   map["method"] = word(contact_method_words, zone.method);
+  map["friction_method"] = word(friction_method_words, zone.friction_method);
   map["normal"] = word(contact_normal_words, zone.normal);
   map["clamped_normal"] = word(clamped_normal_words, zone.clamped_normal);
   map["integration"] = zone.gauss_points == 0 ? Json("nodes") : Json{{"gauss", zone.gauss_points}};
@@ -123,9 +133,9 @@ Json echo(const ContactZone& zone) {
   map["coefficients"] = Json::object();
   put_optional(map["coefficients"], "normal", zone.normal_coefficient);
   put_optional(map["coefficients"], "tangential", zone.tangential_coefficient);
-  map["iterate"] = {{"geometry", word(geometry_iteration_words, zone.geometry)},
-                    {"friction", word(friction_iteration_words, zone.friction_threshold)},
-                    {"status", word(status_iteration_words, zone.status)}};
+  map["iterate"] = {
+      {"geometry", echo(zone.geometry)}, {"friction", echo(zone.threshold)}, {"status", echo(zone.status)}};
+  map["history_force"] = zone.history_force;
   return map;
 }
 
@@ -189,14 +199,24 @@ Json echo(const FieldOutput& fields) {
 }
 
 Json echo(const Check& check) {
-  const auto axis = std::string(axis_words.at(static_cast<std::size_t>(check.component)));
-  return {{"probe", check.probe.text + "." + axis},
-          {"at", check.at},
-          {"reference", check.reference},
-          {"tolerance", check.tolerance},
-          {"kind", word(check_kind_words, check.relative)},
-          {"source", word(check_source_words, check.source)},
-          {"note", check.note}};
+  auto map = Json::object();
+  if (check.field) {
+    const auto& field = *check.field;
+    map["field"] = field.component.empty() ? field.name : field.name + "." + field.component;
+    put_name(map, "on", field.on);
+  } else {
+    const auto axis = std::string(axis_words.at(static_cast<std::size_t>(check.component)));
+    map["probe"] = check.probe.text + "." + axis;
+  }
+  map["at"] = check.at;
+  if (check.run.text.empty())
+    map["reference"] = check.reference;
+  put_name(map, "run", check.run);
+  map["tolerance"] = check.tolerance;
+  map["kind"] = word(check_kind_words, check.relative);
+  map["source"] = word(check_source_words, check.source);
+  map["note"] = check.note;
+  return map;
 }
 
 template <class T, class... More> Json echo_list(const std::vector<T>& entries, More... more) {

@@ -43,6 +43,9 @@ void read_contact(const Found& value, std::vector<ContactZone>& zones);
 void read_time(const Found& value, Context& context, TimeStepping& time);
 void read_newton(const Found& value, NewtonSettings& newton);
 
+/// A fault when the run does not come by that instant.
+void require_within(const Value& value, double instant, const Context& context);
+
 void read_probes(const Found& value, const Context& context, std::vector<Probe>& probes);
 void read_fields(const Found& value, const Context& context, FieldOutput& fields);
 void read_checks(const Found& value, const Context& context, const std::vector<Probe>& probes,

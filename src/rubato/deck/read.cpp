@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/read.hpp"
 
+#include "rubato/deck/other_runs.hpp"
 #include "rubato/deck/overlay.hpp"
 #include "rubato/deck/parts.hpp"
 
@@ -65,6 +66,18 @@ void read_physics(MapReader& map, Context& context, Study& study) {
                                  word_of(physics_words, study.physics)));
 }
 
+/// Explicit steps solve nothing, multipliers least of all.
+void check_explicit_contact(const Study& study, Faults& faults) {
+  for (const auto& zone : study.contact)
+    if (zone.method != ContactMethod::penalty || zone.friction_method != FrictionMethod::penalty)
+      faults.add(zone.at,
+                 fmt::format("contact.{}: found the method {} with friction by {}, but the scheme {} "
+                             "has forces only, expected penalty for both",
+                             zone.name, word_of(contact_method_words, zone.method),
+                             word_of(friction_method_words, zone.friction_method),
+                             word_of(scheme_words, study.time.scheme)));
+}
+
 /// The deck of one run, everything laid over it. Parts come in the order in which one needs another.
 Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& faults) {
   Study study;
@@ -80,41 +93,14 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   read_supports(map.find("supports"), context, study.functions, study.supports);
   read_loads(map.find("loads"), context, study.functions, study.loads);
   read_contact(map.find("contact"), study.contact);
+  if (context.scheme && is_explicit(*context.scheme))
+    check_explicit_contact(study, faults);
   read_newton(map.find("newton"), study.newton);
   read_probes(map.find("probes"), context, study.probes);
   read_fields(map.find("fields"), context, study.fields);
   read_checks(map.find("checks"), context, study.probes, study.checks);
   map.finish();
   return study;
-}
-
-/// Whether multipliers and statuses of one study's contact mean the same in the other.
-bool same_contact(const Study& a, const Study& b) {
-  return std::ranges::equal(a.contact, b.contact, [](const ContactZone& one, const ContactZone& other) {
-    return one.name == other.name && one.master == other.master && one.slave == other.slave &&
-           one.gauss_points == other.gauss_points && (one.friction > 0) == (other.friction > 0);
-  });
-}
-
-void check_start(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
-                 Faults& faults) {
-  const auto& from = study.time.start_run;
-  if (study.time.start != StartKind::from_run || from.text.empty())
-    return;
-  const auto fault = [&](const std::string& text) { faults.add(from.at, "time.start.from: " + text); };
-  const auto source = std::ranges::find(earlier, from.text, &Study::name);
-  if (from.text == study.name)
-    fault(fmt::format("run {} cannot start from itself", from.text));
-  else if (std::ranges::find(all, from.text) == all.end())
-    fault(fmt::format("no run is called {}{}", shown(from.text), suggestion(from.text, all)));
-  else if (source == earlier.end())
-    fault(fmt::format("run {} comes later than run {}, expected an earlier one", from.text, study.name));
-  else if (source->mesh != study.mesh || source->physics != study.physics)
-    fault(fmt::format("run {} has another mesh or physics than run {}", from.text, study.name));
-  else if (!same_contact(*source, study))
-    fault(fmt::format("run {} has other contact zones than run {}, expected the same surfaces, the same "
-                      "integration and friction in both or in none",
-                      from.text, study.name));
 }
 
 /// The deck's title as the settings leave it; a run may have its own.
@@ -127,9 +113,11 @@ std::string title_of(Tree deck, std::span<const Change> changes) {
   return title != nullptr && title->is(Tree::Kind::word) ? title->text : "";
 }
 
-} // namespace
+/// Where the runs are that a run names: in the deck, or computed already and known to be right.
+enum class OtherRuns { in_the_deck, elsewhere };
 
-Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings) {
+Deck parse(std::string_view text, const std::string& file_name, std::span<const Setting> settings,
+           OtherRuns others) {
   Faults faults;
   auto base = parse_tree(text, file_name, faults);
   if (base && !base->is(Tree::Kind::map))
@@ -152,11 +140,22 @@ Deck parse_deck(std::string_view text, const std::string& file_name, std::span<c
         apply(tree, change, faults);
     auto study = read_study(tree, folder, faults);
     study.name = run.name.text;
-    check_start(study, deck.runs, names, faults);
+    if (others == OtherRuns::in_the_deck)
+      check_other_runs(study, deck.runs, names, faults);
     deck.runs.push_back(std::move(study));
   }
   faults.throw_if_any();
   return deck;
+}
+
+} // namespace
+
+Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings) {
+  return parse(text, file_name, settings, OtherRuns::in_the_deck);
+}
+
+Study parse_echo(std::string_view text, const std::string& file_name) {
+  return parse(text, file_name, {}, OtherRuns::elsewhere).runs.front();
 }
 
 Deck read_deck(const std::filesystem::path& file, std::span<const Setting> settings) {

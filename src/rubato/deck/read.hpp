@@ -40,7 +40,11 @@ Deck read_deck(const std::filesystem::path& file, std::span<const Setting> setti
 Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings = {});
 
 /// The study as a deck of one run, in JSON (which is YAML) with every default written out and two blanks of
-/// indentation. parse_deck reads it back to an equal study, unless it starts from another run.
+/// indentation. It is a deck itself, unless it names other runs.
 std::string to_json(const Study& study);
+
+/// Reads back what to_json wrote, to an equal study; the other runs that it names are not looked for. Throws
+/// as parse_deck does.
+Study parse_echo(std::string_view text, const std::string& file_name);
 
 } // namespace rubato::deck

@@ -114,10 +114,29 @@ struct Load {
 
 // ---- contact ---------------------------------------------------------------------------------------------
 
-enum class ContactMethod { augmented_lagrangian };
+enum class ContactMethod {
+  augmented_lagrangian, ///< exact, multipliers on the slave nodes
+  penalty,              ///< pressure grows with penetration
+  nodal_lagrange,       ///< exact, one force a slave node
+  nodal_penalty,        ///< force a slave node grows with penetration
+  nodal_pcg             ///< as nodal_lagrange without friction, by projected conjugate gradients
+};
+enum class FrictionMethod {
+  augmented_lagrangian, ///< semi-multipliers on the slave nodes
+  penalty,              ///< μ p times a slip measured in saturation slips
+  nodal_penalty         ///< spring from the start of the step, at most μ N
+};
 enum class ContactNormal { master, slave, average };
 enum class ClampedNormal { projection, code_aster };
 enum class Iteration { newton, fixed_point };
+
+/// One of the three nested levels: part of every Newton iteration, or a loop of its own around them.
+struct Level {
+  Iteration by = Iteration::newton;
+  double tolerance = 0; ///< of the loop; the status has none: it must not change
+  int max_loops = 0;
+  bool operator==(const Level&) const = default;
+};
 
 struct ContactZone {
   std::string name;
@@ -125,22 +144,32 @@ struct ContactZone {
   Name slave;
   double friction = 0; ///< Coulomb's μ ≥ 0
   ContactMethod method = ContactMethod::augmented_lagrangian;
+  FrictionMethod friction_method = FrictionMethod::augmented_lagrangian;
   ContactNormal normal = ContactNormal::master;
   ClampedNormal clamped_normal = ClampedNormal::projection;
   /// 0: contact points stand on the slave nodes (`integration: nodes`); n > 0: n Gauss points a direction.
   int gauss_points = 0;
   std::vector<Name> exclude_nodes;
-  /// Augmentation; chosen per point from the effective matrix when not given.
-  std::optional<double> normal_coefficient;     ///< c [pressure/length]
-  std::optional<double> tangential_coefficient; ///< c_t [1/length]
+  /// Augmentation or penalty, as the method has it; chosen per point from the effective matrix when not
+  /// given.
+  std::optional<double> normal_coefficient;     ///< c, k_n [pressure/length]; nodal methods [force/length]
+  std::optional<double> tangential_coefficient; ///< c_t, k_t [1/length]; nodal methods [force/length]
   /// First guess of the contact set: nothing given means the whole surface.
   std::optional<bool> initially_active;
-  Iteration geometry = Iteration::newton;
-  Iteration friction_threshold = Iteration::newton;
-  Iteration status = Iteration::newton;
+  Level geometry{Iteration::newton, 1e-2, 10};
+  Level threshold{Iteration::newton, 1e-4, 10}; ///< of friction
+  Level status{Iteration::newton, 0, 30};
+  /// Whether contact forces at the start of a step enter its equilibrium with the scheme's weight.
+  bool history_force = true;
   Location at;
   bool operator==(const ContactZone&) const = default;
 };
+
+/// One relation a slave node, without regard to areas.
+constexpr bool is_nodal(ContactMethod method) {
+  return method == ContactMethod::nodal_lagrange || method == ContactMethod::nodal_penalty ||
+         method == ContactMethod::nodal_pcg;
+}
 
 // ---- time and solver
 // ---------------------------------------------------------------------------------------
@@ -217,13 +246,25 @@ struct FieldOutput {
 
 enum class CheckSource { external, analytic, other_code, other_run };
 
+/// A field at the nodes of a group, as a check compares it.
+struct CheckedField {
+  std::string name;      ///< "displacement"
+  std::string component; ///< "y"; empty: every component
+  Name on;               ///< a group or a node; empty: every node
+  bool operator==(const CheckedField&) const = default;
+};
+
+/// A number that must come out: a probe's value, held against a reference; or the difference of a probe or a
+/// field from another run's, held against 0.
 struct Check {
-  Name probe;        ///< "tip"
-  int component = 0; ///< 0, 1, 2
-  double at = 0;     ///< instant
-  double reference = 0;
+  Name probe;                        ///< "tip"; empty when a field is compared
+  int component = 0;                 ///< of the probe: 0, 1, 2
+  std::optional<CheckedField> field; ///< only with `run`
+  Name run;                          ///< an earlier run of the deck, which is subtracted; empty: none
+  double at = 0;                     ///< instant
+  double reference = 0;              ///< 0 with `run`
   double tolerance = 0;
-  bool relative = true;
+  bool relative = true; ///< to the reference; with `run` to what the other run has
   CheckSource source = CheckSource::external;
   std::string note; ///< where the number comes from
   Location where;

@@ -38,8 +38,17 @@ inline constexpr std::array<Word<LoadKind>, 5> load_words{{{"nodal_force", LoadK
                                                            {"pressure", LoadKind::pressure},
                                                            {"gravity", LoadKind::gravity}}};
 
-inline constexpr std::array<Word<ContactMethod>, 1> contact_method_words{
-    {{"augmented_lagrangian", ContactMethod::augmented_lagrangian}}};
+inline constexpr std::array<Word<ContactMethod>, 5> contact_method_words{
+    {{"augmented_lagrangian", ContactMethod::augmented_lagrangian},
+     {"penalty", ContactMethod::penalty},
+     {"nodal_lagrange", ContactMethod::nodal_lagrange},
+     {"nodal_penalty", ContactMethod::nodal_penalty},
+     {"nodal_pcg", ContactMethod::nodal_pcg}}};
+
+inline constexpr std::array<Word<FrictionMethod>, 3> friction_method_words{
+    {{"augmented_lagrangian", FrictionMethod::augmented_lagrangian},
+     {"penalty", FrictionMethod::penalty},
+     {"nodal_penalty", FrictionMethod::nodal_penalty}}};
 
 inline constexpr std::array<Word<ContactNormal>, 3> contact_normal_words{
     {{"master", ContactNormal::master},
@@ -49,12 +58,8 @@ inline constexpr std::array<Word<ContactNormal>, 3> contact_normal_words{
 inline constexpr std::array<Word<ClampedNormal>, 2> clamped_normal_words{
     {{"projection", ClampedNormal::projection}, {"code_aster", ClampedNormal::code_aster}}};
 
-inline constexpr std::array<Word<Iteration>, 2> geometry_iteration_words{
-    {{"newton", Iteration::newton}, {"fixed_point", Iteration::fixed_point, false}}};
-inline constexpr std::array<Word<Iteration>, 2> friction_iteration_words{
-    {{"newton", Iteration::newton}, {"fixed_point", Iteration::fixed_point, false}}};
-inline constexpr std::array<Word<Iteration>, 2> status_iteration_words{
-    {{"newton", Iteration::newton}, {"fixed_point", Iteration::fixed_point, false}}};
+inline constexpr std::array<Word<Iteration>, 2> iteration_words{
+    {{"newton", Iteration::newton}, {"fixed_point", Iteration::fixed_point}}};
 
 inline constexpr std::array<Word<SchemeKind>, 6> scheme_words{
     {{"newmark", SchemeKind::newmark},

@@ -33,6 +33,9 @@ std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh
 std::vector<mesh::NodeIndex> make_probe_nodes(const deck::Study& study, const mesh::Mesh& mesh,
                                               const fem::DofMap& dofs, std::vector<Fault>& faults);
 
+/// Faults for checks on groups or nodes that there are not.
+void check_compared_places(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
+
 /// A static run needs bodies that cannot move as rigid ones: supports must hold them, or contact with what is
 /// held.
 void check_supported(const Model& model, std::vector<Fault>& faults);

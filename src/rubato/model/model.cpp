@@ -107,6 +107,7 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
   model.zones = make_zones(study, model.mesh, model.dofs, faults);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults);
+  check_compared_places(study, model.mesh, faults);
   stop_on(faults);
   if (study.time.scheme == deck::SchemeKind::static_steps)
     check_supported(model, faults);
@@ -181,6 +182,23 @@ VectorXd imposed_displacements(const Model& model, double t) {
     values[static_cast<Eigen::Index>(i)] =
         model.constraints[i].value * value_of(model.constraints[i].function, t);
   return values;
+}
+
+SparseMatrix free_part(const Model& model, const SparseMatrix& matrix) {
+  const auto size = static_cast<Eigen::Index>(model.free_dofs.size());
+  std::vector<Eigen::Triplet<double, int>> triplets;
+  triplets.reserve(static_cast<std::size_t>(matrix.nonZeros()));
+  for (int column = 0; column < matrix.outerSize(); ++column) {
+    const int free_column = model.free_index[static_cast<std::size_t>(column)];
+    if (free_column < 0)
+      continue;
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+      if (const int free_row = model.free_index[static_cast<std::size_t>(entry.row())]; free_row >= 0)
+        triplets.emplace_back(free_row, free_column, entry.value());
+  }
+  SparseMatrix part(size, size);
+  part.setFromTriplets(triplets.begin(), triplets.end());
+  return part;
 }
 
 std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node) {

@@ -76,6 +76,9 @@ Eigen::VectorXd external_force(const Model& model, double t);
 /// Prescribed displacements at instant t, in the order of model.constraints [length].
 Eigen::VectorXd imposed_displacements(const Model& model, double t);
 
+/// Rows and columns of the free dofs.
+SparseMatrix free_part(const Model& model, const SparseMatrix& matrix);
+
 /// "N90 (1, 0.1, 0.05)": how messages name a node.
 std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node);
 

@@ -45,4 +45,10 @@ std::vector<NodeIndex> make_probe_nodes(const deck::Study& study, const mesh::Me
   return nodes;
 }
 
+void check_compared_places(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
+  for (const auto& check : study.checks)
+    if (check.field && !check.field->on.text.empty())
+      nodes_or_fault(mesh, check.field->on, faults);
+}
+
 } // namespace rubato::model

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/checks.hpp"
 
+#include "rubato/model/model.hpp"
+#include "rubato/results/compare.hpp"
+#include "rubato/results/history.hpp"
+#include "rubato/results/run_folder.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,62 +14,127 @@
 namespace rubato::results {
 namespace {
 
-/// Instants nearer than this part of the run's length are the same.
-constexpr double same_instant = 1e-9;
+/// What came out: a value, and what its deviation is relative to.
+struct Found {
+  double value = 0;
+  double scale = 1;
+};
 
-std::optional<double> value_at(const Table& table, int column, double t) {
-  if (column < 0 || table.rows.empty())
-    return std::nullopt;
-  const auto c = static_cast<std::size_t>(column);
-  const double slack = same_instant * (table.rows.back()[0] - table.rows.front()[0]);
-  const auto after = std::ranges::find_if(table.rows, [&](const auto& row) { return row[0] >= t - slack; });
-  if (after == table.rows.end())
-    return std::nullopt;
-  if (std::abs((*after)[0] - t) <= slack)
-    return (*after)[c];
-  if (after == table.rows.begin())
-    return std::nullopt;
-  const auto& before = *(after - 1);
-  const double part = (t - before[0]) / ((*after)[0] - before[0]);
-  return before[c] + part * ((*after)[c] - before[c]);
+std::optional<Found> of_probe(const deck::Check& check, const std::string& column, const Table& probes) {
+  const auto value = value_at(probes, probes.column(column), check.at);
+  return value ? std::optional<Found>({*value, std::abs(check.reference)}) : std::nullopt;
 }
 
-CheckResult evaluate(const deck::Check& check, const Table& probes) {
+std::optional<Found> of_probe_difference(const deck::Check& check, const std::string& column,
+                                         const Table& probes, const std::filesystem::path& other) {
+  const auto own = value_at(probes, probes.column(column), check.at);
+  const auto table = read_csv(other / probes_file);
+  const auto others = value_at(table, table.column(column), check.at);
+  if (!others)
+    throw InputError(fmt::format("run {} has no {} at {}", check.run.text, column, check.at));
+  return own ? std::optional<Found>({*own - *others, std::abs(*others)}) : std::nullopt;
+}
+
+Found of_field_difference(const deck::Check& check, const std::filesystem::path& folder,
+                          const std::filesystem::path& other, std::string& where) {
+  const auto fields = compare_fields(folder, other, check.field->name, check.at);
+  const auto& on = check.field->on.text;
+  const auto parts = extents(fields, on.empty() ? all_nodes(fields.mesh) : nodes_of(fields.mesh, on));
+  const auto wanted = [&](const Extent& part) {
+    return check.field->component.empty() || part.component == check.field->component;
+  };
+  Found found{0, 0};
+  for (const auto& part : parts) {
+    if (!wanted(part))
+      continue;
+    found.scale = std::max(found.scale, part.largest_b);
+    if (where.empty() || std::abs(part.difference) > std::abs(found.value)) {
+      found.value = part.difference;
+      where = model::node_label(fields.mesh, part.node);
+    }
+  }
+  return found;
+}
+
+std::string quantity_of(const deck::Check& check) {
+  if (!check.field)
+    return fmt::format("{}.{}", check.probe.text, "xyz"[check.component]);
+  const auto& field = *check.field;
+  return fmt::format("{}{}{}{}{}", field.name, field.component.empty() ? "" : ".", field.component,
+                     field.on.text.empty() ? "" : " on ", field.on.text);
+}
+
+/// Throws InputError when the other run does not have what is compared.
+std::optional<Found> find(const deck::Check& check, const Table& probes, const std::filesystem::path& folder,
+                          CheckResult& result) {
+  if (check.run.text.empty())
+    return of_probe(check, result.quantity, probes);
+  const auto other = folder / ".." / check.run.text;
+  if (!std::filesystem::exists(other / summary_file))
+    throw InputError(fmt::format("run {} has no folder beside this one", check.run.text));
+  return check.field ? of_field_difference(check, folder, other, result.where)
+                     : of_probe_difference(check, result.quantity, probes, other);
+}
+
+double deviation_of(double difference, double scale) {
+  return difference == 0 ? 0 : std::abs(difference) / scale;
+}
+
+CheckResult evaluate(const deck::Check& check, const Table& probes, const std::filesystem::path& folder) {
   CheckResult result;
-  result.quantity = fmt::format("{}.{}", check.probe.text, "xyz"[check.component]);
+  result.quantity = quantity_of(check);
   result.at = check.at;
   result.reference = check.reference;
   result.tolerance = check.tolerance;
   result.relative = check.relative;
   result.source = to_string(check.source);
+  result.run = check.run.text;
   result.note = check.note;
-  result.value = value_at(probes, probes.column(result.quantity), check.at);
-  if (!result.value)
-    return result;
-  result.deviation =
-      std::abs(*result.value - check.reference) / (check.relative ? std::abs(check.reference) : 1.0);
-  result.holds = result.deviation <= check.tolerance;
+  try {
+    if (const auto found = find(check, probes, folder, result)) {
+      result.value = found->value;
+      result.deviation = deviation_of(found->value - check.reference, check.relative ? found->scale : 1.0);
+      result.holds = result.deviation <= check.tolerance;
+    }
+  } catch (const InputError& error) {
+    result.failure = error.what();
+  }
   return result;
+}
+
+std::string source_of(const CheckResult& r) {
+  auto text = r.source;
+  if (!r.run.empty())
+    text += " " + r.run;
+  if (!r.where.empty())
+    text += ", largest at " + r.where;
+  if (!r.note.empty())
+    text += ": " + r.note;
+  return r.failure.empty() ? text : fmt::format("{} ({})", text, r.failure);
 }
 
 } // namespace
 
-std::vector<CheckResult> evaluate_checks(std::span<const deck::Check> checks, const Table& probes) {
+std::vector<CheckResult> evaluate_checks(std::span<const deck::Check> checks, const Table& probes,
+                                         const std::filesystem::path& folder) {
   std::vector<CheckResult> results;
   for (const auto& check : checks)
-    results.push_back(evaluate(check, probes));
+    results.push_back(evaluate(check, probes, folder));
   return results;
 }
 
 std::string to_text(std::span<const CheckResult> results) {
-  std::string text = fmt::format("{:<12} {:>10} {:>20} {:>20} {:>10} {:>10}  {:<6} {}\n", "quantity", "t",
-                                 "reference", "value", "deviation", "tolerance", "", "source");
+  std::size_t width = 12;
   for (const auto& r : results)
-    text += fmt::format("{:<12} {:>10.6g} {:>20.12g} {:>20} {:>10} {:>10}  {:<6} {}{}{}\n", r.quantity, r.at,
-                        r.reference, r.value ? fmt::format("{:.12g}", *r.value) : "not reached",
+    width = std::max(width, r.quantity.size());
+  std::string text = fmt::format("{:<{}} {:>10} {:>20} {:>20} {:>10} {:>11}  {:<6} {}\n", "quantity", width,
+                                 "t", "reference", "value", "deviation", "tolerance", "", "source");
+  for (const auto& r : results)
+    text += fmt::format("{:<{}} {:>10.6g} {:>20.12g} {:>20} {:>10} {:>11}  {:<6} {}\n", r.quantity, width,
+                        r.at, r.reference, r.value ? fmt::format("{:.12g}", *r.value) : "not reached",
                         r.value ? fmt::format("{:.2e}", r.deviation) : "",
                         fmt::format("{:.1e}{}", r.tolerance, r.relative ? "" : " abs"),
-                        r.holds ? "ok" : "FAILS", r.source, r.note.empty() ? "" : ": ", r.note);
+                        r.holds ? "ok" : "FAILS", source_of(r));
   return text;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Values of a run held against references.
+/// Values of a run held against references and against other runs.
 #pragma once
 
 #include "rubato/deck/study.hpp"
 #include "rubato/results/csv.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,20 +14,28 @@
 namespace rubato::results {
 
 struct CheckResult {
-  std::string quantity; ///< "tip.y"
+  std::string quantity; ///< "tip.y", "displacement.y on Haut_Contact"
   double at = 0;
   double reference = 0;
-  std::optional<double> value; ///< nothing when the run did not reach the instant
-  double deviation = 0;        ///< relative to the reference or absolute, as the check says
+  /// The difference when another run is subtracted; nothing when one of them did not reach the instant.
+  std::optional<double> value;
+  double deviation =
+      0; ///< relative to the reference (to the other run's value) or absolute, as the check says
   double tolerance = 0;
   bool relative = true;
   bool holds = false;
   std::string source;
+  std::string run;     ///< the one that is subtracted
+  std::string where;   ///< the node of a field's largest difference
+  std::string failure; ///< why the other run has nothing to compare with
   std::string note;
 };
 
-/// Looks the checks' instants up in a table of probes (first column t), between two rows linearly.
-std::vector<CheckResult> evaluate_checks(std::span<const deck::Check> checks, const Table& probes);
+/// Looks the checks' instants up in a run's table of probes (first column t), between two rows linearly. Of
+/// checks against another run the value is the difference, this run's minus the other's; the other's folder
+/// stands beside `folder`, this run's own.
+std::vector<CheckResult> evaluate_checks(std::span<const deck::Check> checks, const Table& probes,
+                                         const std::filesystem::path& folder = {});
 
 /// The comparison as a table for people.
 std::string to_text(std::span<const CheckResult> results);

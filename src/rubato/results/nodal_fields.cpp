@@ -32,21 +32,34 @@ OwnedField scalar_field(const Model& model, std::string name) {
       std::move(name), 1, std::vector<double>(static_cast<std::size_t>(model.mesh.node_count()), 0.0), {}};
 }
 
-/// What a zone's points know, at the state's configuration.
-std::vector<contact::PointEvaluation> evaluation(const Model& model, std::size_t zone,
-                                                 const step::State& before, const step::State& now) {
-  const contact::Configuration configuration{&model.mesh, &model.dofs, &now.motion.u, &before.motion.u};
-  return contact::evaluate(model.zones[zone], now.zones[zone].multipliers, configuration);
-}
-
 /// A point's place among the nodes: its own node, or the one whose shape function is largest there.
 mesh::NodeIndex node_of(const contact::SlavePoint& point) {
   const auto largest = std::ranges::max_element(point.shape, {}, [](double n) { return std::abs(n); });
   return point.nodes[static_cast<std::size_t>(largest - point.shape.begin())];
 }
 
-void add_contact_fields(const Model& model, const step::State& before, const step::State& now,
-                        std::vector<OwnedField>& fields) {
+/// Pressure of the nodes: where they have multipliers their own, else the mean of the points around.
+void put_pressure(const contact::Zone& zone, const contact::ZoneState& state, std::vector<double>& values) {
+  const auto variables = zone.multiplier_variables();
+  const bool own = !variables.empty() && variables.front() == 0 && !deck::is_nodal(zone.settings.method);
+  VectorXd pressure = VectorXd::Zero(static_cast<Index>(zone.slave.nodes.size()));
+  VectorXd share = VectorXd::Zero(pressure.size());
+  for (Index i = 0; own && i < pressure.size(); ++i)
+    pressure[i] = state.multipliers[i * zone.multipliers_per_node()];
+  for (std::size_t i = 0; !own && i < zone.points.size(); ++i) {
+    const auto& point = zone.points[i];
+    for (std::size_t j = 0; j < point.multipliers.size(); ++j) {
+      const double part = point.area * std::abs(point.multiplier_shape[j]);
+      pressure[point.multipliers[j]] += part * state.outcomes[i].pressure;
+      share[point.multipliers[j]] += part;
+    }
+  }
+  for (Index i = 0; i < pressure.size(); ++i)
+    values[static_cast<std::size_t>(zone.slave.nodes[static_cast<std::size_t>(i)])] =
+        share[i] > 0 ? pressure[i] / share[i] : pressure[i];
+}
+
+void add_contact_fields(const Model& model, const step::State& now, std::vector<OwnedField>& fields) {
   auto pressure = scalar_field(model, "contact_pressure");
   auto gap = scalar_field(model, "contact_gap");
   auto status = scalar_field(model, "contact_status");
@@ -58,37 +71,24 @@ void add_contact_fields(const Model& model, const step::State& before, const ste
   slip.values.assign(static_cast<std::size_t>(model.mesh.node_count() * tangents), 0.0);
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
-    const int per_node = zone.multipliers_per_node();
-    for (std::size_t i = 0; i < zone.slave.nodes.size(); ++i)
-      pressure.values[static_cast<std::size_t>(zone.slave.nodes[i])] =
-          now.zones[z].multipliers[static_cast<Index>(i) * per_node];
-    const auto points = evaluation(model, z, before, now);
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& state = now.zones[z];
+    put_pressure(zone, state, pressure.values);
+    for (std::size_t i = 0; i < zone.points.size(); ++i) {
       const auto node = static_cast<std::size_t>(node_of(zone.points[i]));
-      const bool touches = now.zones[z].status[i] != Status::open;
-      gap.values[node] = points[i].kinematics ? points[i].variables.gap : 0.0;
-      status.values[node] = static_cast<double>(now.zones[z].status[i]);
-      for (int a = 0; touches && a < tangents; ++a)
+      const auto& outcome = state.outcomes[i];
+      gap.values[node] = std::isfinite(outcome.gap) ? outcome.gap : 0.0;
+      status.values[node] = static_cast<double>(state.status[i]);
+      for (int a = 0; state.status[i] != Status::open && a < tangents; ++a)
         slip.values[node * static_cast<std::size_t>(tangents) + static_cast<std::size_t>(a)] =
-            points[i].variables.slip[a];
+            outcome.slip[a];
     }
   }
   fields.insert(fields.end(), {std::move(pressure), std::move(gap), std::move(slip), std::move(status)});
 }
 
-/// What the equations hold, augmentation included: where gaps close on average only, multipliers alone fall
-/// short of it.
-Eigen::Vector3d force_on_slave(const Model& model, std::size_t zone, const step::State& now) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto node : model.zones[zone].slave.nodes)
-    for (int i = 0; i < model.dofs.components; ++i)
-      sum[i] -= now.contact_force[model.dofs.dof(node, i)];
-  return sum;
-}
-
 } // namespace
 
-std::vector<OwnedField> nodal_fields(const Model& model, const step::State& before, const step::State& now) {
+std::vector<OwnedField> nodal_fields(const Model& model, const step::State& now) {
   std::vector<OwnedField> fields;
   fields.push_back(vector_field(model, "displacement", now.motion.u));
   fields.push_back(vector_field(model, "velocity", now.motion.v));
@@ -101,37 +101,26 @@ std::vector<OwnedField> nodal_fields(const Model& model, const step::State& befo
   fields.push_back(std::move(tensor));
   fields.push_back(std::move(von_mises));
   if (!model.zones.empty())
-    add_contact_fields(model, before, now, fields);
+    add_contact_fields(model, now, fields);
   return fields;
 }
 
-Resultants contact_resultants(const Model& model, std::size_t zone, const step::State& before,
-                              const step::State& now) {
+Resultants contact_resultants(const contact::ZoneState& state) {
   Resultants sum;
   sum.smallest_gap = std::numeric_limits<double>::infinity();
-  const auto points = evaluation(model, zone, before, now);
-  const auto& points_of_zone = model.zones[zone].points;
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].kinematics)
-      continue;
-    const auto& variables = points[i].variables;
-    sum.smallest_gap = std::min(sum.smallest_gap, variables.gap);
-    if (now.zones[zone].status[i] == Status::open)
+  for (std::size_t i = 0; i < state.outcomes.size(); ++i) {
+    const auto& outcome = state.outcomes[i];
+    sum.smallest_gap = std::min(sum.smallest_gap, outcome.gap);
+    if (state.status[i] == Status::open)
       continue;
     ++sum.in_contact;
-    sum.sticking += now.zones[zone].status[i] == Status::stick ? 1 : 0;
-    const auto& k = *points[i].kinematics;
-    const double share = points_of_zone[i].weight * variables.pressure;
-    sum.normal += share;
-    normal += share * k.normal;
-    tangential -= model.zones[zone].settings.friction * share * (k.tangents * variables.semi);
-    sum.largest_pressure = std::max(sum.largest_pressure, variables.pressure);
+    sum.sticking += state.status[i] == Status::stick ? 1 : 0;
+    sum.normal += outcome.normal.norm();
+    sum.force += outcome.normal + outcome.tangential;
+    tangential += outcome.tangential;
+    sum.largest_pressure = std::max(sum.largest_pressure, outcome.pressure);
   }
-  const bool closes_at_points =
-      std::ranges::all_of(points_of_zone, [](const auto& point) { return point.node_position >= 0; });
-  sum.force = closes_at_points ? Eigen::Vector3d(normal + tangential) : force_on_slave(model, zone, now);
   sum.friction = tangential.norm();
   return sum;
 }

@@ -25,9 +25,8 @@ struct OwnedField {
 /// displacement, velocity, acceleration; stress (averaged at the nodes) and von_mises; with contact also
 /// contact_pressure (≥ 0), contact_gap (> 0 open; 0 where nothing faces the node), contact_slip (along the
 /// master's first and second tangent, of the last step), contact_status (0 open, 1 sticking, 2 slipping).
-/// Nodes off the slave surfaces carry 0. `before` is the state at the start of the step.
-std::vector<OwnedField> nodal_fields(const model::Model& model, const step::State& before,
-                                     const step::State& now);
+/// Nodes off the slave surfaces carry 0.
+std::vector<OwnedField> nodal_fields(const model::Model& model, const step::State& now);
 
 struct Resultants {
   int in_contact = 0;
@@ -39,7 +38,7 @@ struct Resultants {
   double smallest_gap = 0;
 };
 
-Resultants contact_resultants(const model::Model& model, std::size_t zone, const step::State& before,
-                              const step::State& now);
+/// Of one zone.
+Resultants contact_resultants(const contact::ZoneState& state);
 
 } // namespace rubato::results

@@ -61,6 +61,12 @@ ordered_json to_json(const CheckResult& r) {
                     {"holds", r.holds},
                     {"source", r.source},
                     {"note", r.note}};
+  if (!r.run.empty())
+    json["run"] = r.run;
+  if (!r.where.empty())
+    json["where"] = r.where;
+  if (!r.failure.empty())
+    json["failure"] = r.failure;
   if (r.value) {
     json["value"] = *r.value;
     json["deviation"] = r.deviation;
@@ -89,20 +95,20 @@ public:
   void start(const step::State& state) {
     write_probes(state);
     if (wants_fields(state.t, 0, false))
-      write_fields(state, state);
+      write_fields(state);
   }
 
   void step(const step::State& before, const step::State& now, const Attempt& attempt,
             const step::StepReport& report, bool last) {
     ++steps_done_;
     write_probes(now);
-    write_resultants(before, now);
+    write_resultants(now);
     write_attempt(attempt, report);
     unwritten_.reset();
     if (wants_fields(now.t, now.t - before.t, last))
-      write_fields(before, now);
+      write_fields(now);
     else if (has_fields() && model_.study.fields.last)
-      unwritten_.emplace(Step{before, now});
+      unwritten_ = now;
   }
 
   void failed(const Attempt& attempt, const step::StepReport& report) { write_attempt(attempt, report); }
@@ -116,19 +122,14 @@ public:
 
   std::vector<CheckResult> finish(const Ending& ending) {
     if (unwritten_ && ending.status != RunStatus::complete)
-      write_fields(unwritten_->before, unwritten_->now);
-    auto checks = evaluate_checks(model_.study.checks, history_);
+      write_fields(*unwritten_);
+    auto checks = evaluate_checks(model_.study.checks, history_, folder_);
     write_summary(ending, checks);
     return checks;
   }
 
 private:
   static constexpr const char* mesh_name = "mesh";
-
-  struct Step {
-    step::State before;
-    step::State now;
-  };
 
   /// Written beside and then renamed: whoever reads it meanwhile finds a whole one.
   void write_summary(const Ending& ending, const std::vector<CheckResult>& checks) const {
@@ -189,9 +190,9 @@ private:
     history_.rows.push_back(std::move(row));
   }
 
-  void write_resultants(const step::State& before, const step::State& now) {
+  void write_resultants(const step::State& now) {
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
-      const auto r = contact_resultants(model_, z, before, now);
+      const auto r = contact_resultants(now.zones[z]);
       std::vector<double> row{now.t, static_cast<double>(r.in_contact), static_cast<double>(r.sticking)};
       for (int i = 0; i < model_.dofs.components; ++i)
         row.push_back(r.force[i]);
@@ -211,6 +212,12 @@ private:
                       {"status_changes", report.status_changes},
                       {"friction_continuation", report.friction_continuation},
                       {"seconds", attempt.seconds}};
+    for (const auto& round : report.rounds)
+      json["rounds"].push_back({{"level", step::to_string(round.level)},
+                                {"round", round.round},
+                                {"iterations", round.iterations},
+                                {"change", round.change},
+                                {"settled", round.settled}});
     if (!attempt.accepted && report.worst_node >= 0)
       json["worst_node"] = model::node_label(model_.mesh, report.worst_node);
     steps_ << json.dump() << '\n' << std::flush;
@@ -234,8 +241,8 @@ private:
     });
   }
 
-  void write_fields(const step::State& before, const step::State& now) {
-    const auto owned = nodal_fields(model_, before, now);
+  void write_fields(const step::State& now) {
+    const auto owned = nodal_fields(model_, now);
     std::vector<NodalField> fields;
     std::ranges::transform(owned, std::back_inserter(fields), &OwnedField::view);
     if (model_.study.fields.vtu) {
@@ -255,7 +262,7 @@ private:
   std::vector<CsvWriter> resultants_;
   std::optional<CsvWriter> energy_;
   Table history_;
-  std::optional<Step> unwritten_; // the last step, while it has no fields
+  std::optional<step::State> unwritten_; // the last step, while it has no fields
   int steps_done_ = 0;
 };
 

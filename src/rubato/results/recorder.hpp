@@ -12,11 +12,13 @@
 ///                          with status "running"
 #pragma once
 
+#include "rubato/model/model.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/results/run_status.hpp"
 #include "rubato/step/energy.hpp"
-#include "rubato/step/newton.hpp"
+#include "rubato/step/report.hpp"
+#include "rubato/step/state.hpp"
 
 #include <filesystem>
 #include <memory>

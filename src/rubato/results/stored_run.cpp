@@ -24,13 +24,6 @@ nlohmann::json read_json(const std::filesystem::path& path) {
   }
 }
 
-/// The end of another run cannot be read from this folder; what was started from does not matter to what came
-/// out.
-void forget_start(nlohmann::json& study) {
-  if (study.contains("time") && study["time"].contains("start") && study["time"]["start"].is_object())
-    study["time"]["start"] = "consistent";
-}
-
 RunStatus status_named(const std::string& word, const std::filesystem::path& path) {
   const auto* const found = std::ranges::find(run_status_words, word, &RunStatusWord::word);
   if (found == run_status_words.end())
@@ -42,14 +35,12 @@ RunStatus status_named(const std::string& word, const std::filesystem::path& pat
 
 StoredRun read_stored_run(const std::filesystem::path& folder) {
   const auto path = folder / summary_file;
-  auto json = read_json(path);
+  const auto json = read_json(path);
   try {
     StoredRun run;
     run.status = status_named(json.at("status").get<std::string>(), path);
     run.reason = json.at("reason").get<std::string>();
-    auto& study = json.at("study");
-    forget_start(study);
-    run.study = deck::parse_deck(study.dump(), path.string()).runs.front();
+    run.study = deck::parse_echo(json.at("study").dump(), path.string());
     run.study.name = json.at("run").get<std::string>();
     run.probes = read_csv(folder / probes_file);
     return run;

@@ -4,6 +4,8 @@
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/explicit_loop.hpp"
 #include "rubato/run/loop_parts.hpp"
+#include "rubato/step/advance.hpp"
+#include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
 
 #include <fmt/format.h>

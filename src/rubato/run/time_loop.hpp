@@ -3,9 +3,11 @@
 #pragma once
 
 #include "rubato/deck/study.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/run_status.hpp"
-#include "rubato/step/newton.hpp"
+#include "rubato/step/report.hpp"
+#include "rubato/step/state.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/linear_step.hpp"
 
+#include "rubato/linalg/dense_lu.hpp"
 #include "rubato/linalg/direct_solver.hpp"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +17,9 @@ using Eigen::VectorXd;
 using Triplet = Eigen::Triplet<double, int>;
 
 /// Dense systems beyond this size cost more than a sparse factorisation of everything.
-constexpr std::size_t largest_dense = 1500;
+constexpr std::size_t largest_dense = 5000;
 /// Rows of multipliers whose entries are below this part of the largest one say nothing about any unknown.
 constexpr double empty_row = 1e-13;
-/// Reciprocal condition of the scaled dense system below which it has no solution to speak of.
-constexpr double singular = 1e-15;
 
 /// The contact triplets on free dofs, forces weighted, rows that no free unknown can fulfil replaced by "no
 /// change".
@@ -152,6 +149,16 @@ bool solve_uncoupled(const ContactBlocks& blocks, const Coupled& coupled, Vector
   return factor.has_value();
 }
 
+model::SparseMatrix sparse(const Triplets& triplets, const Numbering& rows, const Numbering& columns) {
+  Triplets chosen;
+  for (const auto& entry : triplets)
+    if (rows[entry.row()] >= 0 && columns[entry.col()] >= 0)
+      chosen.emplace_back(rows[entry.row()], columns[entry.col()], entry.value());
+  model::SparseMatrix matrix(rows.size(), columns.size());
+  matrix.setFromTriplets(chosen.begin(), chosen.end());
+  return matrix;
+}
+
 MatrixXd dense(const Triplets& triplets, const Numbering& rows, const Numbering& columns) {
   MatrixXd matrix = MatrixXd::Zero(rows.size(), columns.size());
   for (const auto& entry : triplets)
@@ -170,12 +177,12 @@ std::optional<VectorXd> solve_dense(MatrixXd matrix, VectorXd right) {
     return std::nullopt;
   matrix = row_scale.asDiagonal() * matrix;
   right = row_scale.cwiseProduct(right);
-  const Eigen::PartialPivLU<MatrixXd> lu(matrix);
-  if (!(lu.rcond() > singular))
+  const auto lu = linalg::DenseLu::of(matrix);
+  if (!lu)
     return std::nullopt;
-  VectorXd solution = lu.solve(right);
+  VectorXd solution = lu->solve(right);
   // One refinement: the condensed answer is to be the whole system's to rounding.
-  solution += lu.solve(VectorXd(right - matrix * solution));
+  solution += lu->solve(right - matrix * solution);
   if (!solution.allFinite())
     return std::nullopt;
   return VectorXd(column_scale.cwiseProduct(solution));
@@ -223,8 +230,8 @@ std::optional<LinearSolution> solve_condensed(const LinearProblem& problem, Comp
     return solution;
 
   const MatrixXd s = compliance.between(coupled.unknowns.items());
-  const MatrixXd k = dense(blocks.force_by_dof, coupled.unknowns, coupled.unknowns);
-  const MatrixXd g = dense(blocks.force_by_multiplier, coupled.unknowns, coupled.multipliers);
+  const auto k = sparse(blocks.force_by_dof, coupled.unknowns, coupled.unknowns);
+  const auto g = sparse(blocks.force_by_multiplier, coupled.unknowns, coupled.multipliers);
   MatrixXd matrix(surface + multipliers, surface + multipliers);
   matrix.topLeftCorner(surface, surface) = MatrixXd::Identity(surface, surface) + s * k;
   matrix.topRightCorner(surface, multipliers) = s * g;

@@ -18,8 +18,6 @@
 
 namespace rubato::step {
 
-enum class LinearEngine { automatic, full };
-
 struct LinearSolution {
   Eigen::VectorXd displacement; ///< on free dofs
   Eigen::VectorXd multipliers;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/start.hpp"
+
 #include "rubato/linalg/direct_solver.hpp"
-#include "rubato/step/newton.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,24 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using model::Model;
-using model::SparseMatrix;
-
-SparseMatrix free_part(const Model& model, const SparseMatrix& matrix) {
-  const auto size = static_cast<Index>(model.free_dofs.size());
-  std::vector<Eigen::Triplet<double, int>> triplets;
-  triplets.reserve(static_cast<std::size_t>(matrix.nonZeros()));
-  for (int column = 0; column < matrix.outerSize(); ++column) {
-    const int free_column = model.free_index[static_cast<std::size_t>(column)];
-    if (free_column < 0)
-      continue;
-    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-      if (const int free_row = model.free_index[static_cast<std::size_t>(entry.row())]; free_row >= 0)
-        triplets.emplace_back(free_row, free_column, entry.value());
-  }
-  SparseMatrix part(size, size);
-  part.setFromTriplets(triplets.begin(), triplets.end());
-  return part;
-}
 
 void apply_imposed(const Model& model, double t, VectorXd& u) {
   const VectorXd imposed = model::imposed_displacements(model, t);
@@ -38,7 +21,7 @@ void apply_imposed(const Model& model, double t, VectorXd& u) {
 
 /// M a = −(unbalance + C v) on the free dofs, a = 0 on the others.
 VectorXd balanced_acceleration(const Model& model, const VectorXd& unbalance, const VectorXd& velocity) {
-  const auto factor = linalg::CholeskyFactor::of(free_part(model, model.mass));
+  const auto factor = linalg::CholeskyFactor::of(model::free_part(model, model.mass));
   if (!factor)
     throw InputError(
         "the mass matrix is not positive definite: every cell of a dynamic run needs a positive density");
@@ -50,27 +33,16 @@ VectorXd balanced_acceleration(const Model& model, const VectorXd& unbalance, co
   return a;
 }
 
-} // namespace
-
-EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
-                                      LinearEngine engine) {
-  EffectiveSystem system;
-  system.step = step;
-  system.coefficients = time::coefficients_of(scheme, step);
-  SparseMatrix full = system.coefficients.stiffness * model.stiffness;
-  if (system.coefficients.mass != 0)
-    full += system.coefficients.mass * model.mass;
-  if (system.coefficients.damping != 0 && model.damping.nonZeros() > 0)
-    full += system.coefficients.damping * model.damping;
-  system.diagonal = full.diagonal();
-  system.matrix = free_part(model, full);
-  for (const auto& zone : model.zones)
-    system.zones.push_back(contact::automatic_coefficients(zone, model.dofs, system.diagonal));
-  if (engine == LinearEngine::automatic)
-    if (auto factor = linalg::CholeskyFactor::of(system.matrix))
-      system.compliance.emplace(std::move(*factor), surface_unknowns(model), system.matrix.rows());
-  return system;
+/// A zone before the first step: its gaps are known, nothing pushes yet.
+contact::ZoneState untouched_zone(const Model& model, const contact::Zone& zone, const VectorXd& u) {
+  auto state = contact::initial_state(zone);
+  const auto points = contact::evaluate(zone, state.multipliers, {&model.mesh, &model.dofs, &u, &u});
+  const std::vector<contact::Status> open(points.size(), contact::Status::open);
+  state.outcomes = contact::outcomes({.zone = &zone}, points, open);
+  return state;
 }
+
+} // namespace
 
 State initial_state(const Model& model, const time::Scheme& scheme, double t, bool loaded_history) {
   const auto size = static_cast<Index>(model.dofs.dof_count);
@@ -82,7 +54,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   state.contact_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
   for (const auto& zone : model.zones)
-    state.zones.push_back(contact::initial_state(zone));
+    state.zones.push_back(untouched_zone(model, zone, state.motion.u));
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
   if (!loaded_history)

@@ -3,12 +3,29 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <random>
+#include <tuple>
 
 namespace rubato::contact {
 namespace {
 
-constexpr PointCoefficients steel{0.4, 50.0, 7.0, 0.0, 2};
+using deck::ContactMethod;
+using deck::FrictionMethod;
+
+PointLaw law_of(ContactMethod method, FrictionMethod friction) {
+  PointLaw law;
+  law.method = method;
+  law.friction_method = friction;
+  law.friction = 0.4;
+  law.normal = 50;
+  law.tangential = 7;
+  return law;
+}
+
+const PointLaw steel = law_of(ContactMethod::augmented_lagrangian, FrictionMethod::augmented_lagrangian);
+const PointLaw soft = law_of(ContactMethod::penalty, FrictionMethod::penalty);
+const PointLaw spring = law_of(ContactMethod::nodal_penalty, FrictionMethod::nodal_penalty);
 
 Eigen::Matrix<double, 6, 1> variables(const PointState& p) {
   Eigen::Matrix<double, 6, 1> v;
@@ -21,21 +38,21 @@ PointState from(const Eigen::Matrix<double, 6, 1>& v) {
 }
 
 TEST(AugmentedLagrangianStatus, ClosesWhenPushedAndOpensWhenPulled) {
-  EXPECT_EQ(augmented_lagrangian_status({0.1, {}, 0, {}}, steel), Status::open);
-  EXPECT_EQ(augmented_lagrangian_status({-0.1, {0, 0}, 0, {0, 0}}, steel), Status::slip);
-  EXPECT_EQ(augmented_lagrangian_status({0.0, {0, 0}, -3.0, {0, 0}}, steel), Status::open);
-  EXPECT_EQ(augmented_lagrangian_status({0.0, {0, 0}, 3.0, {0.5, 0.5}}, steel), Status::stick);
-  EXPECT_EQ(augmented_lagrangian_status({0.0, {0.1, 0}, 3.0, {0.5, 0.5}}, steel), Status::slip);
+  EXPECT_EQ(wanted_status({0.1, {}, 0, {}}, steel), Status::open);
+  EXPECT_EQ(wanted_status({-0.1, {0, 0}, 0, {0, 0}}, steel), Status::slip);
+  EXPECT_EQ(wanted_status({0.0, {0, 0}, -3.0, {0, 0}}, steel), Status::open);
+  EXPECT_EQ(wanted_status({0.0, {0, 0}, 3.0, {0.5, 0.5}}, steel), Status::stick);
+  EXPECT_EQ(wanted_status({0.0, {0.1, 0}, 3.0, {0.5, 0.5}}, steel), Status::slip);
 }
 
 TEST(AugmentedLagrangianStatus, RoundingOfTheGapClosesNothing) {
   auto coefficients = steel;
   coefficients.gap_tolerance = 1e-12;
-  EXPECT_EQ(augmented_lagrangian_status({-1e-13, {0, 0}, 0, {0, 0}}, coefficients), Status::open);
+  EXPECT_EQ(wanted_status({-1e-13, {0, 0}, 0, {0, 0}}, coefficients), Status::open);
 }
 
 TEST(AugmentedLagrangianLaw, SlidingTractionOpposesTheSlip) {
-  const auto response = augmented_lagrangian({0.0, {0.5, 0}, 10.0, {1, 0}}, Status::slip, steel);
+  const auto response = respond({0.0, {0.5, 0}, 10.0, {1, 0}}, Status::slip, steel);
   EXPECT_DOUBLE_EQ(response.traction[0], 10.0);
   EXPECT_DOUBLE_EQ(response.traction[1], -0.4 * 10.0);
   EXPECT_DOUBLE_EQ(response.traction[2], 0.0);
@@ -43,37 +60,104 @@ TEST(AugmentedLagrangianLaw, SlidingTractionOpposesTheSlip) {
 }
 
 TEST(AugmentedLagrangianLaw, OpenPointsCarryNothing) {
-  const auto response = augmented_lagrangian({0.5, {0.5, 0}, 0.0, {0, 0}}, Status::open, steel);
+  const auto response = respond({0.5, {0.5, 0}, 0.0, {0, 0}}, Status::open, steel);
   EXPECT_EQ(response.traction.norm(), 0.0);
   EXPECT_EQ(response.equations.norm(), 0.0);
 }
 
-class LawTangent : public testing::TestWithParam<Status> {};
+TEST(PenaltyLaw, PressureIsStiffnessTimesPenetration) {
+  EXPECT_EQ(wanted_status({0.01, {0, 0}, 0, {0, 0}}, soft), Status::open);
+  EXPECT_DOUBLE_EQ(respond({-0.02, {0, 0}, 0, {0, 0}}, Status::slip, soft).traction[0], 1.0);
+}
+
+TEST(PenaltyLaw, FrictionGrowsWithSlipUpToItsLimit) {
+  const PointState small{-0.02, {0.1, 0}, 0, {0, 0}};
+  ASSERT_EQ(wanted_status(small, soft), Status::stick);
+  EXPECT_DOUBLE_EQ(respond(small, Status::stick, soft).traction[1], -0.4 * 1.0 * 7 * 0.1);
+  const PointState large{-0.02, {0, 3}, 0, {0, 0}};
+  ASSERT_EQ(wanted_status(large, soft), Status::slip);
+  EXPECT_DOUBLE_EQ(respond(large, Status::slip, soft).traction[2], -0.4);
+}
+
+TEST(NodalPenaltyLaw, IsASpringUpToCoulombsLimit) {
+  const PointState small{-0.2, {0.5, 0}, 0, {0, 0}};
+  ASSERT_EQ(wanted_status(small, spring), Status::stick); // 7 · 0.5 < 0.4 · 10
+  EXPECT_DOUBLE_EQ(respond(small, Status::stick, spring).traction[1], -3.5);
+  const PointState large{-0.2, {0.6, 0}, 0, {0, 0}};
+  ASSERT_EQ(wanted_status(large, spring), Status::slip);
+  EXPECT_DOUBLE_EQ(respond(large, Status::slip, spring).traction[1], -4.0);
+}
+
+TEST(HeldThreshold, TakesThePlaceOfThePressure) {
+  for (auto law : {steel, soft, spring}) {
+    law.held_threshold = 3;
+    const PointState point{-0.2, {2, 0}, 10, {0, 0}};
+    EXPECT_DOUBLE_EQ(respond(point, Status::slip, law).traction[1], -0.4 * 3);
+    EXPECT_NE(friction_pressure(point, steel), 3);
+  }
+}
+
+TEST(ConjugateGradientsForces, AreTheTractionWhateverTheGap) {
+  auto law = steel;
+  law.method = ContactMethod::nodal_pcg;
+  law.friction = 0;
+  EXPECT_EQ(wanted_status({-0.1, {0, 0}, 0, {0, 0}}, law), Status::open);
+  EXPECT_DOUBLE_EQ(respond({-0.1, {0, 0}, 5, {0, 0}}, Status::slip, law).traction[0], 5);
+}
+
+struct LawVariant {
+  const char* name;
+  ContactMethod method;
+  FrictionMethod friction;
+};
+void PrintTo(const LawVariant& variant, std::ostream* out) {
+  *out << variant.name;
+}
+
+class LawTangent : public testing::TestWithParam<std::tuple<LawVariant, Status, bool>> {};
 
 TEST_P(LawTangent, IsTheDerivativeOfTheLaw) {
+  const auto& [variant, status, held] = GetParam();
+  auto law = law_of(variant.method, variant.friction);
+  if (held)
+    law.held_threshold = 1.5;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(-1, 1);
   for (int trial = 0; trial < 50; ++trial) {
     Eigen::Matrix<double, 6, 1> v = Eigen::Matrix<double, 6, 1>::NullaryExpr([&] { return number(random); });
+    v[0] = is_exact(law.method) ? v[0] : -0.5 + 0.4 * v[0];
     v[3] = 2 + number(random);
-    const auto at = augmented_lagrangian(from(v), GetParam(), steel);
+    const auto at = respond(from(v), status, law);
     for (int i = 0; i < 6; ++i) {
       constexpr double h = 1e-6;
       auto forward = v;
       auto backward = v;
       forward[i] += h;
       backward[i] -= h;
-      const auto plus = augmented_lagrangian(from(forward), GetParam(), steel);
-      const auto minus = augmented_lagrangian(from(backward), GetParam(), steel);
+      const auto plus = respond(from(forward), status, law);
+      const auto minus = respond(from(backward), status, law);
       EXPECT_LT(((plus.traction - minus.traction) / (2 * h) - at.d_traction.col(i)).norm(), 1e-6);
       EXPECT_LT(((plus.equations - minus.equations) / (2 * h) - at.d_equations.col(i)).norm(), 1e-6);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Statuses, LawTangent, testing::Values(Status::open, Status::stick, Status::slip));
+INSTANTIATE_TEST_SUITE_P(
+    Laws, LawTangent,
+    testing::Combine(testing::Values(LawVariant{"exact", ContactMethod::augmented_lagrangian,
+                                                FrictionMethod::augmented_lagrangian},
+                                     LawVariant{"exactWithPenalizedFriction",
+                                                ContactMethod::augmented_lagrangian, FrictionMethod::penalty},
+                                     LawVariant{"penalty", ContactMethod::penalty, FrictionMethod::penalty},
+                                     LawVariant{"penaltyWithExactFriction", ContactMethod::penalty,
+                                                FrictionMethod::augmented_lagrangian},
+                                     LawVariant{"nodalLagrange", ContactMethod::nodal_lagrange,
+                                                FrictionMethod::nodal_penalty},
+                                     LawVariant{"nodalPenalty", ContactMethod::nodal_penalty,
+                                                FrictionMethod::nodal_penalty}),
+                     testing::Values(Status::open, Status::stick, Status::slip), testing::Bool()));
 
-TEST(AugmentedLagrangianLaw, VariablesKeepTheirOrder) {
+TEST(PointVariables, KeepTheirOrder) {
   const PointState p{1, {2, 3}, 4, {5, 6}};
   EXPECT_EQ(from(variables(p)).semi[1], 6);
 }

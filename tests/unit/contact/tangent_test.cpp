@@ -120,11 +120,12 @@ System system_at(const test::TwoFaces& setup, const VectorXd& u, const VectorXd&
   std::vector<Status> status;
   for (const auto& point : points)
     status.push_back(point.kinematics ? wanted : Status::open);
-  const contact::ZoneCoefficients coefficients{std::vector<double>(points.size(), 3.0),
-                                               std::vector<double>(points.size(), 2.0)};
+  const contact::ZoneLaw law{
+      &setup.zone,
+      {std::vector<double>(points.size(), 3.0), std::vector<double>(points.size(), 2.0)},
+      setup.zone.settings.friction};
   contact::ContactSystem system(setup.dofs.dof_count, multipliers.size());
-  contact::add_contributions(setup.zone, coefficients, setup.zone.settings.friction, points, status,
-                             setup.dofs, 0, system);
+  contact::add_contributions(law, points, status, setup.dofs, 0, system);
   System dense;
   const auto dofs = setup.dofs.dof_count;
   dense.residual.resize(dofs + multipliers.size());

@@ -68,6 +68,26 @@ TEST(StudyEcho, NamesTheRunItStartsFrom) {
   EXPECT_EQ(nlohmann::json::parse(to_json(study))["time"]["start"]["from"], "preload");
 }
 
+TEST(StudyEcho, ReadsBackWithoutTheOtherRunsItNames) {
+  const auto deck = test::parse(smallest_deck + R"(probes: {tip: {node: N1}}
+fields: {formats: [med], every: 1}
+runs:
+  first: {}
+  second:
+    time: {start: {from: first}}
+    checks:
+      - {probe: tip.z, at: 0.001, run: first, tolerance: 0.1, kind: absolute, note: evol1 - evol2}
+      - {field: stress.xy, on: N1, at: 0.002, run: first, tolerance: 0.2}
+      - {field: displacement, at: 0.003, run: first, tolerance: 0.3}
+)");
+  const auto& study = deck.runs.at(1);
+  ASSERT_EQ(study.checks.size(), 3U);
+  EXPECT_EQ(parse_echo(to_json(study), "echo.json"), study);
+  EXPECT_EQ(study.checks[0].source, CheckSource::other_run);
+  EXPECT_EQ(study.checks[1].field, (CheckedField{"stress", "xy", {"N1", {}}}));
+  EXPECT_EQ(study.checks[2].field, (CheckedField{"displacement", "", {}}));
+}
+
 TEST(Study, IsEqualWhateverPlaceItWasReadFrom) {
   EXPECT_EQ(parse_one("\n\n" + full_deck), parse_one(full_deck));
   EXPECT_NE(parse_one(replaced(full_deck, "friction: 0.2", "friction: 0.3")), parse_one(full_deck));

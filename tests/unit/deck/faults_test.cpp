@@ -151,10 +151,6 @@ const Mistake range_mistakes[] = {
     {"tolerance: 1e-3", "tolerance: 0", "0, kind", "checks.0.tolerance: found '0', expected a number > 0"},
 };
 
-/// The whole part about time.
-constexpr const char* explicit_scheme = "scheme: hht\n  alpha: -0.3\n  begin: 0.001\n  step: 1e-3\n  end: "
-                                        "0.013\n  start: at_rest_unloaded\n  on_failure: {cut: 4, levels: 6}";
-
 const Mistake sense_mistakes[] = {
     {"scheme: hht", "scheme: newmark", "-0.3",
      "time.alpha: the scheme newmark takes no alpha, hht and modified_average_acceleration take it; a run "
@@ -173,25 +169,22 @@ const Mistake sense_mistakes[] = {
     {"alpha: -0.3", "alpha: -0.3\n  record: 1e-4", "1e-4\n  begin",
      "time.record: the scheme hht takes no record, central_difference takes it; a run removes it by "
      "'record: ~'"},
-    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  safety: 1.5\n  end: 0.013", "1.5",
-     "time.safety: found '1.5', expected a number > 0 and <= 1"},
-    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  record: 1\n  end: 0.013", "1\n  end",
-     "time.record: found 1, expected at most the length of the run, 0.012"},
-    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  instants: [0.013]\n  end: 0.013",
-     "[0.013]",
-     "time.instants: the scheme central_difference chooses its steps; results are kept every 'record'"},
-    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  end: 0.013\n  start: at_rest_unloaded",
-     "at_rest",
-     "time.start: the scheme central_difference starts at rest from the true equilibrium, expected "
-     "consistent"},
-    {explicit_scheme, "scheme: central_difference\n  begin: 0.001\n  end: 0.013\n  on_failure: {cut: 4}",
-     "{cut: 4}", "time.on_failure: the scheme central_difference has no steps that fail"},
     {"slave: Beneath", "slave: Below", "Below\n    friction",
      "contact.interface.slave: found 'Below' as slave and as master, expected two surfaces"},
-    {"geometry: newton", "geometry: fixed_point", "fixed_point",
-     "contact.interface.iterate.geometry: found 'fixed_point', expected newton"},
-    {"method: augmented_lagrangian", "method: penalty", "penalty",
-     "contact.interface.method: found 'penalty', expected augmented_lagrangian"},
+    {"friction: newton", "friction: newtn", "newtn",
+     "contact.interface.iterate.friction: found 'newtn', expected one of newton, fixed_point; did you mean "
+     "'newton'?"},
+    {"by: fixed_point, tolerance: 2e-3, max_loops: 7", "by: newton, max_loops: 7", "7}, friction",
+     "contact.interface.iterate.geometry.max_loops: by newton the level has no loop of its own, fixed_point "
+     "has one"},
+    {"status: fixed_point", "status: {by: fixed_point, tolerance: 1}", "1}}\n    history",
+     "contact.interface.iterate.status.tolerance: the status loop ends when no status changes"},
+    {"method: augmented_lagrangian", "method: penaltie", "penaltie",
+     "contact.interface.method: found 'penaltie', expected one of augmented_lagrangian, penalty, "
+     "nodal_lagrange, nodal_penalty, nodal_pcg; did you mean 'penalty'?"},
+    {"friction_method: penalty", "friction_method: nodal_penalty", "nodal_penalty",
+     "contact.interface.friction_method: found nodal_penalty with the contact method augmented_lagrangian, "
+     "expected augmented_lagrangian or penalty"},
     {"[Clamped, N6]", "[N6, N6]", "N6]", "contact.interface.exclude_nodes.1: found 'N6' a second time"},
     {"y: -1e7", "z: -1e7", "-1e7", "loads.0.nodal_force.z: plane_stress has no z, expected x or y"},
     {"fix: [x, y]", "fix: [x, z]", "z]",
@@ -301,6 +294,86 @@ TEST(DeckFaults, ThicknessOnlyBelongsToPlanes) {
   EXPECT_EQ(
       faults_of(smallest_deck + "thickness: 2"),
       Sentences{"study.yaml:5:12: thickness: solid has no thickness, plane_stress and plane_strain do"});
+}
+
+Sentences faults_of_zone(const std::string& settings) {
+  Sentences sentences;
+  for (const auto& sentence :
+       faults_of(smallest_deck + "contact: {a: {master: M, slave: S, " + settings + "}}\n"))
+    sentences.push_back(sentence.substr(sentence.find("contact")));
+  return sentences;
+}
+
+/// Of an explicit run with these words after `scheme` in `time`, and these beside it in the deck.
+Sentences faults_of_explicit(const std::string& time, const std::string& beside = "") {
+  Sentences sentences;
+  for (const auto& sentence :
+       faults_of(replaced(smallest_deck, "newmark, step: 1e-3, end: 0.012", "central_difference, " + time) +
+                 beside))
+    sentences.push_back(sentence.substr(sentence.find(": ") + 2));
+  return sentences;
+}
+
+TEST(DeckFaults, AnExplicitSchemeHasStepsOfItsOwn) {
+  EXPECT_EQ(faults_of_explicit("end: 1"), Sentences{});
+  EXPECT_EQ(faults_of_explicit("end: 1, step: auto, safety: 1, record: 0.1"), Sentences{});
+  EXPECT_EQ(faults_of_explicit("end: 1, safety: 1.5"),
+            Sentences{"time.safety: found '1.5', expected a number > 0 and <= 1"});
+  EXPECT_EQ(faults_of_explicit("end: 1, record: 2"),
+            Sentences{"time.record: found 2, expected at most the length of the run, 1"});
+  EXPECT_EQ(faults_of_explicit("end: 1, step: 2"),
+            Sentences{"time.step: found 2, expected at most the length of the run, 1"});
+  EXPECT_EQ(
+      faults_of_explicit("end: 1, instants: [1]"),
+      Sentences{
+          "time.instants: the scheme central_difference chooses its steps; results are kept every 'record'"});
+  EXPECT_EQ(faults_of_explicit("end: 1, on_failure: {cut: 2}"),
+            Sentences{"time.on_failure: the scheme central_difference has no steps that fail"});
+  EXPECT_EQ(faults_of_explicit("end: 1, start: at_rest_unloaded"),
+            Sentences{"time.start: the scheme central_difference starts at rest from the true equilibrium, "
+                      "expected consistent"});
+  EXPECT_EQ(faults_of_explicit("end: 1, alpha: -0.1").size(), 1U);
+  EXPECT_EQ(faults_of(replaced(smallest_deck, "newmark", "newmark, record: 1e-4")),
+            Sentences{place_of(replaced(smallest_deck, "newmark", "newmark, record: 1e-4"), "1e-4") +
+                      ": time.record: the scheme newmark takes no record, central_difference takes it; a run "
+                      "removes it by 'record: ~'"});
+}
+
+TEST(DeckFaults, AnExplicitSchemeTakesContactByPenaltyOnly) {
+  const auto faults = [](const std::string& method) {
+    return faults_of_explicit("end: 1", "contact: {a: {master: M, slave: S, friction: 0.1" + method + "}}\n");
+  };
+  EXPECT_EQ(faults(", method: penalty"), Sentences{});
+  EXPECT_EQ(faults(""), Sentences{"contact.a: found the method augmented_lagrangian with friction by "
+                                  "augmented_lagrangian, but the scheme central_difference has forces only, "
+                                  "expected penalty for both"});
+  EXPECT_EQ(faults(", method: nodal_penalty").size(), 1U);
+  EXPECT_EQ(faults(", method: penalty, friction_method: augmented_lagrangian").size(), 1U);
+}
+
+TEST(DeckFaults, MethodsThatDoNotGoTogetherAreToldApart) {
+  EXPECT_EQ(
+      faults_of_zone("method: nodal_pcg, friction: 0.2"),
+      Sentences{"contact.a.friction: found 0.2, nodal_pcg is without friction, expected 0 or the method "
+                "nodal_lagrange"});
+  EXPECT_EQ(faults_of_zone("method: nodal_penalty, integration: {gauss: 2}"),
+            Sentences{"contact.a.integration: nodal_penalty has one relation a node, expected nodes; "
+                      "augmented_lagrangian and penalty take Gauss points"});
+  EXPECT_EQ(
+      faults_of_zone("method: nodal_lagrange, iterate: {geometry: newton}"),
+      Sentences{"contact.a.iterate.geometry: nodal_lagrange holds its relations during a loop, expected "
+                "fixed_point"});
+  EXPECT_EQ(faults_of_zone("method: nodal_pcg, iterate: {status: fixed_point}"),
+            Sentences{"contact.a.iterate.status: nodal_pcg finds the points that touch by itself, expected "
+                      "newton"});
+  EXPECT_EQ(
+      faults_of_zone("method: penalty, friction: 0.1, friction_method: nodal_penalty"),
+      Sentences{"contact.a.friction_method: found nodal_penalty with the contact method penalty, expected "
+                "penalty or augmented_lagrangian"});
+  EXPECT_EQ(
+      faults_of_zone("method: nodal_pcg}, b: {master: K, slave: L"),
+      Sentences{"contact.b: found the method augmented_lagrangian beside nodal_pcg, which solves for all "
+                "zones together, expected nodal_pcg in every zone or in none"});
 }
 
 TEST(DeckFaults, BodiesFitThePhysics) {

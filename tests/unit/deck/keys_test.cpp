@@ -182,7 +182,11 @@ TEST(DeckKeys, Contact) {
   EXPECT_EQ(zone.initially_active, false);
   EXPECT_EQ(zone.normal_coefficient, 1e9);
   EXPECT_EQ(zone.tangential_coefficient, 1e7);
-  EXPECT_EQ(zone.geometry, Iteration::newton);
+  EXPECT_EQ(zone.friction_method, FrictionMethod::penalty);
+  EXPECT_EQ(zone.geometry, (Level{Iteration::fixed_point, 2e-3, 7}));
+  EXPECT_EQ(zone.threshold, (Level{Iteration::newton, 1e-4, 10}));
+  EXPECT_EQ(zone.status, (Level{Iteration::fixed_point, 0, 30}));
+  EXPECT_FALSE(zone.history_force);
 }
 
 TEST(DeckKeys, ContactOnlyNeedsItsTwoSurfaces) {
@@ -193,6 +197,20 @@ TEST(DeckKeys, ContactOnlyNeedsItsTwoSurfaces) {
   expected.master.text = "M";
   expected.slave.text = "S";
   EXPECT_EQ(zone, expected);
+}
+
+TEST(DeckKeys, AContactMethodBringsItsFrictionAndItsGeometryLoop) {
+  const auto zone_of = [](const std::string& method) {
+    return parse_one(smallest_deck + "contact: {a: {master: M, slave: S, method: " + method + "}}")
+        .contact.at(0);
+  };
+  EXPECT_EQ(zone_of("augmented_lagrangian").friction_method, FrictionMethod::augmented_lagrangian);
+  EXPECT_EQ(zone_of("penalty").friction_method, FrictionMethod::penalty);
+  EXPECT_EQ(zone_of("penalty").geometry.by, Iteration::newton);
+  for (const std::string nodal : {"nodal_lagrange", "nodal_penalty", "nodal_pcg"}) {
+    EXPECT_EQ(zone_of(nodal).friction_method, FrictionMethod::nodal_penalty) << nodal;
+    EXPECT_EQ(zone_of(nodal).geometry.by, Iteration::fixed_point) << nodal;
+  }
 }
 
 TEST(DeckKeys, TimeSteps) {
@@ -251,8 +269,9 @@ TEST(DeckKeys, NewtonProbesFieldsAndChecks) {
   EXPECT_EQ(study.probes[1].field, ProbeField::reaction);
   EXPECT_EQ(study.fields, (FieldOutput{true, true, {0.001, 0.006}, 10, false}));
   ASSERT_EQ(study.checks.size(), 1U);
-  EXPECT_EQ(study.checks[0],
-            (Check{{"tip", {}}, 1, 0.012, -0.0132, 1e-3, false, CheckSource::other_code, "table 3", {}}));
+  EXPECT_EQ(
+      study.checks[0],
+      (Check{{"tip", {}}, 1, {}, {}, 0.012, -0.0132, 1e-3, false, CheckSource::other_code, "table 3", {}}));
 }
 
 TEST(DeckKeys, FieldsAloneAreWrittenForParaView) {

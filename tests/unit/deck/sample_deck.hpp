@@ -71,7 +71,9 @@ contact:
     exclude_nodes: [Clamped, N6]
     initially_active: false
     coefficients: {normal: 1e9, tangential: 1e7}
-    iterate: {geometry: newton, friction: newton, status: newton}
+    friction_method: penalty
+    iterate: {geometry: {by: fixed_point, tolerance: 2e-3, max_loops: 7}, friction: newton, status: fixed_point}
+    history_force: false
 time:
   scheme: hht
   alpha: -0.3

@@ -12,6 +12,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/two_blocks.hpp"
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace rubato::results {
@@ -84,6 +85,48 @@ TEST_F(RunFolder, IsReadBackAsTheStudyAndItsHistory) {
   ASSERT_EQ(again.size(), 1U);
   EXPECT_EQ(again[0].value, result.checks[0].value);
   EXPECT_EQ(again[0].deviation, result.checks[0].deviation);
+}
+
+/// The other runs are in folders beside it.
+TEST_F(RunFolder, IsComparedWithTheFoldersBesideIt) {
+  const auto deck = deck::parse_deck(two_blocks + R"(fields: {formats: [med], at: [2e-4]}
+runs:
+  rough: {}
+  smooth:
+    contact: {interface: {friction: 0}}
+    checks:
+      - {probe: end.y, at: 2e-4, run: rough, tolerance: 1, note: hardly}
+      - {field: displacement.x, on: lower_face, at: 2e-4, run: rough, tolerance: 1e-30, kind: absolute}
+)",
+                                     "deck.yaml");
+  std::vector<CheckResult> checks;
+  for (const auto& study : deck.runs)
+    checks = run::run_study(study, folder_ / study.name, {}).checks;
+  ASSERT_EQ(checks.size(), 2U);
+  const auto y = [&](const std::string& name) {
+    return read_csv(folder_ / name / "probes.csv").rows.at(2).at(2);
+  };
+  EXPECT_EQ(checks[0].value, y("smooth") - y("rough"));
+  EXPECT_DOUBLE_EQ(checks[0].deviation, std::abs(y("smooth") - y("rough")) / std::abs(y("rough")));
+  EXPECT_TRUE(checks[0].holds);
+  EXPECT_EQ(checks[1].quantity, "displacement.x on lower_face");
+  EXPECT_GT(std::abs(checks[1].value.value()), 1e-12);
+  EXPECT_EQ(checks[1].deviation, std::abs(*checks[1].value));
+  EXPECT_FALSE(checks[1].holds);
+
+  const auto json = nlohmann::json::parse(text_of(folder_ / "smooth/run.json")).at("checks").at(1);
+  EXPECT_EQ(json.at("run"), "rough");
+  EXPECT_TRUE(json.at("where").get<std::string>().starts_with("N")) << json;
+  const auto stored = read_stored_run(folder_ / "smooth");
+  EXPECT_EQ(stored.study, deck.runs[1]);
+  const auto again = evaluate_checks(stored.study.checks, stored.probes, folder_ / "smooth");
+  EXPECT_EQ(again[0].value, checks[0].value);
+  EXPECT_EQ(again[1].value, checks[1].value);
+
+  std::filesystem::remove_all(folder_ / "rough");
+  const auto alone = evaluate_checks(stored.study.checks, stored.probes, folder_ / "smooth");
+  EXPECT_FALSE(alone[0].holds);
+  EXPECT_NE(to_text(alone).find("(run rough has no folder beside this one)"), std::string::npos);
 }
 
 TEST_F(RunFolder, RecordsEveryKindOfProbe) {

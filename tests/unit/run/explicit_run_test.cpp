@@ -21,7 +21,9 @@ const std::string hht = "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}";
 
 deck::Study explicit_study(const std::string& more = "") {
   const auto time = "{scheme: central_difference, end: 4e-4, record: 5e-5" + more + "}";
-  return deck::parse_deck(with(test::two_blocks, hht, time), "deck.yaml").runs.front();
+  const auto deck =
+      with(with(test::two_blocks, hht, time), "friction: 0.2", "friction: 0.2, method: penalty");
+  return deck::parse_deck(deck, "deck.yaml").runs.front();
 }
 
 class ExplicitRun : public testing::Test {

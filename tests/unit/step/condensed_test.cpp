@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The condensed system of an iteration must give what the whole system gives.
 #include "rubato/deck/read.hpp"
-#include "rubato/step/newton.hpp"
+#include "rubato/step/advance.hpp"
+#include "rubato/step/linear_step.hpp"
+#include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
 
 #include <gtest/gtest.h>
@@ -38,8 +40,7 @@ std::string beams(const std::string& cells, const std::string& contact) {
          "loads: [" +
          load +
          "]\n"
-         "contact: {interface: {master: Above, slave: Below, exclude_nodes: [Wall], method: "
-         "augmented_lagrangian, " +
+         "contact: {interface: {master: Above, slave: Below, exclude_nodes: [Wall], " +
          contact +
          "}}\n"
          "time: {scheme: hht, alpha: -0.1, step: 5e-4, end: 4e-3}\n";
@@ -77,16 +78,23 @@ TEST_P(Condensed, GivesWhatTheWholeSystemGives) {
   EXPECT_LT((condensed - full).cwiseAbs().maxCoeff(), 1e-10 * full.cwiseAbs().maxCoeff());
 }
 
-INSTANTIATE_TEST_SUITE_P(Variants, Condensed,
-                         testing::Values(Variant{"Plane", "quad4", "friction: 0.2"},
-                                         Variant{"PlaneFrictionless", "quad4", "friction: 0"},
-                                         Variant{"PlaneQuadratic", "quad8", "friction: 0.4"},
-                                         Variant{"PlaneGauss", "quad4",
-                                                 "friction: 0.2, integration: {gauss: 2}"},
-                                         Variant{"Solid", "hexa8", "friction: 0.2"},
-                                         Variant{"SolidSlaveNormal", "hexa8", "friction: 0.2, normal: slave"},
-                                         Variant{"SolidQuadratic", "hexa27", "friction: 0.3"}),
-                         [](const auto& variant) { return variant.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Variants, Condensed,
+    testing::Values(Variant{"Plane", "quad4", "friction: 0.2"},
+                    Variant{"PlaneFrictionless", "quad4", "friction: 0"},
+                    Variant{"PlaneQuadratic", "quad8", "friction: 0.4"},
+                    Variant{"PlaneGauss", "quad4", "friction: 0.2, integration: {gauss: 2}"},
+                    Variant{"PlanePartialNewton", "quad4", "friction: 0.2, iterate: {geometry: fixed_point}"},
+                    Variant{"PlanePenalty", "quad4",
+                            "friction: 0.2, method: penalty, iterate: {geometry: "
+                            "fixed_point, friction: fixed_point, status: fixed_point}"},
+                    Variant{"PlaneNodal", "quad4", "friction: 0.2, method: nodal_penalty"},
+                    Variant{"Solid", "hexa8", "friction: 0.2"},
+                    Variant{"SolidPenalty", "hexa8", "friction: 0.2, method: penalty"},
+                    Variant{"SolidNodal", "hexa8", "friction: 0.2, method: nodal_lagrange"},
+                    Variant{"SolidSlaveNormal", "hexa8", "friction: 0.2, normal: slave"},
+                    Variant{"SolidQuadratic", "hexa27", "friction: 0.3"}),
+    [](const auto& variant) { return variant.param.name; });
 
 } // namespace
 } // namespace rubato

@@ -6,7 +6,9 @@
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/nodal_fields.hpp"
-#include "rubato/step/newton.hpp"
+#include "rubato/step/advance.hpp"
+#include "rubato/step/linear_step.hpp"
+#include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
 
 #include <optional>
@@ -67,7 +69,7 @@ public:
     return -1;
   }
   results::Resultants resultants(std::size_t zone = 0) const {
-    return results::contact_resultants(model, zone, before, state);
+    return results::contact_resultants(state.zones[zone]);
   }
   /// λ of the i-th slave node.
   double pressure(std::size_t i, std::size_t zone = 0) const {

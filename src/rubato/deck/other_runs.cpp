@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/other_runs.hpp"
+
+#include "rubato/deck/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::deck {
+namespace {
+
+/// Instants nearer than this part of them are the same.
+constexpr double same_instant = 1e-9;
+
+/// A place where one run names another: knows how to complain there.
+class Mention {
+public:
+  Mention(const Name& name, std::string path, Faults& faults)
+      : name_(name), path_(std::move(path)), faults_(faults) {}
+
+  void fault(const std::string& text) const { faults_.add(name_.at, path_ + ": " + text); }
+
+  /// The run that is named; nullptr and a fault when it is no earlier one. `verb` says what is done with it.
+  const Study* earlier_run(const Study& study, std::span<const Study> earlier,
+                           const std::vector<std::string>& all, std::string_view verb) const {
+    const auto source = std::ranges::find(earlier, name_.text, &Study::name);
+    if (source != earlier.end())
+      return &*source;
+    if (name_.text == study.name)
+      fault(fmt::format("run {} cannot {} itself", name_.text, verb));
+    else if (std::ranges::find(all, name_.text) == all.end())
+      fault(fmt::format("no run is called {}{}", shown(name_.text), suggestion(name_.text, all)));
+    else
+      fault(fmt::format("run {} comes later than run {}, expected an earlier one", name_.text, study.name));
+    return nullptr;
+  }
+
+private:
+  const Name& name_;
+  std::string path_;
+  Faults& faults_;
+};
+
+/// Whether multipliers and statuses of one study's contact mean the same in the other.
+bool same_contact(const Study& a, const Study& b) {
+  return std::ranges::equal(a.contact, b.contact, [](const ContactZone& one, const ContactZone& other) {
+    return one.name == other.name && one.master == other.master && one.slave == other.slave &&
+           one.gauss_points == other.gauss_points && (one.friction > 0) == (other.friction > 0);
+  });
+}
+
+bool same_mesh(const Study& a, const Study& b) {
+  return a.mesh == b.mesh && a.physics == b.physics;
+}
+
+void check_start(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
+                 Faults& faults) {
+  const auto& from = study.time.start_run;
+  if (study.time.start != StartKind::from_run || from.text.empty())
+    return;
+  const Mention mention(from, "time.start.from", faults);
+  const auto* source = mention.earlier_run(study, earlier, all, "start from");
+  if (source == nullptr)
+    return;
+  if (!same_mesh(*source, study))
+    mention.fault(fmt::format("run {} has another mesh or physics than run {}", from.text, study.name));
+  else if (!same_contact(*source, study))
+    mention.fault(fmt::format("run {} has other contact zones than run {}, expected the same surfaces, the "
+                              "same integration and friction in both or in none",
+                              from.text, study.name));
+}
+
+bool is_same_instant(double a, double b) {
+  return std::abs(a - b) <= same_instant * std::max(std::abs(a), std::abs(b));
+}
+
+/// What a comparison reads are MED files. Whether every n-th step meets an instant shows in the run only.
+bool may_store_fields(const Study& study, double instant) {
+  const auto& fields = study.fields;
+  const auto is_meant = [&](double at) { return is_same_instant(at, instant); };
+  return fields.med && (fields.every > 0 || std::ranges::any_of(fields.at, is_meant) ||
+                        (fields.last && is_meant(study.time.end)));
+}
+
+void check_probe(const Check& check, const Study& study, const Study& source, const Mention& mention) {
+  const auto own = std::ranges::find(study.probes, check.probe.text, &Probe::name);
+  const auto other = std::ranges::find(source.probes, check.probe.text, &Probe::name);
+  if (own == study.probes.end()) // a fault of its own, told already
+    return;
+  if (other == source.probes.end())
+    mention.fault(fmt::format("run {} has no probe '{}'", source.name, check.probe.text));
+  else if (check.component >= dimension_of(source.physics))
+    mention.fault(fmt::format("run {} has no component {}", source.name,
+                              axis_words.at(static_cast<std::size_t>(check.component))));
+  else if (own->field != other->field)
+    mention.fault(fmt::format("probe '{}' is of {} in run {} and of {} in run {}", check.probe.text,
+                              word_of(probe_field_words, other->field), source.name,
+                              word_of(probe_field_words, own->field), study.name));
+}
+
+void check_field(const Check& check, const Study& study, const Study& source, const Mention& mention) {
+  if (!same_mesh(source, study)) {
+    mention.fault(fmt::format("run {} has another mesh or physics than run {}: fields are compared node by "
+                              "node, probes of the same name can be",
+                              source.name, study.name));
+    return;
+  }
+  for (const auto* run : {&source, &study}) {
+    if (run->contact.empty() && check.field->name.starts_with("contact_"))
+      mention.fault(fmt::format("run {} has no contact, so no {}", run->name, check.field->name));
+    if (!may_store_fields(*run, check.at))
+      mention.fault(fmt::format("run {} stores no fields at {} that can be read back, expected 'fields: "
+                                "{{formats: [med], at: [{}]}}' in both runs",
+                                run->name, check.at, check.at));
+  }
+}
+
+void check_comparison(const Check& check, const Study& study, const Study& source, const Mention& mention) {
+  const auto& time = source.time;
+  if (check.at < time.begin || (check.at > time.end && !is_same_instant(check.at, time.end)))
+    mention.fault(fmt::format("run {} goes from {} to {}, expected one that comes by {}", source.name,
+                              time.begin, time.end, check.at));
+  else if (check.field)
+    check_field(check, study, source, mention);
+  else
+    check_probe(check, study, source, mention);
+}
+
+} // namespace
+
+void check_other_runs(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
+                      Faults& faults) {
+  check_start(study, earlier, all, faults);
+  for (std::size_t i = 0; i < study.checks.size(); ++i) {
+    const auto& check = study.checks[i];
+    if (check.run.text.empty())
+      continue;
+    const Mention mention(check.run, fmt::format("checks.{}.run", i), faults);
+    if (const auto* source = mention.earlier_run(study, earlier, all, "be compared with"))
+      check_comparison(check, study, *source, mention);
+  }
+}
+
+} // namespace rubato::deck

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Runs that name other runs of the deck: to start from their end, or to be compared with them.
+#pragma once
+
+#include "rubato/deck/faults.hpp"
+#include "rubato/deck/study.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rubato::deck {
+
+/// Faults where the study names a run that is not among the `earlier` ones or that does not fit. `all` are
+/// the names of every run of the deck.
+void check_other_runs(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
+                      Faults& faults);
+
+} // namespace rubato::deck

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/dense_lu.hpp"
+
+#include "rubato/linalg/blas_threads.hpp"
+
+#include <stdexcept>
+
+// Debian packs no header for the LAPACK that OpenBLAS holds; these are its Fortran interfaces.
+extern "C" {
+void dgetrf_(const int* rows, const int* columns, double* matrix, const int* stride, int* pivots, int* info);
+void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* factors,
+             const int* stride, const int* pivots, double* values, const int* values_stride, int* info);
+void dgecon_(const char* norm, const int* size, const double* factors, const int* stride,
+             const double* matrix_norm, double* reciprocal_condition, double* work, int* integer_work,
+             int* info);
+}
+
+namespace rubato::linalg {
+namespace {
+
+constexpr double singular = 1e-15;
+
+/// LAPACK's estimate in the 1-norm.
+double reciprocal_condition(const Eigen::MatrixXd& factors, double matrix_norm) {
+  const auto size = static_cast<int>(factors.rows());
+  std::vector<double> work(4 * static_cast<std::size_t>(size));
+  std::vector<int> integer_work(static_cast<std::size_t>(size));
+  double condition = 0;
+  int info = 0;
+  dgecon_("1", &size, factors.data(), &size, &matrix_norm, &condition, work.data(), integer_work.data(),
+          &info);
+  return info == 0 ? condition : 0;
+}
+
+} // namespace
+
+std::optional<DenseLu> DenseLu::of(Eigen::MatrixXd matrix) {
+  if (matrix.rows() != matrix.cols())
+    throw std::invalid_argument("LU factors of a matrix that is not square");
+  if (!matrix.allFinite())
+    return std::nullopt;
+  use_one_blas_thread_by_default();
+  DenseLu lu;
+  lu.factors_ = std::move(matrix);
+  const auto size = static_cast<int>(lu.factors_.rows());
+  if (size == 0)
+    return lu;
+  const double norm = lu.factors_.cwiseAbs().colwise().sum().maxCoeff();
+  lu.pivots_.resize(static_cast<std::size_t>(size));
+  int info = 0;
+  dgetrf_(&size, &size, lu.factors_.data(), &size, lu.pivots_.data(), &info);
+  if (info != 0 || !(reciprocal_condition(lu.factors_, norm) > singular))
+    return std::nullopt;
+  return lu;
+}
+
+Eigen::VectorXd DenseLu::solve(Eigen::VectorXd right_side) const {
+  const auto size = static_cast<int>(factors_.rows());
+  if (right_side.size() != size)
+    throw std::invalid_argument("a right side of another size than the factored matrix");
+  const int one = 1;
+  int info = 0;
+  if (size > 0)
+    dgetrs_("N", &size, &one, factors_.data(), &size, pivots_.data(), right_side.data(), &size, &info);
+  return right_side;
+}
+
+} // namespace rubato::linalg

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/effective_system.hpp"
+
+#include "rubato/linalg/direct_solver.hpp"
+#include "rubato/step/linear_step.hpp"
+
+namespace rubato::step {
+
+using model::Model;
+using model::SparseMatrix;
+
+EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
+                                      LinearEngine engine) {
+  EffectiveSystem system;
+  system.step = step;
+  system.coefficients = time::coefficients_of(scheme, step);
+  SparseMatrix full = system.coefficients.stiffness * model.stiffness;
+  if (system.coefficients.mass != 0)
+    full += system.coefficients.mass * model.mass;
+  if (system.coefficients.damping != 0 && model.damping.nonZeros() > 0)
+    full += system.coefficients.damping * model.damping;
+  system.diagonal = full.diagonal();
+  system.matrix = model::free_part(model, full);
+  for (const auto& zone : model.zones)
+    system.zones.push_back(contact::automatic_coefficients(zone, model.dofs, system.diagonal));
+  if (engine == LinearEngine::automatic)
+    if (auto factor = linalg::CholeskyFactor::of(system.matrix))
+      system.compliance.emplace(std::move(*factor), surface_unknowns(model), system.matrix.rows());
+  return system;
+}
+
+} // namespace rubato::step

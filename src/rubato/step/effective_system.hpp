@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What all steps of one length share: the effective matrix, factored once, and the contact coefficients that
+/// follow from it.
+#pragma once
+
+#include "rubato/contact/enforcement.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/step/compliance.hpp"
+#include "rubato/time/scheme.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rubato::step {
+
+enum class LinearEngine { automatic, full };
+
+/// The effective matrix A = m M + c C + k K of one step length, on free dofs.
+struct EffectiveSystem {
+  double step = 0;
+  time::StepCoefficients coefficients;
+  model::SparseMatrix matrix;
+  Eigen::VectorXd diagonal; ///< of every dof, constrained ones included
+  std::vector<contact::ZoneCoefficients> zones;
+  /// The factored matrix; nothing when every iteration solves the whole system.
+  std::optional<Compliance> compliance;
+};
+
+/// Factors the matrix unless `engine` is full or the matrix is not positive definite, as when only contact
+/// holds a body.
+EffectiveSystem make_effective_system(const model::Model& model, const time::Scheme& scheme, double step,
+                                      LinearEngine engine = LinearEngine::automatic);
+
+} // namespace rubato::step

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The state a run begins with.
+#pragma once
+
+#include "rubato/model/model.hpp"
+#include "rubato/step/state.hpp"
+#include "rubato/time/scheme.hpp"
+
+namespace rubato::step {
+
+/// Displacements and velocities 0, imposed displacements applied, M a = external − internal force.
+/// `loaded_history` false takes the first history bracket as zero (Code_Aster's start). Throws InputError
+/// when the mass matrix is singular.
+State initial_state(const model::Model& model, const time::Scheme& scheme, double t, bool loaded_history);
+
+/// Continues another run's end: u, multipliers and statuses are kept; velocity too when both runs are
+/// dynamic; the acceleration follows from equilibrium with the contact forces in place.
+State continued_state(const model::Model& model, const time::Scheme& scheme, const State& end, double t);
+
+} // namespace rubato::step

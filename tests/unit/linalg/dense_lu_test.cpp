@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/dense_lu.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+namespace rubato::linalg {
+namespace {
+
+Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return uniform(generator); });
+}
+
+TEST(DenseLu, SolvesGeneralSystems) {
+  for (const Eigen::Index size : {1, 2, 7, 150}) {
+    const Eigen::MatrixXd matrix = random_matrix(size, size);
+    const Eigen::VectorXd wanted = random_matrix(size, 1);
+    const auto lu = DenseLu::of(matrix);
+    ASSERT_TRUE(lu) << size;
+    EXPECT_LT((lu->solve(matrix * wanted) - wanted).lpNorm<Eigen::Infinity>(), 1e-10) << size;
+  }
+}
+
+TEST(DenseLu, OfNothingSolvesNothing) {
+  const auto lu = DenseLu::of(Eigen::MatrixXd(0, 0));
+  ASSERT_TRUE(lu);
+  EXPECT_EQ(lu->solve(Eigen::VectorXd(0)).size(), 0);
+}
+
+TEST(DenseLu, RefusesSingularAndInfiniteMatrices) {
+  Eigen::MatrixXd matrix = random_matrix(6, 6);
+  matrix.col(3) = 2 * matrix.col(1) - matrix.col(0);
+  EXPECT_FALSE(DenseLu::of(matrix));
+  EXPECT_FALSE(DenseLu::of(Eigen::MatrixXd::Zero(3, 3)));
+  matrix(2, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(DenseLu::of(matrix));
+}
+
+TEST(DenseLu, ThrowsForSizesThatDoNotMatch) {
+  EXPECT_THROW(DenseLu::of(Eigen::MatrixXd::Identity(3, 2)), std::invalid_argument);
+  EXPECT_THROW(DenseLu::of(Eigen::MatrixXd::Identity(3, 3))->solve(Eigen::VectorXd::Ones(2)),
+               std::invalid_argument);
+}
+
+} // namespace
+} // namespace rubato::linalg

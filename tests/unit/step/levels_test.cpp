@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The three nested levels by Newton or by loops, and every method they carry, must end at one answer.
+#include <gtest/gtest.h>
+
+#include "unit/step/decks.hpp"
+#include "unit/step/walk.hpp"
+#include <algorithm>
+#include <string>
+
+namespace rubato::step {
+namespace {
+
+using test::Walk;
+using Changes = std::vector<deck::Setting>;
+
+const Changes short_run{{"time.end", "0.004"}};
+
+Changes with(Changes changes) {
+  changes.insert(changes.end(), short_run.begin(), short_run.end());
+  return changes;
+}
+
+std::string loop(const std::string& tolerance) {
+  return "{by: fixed_point, tolerance: " + tolerance + ", max_loops: 60}";
+}
+
+Eigen::VectorXd end_of(const Changes& changes) {
+  Walk walk(test::two_beams, with(changes));
+  EXPECT_TRUE(walk.to_end());
+  return walk.state.motion.u;
+}
+
+double apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
+}
+
+struct Method {
+  const char* name;
+  const char* method;
+  const char* friction_method;
+};
+
+class EveryMethod : public testing::TestWithParam<Method> {
+protected:
+  Changes changes(const std::string& levels) const {
+    return {{"contact.interface.method", GetParam().method},
+            {"contact.interface.friction_method", GetParam().friction_method},
+            {"contact.interface.iterate", levels}};
+  }
+};
+
+TEST_P(EveryMethod, EndsAtTheSameAnswerWhicheverLevelsLoop) {
+  const auto tight = loop("1e-9");
+  const bool nodal = std::string(GetParam().method).starts_with("nodal");
+  const auto reference = end_of(changes(nodal ? "{geometry: " + tight + "}" : "{geometry: newton}"));
+  for (const std::string& levels :
+       std::vector<std::string>{"{geometry: " + tight + ", friction: " + tight + "}",
+                                "{geometry: " + tight + ", status: fixed_point}",
+                                "{geometry: " + tight + ", friction: " + tight + ", status: fixed_point}"})
+    EXPECT_LT(apart(end_of(changes(levels)), reference), 1e-7) << levels;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods, EveryMethod,
+    testing::Values(Method{"Exact", "augmented_lagrangian", "augmented_lagrangian"},
+                    Method{"ExactWithPenalizedFriction", "augmented_lagrangian", "penalty"},
+                    Method{"Penalty", "penalty", "penalty"},
+                    Method{"PenaltyWithExactFriction", "penalty", "augmented_lagrangian"},
+                    Method{"NodalLagrange", "nodal_lagrange", "nodal_penalty"},
+                    Method{"NodalPenalty", "nodal_penalty", "nodal_penalty"}),
+    [](const auto& method) { return std::string(method.param.name); });
+
+TEST(Penalties, ComeCloserToTheExactAnswerAsTheyGrow) {
+  const auto exact = end_of({});
+  const auto with_penalty = [](const std::string& normal, const std::string& tangential) {
+    return end_of(
+        {{"contact.interface.method", "penalty"},
+         {"contact.interface.coefficients", "{normal: " + normal + ", tangential: " + tangential + "}"}});
+  };
+  const double soft = apart(with_penalty("1e11", "1e6"), exact);
+  const double stiff = apart(with_penalty("1e13", "1e6"), exact);
+  EXPECT_LT(stiff, 3e-2 * soft);
+  EXPECT_LT(stiff, 1e-3);
+}
+
+TEST(TheGeometryLoop, TakesTwoRoundsAtLeastAndIsReported) {
+  Walk walk(test::two_beams, with({{"contact.interface.iterate", "{geometry: fixed_point}"}}));
+  while (!walk.control.finished()) {
+    ASSERT_TRUE(walk.advance());
+    const auto& rounds = walk.reports.back().rounds;
+    ASSERT_GE(rounds.size(), 2U);
+    int iterations = 0;
+    for (std::size_t i = 0; i < rounds.size(); ++i) {
+      EXPECT_EQ(rounds[i].level, LoopLevel::geometry);
+      EXPECT_EQ(rounds[i].round, static_cast<int>(i) + 1);
+      EXPECT_EQ(rounds[i].settled, i + 1 == rounds.size());
+      iterations += rounds[i].iterations;
+    }
+    EXPECT_LE(rounds.back().change, 1e-2);
+    EXPECT_EQ(iterations, walk.reports.back().iterations);
+  }
+}
+
+TEST(ALoopThatDoesNotSettle, SaysWhichOneItIs) {
+  const auto outcome = [](const std::string& levels) {
+    Walk walk(test::two_beams,
+              with({{"contact.interface.iterate", levels}, {"time.on_failure.levels", "0"}}));
+    EXPECT_FALSE(walk.to_end());
+    return walk.reports.back().outcome;
+  };
+  EXPECT_EQ(outcome("{geometry: {by: fixed_point, max_loops: 1}}"), Outcome::geometry_unsettled);
+  EXPECT_EQ(outcome("{friction: {by: fixed_point, max_loops: 1}}"), Outcome::friction_unsettled);
+  EXPECT_EQ(outcome("{status: {by: fixed_point, max_loops: 1}}"), Outcome::status_unsettled);
+}
+
+TEST(HistoryForce, OnlyMattersWhereTheSchemeWeighsTheStartOfAStep) {
+  const Changes forgetful{{"contact.interface.history_force", "false"}};
+  EXPECT_GT(apart(end_of(forgetful), end_of({})), 1e-4);
+  const Changes newmark{{"time.scheme", "newmark"}, {"time.alpha", "~"}};
+  auto both = newmark;
+  both.push_back(forgetful.front());
+  EXPECT_EQ(end_of(both), end_of(newmark));
+}
+
+TEST(NodalMethods, PutOneUnweightedRelationOnEverySlaveNode) {
+  const Walk walk(test::two_beams, {{"contact.interface.method", "nodal_penalty"},
+                                    {"mesh.generate.0.cells", "quad9"},
+                                    {"mesh.generate.1.cells", "quad9"}});
+  const auto& zone = walk.model.zones.front();
+  ASSERT_EQ(zone.points.size(), zone.slave.nodes.size());
+  double area = 0;
+  for (const auto& point : zone.points) {
+    EXPECT_EQ(point.weight, 1);
+    EXPECT_GE(point.node_position, 0);
+    area += point.area;
+  }
+  EXPECT_NEAR(area, 1, 1e-12);
+}
+
+} // namespace
+} // namespace rubato::step
