@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// Square of the springs' frequency over the bulk's highest: with matching surfaces they shorten the stable
-/// step by a tenth.
-constexpr double share_of_eigenvalue = 0.25;
+/// step by a sixth.
+constexpr double share_of_eigenvalue = 0.1;
 
 std::size_t at(Index i) {
   return static_cast<std::size_t>(i);

@@ -98,8 +98,9 @@ private:
       accept(std::move(next), attempt, report, record == records_);
     else
       give_up(attempt, report);
-    watch_.progress({model_.study.name, attempt.end, time_.begin, time_.end, (attempt.end - begin) / steps_,
-                     0, points_in_contact(now_), 0, attempt.accepted, &report});
+    const auto steps = static_cast<double>(motion_.steps() - steps_before);
+    watch_.progress({model_.study.name, attempt.end, time_.begin, time_.end, (attempt.end - begin) / steps, 0,
+                     points_in_contact(now_), 0, attempt.accepted, &report});
   }
 
   /// In steps that the contact as it stands allows. False when the run was asked to stop.

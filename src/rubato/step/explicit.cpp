@@ -17,6 +17,9 @@ using model::Model;
 /// Steps whose lengths differ by less than this part are the same but for the rounding of instants.
 constexpr double rounding = 1e-9;
 
+/// How many times stiffer a spring counts that only pushes.
+constexpr double impact = 4;
+
 double factor_at(const std::optional<deck::Function>& function, double t) {
   return function ? load::value_at(*function, t) : 1.0;
 }
@@ -64,7 +67,7 @@ std::vector<int> surface_dofs(const Model& model) {
 } // namespace
 
 double Spectrum::stable_step() const {
-  return 4 / (damping + std::sqrt(damping * damping + 4 * (stiffness + contact)));
+  return 4 / (damping + std::sqrt(damping * damping + 4 * (stiffness + impact * contact)));
 }
 
 ExplicitMotion::ExplicitMotion(const Model& model)

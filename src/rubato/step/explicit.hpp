@@ -6,9 +6,10 @@
 /// Damping sees the velocity half a step before. Contact is by penalty whatever the zone's method says
 /// (contact/explicit_penalty.hpp). A step costs one product with K and allocates nothing.
 ///
-/// Stable are steps h with h²/4 K + h/2 C ≤ M, where K holds the springs of contact too:
-///   h ≤ 4 / (λ_C + √(λ_C² + 4 (λ_K + λ_c)))           2/ω without damping and contact
-/// with bounds of the largest eigenvalues against M.
+/// Stable are steps h with h²/4 (K + 4 K_c) + h/2 C ≤ M, K_c the springs of contact:
+///   h ≤ 4 / (λ_C + √(λ_C² + 4 (λ_K + 4 λ_c)))         2/ω without damping and contact
+/// with bounds of the largest eigenvalues against M. The second 4 keeps h ω_c ≤ 1: beyond that, far below the
+/// limit of a spring that also pulls, springs that only push gain energy in each of many impacts.
 #pragma once
 
 #include "rubato/contact/explicit_penalty.hpp"
@@ -31,7 +32,7 @@ struct Spectrum {
   double contact = 0;   ///< λ_c of every spring that faces a master, as the surfaces stand [1/time²]
   double damping = 0;   ///< λ_C [1/time]
 
-  /// The largest stable step.
+  /// The largest stable step [time].
   double stable_step() const;
 };
 

@@ -224,12 +224,12 @@ TEST_F(ASlider, SaturatesAtTheSlipTheDeckSays) {
   EXPECT_NEAR(force()[0], 0.5 * mu * weight, 1e-9 * weight);
 }
 
-TEST(PenaltyStiffness, MakesAPointVibrateWithHalfTheBulksFrequency) {
+TEST(PenaltyStiffness, MakesAPointVibrateWithAThirdOfTheBulksFrequency) {
   auto faces = two_faces({.slave = mesh::CellType::seg2, .master = mesh::CellType::seg2});
   const VectorXd inverse_mass = VectorXd::Constant(faces.dofs.dof_count, 4);
   const auto automatic = penalty_stiffness(faces.zone, faces.dofs, inverse_mass, 100);
   for (std::size_t i = 0; i < automatic.size(); ++i)
-    EXPECT_DOUBLE_EQ(automatic[i] * faces.zone.points[i].weight * (4 + 4), 25);
+    EXPECT_DOUBLE_EQ(automatic[i] * faces.zone.points[i].weight * (4 + 4), 10);
   faces.zone.settings.normal_coefficient = 7;
   EXPECT_EQ(penalty_stiffness(faces.zone, faces.dofs, inverse_mass, 100), (std::vector<double>{7, 7}));
 }
