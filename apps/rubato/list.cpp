@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include <tuple>
+#include <utility>
 
 namespace rubato::app {
 
@@ -17,10 +19,18 @@ int list() {
                fem::has_reference_cell(cell.type) ? "" : "   (in mesh files only)");
   fmt::print("\nTime schemes (time.scheme)\n");
   for (const auto& scheme : time::all_schemes())
-    fmt::print("  {:<31} {:<24} {}\n", scheme.name, scheme.code_aster, scheme.summary);
+    fmt::print("  {:<31} {:<36} {}\n", scheme.name, scheme.code_aster, scheme.summary);
   fmt::print("\nContact methods (contact.ZONE.method)\n");
   for (const auto& method : contact::all_methods())
-    fmt::print("  {:<31} {:<24} {}\n", method.name, method.code_aster, method.summary);
+    fmt::print("  {:<31} {:<36} {}\n", method.name, method.code_aster, method.summary);
+  fmt::print("\nFriction methods (contact.ZONE.friction_method)\n");
+  for (const auto& method : contact::all_friction_methods())
+    fmt::print("  {:<31} {:<36} {}\n", method.name, method.code_aster, method.summary);
+  fmt::print("\nNested levels (contact.ZONE.iterate: geometry, friction, status)\n");
+  for (const auto& [name, code_aster, summary] :
+       {std::tuple{"newton", "ALGO_RESO_*='NEWTON'", "part of every Newton iteration"},
+        {"fixed_point", "ALGO_RESO_*='POINT_FIXE'", "a loop of its own around them"}})
+    fmt::print("  {:<31} {:<36} {}\n", name, code_aster, summary);
   fmt::print("\nPhysics (physics)\n");
   for (const auto& [name, summary] : {std::pair{"solid", "3D"},
                                       {"plane_stress", "2D, with thickness"},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification/modelings.hpp"
 
-#include "rubato/deck/read.hpp"
 #include "rubato/results/history.hpp"
 
 #include <fmt/format.h>
@@ -45,6 +44,12 @@ deck::Deck deck_of(char letter, const std::vector<deck::Setting>& settings) {
   return deck::read_deck(fmt::format("{}/cases/sdnl140/{}.yaml", RUBATO_SOURCE_DIR, letter), settings);
 }
 
+std::vector<deck::Setting> on_original_mesh(char letter) {
+  if (!has_original_mesh(letter))
+    return {};
+  return {{"mesh.file", fmt::format("'{}'", original_mesh(letter).string())}};
+}
+
 /// Runs a study; what stops it before its first step is told, not thrown.
 ModelingRun run_one(char letter, const deck::Study& study, const std::filesystem::path& folder,
                     const step::State* previous) {
@@ -73,16 +78,25 @@ std::optional<double> ModelingRun::deflection(double t) const {
   return results::value_at(probes, probes.column("tip.y"), t);
 }
 
+deck::Study study_of(char letter, const std::string& run, const std::vector<deck::Setting>& changes) {
+  auto settings = on_original_mesh(letter);
+  settings.insert(settings.end(), changes.begin(), changes.end());
+  auto deck = deck_of(letter, settings);
+  const auto study = std::ranges::find(deck.runs, run, &deck::Study::name);
+  if (study == deck.runs.end())
+    throw InputError(fmt::format("modeling {} has no run {}", letter, run));
+  study->checks.clear();
+  study->fields = {};
+  return *study;
+}
+
 bool has_original_mesh(char letter) {
   return std::filesystem::exists(original_mesh(letter));
 }
 
 std::vector<ModelingRun> run_modeling(char letter, const std::filesystem::path& folder) {
-  std::vector<deck::Setting> settings;
-  if (has_original_mesh(letter))
-    settings.push_back({"mesh.file", fmt::format("'{}'", original_mesh(letter).string())});
   std::vector<ModelingRun> runs;
-  auto deck = deck_of(letter, settings);
+  auto deck = deck_of(letter, on_original_mesh(letter));
   for (auto& study : deck.runs) {
     if (letter == 'b' && has_original_mesh(letter))
       shorten(study);

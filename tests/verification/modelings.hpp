@@ -2,6 +2,7 @@
 /// Every run of the decks cases/sdnl140/a…f.yaml, whatever runs they have, and what others got for them.
 #pragma once
 
+#include "rubato/deck/read.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/run/time_loop.hpp"
 
@@ -27,6 +28,9 @@ struct ModelingRun {
 /// Runs everything of one deck into FOLDER/<letter>/<run>; on the mesh of the public test base when that is
 /// there (B then only as far as Code_Aster's histories go), on the deck's own otherwise.
 std::vector<ModelingRun> run_modeling(char letter, const std::filesystem::path& folder);
+
+/// One run of cases/sdnl140/<letter>.yaml without its checks, on the original mesh when that is there.
+deck::Study study_of(char letter, const std::string& run, const std::vector<deck::Setting>& changes = {});
 
 /// Whether the original mesh is there.
 bool has_original_mesh(char letter);
