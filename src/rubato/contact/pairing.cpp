@@ -51,14 +51,19 @@ Candidate candidate_on(const Zone& zone, int face_index, const Vector3d& point,
   return candidate;
 }
 
-Pair best_pair(const Zone& zone, const NodeTree& tree, const Vector3d& point,
-               const Configuration& configuration) {
+std::size_t nearest_node(const NodeTree& tree, const Vector3d& point) {
   std::uint32_t nearest = 0;
   double squared_distance = 0;
   tree.knnSearch(point.data(), 1, &nearest, &squared_distance);
+  return nearest;
+}
+
+} // namespace
+
+Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, const Configuration& configuration) {
   Candidate best;
-  for (const int face : zone.master.faces_of_node[nearest]) {
-    const auto candidate = candidate_on(zone, face, point, configuration);
+  for (const int face : zone.master.faces_of_node[node]) {
+    const auto candidate = candidate_on(zone, face, x, configuration);
     if (candidate.beats(best))
       best = candidate;
   }
@@ -66,8 +71,6 @@ Pair best_pair(const Zone& zone, const NodeTree& tree, const Vector3d& point,
     return {};
   return {best.face, best.projection};
 }
-
-} // namespace
 
 FaceCoordinates deformed(const Face& face, const Configuration& configuration) {
   FaceCoordinates coordinates(3, face.node_count);
@@ -93,8 +96,10 @@ std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuratio
 
   std::vector<Pair> pairs;
   pairs.reserve(zone.points.size());
-  for (const auto& point : zone.points)
-    pairs.push_back(best_pair(zone, tree, position(point, configuration), configuration));
+  for (const auto& point : zone.points) {
+    const Vector3d x = position(point, configuration);
+    pairs.push_back(pair_around(zone, nearest_node(tree, x), x, configuration));
+  }
   return pairs;
 }
 

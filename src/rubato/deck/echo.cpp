@@ -153,6 +153,10 @@ void put_scheme(Json& map, const TimeStepping& time) {
   case SchemeKind::generalized_alpha:
     map["spectral_radius"] = time.spectral_radius;
     break;
+  case SchemeKind::central_difference:
+    map["safety"] = time.safety;
+    map["record"] = time.record;
+    break;
   case SchemeKind::static_steps:
     break;
   }
@@ -163,14 +167,16 @@ Json echo(const TimeStepping& time) {
   put_scheme(map, time);
   map["begin"] = time.begin;
   if (time.instants.empty()) {
-    map["step"] = time.step;
+    map["step"] =
+        is_explicit(time.scheme) && time.step == 0 ? Json(std::string(automatic_step)) : Json(time.step);
     map["end"] = time.end;
   } else {
     map["instants"] = time.instants;
   }
   map["start"] = time.start == StartKind::from_run ? Json{{"from", time.start_run.text}}
                                                    : Json(word(start_words, time.start));
-  map["on_failure"] = {{"cut", time.cut_parts}, {"levels", time.cut_levels}};
+  if (!is_explicit(time.scheme))
+    map["on_failure"] = {{"cut", time.cut_parts}, {"levels", time.cut_levels}};
   return map;
 }
 

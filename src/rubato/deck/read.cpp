@@ -66,6 +66,18 @@ void read_physics(MapReader& map, Context& context, Study& study) {
                                  word_of(physics_words, study.physics)));
 }
 
+/// Explicit steps solve nothing, multipliers least of all.
+void check_explicit_contact(const Study& study, Faults& faults) {
+  for (const auto& zone : study.contact)
+    if (zone.method != ContactMethod::penalty || zone.friction_method != FrictionMethod::penalty)
+      faults.add(zone.at,
+                 fmt::format("contact.{}: found the method {} with friction by {}, but the scheme {} "
+                             "has forces only, expected penalty for both",
+                             zone.name, word_of(contact_method_words, zone.method),
+                             word_of(friction_method_words, zone.friction_method),
+                             word_of(scheme_words, study.time.scheme)));
+}
+
 /// The deck of one run, everything laid over it. Parts come in the order in which one needs another.
 Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& faults) {
   Study study;
@@ -81,6 +93,8 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   read_supports(map.find("supports"), context, study.functions, study.supports);
   read_loads(map.find("loads"), context, study.functions, study.loads);
   read_contact(map.find("contact"), study.contact);
+  if (context.scheme && is_explicit(*context.scheme))
+    check_explicit_contact(study, faults);
   read_newton(map.find("newton"), study.newton);
   read_probes(map.find("probes"), context, study.probes);
   read_fields(map.find("fields"), context, study.fields);

@@ -174,7 +174,19 @@ constexpr bool is_nodal(ContactMethod method) {
 // ---- time and solver
 // ---------------------------------------------------------------------------------------
 
-enum class SchemeKind { newmark, hht, modified_average_acceleration, generalized_alpha, static_steps };
+enum class SchemeKind {
+  newmark,
+  hht,
+  modified_average_acceleration,
+  generalized_alpha,
+  static_steps,
+  central_difference
+};
+
+/// Whether steps follow from forces at their start, with nothing to solve and a largest stable length.
+constexpr bool is_explicit(SchemeKind scheme) {
+  return scheme == SchemeKind::central_difference;
+}
 
 enum class StartKind {
   consistent,       ///< a0 from equilibrium, history bracket evaluated at the start (default)
@@ -189,9 +201,12 @@ struct TimeStepping {
   std::optional<double> gamma;  ///< newmark only
   double spectral_radius = 0.8; ///< generalized_alpha: ρ_∞ in 0…1
   double begin = 0;
-  double step = 0;              ///< > 0 unless instants are listed
+  /// > 0 unless instants are listed. central_difference: 0 stands for the stable step times `safety`.
+  double step = 0;
   double end = 0;               ///< the last of the instants when they are listed
   std::vector<double> instants; ///< ascending, after begin; instead of step and end
+  double safety = 0.9;          ///< central_difference: part of the stable step that is taken, in 0…1
+  double record = 0;            ///< central_difference: > 0, the time between results
   StartKind start = StartKind::consistent;
   Name start_run; ///< with from_run
   int cut_parts = 2;

@@ -18,10 +18,14 @@ struct SchemeKey {
   std::string_view key;
   std::string_view takers;
 };
-constexpr std::array<SchemeKey, 4> scheme_keys{{{"alpha", "hht and modified_average_acceleration take it"},
+constexpr std::array<SchemeKey, 6> scheme_keys{{{"alpha", "hht and modified_average_acceleration take it"},
                                                 {"beta", "newmark takes it"},
                                                 {"gamma", "newmark takes it"},
-                                                {"spectral_radius", "generalized_alpha takes it"}}};
+                                                {"spectral_radius", "generalized_alpha takes it"},
+                                                {"safety", "central_difference takes it"},
+                                                {"record", "central_difference takes it"}}};
+/// Results an explicit run keeps when the deck doesn't say how many: its steps are too many to keep each.
+constexpr double usual_records = 1000;
 
 bool takes(SchemeKind scheme, std::string_view key) {
   switch (scheme) {
@@ -32,6 +36,8 @@ bool takes(SchemeKind scheme, std::string_view key) {
     return key == "alpha";
   case SchemeKind::generalized_alpha:
     return key == "spectral_radius";
+  case SchemeKind::central_difference:
+    return key == "safety" || key == "record";
   case SchemeKind::static_steps:
     return false;
   }
@@ -64,24 +70,56 @@ void read_scheme(MapReader& map, Context& context, TimeStepping& time) {
   case SchemeKind::generalized_alpha:
     read(map.find("spectral_radius"), time.spectral_radius, from_to(0, 1));
     break;
+  case SchemeKind::central_difference:
+    read(map.find("safety"), time.safety, Range{.low = 0, .high = 1, .low_allowed = false});
+    break; // `record` is judged by the length of the run
   case SchemeKind::static_steps:
     break;
   }
 }
 
+/// A length of time that must fit into the run, and not too often.
+void check_fits(const Found& value, double part, double length) {
+  if (part > length * (1 + rounding))
+    value->fault(fmt::format("found {}, expected at most the length of the run, {}", part, length));
+  else if (length / part > most_steps)
+    value->fault(fmt::format("found {}, which makes more than {:g} steps", part, most_steps));
+}
+
+/// The length of the run from `begin` and `end`, unless one of them is bad.
+std::optional<double> read_end(const Found& end, bool begin_read, TimeStepping& time) {
+  if (!read(end, time.end) || !begin_read)
+    return std::nullopt;
+  const double length = time.end - time.begin;
+  if (length > 0 && std::isfinite(length))
+    return length;
+  end->fault(fmt::format("found {}, expected more than the begin, {}", time.end, time.begin));
+  return std::nullopt;
+}
+
 /// `step` and `end`.
 void read_even_steps(const Found& step, const Found& end, bool begin_read, TimeStepping& time) {
   const bool step_read = read(step, time.step, above(0));
-  const bool end_read = read(end, time.end);
-  if (!begin_read || !end_read)
+  const auto length = read_end(end, begin_read, time);
+  if (step_read && length)
+    check_fits(step, time.step, *length);
+}
+
+/// `step: auto` or a number, `end` and `record` of an explicit run.
+void read_explicit_steps(MapReader& map, bool begin_read, TimeStepping& time) {
+  const auto step = map.find("step");
+  const bool given = step && step->tree().text != automatic_step && read(step, time.step, above(0));
+  const auto length = read_end(map.require("end"), begin_read, time);
+  const auto record = map.find("record");
+  const bool recorded = record && read(record, time.record, above(0));
+  if (!length)
     return;
-  const double length = time.end - time.begin;
-  if (!(length > 0) || !std::isfinite(length))
-    end->fault(fmt::format("found {}, expected more than the begin, {}", time.end, time.begin));
-  else if (step_read && time.step > length * (1 + rounding))
-    step->fault(fmt::format("found {}, expected at most the length of the run, {}", time.step, length));
-  else if (step_read && length / time.step > most_steps)
-    step->fault(fmt::format("found {}, which makes more than {:g} steps", time.step, most_steps));
+  if (given)
+    check_fits(step, time.step, *length);
+  if (recorded)
+    check_fits(record, time.record, *length);
+  else if (!record)
+    time.record = *length / usual_records;
 }
 
 void read_instants(const Found& instants, bool begin_read, TimeStepping& time) {
@@ -101,6 +139,12 @@ void read_instants(const Found& instants, bool begin_read, TimeStepping& time) {
 void read_course(MapReader& map, TimeStepping& time) {
   const auto begin = map.find("begin");
   const bool begin_read = !begin || read(begin, time.begin);
+  if (is_explicit(time.scheme)) {
+    map.refuse("instants",
+               "the scheme central_difference chooses its steps; results are kept every 'record'");
+    read_explicit_steps(map, begin_read, time);
+    return;
+  }
   if (const auto instants = map.find("instants")) {
     for (const auto* key : {"step", "end"})
       map.refuse(key, "the steps are listed by 'instants' already");
@@ -124,6 +168,9 @@ void read_start(const Found& value, TimeStepping& time) {
              time.scheme == SchemeKind::static_steps) {
     value->fault("the scheme static has no first acceleration, expected consistent or {from: run}");
   }
+  if (is_explicit(time.scheme) && time.start != StartKind::consistent)
+    value->fault(
+        "the scheme central_difference starts at rest from the true equilibrium, expected consistent");
 }
 
 void read_failure(const Found& value, TimeStepping& time) {
@@ -145,7 +192,10 @@ void read_time(const Found& value, Context& context, TimeStepping& time) {
   read_scheme(map, context, time);
   read_course(map, time);
   read_start(map.find("start"), time);
-  read_failure(map.find("on_failure"), time);
+  if (is_explicit(time.scheme))
+    map.refuse("on_failure", "the scheme central_difference has no steps that fail");
+  else
+    read_failure(map.find("on_failure"), time);
   map.finish();
   if (time.end > time.begin)
     context.time = from_to(time.begin, time.end);

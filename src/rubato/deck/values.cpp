@@ -39,12 +39,12 @@ template <class T> std::optional<T> number_in(std::string_view text) {
 std::string bounds(const Range& range) {
   const bool low = std::isfinite(range.low);
   const bool high = std::isfinite(range.high);
-  if (low && high)
+  if (low && high && range.low_allowed == range.high_allowed)
     return range.low_allowed ? fmt::format(" from {:.6g} to {:.6g}", range.low, range.high)
                              : fmt::format(" between {:.6g} and {:.6g}", range.low, range.high);
-  if (low)
-    return fmt::format(" {} {:.6g}", range.low_allowed ? ">=" : ">", range.low);
-  return high ? fmt::format(" {} {:.6g}", range.high_allowed ? "<=" : "<", range.high) : "";
+  const auto above = low ? fmt::format(" {} {:.6g}", range.low_allowed ? ">=" : ">", range.low) : "";
+  const auto below = high ? fmt::format(" {} {:.6g}", range.high_allowed ? "<=" : "<", range.high) : "";
+  return above + (low && high ? " and" : "") + below;
 }
 
 template <class T>

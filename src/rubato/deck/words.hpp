@@ -61,12 +61,16 @@ inline constexpr std::array<Word<ClampedNormal>, 2> clamped_normal_words{
 inline constexpr std::array<Word<Iteration>, 2> iteration_words{
     {{"newton", Iteration::newton}, {"fixed_point", Iteration::fixed_point}}};
 
-inline constexpr std::array<Word<SchemeKind>, 5> scheme_words{
+inline constexpr std::array<Word<SchemeKind>, 6> scheme_words{
     {{"newmark", SchemeKind::newmark},
      {"hht", SchemeKind::hht},
      {"modified_average_acceleration", SchemeKind::modified_average_acceleration},
      {"generalized_alpha", SchemeKind::generalized_alpha},
-     {"static", SchemeKind::static_steps}}};
+     {"static", SchemeKind::static_steps},
+     {"central_difference", SchemeKind::central_difference}}};
+
+/// `time.step` of an explicit run that chooses it by itself.
+inline constexpr std::string_view automatic_step = "auto";
 
 /// `start: {from: …}` is a map, not a word.
 inline constexpr std::array<Word<StartKind>, 2> start_words{

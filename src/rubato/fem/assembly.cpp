@@ -156,7 +156,8 @@ SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const Block
   return matrix;
 }
 
-Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs) {
+Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                            std::span<const double> factors) {
   Eigen::VectorXd total = Eigen::VectorXd::Zero(dofs.dof_count);
   Eigen::VectorXd element;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
@@ -164,6 +165,7 @@ Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofM
     const auto nodes = block->cell(index);
     element.resize(static_cast<Eigen::Index>(nodes.size()));
     lumped_mass(block->type, CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, element);
+    element *= factor_of(factors, bulk, i);
     for (std::size_t n = 0; n < nodes.size(); ++n)
       total.segment(dofs.first_dof[at(nodes[n])], dofs.components).array() +=
           element[static_cast<Eigen::Index>(n)];

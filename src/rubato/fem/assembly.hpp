@@ -54,7 +54,8 @@ SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const 
 SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                            std::span<const double> factors = {});
 
-/// Lumped mass, one entry a dof (element.hpp's lumped_mass).
-Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs);
+/// Lumped mass, one entry a dof (element.hpp's lumped_mass), times `factors[law]` likewise.
+Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                            std::span<const double> factors = {});
 
 } // namespace rubato::fem

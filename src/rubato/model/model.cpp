@@ -42,10 +42,14 @@ void assemble_matrices(Model& model, const std::vector<deck::Material>& material
   const auto& bulk = model.bulk;
   const fem::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
   model.stiffness = fem::assemble_stiffness(model.mesh, bulk, pattern);
-  const bool dynamic = model.study.time.scheme != deck::SchemeKind::static_steps;
-  if (!dynamic)
+  const auto scheme = model.study.time.scheme;
+  if (scheme == deck::SchemeKind::static_steps)
     return;
-  model.mass = fem::assemble_mass(model.mesh, bulk, pattern);
+  const bool lumped = deck::is_explicit(scheme);
+  if (lumped)
+    model.lumped_mass = fem::lumped_mass(model.mesh, bulk, model.dofs);
+  else
+    model.mass = fem::assemble_mass(model.mesh, bulk, pattern);
   std::vector<double> by_stiffness;
   std::vector<double> by_mass;
   bool damped = false;
@@ -54,9 +58,13 @@ void assemble_matrices(Model& model, const std::vector<deck::Material>& material
     by_mass.push_back(material.rayleigh_mass);
     damped = damped || material.rayleigh_stiffness != 0 || material.rayleigh_mass != 0;
   }
-  if (damped)
-    model.damping = fem::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness) +
-                    fem::assemble_mass(model.mesh, bulk, pattern, by_mass);
+  if (!damped)
+    return;
+  model.damping = fem::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness);
+  if (lumped)
+    model.damping.diagonal() += fem::lumped_mass(model.mesh, bulk, model.dofs, by_mass);
+  else
+    model.damping += fem::assemble_mass(model.mesh, bulk, pattern, by_mass);
 }
 
 void stop_on(const std::vector<Fault>& faults) {

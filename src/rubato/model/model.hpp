@@ -39,8 +39,9 @@ struct Model {
   fem::Bulk bulk; ///< the cells that deform and their materials
   fem::DofMap dofs;
   SparseMatrix stiffness;
-  SparseMatrix mass;    ///< empty (no entries) in a static run without densities
-  SparseMatrix damping; ///< no entries without Rayleigh coefficients
+  SparseMatrix mass;           ///< empty (no entries) in a static or explicit run
+  Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
+  SparseMatrix damping;        ///< no entries without Rayleigh coefficients
   std::vector<Force> forces;
   std::vector<Constraint> constraints; ///< ascending dofs, one each
   std::vector<int> free_dofs;          ///< ascending

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rubato::results {
@@ -112,6 +113,13 @@ public:
 
   void failed(const Attempt& attempt, const step::StepReport& report) { write_attempt(attempt, report); }
 
+  void energy(double t, const step::EnergyLedger& e) {
+    if (!energy_)
+      energy_.emplace(folder_ / energy_file, energy_columns());
+    energy_->row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.damping, e.contact,
+                            e.friction, e.balance()});
+  }
+
   std::vector<CheckResult> finish(const Ending& ending) {
     if (unwritten_ && ending.status != RunStatus::complete)
       write_fields(*unwritten_);
@@ -157,6 +165,11 @@ private:
       columns.push_back(fmt::format("force.{}", axes[static_cast<std::size_t>(i)]));
     columns.insert(columns.end(), {"normal", "friction", "largest_pressure", "smallest_gap"});
     return columns;
+  }
+
+  static std::vector<std::string> energy_columns() {
+    return {"t",       "kinetic", "strain",   "external_work", "support_work",
+            "damping", "contact", "friction", "balance"};
   }
 
   std::vector<std::string> probe_columns() const {
@@ -248,6 +261,7 @@ private:
   std::ofstream steps_;
   PvdSeries series_;
   std::vector<CsvWriter> resultants_;
+  std::optional<CsvWriter> energy_;
   Table history_;
   std::optional<step::State> unwritten_; // the last step, while it has no fields
   int steps_done_ = 0;
@@ -265,6 +279,9 @@ void Recorder::start(const step::State& state) {
 void Recorder::step(const step::State& before, const step::State& now, const Attempt& attempt,
                     const step::StepReport& report, bool last) {
   impl_->step(before, now, attempt, report, last);
+}
+void Recorder::energy(double t, const step::EnergyLedger& ledger) {
+  impl_->energy(t, ledger);
 }
 void Recorder::failed(const Attempt& attempt, const step::StepReport& report) {
   impl_->failed(attempt, report);

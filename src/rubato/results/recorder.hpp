@@ -5,6 +5,7 @@
 ///   resultants_<zone>.csv  t; points in contact, sticking; force of the master on the slave x, y[, z];
 ///                          normal part (∫p); friction part (|∫ tangential traction|); largest pressure;
 ///                          smallest gap
+///   energy.csv             t and the parts of the energy ledger, of runs that keep one
 ///   steps.jsonl            one JSON object a step tried, accepted or not
 ///   fields/*.vtu, *.pvd    and fields.med, at the chosen instants
 ///   run.json               status, the study, versions, timings, iterations, checks; there from the start,
@@ -15,6 +16,7 @@
 #include "rubato/results/checks.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/results/run_status.hpp"
+#include "rubato/step/energy.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 
@@ -58,6 +60,8 @@ public:
   /// `last` tells whether this is the run's last instant.
   void step(const step::State& before, const step::State& now, const Attempt& attempt,
             const step::StepReport& report, bool last);
+  /// The first one makes energy.csv.
+  void energy(double t, const step::EnergyLedger& ledger);
   void failed(const Attempt& attempt, const step::StepReport& report);
   /// Evaluates the checks and writes run.json. Of a run that stopped early the last instant reached gets its
   /// fields when the last one is wanted.

@@ -26,7 +26,7 @@ bool is_vtu_file(const std::string& name) {
 }
 
 bool is_file_of_a_run(const std::string& name) {
-  constexpr std::array known{probes_file, steps_file, pvd_file, med_file};
+  constexpr std::array known{probes_file, energy_file, steps_file, pvd_file, med_file};
   return std::ranges::find(known, name) != known.end() ||
          (name.starts_with(resultants_prefix) && name.ends_with(".csv"));
 }

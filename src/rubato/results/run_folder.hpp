@@ -10,6 +10,7 @@ namespace rubato::results {
 
 constexpr std::string_view summary_file = "run.json";
 constexpr std::string_view probes_file = "probes.csv";
+constexpr std::string_view energy_file = "energy.csv";
 constexpr std::string_view steps_file = "steps.jsonl";
 constexpr std::string_view vtu_folder = "fields";
 constexpr std::string_view pvd_file = "fields.pvd";

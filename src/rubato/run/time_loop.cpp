@@ -2,6 +2,8 @@
 #include "rubato/run/time_loop.hpp"
 
 #include "rubato/results/recorder.hpp"
+#include "rubato/run/explicit_loop.hpp"
+#include "rubato/run/loop_parts.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
@@ -9,23 +11,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <stdexcept>
 
 namespace rubato::run {
 namespace {
-
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-int points_in_contact(const step::State& state) {
-  int count = 0;
-  for (const auto& zone : state.zones)
-    count += static_cast<int>(
-        std::ranges::count_if(zone.status, [](auto status) { return status != contact::Status::open; }));
-  return count;
-}
 
 /// Effective matrices of the step lengths in use: cut steps come back to the lengths they had.
 class SystemCache {
@@ -168,6 +157,8 @@ RunResult run_study(const deck::Study& study, const std::filesystem::path& folde
                             points += zone.points.size();
                           return points;
                         }()));
+  if (deck::is_explicit(study.time.scheme))
+    return run_explicit(model, folder, watch, start);
   return Loop(model, folder, watch, previous).run(start);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using deck::SchemeKind;
 
-constexpr std::array<SchemeEntry, 5> entries{{
+constexpr std::array<SchemeEntry, 6> entries{{
     {SchemeKind::newmark, "newmark", "NEWMARK", "average acceleration, or any β and γ"},
     {SchemeKind::hht, "hht", "HHT, MODI_EQUI='OUI'", "α in −1/3…0 damps high frequencies"},
     {SchemeKind::modified_average_acceleration, "modified_average_acceleration", "HHT, MODI_EQUI='NON'",
@@ -17,6 +17,8 @@ constexpr std::array<SchemeEntry, 5> entries{{
     {SchemeKind::generalized_alpha, "generalized_alpha", "",
      "Chung and Hulbert, from the spectral radius ρ_∞"},
     {SchemeKind::static_steps, "static", "STAT_NON_LINE", "load steps in pseudo-time, no inertia"},
+    {SchemeKind::central_difference, "central_difference", "DIFF_CENT",
+     "explicit: lumped mass, short stable steps that cost a product each"},
 }};
 
 Scheme with_alpha(double alpha) {
@@ -64,6 +66,8 @@ Scheme make_scheme(const deck::TimeStepping& settings) {
     scheme.dynamic = false;
     return scheme;
   }
+  case SchemeKind::central_difference:
+    throw std::invalid_argument("central_difference is explicit, it has no effective matrix");
   }
   throw std::logic_error("a time scheme without its row in the table");
 }

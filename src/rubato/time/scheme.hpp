@@ -33,7 +33,8 @@ struct Scheme {
 
 /// newmark: β, γ given (default average acceleration). hht: Hilber, Hughes and Taylor (1977) with α ≤ 0,
 /// damping unweighted as Code_Aster does. modified_average_acceleration: the same β, γ, equilibrium at the
-/// end of the step. generalized_alpha: Chung and Hulbert (1993) from ρ_∞. static_steps: no inertia.
+/// end of the step. generalized_alpha: Chung and Hulbert (1993) from ρ_∞. static_steps: no inertia. Throws
+/// std::invalid_argument for central_difference, which step/explicit.hpp computes.
 Scheme make_scheme(const deck::TimeStepping& settings);
 
 /// The coefficients of one step: A = mass M + damping C + stiffness K is the effective matrix.

@@ -33,6 +33,10 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   for (const auto* scheme : {"newmark, beta: 0.3, gamma: 0.6", "hht, alpha: -0.1",
                              "modified_average_acceleration, alpha: -0.1", "generalized_alpha", "static"})
     decks.push_back(replaced(smallest_deck, "newmark", scheme));
+  for (const auto* scheme : {"central_difference", "central_difference, safety: 0.5, record: 1e-4"}) {
+    decks.push_back(replaced(smallest_deck, "newmark", scheme));
+    decks.push_back(replaced(decks.back(), "step: 1e-3", "step: auto"));
+  }
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);
     EXPECT_EQ(read_back(study), study) << deck;

@@ -76,7 +76,7 @@ const Mistake type_mistakes[] = {
     {"scheme: hht", "scheme: hth", "hth",
      "time.scheme: found 'hth', expected one of newmark, hht, modified_average_acceleration, "
      "generalized_alpha, "
-     "static; did you mean 'hht'?"},
+     "static, central_difference; did you mean 'hht'?"},
     {"formats: [vtu, med]", "formats: [vtu, vtk]", "vtk",
      "fields.formats.1: found 'vtk', expected one of vtu, med; "
      "did you mean 'vtu'?"},
@@ -166,6 +166,9 @@ const Mistake sense_mistakes[] = {
      "time.instants: found 0.012 after 0.013, expected numbers that ascend"},
     {"scheme: hht\n  alpha: -0.3", "scheme: static", "at_rest",
      "time.start: the scheme static has no first acceleration, expected consistent or {from: run}"},
+    {"alpha: -0.3", "alpha: -0.3\n  record: 1e-4", "1e-4\n  begin",
+     "time.record: the scheme hht takes no record, central_difference takes it; a run removes it by "
+     "'record: ~'"},
     {"slave: Beneath", "slave: Below", "Below\n    friction",
      "contact.interface.slave: found 'Below' as slave and as master, expected two surfaces"},
     {"friction: newton", "friction: newtn", "newtn",
@@ -299,6 +302,53 @@ Sentences faults_of_zone(const std::string& settings) {
        faults_of(smallest_deck + "contact: {a: {master: M, slave: S, " + settings + "}}\n"))
     sentences.push_back(sentence.substr(sentence.find("contact")));
   return sentences;
+}
+
+/// Of an explicit run with these words after `scheme` in `time`, and these beside it in the deck.
+Sentences faults_of_explicit(const std::string& time, const std::string& beside = "") {
+  Sentences sentences;
+  for (const auto& sentence :
+       faults_of(replaced(smallest_deck, "newmark, step: 1e-3, end: 0.012", "central_difference, " + time) +
+                 beside))
+    sentences.push_back(sentence.substr(sentence.find(": ") + 2));
+  return sentences;
+}
+
+TEST(DeckFaults, AnExplicitSchemeHasStepsOfItsOwn) {
+  EXPECT_EQ(faults_of_explicit("end: 1"), Sentences{});
+  EXPECT_EQ(faults_of_explicit("end: 1, step: auto, safety: 1, record: 0.1"), Sentences{});
+  EXPECT_EQ(faults_of_explicit("end: 1, safety: 1.5"),
+            Sentences{"time.safety: found '1.5', expected a number > 0 and <= 1"});
+  EXPECT_EQ(faults_of_explicit("end: 1, record: 2"),
+            Sentences{"time.record: found 2, expected at most the length of the run, 1"});
+  EXPECT_EQ(faults_of_explicit("end: 1, step: 2"),
+            Sentences{"time.step: found 2, expected at most the length of the run, 1"});
+  EXPECT_EQ(
+      faults_of_explicit("end: 1, instants: [1]"),
+      Sentences{
+          "time.instants: the scheme central_difference chooses its steps; results are kept every 'record'"});
+  EXPECT_EQ(faults_of_explicit("end: 1, on_failure: {cut: 2}"),
+            Sentences{"time.on_failure: the scheme central_difference has no steps that fail"});
+  EXPECT_EQ(faults_of_explicit("end: 1, start: at_rest_unloaded"),
+            Sentences{"time.start: the scheme central_difference starts at rest from the true equilibrium, "
+                      "expected consistent"});
+  EXPECT_EQ(faults_of_explicit("end: 1, alpha: -0.1").size(), 1U);
+  EXPECT_EQ(faults_of(replaced(smallest_deck, "newmark", "newmark, record: 1e-4")),
+            Sentences{place_of(replaced(smallest_deck, "newmark", "newmark, record: 1e-4"), "1e-4") +
+                      ": time.record: the scheme newmark takes no record, central_difference takes it; a run "
+                      "removes it by 'record: ~'"});
+}
+
+TEST(DeckFaults, AnExplicitSchemeTakesContactByPenaltyOnly) {
+  const auto faults = [](const std::string& method) {
+    return faults_of_explicit("end: 1", "contact: {a: {master: M, slave: S, friction: 0.1" + method + "}}\n");
+  };
+  EXPECT_EQ(faults(", method: penalty"), Sentences{});
+  EXPECT_EQ(faults(""), Sentences{"contact.a: found the method augmented_lagrangian with friction by "
+                                  "augmented_lagrangian, but the scheme central_difference has forces only, "
+                                  "expected penalty for both"});
+  EXPECT_EQ(faults(", method: nodal_penalty").size(), 1U);
+  EXPECT_EQ(faults(", method: penalty, friction_method: augmented_lagrangian").size(), 1U);
 }
 
 TEST(DeckFaults, MethodsThatDoNotGoTogetherAreToldApart) {

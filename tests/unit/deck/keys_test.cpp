@@ -237,6 +237,11 @@ TEST(DeckKeys, EverySchemeWithItsOwnNumbers) {
   EXPECT_EQ(time("modified_average_acceleration, alpha: -0.5").alpha, -0.5);
   EXPECT_EQ(time("generalized_alpha, spectral_radius: 0.5").spectral_radius, 0.5);
   EXPECT_EQ(time("static").scheme, SchemeKind::static_steps);
+  EXPECT_EQ(time("central_difference, safety: 0.5").safety, 0.5);
+  EXPECT_EQ(time("central_difference").safety, 0.9);
+  EXPECT_EQ(time("central_difference").step, 1e-3);
+  EXPECT_DOUBLE_EQ(time("central_difference").record, 0.012 / 1000);
+  EXPECT_EQ(time("central_difference, record: 1e-4").record, 1e-4);
 }
 
 TEST(DeckKeys, InstantsInsteadOfStepAndEnd) {

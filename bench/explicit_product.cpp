@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What explicit steps cost: a box of distorted HEXA8, n cells along each side.
+///   CsrProduct    K u by Eigen's compressed rows: what limited memory gives without care
+///   BlockProduct  K u as explicit steps do it
+///   ExplicitStep  whole steps, loads and supports included
+/// Counters: Mel/s, millions of elements a second of processor time; GB/s, matrix bytes read.
+#include "rubato/deck/read.hpp"
+#include "rubato/linalg/block_matrix.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/step/explicit.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace rubato;
+
+/// Inner nodes are moved by up to a fifth of a cell: no element is like another.
+void distort(mesh::Mesh& mesh, int n) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> shift(-0.2 / n, 0.2 / n);
+  for (auto& x : mesh.points) {
+    const Eigen::Vector3d by(shift(random), shift(random), shift(random));
+    if ((x.array() > 1e-9).all() && (x.array() < 1 - 1e-9).all())
+      x += by;
+  }
+}
+
+model::Model distorted_box(int n) {
+  const auto divisions = std::to_string(n);
+  const auto deck = "mesh: {generate: [{name: box, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [" +
+                    divisions + ", " + divisions + ", " + divisions +
+                    "], sides: {left: held, right: end}}]}\n" + R"(
+physics: solid
+materials: {steel: {young: 200e9, poisson: 0.3, density: 7800}}
+supports: [{on: held, fix: [x, y, z]}]
+loads: [{surface_force: {on: end, y: -1e6}}]
+time: {scheme: central_difference, end: 1}
+)";
+  const auto study = deck::parse_deck(deck, "bench.yaml").runs.front();
+  auto mesh = model::load_mesh(study.mesh);
+  distort(mesh, n);
+  return model::build_model(study, std::move(mesh));
+}
+
+void count(benchmark::State& state, double products, double bytes) {
+  const double elements = static_cast<double>(state.range(0) * state.range(0) * state.range(0));
+  state.counters["Mel/s"] = benchmark::Counter(products * elements / 1e6, benchmark::Counter::kIsRate);
+  state.counters["GB/s"] = benchmark::Counter(products * bytes / 1e9, benchmark::Counter::kIsRate);
+}
+
+void CsrProduct(benchmark::State& state) {
+  const auto model = distorted_box(static_cast<int>(state.range(0)));
+  const Eigen::SparseMatrix<double, Eigen::RowMajor, int> matrix = model.stiffness;
+  const Eigen::VectorXd x = Eigen::VectorXd::Ones(matrix.rows());
+  Eigen::VectorXd y(matrix.rows());
+  for (auto _ : state) {
+    y.noalias() = matrix * x;
+    benchmark::DoNotOptimize(y.data());
+  }
+  count(state, static_cast<double>(state.iterations()), 12.0 * static_cast<double>(matrix.nonZeros()));
+}
+
+void BlockProduct(benchmark::State& state) {
+  const auto model = distorted_box(static_cast<int>(state.range(0)));
+  const linalg::SymmetricBlockMatrix matrix(model.stiffness, 3);
+  const Eigen::VectorXd x = Eigen::VectorXd::Ones(matrix.rows());
+  Eigen::VectorXd y(matrix.rows());
+  for (auto _ : state) {
+    matrix.multiply(x, y);
+    benchmark::DoNotOptimize(y.data());
+  }
+  count(state, static_cast<double>(state.iterations()), static_cast<double>(matrix.bytes()));
+}
+
+void ExplicitStep(benchmark::State& state) {
+  const auto model = distorted_box(static_cast<int>(state.range(0)));
+  step::ExplicitMotion motion(model);
+  constexpr int steps = 10;
+  const double h = 0.9 * motion.spectrum().stable_step();
+  int done = 0;
+  for (auto _ : state) {
+    done += steps;
+    motion.advance(done * h, steps);
+  }
+  count(state, static_cast<double>(done), 0);
+}
+
+BENCHMARK(CsrProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
+BENCHMARK(BlockProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
+BENCHMARK(ExplicitStep)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
+
+} // namespace

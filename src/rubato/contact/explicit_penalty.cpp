@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/explicit_penalty.hpp"
+
+#include "rubato/fem/reference_cell.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Square of the springs' frequency over the bulk's highest: with matching surfaces they shorten the stable
+/// step by a sixth.
+constexpr double share_of_eigenvalue = 0.1;
+
+std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+Vector3d vector_at(const fem::DofMap& dofs, const VectorXd& values, mesh::NodeIndex node) {
+  Vector3d v = Vector3d::Zero();
+  v.head(dofs.components) = values.segment(dofs.dof(node, 0), dofs.components);
+  return v;
+}
+
+/// Of the direction that moves most easily: a node may be held in others.
+double inverse_mass_of(const fem::DofMap& dofs, const VectorXd& inverse_mass, mesh::NodeIndex node) {
+  return inverse_mass.segment(dofs.dof(node, 0), dofs.components).maxCoeff();
+}
+
+std::array<double, 9> shape_at(mesh::CellType type, const Eigen::Vector2d& xi) {
+  std::array<double, 9> values{};
+  const auto& cell = fem::reference_cell(type);
+  cell.values({xi[0], xi[1], 0}, std::span(values).first(at(cell.node_count)));
+  return values;
+}
+
+Vector3d in_plane(const Vector3d& v, const Vector3d& normal) {
+  return v - normal.dot(v) * normal;
+}
+
+} // namespace
+
+std::vector<double> penalty_stiffness(const Zone& zone, const fem::DofMap& dofs, const VectorXd& inverse_mass,
+                                      double eigenvalue) {
+  double master = 0;
+  for (const auto node : zone.master.nodes)
+    master += inverse_mass_of(dofs, inverse_mass, node) / static_cast<double>(zone.master.nodes.size());
+  std::vector<double> stiffness;
+  for (const auto& point : zone.points) {
+    double slave = 0;
+    for (std::size_t i = 0; i < point.nodes.size(); ++i)
+      slave += point.shape[i] * point.shape[i] * inverse_mass_of(dofs, inverse_mass, point.nodes[i]);
+    const bool held = slave + master == 0; // whatever the springs are, nothing moves
+    const double spring = held ? 0.0 : share_of_eigenvalue * eigenvalue / (slave + master);
+    stiffness.push_back(zone.settings.normal_coefficient.value_or(spring / std::abs(point.weight)));
+  }
+  return stiffness;
+}
+
+ExplicitPenalty::ExplicitPenalty(const Zone& zone, const fem::DofMap& dofs,
+                                 std::vector<double> normal_stiffness)
+    : zone_(&zone), dofs_(&dofs), normal_stiffness_(std::move(normal_stiffness)), neighbours_(zone),
+      springs_(zone.points.size()) {}
+
+void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd& velocity, double step,
+                              VectorXd& force) {
+  neighbours_.update(configuration);
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    if (zone_->points[i].excluded)
+      continue;
+    auto& spring = springs_[i];
+    const double energy = tangential_energy(i);
+    if (!neighbours_.pairs()[i].paired()) {
+      dissipated_ += energy;
+      spring = {.paired = false};
+      continue;
+    }
+    const auto place = place_of(i, configuration);
+    spring.gap = place.normal.dot(contact::position(zone_->points[i], configuration) - place.position);
+    if (!press(spring, normal_stiffness_[i])) {
+      dissipated_ += energy;
+      continue;
+    }
+    const Vector3d slip = step * slip_of(i, place, velocity);
+    spring.normal = place.normal;
+    spring.slip_on_tangents = {slip.dot(place.tangent), slip.dot(place.normal.cross(place.tangent))};
+    const Vector3d traction = spring.traction;
+    rub(spring, normal_stiffness_[i], place, slip);
+    const double work = -0.5 * zone_->points[i].weight * (traction + spring.traction).dot(slip);
+    dissipated_ += work - (tangential_energy(i) - energy);
+    add_force(i, place, force);
+  }
+}
+
+double ExplicitPenalty::stored() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    if (springs_[i].status == Status::open)
+      continue;
+    const double normal = 0.5 * springs_[i].pressure * springs_[i].pressure / normal_stiffness_[i];
+    sum += zone_->points[i].weight * normal + tangential_energy(i);
+  }
+  return sum;
+}
+
+ZoneState ExplicitPenalty::state() const {
+  auto state = initial_state(*zone_);
+  state.outcomes.assign(springs_.size(), {});
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const auto& spring = springs_[i];
+    const double weight = zone_->points[i].weight;
+    state.status[i] = spring.status;
+    state.outcomes[i] = {neighbours_.pairs()[i].paired() ? spring.gap : INFINITY, spring.slip_on_tangents,
+                         spring.pressure, weight * spring.pressure * spring.normal, weight * spring.traction};
+  }
+  return state;
+}
+
+void ExplicitPenalty::add_loads(VectorXd& load) const {
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const double spring = std::abs(zone_->points[i].weight) * normal_stiffness_[i];
+    visit_nodes(i, [&](mesh::NodeIndex node, double shape) {
+      load[dofs_->dof(node, 0)] += spring * std::abs(shape);
+    });
+  }
+}
+
+double ExplicitPenalty::largest_row_sum(const VectorXd& load, const VectorXd& inverse_mass) const {
+  double largest = 0;
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    double sum = 0;
+    visit_nodes(i, [&](mesh::NodeIndex node, double shape) {
+      sum += std::abs(shape) * inverse_mass_of(*dofs_, inverse_mass, node) * load[dofs_->dof(node, 0)];
+    });
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// The nodes that a point pushes if it faces a master, with its shape values; the master's are negative.
+template <class Visit> void ExplicitPenalty::visit_nodes(std::size_t index, const Visit& visit) const {
+  const auto& point = zone_->points[index];
+  const auto& pair = neighbours_.pairs()[index];
+  if (point.excluded || !pair.paired())
+    return;
+  for (std::size_t i = 0; i < point.nodes.size(); ++i)
+    visit(point.nodes[i], point.shape[i]);
+  const auto& face = master_face(index);
+  const auto shape = shape_at(face.type, pair.projection.clamped);
+  for (std::size_t j = 0; j < at(face.node_count); ++j)
+    visit(face.nodes[j], -shape[j]);
+}
+
+const Face& ExplicitPenalty::master_face(std::size_t point) const {
+  return zone_->master.faces[at(neighbours_.pairs()[point].master_face)];
+}
+
+ExplicitPenalty::Place ExplicitPenalty::place_of(std::size_t index,
+                                                 const Configuration& configuration) const {
+  const auto& face = master_face(index);
+  const auto& projection = neighbours_.pairs()[index].projection;
+  const auto nodes = deformed(face, configuration);
+  const auto closest = face_geometry(face.type, nodes, projection.clamped);
+  auto tangents = closest.tangents;
+  if (zone_->settings.clamped_normal == deck::ClampedNormal::code_aster && !projection.inside()) {
+    const int directions = parametric_dimension(face.type);
+    tangents.leftCols(directions) +=
+        face_geometry(face.type, nodes, projection.xi).tangents.leftCols(directions);
+  }
+  Vector3d normal = tangents.col(0).cross(tangents.col(1)).normalized();
+  if (zone_->settings.normal != deck::ContactNormal::master) {
+    const Vector3d against_slave = -slave_normal(zone_->points[index], configuration);
+    normal = zone_->settings.normal == deck::ContactNormal::slave ? against_slave
+                                                                  : (normal + against_slave).normalized();
+  }
+  return {closest.position, normal, in_plane(tangents.col(0), normal).normalized(),
+          shape_at(face.type, projection.clamped)};
+}
+
+/// The mean of the unit normals of the slave faces at the point.
+Vector3d ExplicitPenalty::slave_normal(const SlavePoint& point, const Configuration& configuration) const {
+  Vector3d sum = Vector3d::Zero();
+  for (const auto& place : point.stands_on) {
+    const auto& face = zone_->slave.faces[at(place.face)];
+    const auto tangents = face_geometry(face.type, deformed(face, configuration), place.xi).tangents;
+    sum += tangents.col(0).cross(tangents.col(1)).normalized();
+  }
+  return sum.normalized();
+}
+
+/// Tangential velocity of the slave point against the master's.
+Vector3d ExplicitPenalty::slip_of(std::size_t index, const Place& place, const VectorXd& velocity) const {
+  const auto& point = zone_->points[index];
+  const auto& face = master_face(index);
+  Vector3d relative = Vector3d::Zero();
+  for (std::size_t i = 0; i < point.nodes.size(); ++i)
+    relative += point.shape[i] * vector_at(*dofs_, velocity, point.nodes[i]);
+  for (std::size_t j = 0; j < at(face.node_count); ++j)
+    relative -= place.shape[j] * vector_at(*dofs_, velocity, face.nodes[j]);
+  return in_plane(relative, place.normal);
+}
+
+/// The pressure that the gap calls for; false, and a relaxed spring, when there is none.
+bool ExplicitPenalty::press(Spring& spring, double normal_stiffness) const {
+  const double known = spring.paired ? spring.forgiven : spring.gap;
+  spring.forgiven = std::min(std::max(known, spring.gap), 0.0);
+  spring.paired = true;
+  spring.pressure = normal_stiffness * (spring.forgiven - spring.gap);
+  if (spring.pressure > 0)
+    return true;
+  spring = {.forgiven = spring.forgiven, .gap = spring.gap};
+  return false;
+}
+
+/// Friction after a slip increment: elastic as far as Coulomb allows.
+void ExplicitPenalty::rub(Spring& spring, double normal_stiffness, const Place& place,
+                          const Vector3d& slip) const {
+  const auto& settings = zone_->settings;
+  spring.status = Status::slip;
+  const double limit = settings.friction * spring.pressure;
+  if (limit == 0)
+    return;
+  spring.tangential_stiffness =
+      std::min(normal_stiffness, limit * settings.tangential_coefficient.value_or(INFINITY));
+  spring.slip = in_plane(spring.slip + slip, place.normal);
+  const double trial = spring.tangential_stiffness * spring.slip.norm();
+  if (trial <= limit)
+    spring.status = Status::stick;
+  else
+    spring.slip *= limit / trial;
+  spring.traction = -spring.tangential_stiffness * spring.slip;
+}
+
+void ExplicitPenalty::add_force(std::size_t index, const Place& place, VectorXd& force) const {
+  const auto& point = zone_->points[index];
+  const auto& face = master_face(index);
+  const Vector3d push = point.weight * (springs_[index].pressure * place.normal + springs_[index].traction);
+  const int components = dofs_->components;
+  for (std::size_t i = 0; i < point.nodes.size(); ++i)
+    force.segment(dofs_->dof(point.nodes[i], 0), components) -= point.shape[i] * push.head(components);
+  for (std::size_t j = 0; j < at(face.node_count); ++j)
+    force.segment(dofs_->dof(face.nodes[j], 0), components) += place.shape[j] * push.head(components);
+}
+
+double ExplicitPenalty::tangential_energy(std::size_t index) const {
+  const auto& spring = springs_[index];
+  return 0.5 * zone_->points[index].weight * spring.tangential_stiffness * spring.slip.squaredNorm();
+}
+
+double largest_eigenvalue(std::span<const ExplicitPenalty> zones, const VectorXd& inverse_mass) {
+  VectorXd load = VectorXd::Zero(inverse_mass.size());
+  for (const auto& zone : zones)
+    zone.add_loads(load);
+  double largest = 0;
+  for (const auto& zone : zones)
+    largest = std::max(largest, zone.largest_row_sum(load, inverse_mass));
+  return largest;
+}
+
+} // namespace rubato::contact

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Contact by penalty as explicit steps evaluate it: forces only, no derivatives, no allocation.
+///
+/// At a contact point of weight w, with k_n and k_t [pressure/length]:
+///   p = k_n ⟨−g⟩                                      on the deformed surfaces
+///   t = −k_t s,  |t| ≤ μ p                            s: elastic slip, a vector in the tangent plane
+/// s grows with the slip increments of the steps, whatever their number, and is cut back to |t| = μ p when it
+/// slips (return mapping). It must be carried from step to step: the thousandth part of a millisecond is too
+/// short for a slip that starts anew each step to make any friction.
+///
+/// A point that faced nothing and is found to penetrate when it faces the master again (a tip that has slid
+/// off an edge and comes back) would be shot away. The gap it is found with is forgiven instead: p = k_n ⟨g₀
+/// − g⟩, and g₀ follows g as far as the point comes out by itself.
+#pragma once
+
+#include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/law.hpp"
+#include "rubato/contact/neighbours.hpp"
+#include "rubato/contact/zone.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace rubato::contact {
+
+/// k_n of each point [pressure/length]: as the deck gives it or else such that the point's spring, between
+/// its own mass and the mean mass of a master node, vibrates with half the bulk's highest frequency: w k_n =
+/// 1/4 λ / (1/m_slave + 1/m_master). `inverse_mass`: one a dof, 0 where it is held; `eigenvalue`: the bulk's
+/// largest, λ = ω² [1/time²].
+std::vector<double> penalty_stiffness(const Zone& zone, const fem::DofMap& dofs,
+                                      const Eigen::VectorXd& inverse_mass, double eigenvalue);
+
+/// One zone's springs and what they carry from step to step.
+class ExplicitPenalty {
+public:
+  /// k_t is k_n or, where the deck gives c_t [1/length], μ p c_t if that is less: then friction saturates at
+  /// the slip 1/c_t. `dofs` and `zone` must outlive this.
+  ExplicitPenalty(const Zone& zone, const fem::DofMap& dofs, std::vector<double> normal_stiffness);
+
+  /// Takes the zone to a configuration and adds its forces, internal side, to `force` (one a dof).
+  /// `velocity` times `step` is the displacement since the last call.
+  void advance(const Configuration& configuration, const Eigen::VectorXd& velocity, double step,
+               Eigen::VectorXd& force);
+
+  double stored() const;                            ///< in the springs [force · length]
+  double dissipated() const { return dissipated_; } ///< by friction, in all steps
+
+  /// Statuses and outcomes for the results; slips are those of the last step.
+  ZoneState state() const;
+
+  /// Adds what springs of the points that face the master put on each node, Σ w k_n |N|, at its first dof.
+  void add_loads(Eigen::VectorXd& load) const;
+  /// The largest row sum of B M⁻¹ Bᵀ diag(w k_n) when the nodes carry `load`.
+  double largest_row_sum(const Eigen::VectorXd& load, const Eigen::VectorXd& inverse_mass) const;
+
+  const NeighbourList& neighbours() const { return neighbours_; }
+
+private:
+  /// Where the master is that a point is paired with.
+  struct Place {
+    Eigen::Vector3d position;
+    Eigen::Vector3d normal;
+    Eigen::Vector3d tangent; ///< the first
+    std::array<double, 9> shape;
+  };
+  /// What a point keeps from step to step.
+  struct Spring {
+    Status status = Status::open;
+    bool paired = true;  ///< at the end of the last step; in the first one nothing is forgiven
+    double forgiven = 0; ///< g₀ ≤ 0
+    double gap = 0;
+    double pressure = 0;
+    double tangential_stiffness = 0;
+    Eigen::Vector3d slip = Eigen::Vector3d::Zero();     ///< elastic [length]
+    Eigen::Vector3d traction = Eigen::Vector3d::Zero(); ///< tangential, on the slave [pressure]
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    Eigen::Vector2d slip_on_tangents = Eigen::Vector2d::Zero(); ///< of the last step
+  };
+
+  const Face& master_face(std::size_t point) const;
+  Place place_of(std::size_t point, const Configuration& configuration) const;
+  Eigen::Vector3d slave_normal(const SlavePoint& point, const Configuration& configuration) const;
+  Eigen::Vector3d slip_of(std::size_t point, const Place& place, const Eigen::VectorXd& velocity) const;
+  bool press(Spring& spring, double normal_stiffness) const;
+  void rub(Spring& spring, double normal_stiffness, const Place& place, const Eigen::Vector3d& slip) const;
+  void add_force(std::size_t point, const Place& place, Eigen::VectorXd& force) const;
+  double tangential_energy(std::size_t point) const;
+  template <class Visit> void visit_nodes(std::size_t point, const Visit& visit) const;
+
+  const Zone* zone_;
+  const fem::DofMap* dofs_;
+  std::vector<double> normal_stiffness_;
+  NeighbourList neighbours_;
+  std::vector<Spring> springs_;
+  double dissipated_ = 0;
+};
+
+/// A bound of the largest eigenvalue, ω², that the springs of all points facing a master have against the
+/// masses, whether they touch or not (Gershgorin's, of B M⁻¹ Bᵀ diag(w k_n)) [1/time²].
+double largest_eigenvalue(std::span<const ExplicitPenalty> zones, const Eigen::VectorXd& inverse_mass);
+
+} // namespace rubato::contact

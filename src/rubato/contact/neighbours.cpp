@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/neighbours.hpp"
+
+#include <nanoflann.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rubato::contact {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Part of the longest master edge: a wider margin makes searches rarer and each step's lists longer.
+constexpr double margin_in_edges = 0.75;
+
+/// Points as nanoflann wants to see them.
+struct Cloud {
+  const std::vector<Vector3d>& points;
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  double kdtree_get_pt(std::size_t index, std::size_t component) const {
+    return points[index][static_cast<Eigen::Index>(component)];
+  }
+  template <class Box> bool kdtree_get_bbox(Box& /*unused*/) const { return false; }
+};
+
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3>;
+
+Vector3d mean_motion(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t i = 0; i < from.size(); ++i)
+    sum += to[i] - from[i];
+  return sum / static_cast<double>(from.size());
+}
+
+double farthest_motion(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to,
+                       const Vector3d& common) {
+  double squared = 0;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    squared = std::max(squared, (to[i] - from[i] - common).squaredNorm());
+  return std::sqrt(squared);
+}
+
+} // namespace
+
+NeighbourList::NeighbourList(const Zone& zone)
+    : zone_(&zone), margin_(margin_in_edges * zone.master.longest_edge), master_(zone.master.nodes.size()),
+      slave_(zone.points.size()), pairs_(zone.points.size()) {}
+
+void NeighbourList::update(const Configuration& configuration) {
+  locate(configuration);
+  if (searches_ == 0 || 2 * moved_since_search() > margin_)
+    search();
+  for (std::size_t i = 0; i < slave_.size(); ++i)
+    pairs_[i] = pair_around(*zone_, nearest_of(i), slave_[i], configuration);
+}
+
+void NeighbourList::locate(const Configuration& configuration) {
+  for (std::size_t j = 0; j < master_.size(); ++j)
+    master_[j] = configuration.position(zone_->master.nodes[j]);
+  for (std::size_t i = 0; i < slave_.size(); ++i)
+    slave_[i] = position(zone_->points[i], configuration);
+}
+
+/// How much nearer to each other a slave point and a master node can have come.
+double NeighbourList::moved_since_search() const {
+  const Vector3d common = mean_motion(master_at_search_, master_);
+  return farthest_motion(master_at_search_, master_, common) +
+         farthest_motion(slave_at_search_, slave_, common);
+}
+
+void NeighbourList::search() {
+  ++searches_;
+  master_at_search_ = master_;
+  slave_at_search_ = slave_;
+  const Cloud cloud{master_};
+  const Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+  std::vector<std::pair<std::uint32_t, double>> found;
+  start_.assign(1, 0);
+  near_nodes_.clear();
+  for (const auto& x : slave_) {
+    std::uint32_t nearest = 0;
+    double squared = 0;
+    tree.knnSearch(x.data(), 1, &nearest, &squared);
+    const double reach = std::sqrt(squared) + margin_;
+    tree.radiusSearch(x.data(), reach * reach, found, nanoflann::SearchParams(32, 0, false));
+    for (const auto& [node, distance] : found)
+      near_nodes_.push_back(node);
+    start_.push_back(near_nodes_.size());
+  }
+}
+
+std::size_t NeighbourList::nearest_of(std::size_t point) const {
+  std::size_t nearest = 0;
+  double least = INFINITY;
+  for (auto k = start_[point]; k < start_[point + 1]; ++k) {
+    const double squared = (master_[near_nodes_[k]] - slave_[point]).squaredNorm();
+    if (squared >= least)
+      continue;
+    least = squared;
+    nearest = near_nodes_[k];
+  }
+  return nearest;
+}
+
+} // namespace rubato::contact

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// A symmetric matrix of dense 2×2 or 3×3 blocks for products that are limited by memory alone: what explicit
+/// steps do all day. Of each pair of blocks a_ij = a_jiᵀ one is stored and used twice, and one index serves a
+/// whole block, so a product reads little more than half of what a scalar compressed row holds.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cstdint>
+#include <vector>
+
+namespace rubato::linalg {
+
+class SymmetricBlockMatrix {
+public:
+  /// `matrix`: symmetric, of size · block_size rows, entries in whole blocks (as fem::BlockPattern makes
+  /// them; missing entries of a block count as 0). Only blocks on and above the diagonal are read. Throws
+  /// std::invalid_argument when block_size is neither 2 nor 3 or the rows are no whole number of blocks.
+  SymmetricBlockMatrix(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& matrix, int block_size);
+
+  /// y = A x. Allocates nothing; x and y must have rows() entries and not be the same.
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+
+  Eigen::Index rows() const { return static_cast<Eigen::Index>(diagonal_count()) * block_size_; }
+  /// Bytes that one product reads of the matrix.
+  std::size_t bytes() const;
+
+private:
+  std::size_t diagonal_count() const { return start_.size() - 1; }
+
+  int block_size_;
+  std::vector<std::int64_t> start_; ///< of block rows: first block right of the diagonal; one more at the end
+  std::vector<std::int32_t> column_; ///< of blocks right of the diagonal
+  std::vector<double> diagonal_;     ///< blocks, column after column
+  std::vector<double> upper_;        ///< likewise, in the order of `column_`
+};
+
+} // namespace rubato::linalg

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/run/explicit_loop.hpp"
+
+#include "rubato/results/recorder.hpp"
+#include "rubato/run/loop_parts.hpp"
+#include "rubato/step/explicit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::run {
+namespace {
+
+/// Quotients this little above a whole number are that number but for rounding.
+constexpr double rounding = 1e-9;
+/// Contact stiffens as points slide to lighter nodes of the master; in that many steps they move by a small
+/// part of a face, which the safety of the step allows for.
+constexpr int steps_between_estimates = 20;
+
+int whole(double quotient) {
+  return std::max(1, static_cast<int>(std::ceil(quotient - rounding)));
+}
+
+/// Throws InputError when the deck asks for steps that would not be stable.
+void check_step(const deck::TimeStepping& time, double stable) {
+  if (time.step > stable)
+    throw InputError(
+        fmt::format("time.step: found {:g}, expected at most the stable step of this model, {:g}, "
+                    "or auto",
+                    time.step, stable),
+        time.at);
+}
+
+class ExplicitLoop {
+public:
+  ExplicitLoop(const model::Model& model, const std::filesystem::path& folder, const Watch& watch)
+      : model_(model), time_(model.study.time), watch_(watch), motion_(model) {
+    const auto spectrum = motion_.spectrum();
+    check_step(time_, spectrum.stable_step());
+    records_ = whole((time_.end - time_.begin) / time_.record);
+    limit_step(spectrum);
+    tell_steps(spectrum);
+    recorder_.emplace(model, folder);
+  }
+
+  RunResult run(double setup_start) {
+    now_ = motion_.state();
+    recorder_->start(now_);
+    recorder_->energy(now_.t, motion_.energy());
+    result_.setup_seconds = processor_seconds() - setup_start;
+    const double loop_start = processor_seconds();
+    for (int i = 1; i <= records_ && result_.status == Status::complete; ++i)
+      go_to(i);
+    result_.loop_seconds = processor_seconds() - loop_start;
+    result_.steps = static_cast<int>(motion_.steps());
+    tell_energy();
+    result_.end = std::move(now_);
+    result_.checks = recorder_->finish(
+        {result_.status, result_.message, result_.setup_seconds, result_.loop_seconds, result_.steps, 0, 0});
+    return std::move(result_);
+  }
+
+private:
+  double instant(int record) const {
+    return record == records_ ? time_.end : time_.begin + record * (time_.end - time_.begin) / records_;
+  }
+
+  /// The step never grows again: each change costs a little accuracy.
+  void limit_step(const step::Spectrum& spectrum) {
+    const double stable = spectrum.stable_step();
+    limit_ = std::min(limit_, time_.step > 0 ? std::min(time_.step, stable) : time_.safety * stable);
+  }
+
+  void tell_steps(const step::Spectrum& spectrum) const {
+    const double record = (time_.end - time_.begin) / records_;
+    const int steps = whole(record / limit_);
+    const step::Spectrum free{spectrum.stiffness, 0, spectrum.damping};
+    watch_.say(
+        fmt::format("{}: stable step {:.4g}{}; steps of {:.4g}, {} a record, {} in all", model_.study.name,
+                    spectrum.stable_step(),
+                    spectrum.contact > 0 ? fmt::format(" ({:.4g} without contact)", free.stable_step()) : "",
+                    record / steps, steps, std::int64_t{steps} * records_));
+  }
+
+  void go_to(int record) {
+    const double before = processor_seconds();
+    const double begin = motion_.t();
+    const auto steps_before = motion_.steps();
+    if (!advance(instant(record)))
+      return interrupt();
+    auto next = motion_.state();
+    results::Attempt attempt{begin, next.t, 0, next.motion.u.allFinite(), processor_seconds() - before};
+    step::StepReport report;
+    report.outcome = attempt.accepted ? step::Outcome::converged : step::Outcome::not_finite;
+    if (attempt.accepted)
+      accept(std::move(next), attempt, report, record == records_);
+    else
+      give_up(attempt, report);
+    const auto steps = static_cast<double>(motion_.steps() - steps_before);
+    watch_.progress({model_.study.name, attempt.end, time_.begin, time_.end, (attempt.end - begin) / steps, 0,
+                     points_in_contact(now_), 0, attempt.accepted, &report});
+  }
+
+  /// In steps that the contact as it stands allows. False when the run was asked to stop.
+  bool advance(double end) {
+    while (motion_.t() < end) {
+      if (watch_.stop())
+        return false;
+      limit_step(motion_.spectrum());
+      const double left = end - motion_.t();
+      const int steps = whole(left / limit_);
+      const int part = std::min(steps, steps_between_estimates);
+      motion_.advance(part == steps ? end : motion_.t() + left * part / steps, part);
+    }
+    return true;
+  }
+
+  void accept(step::State next, const results::Attempt& attempt, const step::StepReport& report, bool last) {
+    recorder_->step(now_, next, attempt, report, last);
+    const auto energy = motion_.energy();
+    recorder_->energy(next.t, energy);
+    largest_balance_ = std::max(largest_balance_, std::abs(energy.balance()));
+    largest_energy_ = std::max(largest_energy_, energy.largest());
+    now_ = std::move(next);
+  }
+
+  void give_up(const results::Attempt& attempt, const step::StepReport& report) {
+    recorder_->failed(attempt, report);
+    result_.status = Status::not_converged;
+    result_.message = fmt::format("displacements grew beyond all bounds between t = {:g} and {:g}",
+                                  attempt.begin, attempt.end);
+  }
+
+  void interrupt() {
+    result_.status = Status::interrupted;
+    result_.message = fmt::format("interrupted at t = {:g}", now_.t);
+  }
+
+  void tell_energy() const {
+    if (largest_energy_ > 0)
+      watch_.say(fmt::format("{}: energy balance within {:.2g} of the largest energy, {:.4g}",
+                             model_.study.name, largest_balance_ / largest_energy_, largest_energy_));
+  }
+
+  const model::Model& model_;
+  const deck::TimeStepping& time_;
+  const Watch& watch_;
+  step::ExplicitMotion motion_;
+  std::optional<results::Recorder> recorder_; // after the step is known to be good
+  step::State now_;
+  int records_ = 1;
+  double limit_ = INFINITY; ///< of the step
+  double largest_balance_ = 0;
+  double largest_energy_ = 0;
+  RunResult result_;
+};
+
+} // namespace
+
+RunResult run_explicit(const model::Model& model, const std::filesystem::path& folder, const Watch& watch,
+                       double setup_start) {
+  return ExplicitLoop(model, folder, watch).run(setup_start);
+}
+
+} // namespace rubato::run

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/explicit.hpp"
+
+#include "rubato/linalg/lanczos.hpp"
+#include "rubato/load/function.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::step {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using model::Model;
+
+/// Steps whose lengths differ by less than this part are the same but for the rounding of instants.
+constexpr double rounding = 1e-9;
+
+/// How many times stiffer a spring counts that only pushes.
+constexpr double impact = 4;
+
+double factor_at(const std::optional<deck::Function>& function, double t) {
+  return function ? load::value_at(*function, t) : 1.0;
+}
+
+double imposed_at(const model::Constraint& constraint, double t) {
+  return constraint.value * factor_at(constraint.function, t);
+}
+
+VectorXd inverse_masses(const Model& model) {
+  VectorXd inverse = VectorXd::Zero(model.lumped_mass.size());
+  for (const int dof : model.free_dofs) {
+    if (!(model.lumped_mass[dof] > 0))
+      throw InputError("node " + model::node_label(model.mesh, model.node_of(dof)) +
+                       " has no mass: every cell of a dynamic run needs a positive density");
+    inverse[dof] = 1 / model.lumped_mass[dof];
+  }
+  return inverse;
+}
+
+/// v −= h M⁻¹ r, u += h v in one sweep: vectors cost memory traffic, too.
+void leap(double h, const VectorXd& inverse_mass, const VectorXd& unbalance, VectorXd& velocity,
+          VectorXd& displacement) {
+  const double* m = inverse_mass.data();
+  const double* r = unbalance.data();
+  double* v = velocity.data();
+  double* u = displacement.data();
+  for (Index i = 0; i < velocity.size(); ++i) {
+    v[i] -= h * m[i] * r[i];
+    u[i] += h * v[i];
+  }
+}
+
+std::vector<int> surface_dofs(const Model& model) {
+  std::vector<int> dofs;
+  for (const auto& zone : model.zones)
+    for (const auto* surface : {&zone.master, &zone.slave})
+      for (const auto node : surface->nodes)
+        for (int i = 0; i < model.dofs.components; ++i)
+          dofs.push_back(model.dofs.dof(node, i));
+  std::ranges::sort(dofs);
+  dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
+  return dofs;
+}
+
+} // namespace
+
+double Spectrum::stable_step() const {
+  return 4 / (damping + std::sqrt(damping * damping + 4 * (stiffness + impact * contact)));
+}
+
+ExplicitMotion::ExplicitMotion(const Model& model)
+    : model_(&model), stiffness_(model.stiffness, model.dofs.components),
+      inverse_mass_(inverse_masses(model)), surface_(surface_dofs(model)), t_(model.study.time.begin),
+      u_(VectorXd::Zero(inverse_mass_.size())), v_(u_), unbalance_(u_), contact_force_(u_) {
+  spectrum_.stiffness = linalg::largest_eigenvalue(stiffness_, inverse_mass_);
+  if (model.damping.nonZeros() > 0) {
+    damping_.emplace(model.damping, model.dofs.components);
+    damping_force_ = u_;
+    spectrum_.damping = linalg::largest_eigenvalue(*damping_, inverse_mass_);
+  }
+  for (const auto& zone : model.zones)
+    contact_.emplace_back(zone, model.dofs,
+                          contact::penalty_stiffness(zone, model.dofs, inverse_mass_, spectrum_.stiffness));
+  place_supports();
+  collect_loads();
+  find_forces();
+  energy_ = {.start = energy().stored()};
+}
+
+Spectrum ExplicitMotion::spectrum() const {
+  auto spectrum = spectrum_;
+  spectrum.contact = contact::largest_eigenvalue(contact_, inverse_mass_);
+  return spectrum;
+}
+
+void ExplicitMotion::place_supports() {
+  for (const auto& constraint : model_->constraints) {
+    u_[constraint.dof] = imposed_at(constraint, t_);
+    if (constraint.function)
+      supports_.push_back({&constraint});
+  }
+}
+
+void ExplicitMotion::collect_loads() {
+  for (const auto& force : model_->forces) {
+    Load load{{}, {}, &force.function, 0, factor_at(force.function, t_)};
+    for (Index dof = 0; dof < force.pattern.size(); ++dof)
+      if (force.pattern[dof] != 0) {
+        load.dofs.push_back(static_cast<int>(dof));
+        load.values.push_back(force.pattern[dof]);
+        load.displacement += force.pattern[dof] * u_[dof];
+      }
+    loads_.push_back(std::move(load));
+  }
+}
+
+void ExplicitMotion::advance(double end, int steps) {
+  const double begin = t_;
+  set_step((end - begin) / steps);
+  for (int i = 1; i < steps; ++i)
+    step(begin + i * h_);
+  step(end);
+}
+
+/// The velocity half a step before t moves with the length of the step. So does the kinetic energy there,
+/// which the balance must not take for a gain.
+void ExplicitMotion::set_step(double step) {
+  if (std::abs(step - h_) <= rounding * h_)
+    return;
+  const double kinetic = energy().kinetic;
+  v_ += (h_ - step) / 2 * acceleration();
+  h_ = step;
+  for (auto& support : supports_) {
+    const int dof = support.constraint->dof;
+    v_[dof] = (u_[dof] - imposed_at(*support.constraint, t_ - h_)) / h_;
+  }
+  energy_.start += energy().kinetic - kinetic;
+  for (auto& support : supports_)
+    support.reaction = reaction_of(support);
+}
+
+void ExplicitMotion::step(double end) {
+  for (const auto& support : supports_) {
+    const int dof = support.constraint->dof;
+    v_[dof] = (imposed_at(*support.constraint, end) - u_[dof]) / h_;
+  }
+  leap(h_, inverse_mass_, unbalance_, v_, u_);
+  t_ = end;
+  ++steps_;
+  const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
+  find_forces();
+  if (damping_)
+    energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
+  for (auto& support : supports_) {
+    const double reaction = reaction_of(support);
+    energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.constraint->dof];
+    support.reaction = reaction;
+  }
+}
+
+void ExplicitMotion::find_forces() {
+  stiffness_.multiply(u_, unbalance_);
+  if (damping_) {
+    damping_->multiply(v_, damping_force_);
+    unbalance_ += damping_force_;
+  }
+  for (const int dof : surface_)
+    contact_force_[dof] = 0;
+  const contact::Configuration configuration{&model_->mesh, &model_->dofs, &u_, &u_};
+  for (auto& zone : contact_)
+    zone.advance(configuration, v_, h_, contact_force_);
+  for (const int dof : surface_)
+    unbalance_[dof] += contact_force_[dof];
+  for (auto& load : loads_)
+    apply(load);
+}
+
+/// Adds a load to the unbalance, and its work since the last instant.
+void ExplicitMotion::apply(Load& load) {
+  const double factor = factor_at(*load.function, t_);
+  double displacement = 0;
+  for (std::size_t i = 0; i < load.dofs.size(); ++i) {
+    unbalance_[load.dofs[i]] -= factor * load.values[i];
+    displacement += load.values[i] * u_[load.dofs[i]];
+  }
+  energy_.external_work += (load.factor + factor) / 2 * (displacement - load.displacement);
+  load.factor = factor;
+  load.displacement = displacement;
+}
+
+double ExplicitMotion::reaction_of(const MovingSupport& support) const {
+  const int dof = support.constraint->dof;
+  return unbalance_[dof] + model_->lumped_mass[dof] * imposed_acceleration(support);
+}
+
+double ExplicitMotion::imposed_acceleration(const MovingSupport& support) const {
+  const int dof = support.constraint->dof;
+  return ((imposed_at(*support.constraint, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
+}
+
+VectorXd ExplicitMotion::acceleration() const {
+  VectorXd a = -inverse_mass_.cwiseProduct(unbalance_);
+  if (h_ > 0)
+    for (const auto& support : supports_)
+      a[support.constraint->dof] = imposed_acceleration(support);
+  return a;
+}
+
+EnergyLedger ExplicitMotion::energy() const {
+  auto ledger = energy_;
+  const VectorXd after = v_ + h_ * acceleration();
+  ledger.kinetic = 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
+  VectorXd internal(u_.size());
+  stiffness_.multiply(u_, internal);
+  ledger.strain = 0.5 * u_.dot(internal);
+  for (const auto& zone : contact_) {
+    ledger.contact += zone.stored();
+    ledger.friction += zone.dissipated();
+  }
+  return ledger;
+}
+
+State ExplicitMotion::state() const {
+  State state;
+  state.t = t_;
+  const VectorXd a = acceleration();
+  state.motion = {u_, v_ + h_ / 2 * a, a};
+  state.unbalance = unbalance_;
+  if (damping_)
+    state.unbalance -= damping_force_;
+  state.contact_force = contact_force_;
+  state.reaction = VectorXd::Zero(u_.size());
+  for (const auto& constraint : model_->constraints)
+    state.reaction[constraint.dof] =
+        unbalance_[constraint.dof] + model_->lumped_mass[constraint.dof] * a[constraint.dof];
+  for (const auto& zone : contact_)
+    state.zones.push_back(zone.state());
+  return state;
+}
+
+} // namespace rubato::step

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/neighbours.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/step/decks.hpp"
+#include "unit/step/walk.hpp"
+#include <cmath>
+
+namespace rubato::contact {
+namespace {
+
+/// The upper beam's face, the master, bends and slides along the lower one, which lifts and turns.
+Eigen::VectorXd sliding(const model::Model& model, double t) {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(model.dofs.dof_count);
+  for (const auto node : model.dofs.nodes) {
+    const auto& x = model.mesh.points[static_cast<std::size_t>(node)];
+    const bool upper = model.zones.front().master.position_of(node) >= 0;
+    u[model.dofs.dof(node, 0)] = 0.3 * (upper ? t : 0) + 0.2 * t * t * x[1];
+    u[model.dofs.dof(node, 1)] = 0.4 * std::sin(3 * t) + (upper ? -0.05 : 0.1) * t * x[0] * x[0];
+  }
+  return u;
+}
+
+TEST(NeighbourList, FindsThePairsOfAFullSearchWhileBodiesSlide) {
+  for (const auto* cells : {"quad4", "quad9"}) {
+    const test::Walk walk(test::two_beams,
+                          {{"mesh.generate.0.cells", cells}, {"mesh.generate.1.cells", cells}});
+    const auto& model = walk.model;
+    const auto& zone = model.zones.front();
+    NeighbourList list(zone);
+    constexpr int steps = 400;
+    int unpaired = 0;
+    for (int i = 0; i <= steps; ++i) {
+      const auto u = sliding(model, static_cast<double>(i) / steps);
+      const Configuration configuration{&model.mesh, &model.dofs, &u, &u};
+      list.update(configuration);
+      const auto expected = find_pairs(zone, configuration);
+      for (std::size_t p = 0; p < expected.size(); ++p) {
+        ASSERT_EQ(list.pairs()[p].master_face, expected[p].master_face) << "step " << i << ", point " << p;
+        EXPECT_EQ(list.pairs()[p].projection.clamped, expected[p].projection.clamped);
+        unpaired += expected[p].paired() ? 0 : 1;
+      }
+    }
+    EXPECT_GT(unpaired, 0) << "the motion is to leave some points alone";
+    EXPECT_GT(list.searches(), 2);
+    EXPECT_LT(list.searches(), steps / 5);
+  }
+}
+
+TEST(NeighbourList, SearchesNoMoreWhenTheBodiesMoveTogether) {
+  const test::Walk walk(test::two_beams);
+  const auto& model = walk.model;
+  NeighbourList list(model.zones.front());
+  for (const double shift : {0.0, 1.0, 50.0}) {
+    const Eigen::VectorXd u = Eigen::VectorXd::Constant(model.dofs.dof_count, shift);
+    list.update({&model.mesh, &model.dofs, &u, &u});
+  }
+  EXPECT_EQ(list.searches(), 1);
+}
+
+} // namespace
+} // namespace rubato::contact

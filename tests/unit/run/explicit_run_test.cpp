@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Explicit runs: the steps they choose, what they refuse, and what they write.
+#include "rubato/deck/read.hpp"
+#include "rubato/results/csv.hpp"
+#include "rubato/run/time_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/faults.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/two_blocks.hpp"
+#include <cmath>
+
+namespace rubato::run {
+namespace {
+
+using test::fault_of;
+using test::with;
+
+const std::string hht = "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}";
+
+deck::Study explicit_study(const std::string& more = "") {
+  const auto time = "{scheme: central_difference, end: 4e-4, record: 5e-5" + more + "}";
+  const auto deck =
+      with(with(test::two_blocks, hht, time), "friction: 0.2", "friction: 0.2, method: penalty");
+  return deck::parse_deck(deck, "deck.yaml").runs.front();
+}
+
+class ExplicitRun : public testing::Test {
+protected:
+  RunResult run(const deck::Study& study) {
+    Watch watch;
+    watch.say = [this](const std::string& text) { said_ += text + "\n"; };
+    return run_study(study, folder_ / study.name, watch);
+  }
+  results::Table table(const std::string& name) const { return results::read_csv(folder_ / "run" / name); }
+
+  test::ScratchFolder folder_;
+  std::string said_;
+};
+
+TEST_F(ExplicitRun, RecordsAtEqualInstantsAndSaysItsStep) {
+  const auto result = run(explicit_study());
+  ASSERT_EQ(result.status, Status::complete) << result.message;
+  for (const auto* name : {"probes.csv", "energy.csv"}) {
+    const auto rows = table(name).rows;
+    ASSERT_EQ(rows.size(), 9u) << name;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      EXPECT_NEAR(rows[i][0], 5e-5 * static_cast<double>(i), 1e-18) << name;
+  }
+  EXPECT_EQ(table("resultants_interface.csv").rows.size(), 8u);
+  EXPECT_GE(result.steps, 8);
+  EXPECT_NE(said_.find("stable step"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("energy balance within"), std::string::npos) << said_;
+}
+
+TEST_F(ExplicitRun, ClosesItsEnergy) {
+  run(explicit_study());
+  const auto energy = table("energy.csv");
+  const auto column = [&](const char* name) { return static_cast<std::size_t>(energy.column(name)); };
+  const auto& last = energy.rows.back();
+  const double stored = last[column("kinetic")] + last[column("strain")] + last[column("contact")];
+  EXPECT_NEAR(last[column("external_work")], stored + last[column("friction")] - last[column("balance")],
+              2e-3 * stored);
+  EXPECT_LT(std::abs(last[column("balance")]), 5e-3 * last[column("external_work")]);
+}
+
+TEST_F(ExplicitRun, EndsWhereAFineImplicitRunDoes) {
+  run(explicit_study(", step: 1e-6"));
+  const auto explicit_rows = table("probes.csv").rows;
+  run(deck::parse_deck(with(test::two_blocks, hht, "{scheme: newmark, step: 2e-6, end: 4e-4}"), "deck.yaml")
+          .runs.front());
+  EXPECT_NEAR(explicit_rows.back()[2], table("probes.csv").rows.back()[2],
+              0.03 * std::abs(explicit_rows.back()[2]));
+}
+
+TEST_F(ExplicitRun, TakesTheStepItIsGivenUnlessThatIsUnstable) {
+  EXPECT_EQ(run(explicit_study(", step: 1e-6")).steps, 400);
+  const auto fault = fault_of([&] { run_study(explicit_study(", step: 1e-4"), folder_ / "refused", {}); });
+  EXPECT_NE(fault.find("time.step: found 0.0001, expected at most the stable step of this model, "),
+            std::string::npos)
+      << fault;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "refused"));
+}
+
+TEST_F(ExplicitRun, StopsWhenItIsAsked) {
+  Watch watch;
+  int looks = 0;
+  watch.stop = [&] { return ++looks > 3; };
+  const auto result = run_study(explicit_study(), folder_ / "run", watch);
+  EXPECT_EQ(result.status, Status::interrupted);
+  EXPECT_EQ(table("probes.csv").rows.size(), 4u);
+}
+
+} // namespace
+} // namespace rubato::run
