@@ -43,6 +43,17 @@ TEST(ExplicitModelingF, AgreesWithFineImplicitStepsWithoutContact) {
     EXPECT_NEAR(tip(explicit_run, t), tip(implicit_run, t), 0.005 * 0.4) << t;
 }
 
+/// With contact: another mass matrix, another contact method, no iterations.
+TEST(ExplicitModelingF, AgreesWithFineImplicitSteps) {
+  const std::vector<deck::Setting> shorter{
+      {"time.end", "0.006"}, {"runs.implicit.time.step", "2e-5"}, {"runs.implicit.checks", "~"}};
+  const auto deck = deck::read_deck(RUBATO_SOURCE_DIR "/cases/sdnl140/witness.yaml", shorter);
+  const auto explicit_run = finish(deck.runs.front());
+  const auto implicit_run = finish(deck.runs.back());
+  for (const double t : {0.001, 0.002, 0.004, 0.006})
+    EXPECT_NEAR(tip(explicit_run, t), tip(implicit_run, t), 0.005 * 0.184) << t;
+}
+
 TEST(ExplicitModelingF, WithQuadraticCellsGivesTheTrueAnswer) {
   const auto run = finish(sdnl140('f', MeshFrom::generator,
                                   joined(explicit_steps, {{"mesh.convert", "full_quadratic"},

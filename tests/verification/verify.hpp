@@ -40,6 +40,8 @@ void write_contact_patch(const std::filesystem::path& folder);
 void write_free_beam(const std::filesystem::path& folder);
 /// How the answer settles as steps and cells get finer.
 void write_convergence(const std::filesystem::path& folder);
+/// Explicit runs of modeling F against the converged answer and against implicit ones.
+void write_explicit(const std::filesystem::path& folder);
 /// Modeling C with nothing chosen by the user, at smaller steps and on finer meshes.
 void write_defaults(const std::filesystem::path& folder);
 

@@ -27,6 +27,9 @@ constexpr double averaged_share = 1e-4;
 /// Penalties in units of the automatic augmentation.
 constexpr double normal_stiffening = 10;
 constexpr double tangential_stiffening = 10;
+/// A spring of friction in units of what the node resists. Stiffer than this, points that slip look as if
+/// they stuck in every other iteration.
+constexpr double spring_share = 0.1;
 
 /// Positions of the six point variables among local unknowns: displacement ones first, then λ and Λ.
 struct LocalResponse {
@@ -194,7 +197,7 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dof
     if (settings.friction_method == FrictionMethod::penalty)
       tangential *= tangential_stiffening;
     else if (settings.friction_method == FrictionMethod::nodal_penalty)
-      tangential = tangential_stiffening * stiffness;
+      tangential = spring_share * stiffness;
     coefficients.normal.push_back(settings.normal_coefficient.value_or(normal));
     coefficients.tangential.push_back(settings.tangential_coefficient.value_or(tangential));
   }

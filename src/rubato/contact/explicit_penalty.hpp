@@ -27,9 +27,9 @@
 namespace rubato::contact {
 
 /// k_n of each point [pressure/length]: as the deck gives it or else such that the point's spring, between
-/// its own mass and the mean mass of a master node, vibrates with half the bulk's highest frequency: w k_n =
-/// 1/4 λ / (1/m_slave + 1/m_master). `inverse_mass`: one a dof, 0 where it is held; `eigenvalue`: the bulk's
-/// largest, λ = ω² [1/time²].
+/// its own mass and the mean mass of a master node, vibrates with a third of the bulk's highest frequency:
+/// w k_n = λ/10 / (1/m_slave + 1/m_master). `inverse_mass`: one a dof, 0 where it is held; `eigenvalue`: the
+/// bulk's largest, λ = ω² [1/time²].
 std::vector<double> penalty_stiffness(const Zone& zone, const fem::DofMap& dofs,
                                       const Eigen::VectorXd& inverse_mass, double eigenvalue);
 

@@ -305,6 +305,21 @@ Kinematics with_held_frame(Kinematics k) {
   return k;
 }
 
+Kinematics held_between(const Kinematics& a, const Kinematics& b) {
+  Kinematics k = a;
+  k.nodes.insert(k.nodes.end(), b.nodes.begin(), b.nodes.end());
+  k.shape.resize(a.shape.size() + b.shape.size());
+  k.shape << 0.5 * a.shape, 0.5 * b.shape;
+  k.shape_slope.resize(k.shape.size(), 2);
+  k.normal = (a.normal + b.normal).normalized();
+  const Vector3d along = a.tangents.col(0) + b.tangents.col(0);
+  k.tangents.col(0) = (along - along.dot(k.normal) * k.normal).normalized();
+  k.tangents.col(1) = k.normal.cross(Vector3d(k.tangents.col(0)));
+  k.gap = 0.5 * (a.gap + b.gap);
+  k.slip = 0.5 * (a.slip + b.slip);
+  return with_held_frame(std::move(k));
+}
+
 void measure_in_held_frame(Kinematics& k, const Configuration& configuration) {
   Vector3d apart = Vector3d::Zero();
   Vector3d moved = Vector3d::Zero();

@@ -53,6 +53,10 @@ Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const 
 /// bodies. The relation is linear in q then.
 Kinematics with_held_frame(Kinematics kinematics);
 
+/// One place of a point that two faces claim in turn: their held frames half each, with the normal between
+/// theirs. It knows the nodes of both.
+Kinematics held_between(const Kinematics& a, const Kinematics& b);
+
 /// Gap and slip of a held frame at another configuration.
 void measure_in_held_frame(Kinematics& kinematics, const Configuration& configuration);
 

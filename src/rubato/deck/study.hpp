@@ -199,7 +199,7 @@ struct TimeStepping {
   double alpha = 0;             ///< hht −1/3…0, modified_average_acceleration ≤ 0
   std::optional<double> beta;   ///< newmark only
   std::optional<double> gamma;  ///< newmark only
-  double spectral_radius = 0.8; ///< generalized_alpha: ρ_∞ in 0…1
+  double spectral_radius = 0.5; ///< generalized_alpha: ρ_∞ in 0…1
   double begin = 0;
   /// > 0 unless instants are listed. central_difference: 0 stands for the stable step times `safety`.
   double step = 0;

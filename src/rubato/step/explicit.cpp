@@ -136,7 +136,7 @@ void ExplicitMotion::set_step(double step) {
     const int dof = support.constraint->dof;
     v_[dof] = (u_[dof] - imposed_at(*support.constraint, t_ - h_)) / h_;
   }
-  energy_.start += energy().kinetic - kinetic;
+  energy_.kinetic += kinetic - energy().kinetic;
   for (auto& support : supports_)
     support.reaction = reaction_of(support);
 }
@@ -211,7 +211,7 @@ VectorXd ExplicitMotion::acceleration() const {
 EnergyLedger ExplicitMotion::energy() const {
   auto ledger = energy_;
   const VectorXd after = v_ + h_ * acceleration();
-  ledger.kinetic = 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
+  ledger.kinetic += 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
   VectorXd internal(u_.size());
   stiffness_.multiply(u_, internal);
   ledger.strain = 0.5 * u_.dot(internal);

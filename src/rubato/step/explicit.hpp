@@ -49,8 +49,8 @@ public:
   /// Goes on to `end` in that many equal steps.
   void advance(double end, int steps);
 
-  /// Kinetic energy is ½ v_{n−1/2}·M v_{n+1/2}: at t, and with it the balance of a linear model closes to
-  /// rounding at any stable step.
+  /// Kinetic energy is ½ v_{n−1/2}·M v_{n+1/2} and a constant that makes it continuous where the step
+  /// changes, from 0 at rest on: with it the balance of a linear model closes to rounding at any stable step.
   EnergyLedger energy() const;
 
   /// The present instant as implicit runs keep it, v = (v_{n−1/2} + v_{n+1/2})/2.
@@ -99,7 +99,7 @@ private:
   Eigen::VectorXd unbalance_;     ///< r at t
   Eigen::VectorXd contact_force_; ///< at t, internal side
   Eigen::VectorXd damping_force_; ///< at t; empty without damping
-  EnergyLedger energy_;           ///< work and dissipation so far, and the start
+  EnergyLedger energy_; ///< works and dissipations so far, the start, and the constant of kinetic energy
 };
 
 } // namespace rubato::step

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace rubato::step {
 namespace {
 
+using contact::PointEvaluation;
 using contact::Status;
 using deck::Iteration;
 using Eigen::VectorXd;
@@ -16,6 +19,8 @@ using model::Model;
 constexpr double newton_like = 1e-8;
 /// Rounds to get there.
 constexpr int newton_like_rounds = 30;
+/// Rounds that a point may go to and fro between two faces before it is held between them.
+constexpr int patience = 8;
 
 /// The loop of one level: zones may differ in whether they have it and how strict they are.
 struct Loop {
@@ -41,8 +46,7 @@ bool loops(const contact::Zone& zone, LevelOfZone level, const Variant& variant)
   return (zone.settings.*level).by == Iteration::fixed_point || loops_instead(zone, level, variant);
 }
 
-/// A point that goes to and fro between two faces never settles to `newton_like`: then the zone's own
-/// tolerance has to do.
+/// Where `newton_like` cannot be reached, the zone's own tolerance has to do.
 Loop loop_of(const Model& model, LevelOfZone level, const Variant& variant) {
   Loop loop;
   for (const auto& zone : model.zones) {
@@ -61,7 +65,8 @@ Loop loop_of(const Model& model, LevelOfZone level, const Variant& variant) {
 class Levels {
 public:
   Levels(const Model& model, Newton& newton, const State& committed, State& trial)
-      : model_(model), newton_(newton), committed_(committed), trial_(trial), held_(model.zones.size()) {}
+      : model_(model), newton_(newton), committed_(committed), trial_(trial), held_(model.zones.size()),
+        between_(model.zones.size()) {}
 
   StepReport run() {
     pressures_ = hold_thresholds();
@@ -82,7 +87,7 @@ private:
     for (int round = 1; round <= loop.max_rounds; ++round) {
       const VectorXd before = trial_.motion.u;
       const int spent = iterations_;
-      hold_frames();
+      hold_frames(round);
       settle_friction();
       if (!report_.converged() || !loop.exists)
         return;
@@ -133,13 +138,44 @@ private:
     report_.outcome = Outcome::status_unsettled;
   }
 
-  void hold_frames() {
-    for (auto& zone : held_)
-      zone.frames.clear();
+  void hold_frames(int round) {
+    const Held before = std::exchange(held_, released());
     auto here = newton_.contact_at(trial_, held_);
-    for (std::size_t z = 0; z < held_.size(); ++z)
-      if (loops(z, &deck::ContactZone::geometry))
-        held_[z].frames = contact::with_held_frames(std::move(here.points[z]));
+    for (std::size_t z = 0; z < held_.size(); ++z) {
+      if (!loops(z, &deck::ContactZone::geometry))
+        continue;
+      held_[z].frames = contact::with_held_frames(std::move(here.points[z]));
+      if (round > patience && loops_instead(model_.zones[z], &deck::ContactZone::geometry, newton_.variant()))
+        hold_between(before[z].frames, z);
+    }
+  }
+
+  Held released() const {
+    Held held = held_;
+    for (auto& zone : held)
+      zone.frames.clear();
+    return held;
+  }
+
+  /// Where two faces make an edge, a point can be pushed off each of them onto the other, and at the border
+  /// of the surface off it and back. Held between the faces, or on the border, once, it stays there.
+  void hold_between(const std::vector<PointEvaluation>& before, std::size_t zone) {
+    auto& between = between_[zone];
+    between.resize(before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      auto& now = held_[zone].frames[i];
+      if (!between[i] && before[i].pair.master_face != now.pair.master_face)
+        between[i] = place_between(before[i], now);
+      if (between[i])
+        now = *between[i];
+    }
+  }
+
+  static PointEvaluation place_between(const PointEvaluation& before, const PointEvaluation& now) {
+    PointEvaluation place = now.kinematics ? now : before;
+    if (before.kinematics && now.kinematics)
+      place.kinematics = contact::held_between(*before.kinematics, *now.kinematics);
+    return place;
   }
 
   /// The friction pressures that are held from here on, zone after zone.
@@ -202,6 +238,8 @@ private:
   const State& committed_;
   State& trial_;
   Held held_;
+  /// Points held between two faces, zone by zone; empty while there is none.
+  std::vector<std::vector<std::optional<PointEvaluation>>> between_;
   StepReport report_;
   std::vector<LoopRound> rounds_;
   /// Friction pressures as held: a new frame starts with those of the last one.

@@ -176,6 +176,40 @@ TEST_P(ContactTangent, ForcesOnTheTwoSidesBalance) {
   EXPECT_LT(sum.norm(), 1e-13);
 }
 
+/// The gap is linear in a held frame, and its derivative what force and moment balance need.
+TEST_P(ContactTangent, ToAFrameBetweenTwoOthersIsTheirMean) {
+  const auto configuration = setup.configuration(setup.u);
+  auto other = GetParam().options;
+  other.seed += 1000; // the same cells, another shape: the frame of another face
+  const auto turned = test::two_faces(other);
+  const auto frames =
+      contact::evaluate(setup.zone, VectorXd::Zero(setup.zone.multiplier_count()), configuration);
+  const auto others = contact::evaluate(turned.zone, VectorXd::Zero(turned.zone.multiplier_count()),
+                                        turned.configuration(turned.u));
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (!frames[i].kinematics || !others[i].kinematics)
+      continue;
+    const auto& a = *frames[i].kinematics;
+    const auto& b = *others[i].kinematics;
+    auto between = contact::held_between(a, b);
+    EXPECT_NEAR(between.normal.norm(), 1, 1e-14);
+    EXPECT_NEAR(between.normal.dot(a.normal), between.normal.dot(b.normal), 1e-14);
+    EXPECT_NEAR(between.tangents.col(0).dot(between.normal), 0, 1e-14);
+    EXPECT_NEAR(between.shape.sum(), 0, 1e-14);
+    contact::measure_in_held_frame(between, configuration);
+    const double gap = between.gap;
+    const VectorXd step = VectorXd::Random(setup.u.size());
+    const VectorXd moved = setup.u + step;
+    double change = 0;
+    for (std::size_t node = 0; node < between.nodes.size(); ++node)
+      for (int c = 0; c < between.components; ++c)
+        change += between.d_gap[static_cast<Eigen::Index>(node) * between.components + c] *
+                  step[setup.dofs.dof(between.nodes[node], c)];
+    contact::measure_in_held_frame(between, setup.configuration(moved));
+    EXPECT_NEAR(between.gap, gap + change, 1e-13);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Faces, ContactTangent, testing::ValuesIn(variants()),
                          [](const auto& variant) { return variant.param.name; });
 

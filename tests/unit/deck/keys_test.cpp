@@ -46,7 +46,7 @@ TEST(DeckDefaults, OfTheStudyAreTheDocumentedOnes) {
   EXPECT_TRUE(study.materials[0].everywhere);
   EXPECT_EQ(study.time.begin, 0);
   EXPECT_EQ(study.time.start, StartKind::consistent);
-  EXPECT_EQ(study.time.spectral_radius, 0.8);
+  EXPECT_EQ(study.time.spectral_radius, 0.5);
   EXPECT_EQ(study.time.cut_parts, 2);
   EXPECT_EQ(study.time.cut_levels, 12);
   EXPECT_EQ(study.newton.max_iterations, 40);

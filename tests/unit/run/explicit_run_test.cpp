@@ -65,15 +65,6 @@ TEST_F(ExplicitRun, ClosesItsEnergy) {
   EXPECT_LT(std::abs(last[column("balance")]), 5e-3 * last[column("external_work")]);
 }
 
-TEST_F(ExplicitRun, EndsWhereAFineImplicitRunDoes) {
-  run(explicit_study(", step: 1e-6"));
-  const auto explicit_rows = table("probes.csv").rows;
-  run(deck::parse_deck(with(test::two_blocks, hht, "{scheme: newmark, step: 2e-6, end: 4e-4}"), "deck.yaml")
-          .runs.front());
-  EXPECT_NEAR(explicit_rows.back()[2], table("probes.csv").rows.back()[2],
-              0.03 * std::abs(explicit_rows.back()[2]));
-}
-
 TEST_F(ExplicitRun, TakesTheStepItIsGivenUnlessThatIsUnstable) {
   EXPECT_EQ(run(explicit_study(", step: 1e-6")).steps, 400);
   const auto fault = fault_of([&] { run_study(explicit_study(", step: 1e-4"), folder_ / "refused", {}); });

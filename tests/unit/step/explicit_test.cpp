@@ -187,8 +187,10 @@ TEST(ExplicitImpact, ClosesItsEnergyBetterInShorterSteps) {
 }
 
 TEST(AStableStep, IsShorterWithStifferContact) {
-  const ExplicitMotion usual(model_of(impact));
-  const ExplicitMotion stiff(model_of(impact, {{"contact.zone.coefficients.normal", "1e10"}}));
+  const auto usual_model = model_of(impact);
+  const auto stiff_model = model_of(impact, {{"contact.zone.coefficients.normal", "1e10"}});
+  const ExplicitMotion usual(usual_model);
+  const ExplicitMotion stiff(stiff_model);
   EXPECT_GT(usual.spectrum().contact, 0);
   EXPECT_LT(usual.spectrum().contact, usual.spectrum().stiffness);
   EXPECT_GT(stiff.spectrum().contact, 10 * usual.spectrum().contact);
