@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/advance.hpp"
 
+#include "rubato/step/condensed.hpp"
 #include "rubato/step/levels.hpp"
+#include "rubato/step/newton.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +16,10 @@ using model::Model;
 
 /// Augmentations tried one after the other. They do not change the answer, only which points are guessed to
 /// touch and to stick on the way there.
-constexpr std::array<Variant, 3> augmentations{{{},
-                                                {.normal_multiple = 0.01, .tangential_multiple = 0.1},
-                                                {.normal_multiple = 10, .tangential_multiple = 10}}};
+constexpr std::array<Variant, 3> augmentations{
+    {{},
+     {.normal_multiple = 0.01, .tangential_multiple = 0.1, .guess_contact = false},
+     {.normal_multiple = 10, .tangential_multiple = 10, .guess_contact = false}}};
 /// Parts of μ tried one after the other, each from the last one's solution, when the whole of it fails.
 constexpr std::array<double, 5> friction_parts{0, 0.25, 0.5, 0.75, 1};
 
@@ -58,7 +61,7 @@ public:
     StepReport report;
     trial = predict(model_, scheme_, system_, committed_, t_);
     for (const double part : friction_parts) {
-      report = solve({.friction_part = part}, trial);
+      report = solve({.friction_part = part, .guess_contact = part == friction_parts.front()}, trial);
       if (!report.converged())
         break;
     }
@@ -73,10 +76,17 @@ public:
 private:
   /// Also counts what earlier attempts have cost.
   StepReport solve(const Variant& variant, State& trial) {
-    Newton newton(model_, scheme_, system_, committed_, t_, variant);
-    auto report = solve_levels(model_, newton, committed_, trial);
+    const ContactSide side(model_, system_, committed_, variant);
+    auto report =
+        can_condense(model_, system_) ? solve_by<Condensed>(side, trial) : solve_by<Newton>(side, trial);
     report.iterations = spent_ += report.iterations;
     return report;
+  }
+
+  template <class Solver> StepReport solve_by(const ContactSide& side, State& trial) {
+    Solver solver(model_, scheme_, system_, committed_, t_, side);
+    return solve_levels(
+        model_, side, [&](State& to, const Held& held) { return solver.run(to, held); }, committed_, trial);
   }
 
   /// Without one, every attempt is the same.

@@ -11,19 +11,43 @@ constexpr std::size_t block_size = 32;
 
 } // namespace
 
-Compliance::Compliance(linalg::CholeskyFactor factor, std::vector<int> surface, Eigen::Index unknowns)
-    : factor_(std::move(factor)), surface_(std::move(surface)), size_(unknowns), columns_(surface_.size()) {}
+Compliance::Compliance(linalg::CholeskyFactor factor, std::vector<int> surface,
+                       std::span<const int> free_dofs, Eigen::Index dofs)
+    : factor_(std::move(factor)), surface_(std::move(surface)),
+      positions_(static_cast<std::size_t>(dofs), -1), size_(static_cast<Eigen::Index>(free_dofs.size())),
+      columns_(surface_.size()) {
+  for (const int unknown : surface_) {
+    const int dof = free_dofs[static_cast<std::size_t>(unknown)];
+    positions_[static_cast<std::size_t>(dof)] = static_cast<int>(dofs_.size());
+    dofs_.push_back(dof);
+  }
+}
 
-Eigen::MatrixXd Compliance::between(std::span<const int> unknowns) {
+Eigen::MatrixXd Compliance::between_unknowns(std::span<const int> unknowns) {
   std::vector<int> positions;
   positions.reserve(unknowns.size());
   for (const int unknown : unknowns)
     positions.push_back(static_cast<int>(std::ranges::lower_bound(surface_, unknown) - surface_.begin()));
+  return between(positions);
+}
+
+Eigen::MatrixXd Compliance::between(std::span<const int> positions) {
   compute_missing(positions);
-  Eigen::MatrixXd s(static_cast<Eigen::Index>(positions.size()), static_cast<Eigen::Index>(positions.size()));
-  for (std::size_t j = 0; j < positions.size(); ++j)
-    s.col(static_cast<Eigen::Index>(j)) = columns_[static_cast<std::size_t>(positions[j])](positions);
+  const auto size = static_cast<Eigen::Index>(positions.size());
+  Eigen::MatrixXd s(size, size);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const auto& column = columns_[static_cast<std::size_t>(positions[static_cast<std::size_t>(j)])];
+    for (Eigen::Index i = 0; i < size; ++i)
+      s(i, j) = column[positions[static_cast<std::size_t>(i)]];
+  }
   return s;
+}
+
+void Compliance::add(double factor, std::span<const int> positions, std::span<const double> force,
+                     Eigen::VectorXd& d) {
+  compute_missing(positions);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    d += factor * force[i] * columns_[static_cast<std::size_t>(positions[i])];
 }
 
 void Compliance::compute_missing(std::span<const int> positions) {

@@ -15,20 +15,34 @@ namespace rubato::step {
 
 class Compliance {
 public:
-  /// `surface`: unknowns of all contact surfaces, ascending.
-  Compliance(linalg::CholeskyFactor factor, std::vector<int> surface, Eigen::Index unknowns);
+  /// `surface`: unknowns of all contact surfaces, ascending; `free_dofs`: the dof of every unknown; `dofs`:
+  /// how many there are.
+  Compliance(linalg::CholeskyFactor factor, std::vector<int> surface, std::span<const int> free_dofs,
+             Eigen::Index dofs);
 
   /// A⁻¹ force
   Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factor_.solve(force); }
 
+  /// The unknowns of the surfaces; an index in this list is a position.
+  const std::vector<int>& surface() const { return surface_; }
+  const std::vector<int>& dof_of_position() const { return dofs_; }
+  /// −1 for dofs that are held or not on a surface.
+  const std::vector<int>& position_of_dof() const { return positions_; }
+
   /// S for these unknowns, which must lie on the surfaces.
-  Eigen::MatrixXd between(std::span<const int> unknowns);
+  Eigen::MatrixXd between_unknowns(std::span<const int> unknowns);
+  /// S for these positions.
+  Eigen::MatrixXd between(std::span<const int> positions);
+  /// d += factor S force, all positions, with the force given by its entries at some of them.
+  void add(double factor, std::span<const int> positions, std::span<const double> force, Eigen::VectorXd& d);
 
 private:
   void compute_missing(std::span<const int> positions);
 
   linalg::CholeskyFactor factor_;
   std::vector<int> surface_;
+  std::vector<int> dofs_;
+  std::vector<int> positions_;
   Eigen::Index size_;
   std::vector<Eigen::VectorXd> columns_; ///< by position in surface_, empty until used
 };

@@ -25,7 +25,8 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     system.zones.push_back(contact::automatic_coefficients(zone, model.dofs, system.diagonal));
   if (engine == LinearEngine::automatic)
     if (auto factor = linalg::CholeskyFactor::of(system.matrix))
-      system.compliance.emplace(std::move(*factor), surface_unknowns(model), system.matrix.rows());
+      system.compliance.emplace(std::move(*factor), surface_unknowns(model), model.free_dofs,
+                                static_cast<Eigen::Index>(model.dofs.dof_count));
   return system;
 }
 

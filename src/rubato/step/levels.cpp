@@ -64,9 +64,10 @@ Loop loop_of(const Model& model, LevelOfZone level, const Variant& variant) {
 
 class Levels {
 public:
-  Levels(const Model& model, Newton& newton, const State& committed, State& trial)
-      : model_(model), newton_(newton), committed_(committed), trial_(trial), held_(model.zones.size()),
-        between_(model.zones.size()) {}
+  Levels(const Model& model, const ContactSide& side, const Solve& solve, const State& committed,
+         State& trial)
+      : model_(model), side_(side), solve_(solve), committed_(committed), trial_(trial),
+        held_(model.zones.size()), between_(model.zones.size()) {}
 
   StepReport run() {
     pressures_ = hold_thresholds();
@@ -79,11 +80,13 @@ public:
 private:
   /// Whether the zone iterates this level by a loop.
   bool loops(std::size_t zone, LevelOfZone level) const {
-    return step::loops(model_.zones[zone], level, newton_.variant());
+    return step::loops(model_.zones[zone], level, side_.variant());
   }
 
+  bool loops(LevelOfZone level) const { return loop_of(model_, level, side_.variant()).exists; }
+
   void settle_geometry() {
-    const auto loop = loop_of(model_, &deck::ContactZone::geometry, newton_.variant());
+    const auto loop = loop_of(model_, &deck::ContactZone::geometry, side_.variant());
     for (int round = 1; round <= loop.max_rounds; ++round) {
       const VectorXd before = trial_.motion.u;
       const int spent = iterations_;
@@ -101,7 +104,7 @@ private:
   }
 
   void settle_friction() {
-    const auto loop = loop_of(model_, &deck::ContactZone::threshold, newton_.variant());
+    const auto loop = loop_of(model_, &deck::ContactZone::threshold, side_.variant());
     for (int round = 1; round <= loop.max_rounds; ++round) {
       const int spent = iterations_;
       settle_status();
@@ -119,10 +122,10 @@ private:
   }
 
   void settle_status() {
-    const auto loop = loop_of(model_, &deck::ContactZone::status, newton_.variant());
+    const auto loop = loop_of(model_, &deck::ContactZone::status, side_.variant());
     hold_status();
     for (int round = 1; round <= loop.max_rounds; ++round) {
-      auto report = newton_.run(trial_, held_);
+      auto report = solve_(trial_, held_);
       iterations_ += report.iterations;
       const int spent = report.iterations;
       report_ = std::move(report);
@@ -139,13 +142,15 @@ private:
   }
 
   void hold_frames(int round) {
+    if (!loops(&deck::ContactZone::geometry))
+      return;
     const Held before = std::exchange(held_, released());
-    auto here = newton_.contact_at(trial_, held_);
+    auto here = side_.at(trial_, held_);
     for (std::size_t z = 0; z < held_.size(); ++z) {
       if (!loops(z, &deck::ContactZone::geometry))
         continue;
       held_[z].frames = contact::with_held_frames(std::move(here.points[z]));
-      if (round > patience && loops_instead(model_.zones[z], &deck::ContactZone::geometry, newton_.variant()))
+      if (round > patience && loops_instead(model_.zones[z], &deck::ContactZone::geometry, side_.variant()))
         hold_between(before[z].frames, z);
     }
   }
@@ -180,20 +185,26 @@ private:
 
   /// The friction pressures that are held from here on, zone after zone.
   std::vector<double> hold_thresholds() {
-    const auto here = newton_.contact_at(trial_, held_);
+    if (!loops(&deck::ContactZone::threshold))
+      return {};
+    const auto here = side_.at(trial_, held_);
     std::vector<double> all;
     for (std::size_t z = 0; z < held_.size(); ++z) {
       if (!loops(z, &deck::ContactZone::threshold))
         continue;
       held_[z].thresholds =
-          contact::friction_pressures(newton_.law_of(z, held_), here.points[z], here.status[z]);
+          contact::friction_pressures(side_.law_of(z, held_), here.points[z], here.status[z]);
       all.insert(all.end(), held_[z].thresholds.begin(), held_[z].thresholds.end());
     }
     return all;
   }
 
   void hold_status() {
-    const auto here = newton_.contact_at(trial_, held_);
+    if (!loops(&deck::ContactZone::status))
+      return;
+    for (auto& zone : held_)
+      zone.status.clear();
+    const auto here = side_.at(trial_, held_);
     for (std::size_t z = 0; z < held_.size(); ++z)
       if (loops(z, &deck::ContactZone::status))
         held_[z].status = here.status[z];
@@ -201,11 +212,11 @@ private:
 
   /// Holds the statuses that the end of the round calls for, and names the points that changed.
   void take_wanted_status() {
-    const auto here = newton_.contact_at(trial_, held_);
+    const auto here = side_.at(trial_, held_);
     for (std::size_t z = 0; z < held_.size(); ++z) {
       if (!loops(z, &deck::ContactZone::status))
         continue;
-      auto wanted = contact::wanted_status(newton_.law_of(z, held_), here.points[z]);
+      auto wanted = contact::wanted_status(side_.law_of(z, held_), here.points[z]);
       for (std::size_t i = 0; i < wanted.size(); ++i)
         if (wanted[i] != held_[z].status[i]) {
           ++report_.status_changes;
@@ -234,7 +245,8 @@ private:
   }
 
   const Model& model_;
-  Newton& newton_;
+  const ContactSide& side_;
+  const Solve& solve_;
   const State& committed_;
   State& trial_;
   Held held_;
@@ -249,8 +261,9 @@ private:
 
 } // namespace
 
-StepReport solve_levels(const Model& model, Newton& newton, const State& committed, State& trial) {
-  return Levels(model, newton, committed, trial).run();
+StepReport solve_levels(const Model& model, const ContactSide& side, const Solve& solve,
+                        const State& committed, State& trial) {
+  return Levels(model, side, solve, committed, trial).run();
 }
 
 } // namespace rubato::step

@@ -3,9 +3,14 @@
 /// every Newton iteration or a loop of its own around them, zone by zone.
 #pragma once
 
-#include "rubato/step/newton.hpp"
+#include "rubato/step/contact_side.hpp"
+
+#include <functional>
 
 namespace rubato::step {
+
+/// Goes from `trial` to the end of the step with whatever the loops hold.
+using Solve = std::function<StepReport(State& trial, const Held& held)>;
 
 /// Solves the step from `trial` on. Where zones differ, a loop takes the strictest tolerance and the largest
 /// number of rounds among those that have it.
@@ -13,6 +18,7 @@ namespace rubato::step {
 ///     of the step, not before the second round (Code_Aster's RESI_GEOM with REAC_GEOM='AUTOMATIQUE');
 ///   friction: when no friction pressure changes by more than tolerance × the largest one;
 ///   status: when no point's status changes.
-StepReport solve_levels(const model::Model& model, Newton& newton, const State& committed, State& trial);
+StepReport solve_levels(const model::Model& model, const ContactSide& side, const Solve& solve,
+                        const State& committed, State& trial);
 
 } // namespace rubato::step

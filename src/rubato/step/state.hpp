@@ -18,6 +18,7 @@ struct State {
       unbalance; ///< internal + contact − external force at t: the scheme's history bracket [force]
   Eigen::VectorXd contact_force; ///< contact and friction, internal side [force]
   Eigen::VectorXd reaction;      ///< of the supports, on constrained dofs [force]
+  double force_scale = 0;        ///< what the residual of the last step was measured by [force]
   std::vector<contact::ZoneState> zones;
 };
 

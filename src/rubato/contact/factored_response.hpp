@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// A contact point linearised in factors as narrow as the space it lives in, whatever its faces: what a solve
+/// that is condensed on contact points works with.
+#pragma once
+
+#include "rubato/contact/enforcement.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace rubato::contact {
+
+/// With δq the change of the point's local displacements (slave's nodes, then master's, component by
+/// component) and δm that of its own multipliers, the force on q (internal side) and the equations change by
+///   δf = Nᵀ δz + Hᵀ δξ,   δz = Z_q δq + Z_m δm,   δξ = P δq,   δe = E_q δq + E_m δm;
+/// z = −w T [force] in d components, ξ the place on the master. Only for points that own their multipliers.
+struct FactoredResponse {
+  std::vector<int> dofs;         ///< of q
+  int components = 0;            ///< d
+  int slopes = 0;                ///< size of ξ; 0 in a held frame or on a corner
+  Eigen::VectorXd force;         ///< z, d entries
+  Eigen::MatrixXd spread;        ///< N over H: d + slopes rows
+  Eigen::MatrixXd by_q;          ///< Z_q, E_q, P: d + m + slopes rows
+  Eigen::MatrixXd by_multiplier; ///< Z_m, E_m: d + m rows, m columns
+  Eigen::VectorXd equations;     ///< e, m entries
+
+  int multipliers() const { return static_cast<int>(equations.size()); }
+};
+
+/// A point in contact.
+FactoredResponse factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation,
+                                 Status status, const fem::DofMap& dofs);
+
+/// δm of a point that is open: its equations know no displacements.
+Eigen::VectorXd release(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation);
+
+} // namespace rubato::contact

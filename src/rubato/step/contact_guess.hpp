@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Which points will touch, stick and slip at the end of a step, and how hard: a start for Newton's
+/// iterations, which from the free motion would let go of one row of points after the other.
+#pragma once
+
+#include "rubato/step/compliance.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace rubato::step {
+
+/// A point that may touch, linearised: its gap and slips are `value` + Σ slope · d over positions of the
+/// surface, and its forces F along them put −slope F there (internal side).
+struct GuessPoint {
+  std::size_t zone = 0;
+  std::size_t index = 0; ///< in the zone's points
+  std::vector<int> positions;
+  std::array<std::vector<double>, 3> slopes;       ///< of the gap and of each slip
+  Eigen::Vector3d value = Eigen::Vector3d::Zero(); ///< where d = 0 [length]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< pressing ≥ 0, and along the slips [force]
+  double softness = 0; ///< penetration a unit of force makes: of penalties [length/force]
+  double friction = 0; ///< μ
+  int tangents = 0;    ///< slips that count
+};
+
+/// Improves the forces of the points on a surface that moves by d = free + factor S Σ slope F: first the
+/// pressing ones, so that no gap is negative, then those along the slips for the pressing ones found, so that
+/// none exceeds μ times them and slips go against them (Tresca's problem). Points that have no force and
+/// don't penetrate get none. Both by projected Gauss–Seidel sweeps, then by active sets.
+void guess_forces(std::span<GuessPoint> points, const Eigen::VectorXd& free, double factor,
+                  Compliance& compliance);
+
+/// Sweeps on w = values + matrix F,  F ≥ 0, w ≥ 0, F·w = 0, until one changes neither which F are positive
+/// nor any of them by more than a hundredth of the largest. The matrix is symmetric with a positive diagonal.
+void sweep_pressing(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values, Eigen::VectorXd& forces);
+
+/// Sweeps on the minimum of F·values + F·matrix F/2, the forces of a point (`tangents` in a row) no longer
+/// than its limit, likewise.
+void sweep_rubbing(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,
+                   const Eigen::VectorXd& limits, int tangents, Eigen::VectorXd& forces);
+
+} // namespace rubato::step

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/contact_side.hpp"
+
+#include <cmath>
+
+namespace rubato::step {
+namespace {
+
+using contact::PointEvaluation;
+using contact::Status;
+using model::Model;
+
+/// Motion of contact points' projections between two iterates, in reference lengths of a face, that counts as
+/// settled (Code_Aster's RESI_GEOM for Newton).
+constexpr double settled_geometry = 1e-6;
+/// Gap of a point in contact, in shortest master edges, that counts as closed.
+constexpr double closed_gap = 1e-9;
+
+/// Augmentations may be anything; penalties are the user's.
+void vary(const contact::Zone& zone, const Variant& variant, contact::ZoneCoefficients& coefficients) {
+  if (contact::is_exact(zone.settings.method))
+    for (auto& normal : coefficients.normal)
+      normal *= variant.normal_multiple;
+  if (zone.settings.friction_method == deck::FrictionMethod::augmented_lagrangian)
+    for (auto& tangential : coefficients.tangential)
+      tangential *= variant.tangential_multiple;
+}
+
+/// The statuses a solve starts with, where a point can have them.
+void keep_given_status(const contact::Zone& zone, const std::vector<PointEvaluation>& points,
+                       const std::vector<Status>& given, std::vector<Status>& status) {
+  status.assign(points.size(), Status::open);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].kinematics && !zone.points[i].excluded)
+      status[i] = given[i];
+}
+
+} // namespace
+
+ContactSide::ContactSide(const Model& model, const EffectiveSystem& system, const State& committed,
+                         const Variant& variant)
+    : model_(model), committed_(committed), variant_(variant), coefficients_(system.zones) {
+  for (std::size_t z = 0; z < coefficients_.size(); ++z)
+    vary(model.zones[z], variant, coefficients_[z]);
+}
+
+contact::ZoneLaw ContactSide::law_of(std::size_t zone, const Held& held) const {
+  return {&model_.zones[zone], coefficients_[zone],
+          variant_.friction_part * model_.zones[zone].settings.friction, held[zone].thresholds};
+}
+
+ContactIterate ContactSide::at(const State& trial, const Held& held) const {
+  const contact::Configuration configuration{&model_.mesh, &model_.dofs, &trial.motion.u,
+                                             &committed_.motion.u};
+  ContactIterate iterate;
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    const auto& zone = model_.zones[z];
+    const auto& multipliers = trial.zones[z].multipliers;
+    iterate.points.push_back(held[z].frames.empty() ? contact::evaluate(zone, multipliers, configuration)
+                                                    : contact::evaluate_in_held_frames(
+                                                          held[z].frames, zone, multipliers, configuration));
+    keep_given_status(zone, iterate.points[z], trial.zones[z].status, iterate.status.emplace_back());
+    if (!held[z].status.empty())
+      iterate.status[z] = held[z].status;
+  }
+  return iterate;
+}
+
+void ContactSide::renew_status(const Held& held, ContactIterate& iterate) const {
+  for (std::size_t z = 0; z < model_.zones.size(); ++z)
+    if (held[z].status.empty())
+      iterate.status[z] = contact::wanted_status(law_of(z, held), iterate.points[z]);
+}
+
+void ContactSide::collect_restless(const Held& held, const ContactIterate& before, const ContactIterate& now,
+                                   StepReport& report) const {
+  report.status_changes = 0;
+  report.restless.clear();
+  for (std::size_t z = 0; z < now.status.size(); ++z)
+    for (std::size_t i = 0; held[z].status.empty() && i < now.status[z].size(); ++i)
+      if (now.status[z][i] != before.status[z][i]) {
+        ++report.status_changes;
+        report.restless.push_back({static_cast<int>(z), model_.zones[z].points[i].nodes.front()});
+      }
+}
+
+bool ContactSide::settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const {
+  return geometry_settled(held, before, now) && gaps_closed(now);
+}
+
+bool ContactSide::geometry_settled(const Held& held, const ContactIterate& before,
+                                   const ContactIterate& now) const {
+  for (std::size_t z = 0; z < now.points.size(); ++z)
+    for (std::size_t i = 0; held[z].frames.empty() && i < now.points[z].size(); ++i) {
+      if (now.status[z][i] == Status::open)
+        continue;
+      const auto& here = now.points[z][i].pair;
+      const auto& there = before.points[z][i].pair;
+      const bool same_face = here.master_face == there.master_face;
+      // A point on the border of two faces may belong to either; its place is the same.
+      if (same_face && (here.projection.clamped - there.projection.clamped).norm() > settled_geometry)
+        return false;
+    }
+  return true;
+}
+
+bool ContactSide::gaps_closed(const ContactIterate& now) const {
+  for (std::size_t z = 0; z < now.points.size(); ++z) {
+    const auto& zone = model_.zones[z];
+    const double allowed = closed_gap * zone.master.shortest_edge;
+    for (std::size_t i = 0; contact::is_exact(zone.settings.method) && i < now.points[z].size(); ++i)
+      if (now.status[z][i] != Status::open && zone.points[i].node_position >= 0 &&
+          std::abs(now.points[z][i].variables.gap) > allowed)
+        return false;
+  }
+  return true;
+}
+
+} // namespace rubato::step

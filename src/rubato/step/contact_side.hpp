@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The contact half of one attempt at a step: where the points are, what their zones ask of them, and whether
+/// they have settled.
+#pragma once
+
+#include "rubato/model/model.hpp"
+#include "rubato/step/effective_system.hpp"
+#include "rubato/step/report.hpp"
+#include "rubato/step/state.hpp"
+
+#include <vector>
+
+namespace rubato::step {
+
+/// How an attempt at a step differs from the plain one.
+struct Variant {
+  double friction_part = 1;       ///< of μ
+  double normal_multiple = 1;     ///< of c where it is an augmentation
+  double tangential_multiple = 1; ///< of c_t where it is an augmentation
+  bool geometry_by_loop = false;  ///< also where the zone iterates it by Newton
+  bool guess_contact = true;      ///< start from forces that close the gaps of the free motion
+};
+
+/// What outer loops hold of one zone while Newton iterates; empty: nothing.
+struct HeldZone {
+  std::vector<contact::PointEvaluation> frames;
+  std::vector<double> thresholds;
+  std::vector<contact::Status> status;
+};
+using Held = std::vector<HeldZone>; ///< one a zone
+
+/// Contact of all zones at one iterate.
+struct ContactIterate {
+  std::vector<std::vector<contact::PointEvaluation>> points;
+  std::vector<std::vector<contact::Status>> status;
+};
+
+class ContactSide {
+public:
+  ContactSide(const model::Model& model, const EffectiveSystem& system, const State& committed,
+              const Variant& variant);
+
+  /// Contact at `trial` as `held` has it, with the statuses of `trial` where a point can have them.
+  ContactIterate at(const State& trial, const Held& held) const;
+  /// Statuses that the points of an iterate call for, where no loop holds them.
+  void renew_status(const Held& held, ContactIterate& iterate) const;
+  /// How the zone behaves in this attempt.
+  contact::ZoneLaw law_of(std::size_t zone, const Held& held) const;
+  const Variant& variant() const { return variant_; }
+
+  /// Counts and names the points whose status changed between two iterates.
+  void collect_restless(const Held& held, const ContactIterate& before, const ContactIterate& now,
+                        StepReport& report) const;
+  /// Whether no projection of a point in contact moved between two iterates, and exact gaps are closed.
+  bool settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const;
+
+private:
+  bool geometry_settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const;
+  bool gaps_closed(const ContactIterate& now) const;
+
+  const model::Model& model_;
+  const State& committed_;
+  Variant variant_;
+  std::vector<contact::ZoneCoefficients> coefficients_;
+};
+
+} // namespace rubato::step

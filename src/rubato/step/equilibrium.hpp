@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The balance of forces at the end of a step, and how well a motion keeps it.
+#pragma once
+
+#include "rubato/model/model.hpp"
+#include "rubato/step/effective_system.hpp"
+#include "rubato/step/report.hpp"
+#include "rubato/step/state.hpp"
+#include "rubato/time/scheme.hpp"
+
+#include <Eigen/Core>
+
+namespace rubato::step {
+
+/// What contact puts on the dofs, internal side [force].
+struct ContactForce {
+  Eigen::VectorXd all;
+  Eigen::VectorXd nodal;     ///< the part of nodal methods: it counts among the applied forces
+  Eigen::VectorXd forgotten; ///< the part that the next step's history has nothing of
+
+  explicit ContactForce(Eigen::Index dofs);
+};
+
+/// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (K u₁ + f_c − f_ext) + the terms of the start of the step.
+class Equilibrium {
+public:
+  Equilibrium(const model::Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+              const State& committed, double t);
+
+  void evaluate(const time::Motion& motion, const ContactForce& contact);
+  /// On free dofs.
+  const Eigen::VectorXd& residual() const { return residual_; }
+  /// Fills the report's residual and worst node. Code_Aster's RESI_GLOB_RELA: the largest unbalanced force
+  /// over the largest of reactions and applied forces (inertia, history and the forces of nodal methods among
+  /// them), and of the momentum's rate.
+  void measure(const time::Motion& motion, const ContactForce& contact, StepReport& report);
+  /// What the last measure held the residual against [force].
+  double scale() const { return scale_; }
+  /// Stores in `trial` what the next step and the results need.
+  void finish(const ContactForce& contact, State& trial) const;
+
+private:
+  const model::Model& model_;
+  const time::Scheme& scheme_;
+  const EffectiveSystem& system_;
+  double t_;
+  Eigen::VectorXd external_;
+  Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
+  Eigen::VectorXd inertia_, unbalance_, full_residual_, residual_;
+  double scale_ = 0;
+};
+
+} // namespace rubato::step
