@@ -17,6 +17,9 @@ function(rubato_dependency_lines result)
     if(target MATCHES "^(\\$<|::@|/)" OR NOT target MATCHES "^([A-Za-z0-9_+.-]+)(::.*)?$")
       continue() # generator expressions, CMake's own scope marks, plain paths
     endif()
+    if(target STREQUAL "${CMAKE_DL_LIBS}")
+      continue() # belongs to the C library
+    endif()
     set(package ${CMAKE_MATCH_1})
     set(line "find_dependency(${package})")
     foreach(entry ${rubato_unusual_packages})

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/error.hpp"
+#include "rubato/linalg/blas_threads.hpp"
 #include "rubato/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -135,6 +136,7 @@ int report(const InputError& error) {
 } // namespace
 
 int main(int argc, char** argv) {
+  rubato::linalg::start_with_one_blas_thread_by_default();
   try {
     return parse_and_work(argc, argv);
   } catch (const InputError& error) {

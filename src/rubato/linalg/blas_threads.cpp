@@ -5,15 +5,30 @@
 #include <mutex>
 
 extern "C" void openblas_set_num_threads(int count);
+// What OpenBLAS itself calls before a fork; its builds without threads lack it.
+extern "C" [[gnu::weak]] int blas_thread_shutdown_();
 
 namespace rubato::linalg {
+namespace {
+
+bool environment_decides() {
+  return std::getenv("OPENBLAS_NUM_THREADS") != nullptr || std::getenv("OMP_NUM_THREADS") != nullptr;
+}
+
+} // namespace
 
 void use_one_blas_thread_by_default() {
   static std::once_flag done;
   std::call_once(done, [] {
-    if (std::getenv("OPENBLAS_NUM_THREADS") == nullptr && std::getenv("OMP_NUM_THREADS") == nullptr)
+    if (!environment_decides())
       openblas_set_num_threads(1);
   });
+}
+
+void start_with_one_blas_thread_by_default() {
+  use_one_blas_thread_by_default();
+  if (!environment_decides() && blas_thread_shutdown_ != nullptr)
+    blas_thread_shutdown_();
 }
 
 } // namespace rubato::linalg

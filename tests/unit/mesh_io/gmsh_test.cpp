@@ -20,7 +20,7 @@ class GmshFile : public testing::Test {
 protected:
   void SetUp() override {
     if (!has_gmsh())
-      GTEST_SKIP() << "built without Gmsh";
+      GTEST_SKIP() << "built without Gmsh, or its library is not here";
   }
   Mesh mesh_of(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;

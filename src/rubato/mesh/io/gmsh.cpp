@@ -22,11 +22,13 @@ Mesh read_gmsh(const std::filesystem::path& path) {
 
 #else
 
-#include <gmsh.h>
+#include "rubato/mesh/io/gmsh_library.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -35,36 +37,10 @@ Mesh read_gmsh(const std::filesystem::path& path) {
 namespace rubato::mesh {
 namespace {
 
-using Tag = std::size_t;
+using gmsh::Entity;
+using gmsh::Session;
+using gmsh::Tag;
 using Order = std::span<const std::uint8_t>;
-
-/// Gmsh's library between its initialize and its finalize.
-class Session {
-public:
-  Session() {
-    constexpr bool read_user_options = false;
-    gmsh::initialize(0, nullptr, read_user_options);
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.NumThreads", 1);
-    gmsh::logger::start();
-  }
-  ~Session() {
-    gmsh::logger::stop();
-    gmsh::finalize();
-  }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-
-  /// The first error that Gmsh has reported so far; empty when there is none.
-  static std::string first_error() {
-    constexpr std::string_view mark = "Error: ";
-    std::vector<std::string> lines;
-    gmsh::logger::get(lines);
-    const auto found =
-        std::ranges::find_if(lines, [&](const std::string& line) { return line.starts_with(mark); });
-    return found == lines.end() ? "" : found->substr(mark.size());
-  }
-};
 
 // Gmsh numbers mid-edge nodes in its own order of edges and face nodes in its own order of faces (Gmsh
 // reference manual, "Node ordering"): our node i is Gmsh's node order[i].
@@ -99,20 +75,13 @@ const std::array<KnownType, 18> known_types{{{1, CellType::seg2, {}},
                                              {18, CellType::penta15, Order(penta18).first(15)},
                                              {19, CellType::pyra13, pyra13}}};
 
-const KnownType& known_type(int gmsh_type) {
+const KnownType& known_type(const Session& session, int gmsh_type) {
   const auto* const found = std::ranges::find(known_types, gmsh_type, &KnownType::gmsh);
   if (found != known_types.end())
     return *found;
-  std::string name;
-  int dimension = 0;
-  int order = 0;
-  int nodes = 0;
-  int corners = 0;
-  std::vector<double> coordinates;
-  gmsh::model::mesh::getElementProperties(gmsh_type, name, dimension, order, nodes, coordinates, corners);
   throw InputError(fmt::format("it holds cells of type {}, which this program does not know (full quadratic "
                                "pyramids become PYRA13 with Mesh.SecondOrderIncomplete = 1)",
-                               name));
+                               session.name_of_type(gmsh_type)));
 }
 
 /// Cells of one type while they are collected, by Gmsh's tags.
@@ -126,61 +95,50 @@ struct Collected {
   std::map<std::string, std::set<Tag>> node_groups;
 };
 
-/// Takes the cells of one entity of the geometry (of all for dimension −1) and adds them to the groups named.
-void collect_cells(int dimension, int entity, const std::vector<std::string>& groups, Collected& into) {
-  std::vector<int> types;
-  std::vector<std::vector<Tag>> cells;
-  std::vector<std::vector<Tag>> nodes;
-  gmsh::model::mesh::getElements(types, cells, nodes, dimension, entity);
-  for (std::size_t t = 0; t < types.size(); ++t) {
-    const auto& type = known_type(types[t]);
+/// Takes the cells of one entity of the geometry and adds them to the groups named.
+void collect_cells(const Session& session, Entity entity, const std::vector<std::string>& groups,
+                   Collected& into) {
+  const auto found = session.elements_of(entity);
+  for (std::size_t t = 0; t < found.types.size(); ++t) {
+    const auto& type = known_type(session, found.types[t]);
     if (type.ours == CellType::point1)
       continue;
     const auto width = static_cast<std::size_t>(topology(type.ours).node_count);
+    const auto& cells = found.cells[t];
     auto& known = into.cells[type.ours].nodes_of_cell;
-    for (std::size_t c = 0; c < cells[t].size(); ++c) {
+    for (std::size_t c = 0; c < cells.size(); ++c) {
       std::vector<Tag> own(width);
       for (std::size_t i = 0; i < width; ++i)
-        own[i] = nodes[t][c * width + (type.order.empty() ? i : type.order[i])];
-      known.emplace(cells[t][c], std::move(own));
+        own[i] = found.nodes[t][c * width + (type.order.empty() ? i : type.order[i])];
+      known.emplace(cells[c], std::move(own));
       for (const auto& group : groups)
-        into.cell_groups[group].emplace(type.ours, cells[t][c]);
+        into.cell_groups[group].emplace(type.ours, cells[c]);
     }
   }
 }
 
-void collect_nodes(int entity, const std::string& group, Collected& into) {
-  std::vector<Tag> tags;
-  std::vector<double> coordinates;
-  std::vector<double> parameters;
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters, 0, entity, false, false);
-  into.node_groups[group].insert(tags.begin(), tags.end());
-}
-
-std::string group_name(int dimension, int tag) {
+std::string group_name(const Session& session, Entity group) {
   constexpr std::array<std::string_view, 4> kinds{"point", "line", "surface", "volume"};
-  std::string name;
-  gmsh::model::getPhysicalName(dimension, tag, name);
-  return name.empty() ? fmt::format("{}_{}", kinds.at(static_cast<std::size_t>(dimension)), tag) : name;
+  auto name = session.name_of(group);
+  return name.empty() ? fmt::format("{}_{}", kinds.at(static_cast<std::size_t>(group.dimension)), group.tag)
+                      : name;
 }
 
-Collected collect() {
+Collected collect(const Session& session) {
   Collected collected;
-  gmsh::vectorpair groups;
-  gmsh::model::getPhysicalGroups(groups);
-  for (const auto& [dimension, tag] : groups) {
-    const auto name = group_name(dimension, tag);
-    std::vector<int> entities;
-    gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
-    for (const auto entity : entities) {
-      if (dimension == 0)
-        collect_nodes(entity, name, collected);
+  for (const auto group : session.physical_groups()) {
+    const auto name = group_name(session, group);
+    for (const auto tag : session.entities_of(group)) {
+      const Entity entity{group.dimension, tag};
+      if (entity.dimension == 0)
+        std::ranges::copy(session.nodes_of(entity).tags,
+                          std::inserter(collected.node_groups[name], collected.node_groups[name].end()));
       else
-        collect_cells(dimension, entity, {name}, collected);
+        collect_cells(session, entity, {name}, collected);
     }
   }
   if (collected.cells.empty())
-    collect_cells(-1, -1, {}, collected);
+    collect_cells(session, gmsh::everything, {}, collected);
   return collected;
 }
 
@@ -196,14 +154,10 @@ std::set<Tag> nodes_in_use(const Collected& collected) {
 
 using IndexOfNode = std::unordered_map<Tag, NodeIndex>;
 
-IndexOfNode add_nodes(const std::set<Tag>& used, Mesh& mesh) {
-  std::vector<Tag> tags;
-  std::vector<double> coordinates;
-  std::vector<double> parameters;
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters, -1, -1, false, false);
+IndexOfNode add_nodes(const gmsh::Nodes& nodes, const std::set<Tag>& used, Mesh& mesh) {
   std::unordered_map<Tag, std::size_t> place;
-  for (std::size_t i = 0; i < tags.size(); ++i)
-    place.emplace(tags[i], i);
+  for (std::size_t i = 0; i < nodes.tags.size(); ++i)
+    place.emplace(nodes.tags[i], i);
 
   IndexOfNode index;
   for (const auto tag : used) {
@@ -211,7 +165,7 @@ IndexOfNode add_nodes(const std::set<Tag>& used, Mesh& mesh) {
     if (found == place.end())
       throw InputError(fmt::format("a cell has node {}, which does not exist", tag));
     index.emplace(tag, mesh.node_count());
-    mesh.points.emplace_back(Eigen::Map<const Eigen::Vector3d>(&coordinates[3 * found->second]));
+    mesh.points.emplace_back(Eigen::Map<const Eigen::Vector3d>(&nodes.coordinates[3 * found->second]));
     mesh.node_numbers.push_back(static_cast<std::int64_t>(tag));
   }
   return index;
@@ -250,15 +204,15 @@ int space_dimension(const Mesh& mesh) {
   return solid || height > rounding * size ? 3 : 2;
 }
 
-Mesh assembled(const Collected& collected) {
+Mesh assembled(const Collected& collected, const gmsh::Nodes& nodes) {
   Mesh mesh;
-  const auto index = add_nodes(nodes_in_use(collected), mesh);
+  const auto index = add_nodes(nodes, nodes_in_use(collected), mesh);
   for (const auto& [type, cells] : collected.cells) {
     CellBlock block;
     block.type = type;
-    for (const auto& [tag, nodes] : cells.nodes_of_cell) {
+    for (const auto& [tag, cell] : cells.nodes_of_cell) {
       block.numbers.push_back(static_cast<std::int64_t>(tag));
-      for (const auto node : nodes)
+      for (const auto node : cell)
         block.nodes.push_back(index.at(node));
     }
     mesh.blocks.push_back(std::move(block));
@@ -271,20 +225,14 @@ Mesh assembled(const Collected& collected) {
   return mesh;
 }
 
-bool is_meshed() {
-  std::vector<int> types;
-  std::vector<std::vector<Tag>> cells;
-  std::vector<std::vector<Tag>> nodes;
-  gmsh::model::mesh::getElements(types, cells, nodes);
-  return !types.empty();
+bool is_meshed(const Session& session) {
+  return !session.elements_of(gmsh::everything).types.empty();
 }
 
-int geometry_dimension() {
-  gmsh::vectorpair entities;
-  gmsh::model::getEntities(entities);
+int geometry_dimension(const Session& session) {
   int dimension = 0;
-  for (const auto& entity : entities)
-    dimension = std::max(dimension, entity.first);
+  for (const auto entity : session.entities())
+    dimension = std::max(dimension, entity.dimension);
   return dimension;
 }
 
@@ -303,15 +251,15 @@ Mesh read_with_gmsh(const std::filesystem::path& path) {
   if (path.extension() == ".geo")
     check_last_line(path);
   const Session session;
-  gmsh::open(path.string());
-  if (!is_meshed() && path.extension() == ".geo")
-    gmsh::model::mesh::generate(geometry_dimension());
-  if (const auto error = Session::first_error(); !error.empty())
+  session.open(path);
+  if (!is_meshed(session) && path.extension() == ".geo")
+    session.generate(geometry_dimension(session));
+  if (const auto error = session.first_error(); !error.empty())
     throw InputError(error);
-  auto collected = collect();
+  const auto collected = collect(session);
   if (collected.cells.empty())
     throw InputError("it holds no cells");
-  return assembled(collected);
+  return assembled(collected, session.nodes_of(gmsh::everything));
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
@@ -321,7 +269,12 @@ Mesh read_with_gmsh(const std::filesystem::path& path) {
 } // namespace
 
 bool has_gmsh() {
-  return true;
+  try {
+    gmsh::library();
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 Mesh read_gmsh(const std::filesystem::path& path) {
@@ -329,17 +282,12 @@ Mesh read_gmsh(const std::filesystem::path& path) {
     throw InputError(fmt::format("mesh file '{}' {}", path.string(),
                                  std::filesystem::exists(path) ? "is a directory, a Gmsh file was expected"
                                                                : "does not exist"));
-  // Gmsh's interface throws strings in some versions, exceptions in others.
   try {
     return read_with_gmsh(path);
   } catch (const InputError& error) {
     refuse(path, error.faults().front().text);
-  } catch (const std::string& text) {
-    refuse(path, text);
   } catch (const std::runtime_error& error) {
     refuse(path, error.what());
-  } catch (int code) {
-    refuse(path, fmt::format("error {}", code));
   }
 }
 

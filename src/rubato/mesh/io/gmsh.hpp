@@ -14,10 +14,10 @@ namespace rubato::mesh {
 /// called "surface_12" (point_, line_, volume_) by its tag. Node and cell numbers are Gmsh's tags; nodes that
 /// neither a cell nor a group uses are left out. Space is 2D when there are no solids and z = 0 everywhere.
 /// Throws InputError when the file is absent or Gmsh refuses it, when it holds no cells or cells this project
-/// doesn't know, and when the program was built without Gmsh.
+/// doesn't know, and when the program was built without Gmsh or doesn't find its library.
 Mesh read_gmsh(const std::filesystem::path& path);
 
-/// Whether read_gmsh can do more than throw.
+/// Whether read_gmsh can do more than throw. Loads Gmsh's library.
 bool has_gmsh();
 
 } // namespace rubato::mesh

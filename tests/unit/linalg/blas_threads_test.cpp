@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/blas_threads.hpp"
+
+#include <Eigen/Core>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+
+extern "C" {
+void openblas_set_num_threads(int count);
+int openblas_get_num_threads();
+void dgemm_(const char* transpose_a, const char* transpose_b, const int* rows, const int* columns,
+            const int* inner, const double* alpha, const double* a, const int* stride_a, const double* b,
+            const int* stride_b, const double* beta, double* c, const int* stride_c);
+}
+
+namespace rubato::linalg {
+namespace {
+
+class BlasThreads : public testing::Test {
+protected:
+  void SetUp() override {
+    if (std::getenv("OPENBLAS_NUM_THREADS") != nullptr || std::getenv("OMP_NUM_THREADS") != nullptr)
+      GTEST_SKIP() << "the environment says how many";
+  }
+  void TearDown() override { openblas_set_num_threads(1); }
+};
+
+std::ptrdiff_t threads_of_this_process() {
+  const std::filesystem::directory_iterator threads("/proc/self/task");
+  return std::distance(begin(threads), end(threads));
+}
+
+/// Large enough that OpenBLAS gives every thread a part.
+double error_of_a_product() {
+  constexpr int n = 400;
+  constexpr double one = 1.0;
+  constexpr double zero = 0.0;
+  const Eigen::MatrixXd a = Eigen::VectorXd::LinSpaced(n, -1, 1) * Eigen::RowVectorXd::LinSpaced(n, 1, 2);
+  Eigen::MatrixXd product(n, n);
+  dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &zero, product.data(), &n);
+  const Eigen::MatrixXd expected = a * a;
+  return (product - expected).norm() / expected.norm();
+}
+
+TEST_F(BlasThreads, AreOneAfterTheStartOfAProgram) {
+  start_with_one_blas_thread_by_default();
+  EXPECT_EQ(threads_of_this_process(), 1);
+  EXPECT_EQ(openblas_get_num_threads(), 1);
+  EXPECT_LT(error_of_a_product(), 1e-13);
+  EXPECT_EQ(threads_of_this_process(), 1);
+}
+
+TEST_F(BlasThreads, ComeBackWhenMoreAreWanted) {
+  start_with_one_blas_thread_by_default();
+  openblas_set_num_threads(2);
+  EXPECT_LT(error_of_a_product(), 1e-13);
+  EXPECT_GT(threads_of_this_process(), 1);
+  use_one_blas_thread_by_default();
+  EXPECT_EQ(openblas_get_num_threads(), 2);
+}
+
+} // namespace
+} // namespace rubato::linalg
