@@ -50,7 +50,7 @@ VectorXd row_sizes(const MatrixXd& matrix) {
 }
 
 bool owns_its_multipliers(const contact::Zone& zone) {
-  return zone.settings.gauss_points == 0;
+  return std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
 }
 
 } // namespace
@@ -268,16 +268,21 @@ void Condensed::eliminate_multipliers(ActivePoint& point) const {
 
 bool Condensed::settled(const Held& held) {
   side_.collect_restless(held, previous_, now_, report_);
-  report_.residual = surface_residual();
+  measure_surface();
   return report_.residual <= report_.tolerance && report_.status_changes == 0 &&
          side_.settled(held, previous_, now_);
 }
 
 /// Until the bulk has been solved for, forces are measured by what they were measured by in the last step.
-double Condensed::surface_residual() const {
-  const double largest = scheme_.forces.now * (force_ - applied_).lpNorm<Eigen::Infinity>();
+void Condensed::measure_surface() {
+  Index worst = 0;
+  const double largest =
+      force_.size() > 0 ? scheme_.forces.now * (force_ - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
   const double scale = std::max(scale_, scheme_.forces.now * force_.lpNorm<Eigen::Infinity>());
-  return largest == 0 ? 0 : largest / scale;
+  report_.residual = largest == 0 ? 0 : largest / scale;
+  if (force_.size() > 0)
+    report_.worst_node =
+        model_.node_of(system_.compliance->dof_of_position()[static_cast<std::size_t>(worst)]);
 }
 
 bool Condensed::iterate(State& trial, const Held& held) {

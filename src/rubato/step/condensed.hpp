@@ -59,7 +59,7 @@ private:
   void add_point(std::size_t zone, std::size_t index, const contact::ZoneLaw& law);
   void eliminate_multipliers(ActivePoint& point) const;
   bool settled(const Held& held);
-  double surface_residual() const;
+  void measure_surface();
   bool iterate(State& trial, const Held& held);
   bool solve_points(Eigen::VectorXd& y);
   Eigen::MatrixXd answer_to(const ActivePoint& point, const Eigen::MatrixXd& s) const;

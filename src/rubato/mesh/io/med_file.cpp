@@ -15,6 +15,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <optional>
+#include <ranges>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -32,8 +33,8 @@ constexpr std::string_view hdf5_signature{"\x89HDF\r\n\x1a\n", 8};
 
 std::uint64_t little_endian(std::string_view bytes) {
   std::uint64_t value = 0;
-  for (auto byte = bytes.rbegin(); byte != bytes.rend(); ++byte)
-    value = (value << 8) | static_cast<unsigned char>(*byte);
+  for (const char byte : bytes | std::views::reverse)
+    value = (value << 8) | static_cast<unsigned char>(byte);
   return value;
 }
 
@@ -41,13 +42,12 @@ std::uint64_t little_endian(std::string_view bytes) {
 /// superblock that is none.
 std::optional<std::uint64_t> announced_length(std::string_view head) {
   constexpr std::size_t version_at = 8;
-  const int version = head[version_at];
+  const int version = static_cast<unsigned char>(head[version_at]);
   const bool old = version == 0 || version == 1;
-  const auto address_size = static_cast<std::size_t>(head[old ? 13 : 9]);
+  const auto address_size = static_cast<std::size_t>(static_cast<unsigned char>(head[old ? 13 : 9]));
   const std::size_t addresses_at = old ? (version == 0 ? 24 : 28) : 12;
   const auto end_at = addresses_at + 2 * address_size;
-  if (version < 0 || version > 3 || address_size < 2 || address_size > 8 ||
-      end_at + address_size > head.size())
+  if (version > 3 || address_size < 2 || address_size > 8 || end_at + address_size > head.size())
     return std::nullopt;
   return little_endian(head.substr(end_at, address_size));
 }

@@ -302,6 +302,7 @@ std::vector<Group> groups_of(const std::vector<med_int>& family_of_item, const F
       members[name].push_back(static_cast<std::int32_t>(item));
   }
   std::vector<Group> groups;
+  groups.reserve(members.size());
   for (auto& [name, items] : members)
     groups.push_back({name, std::move(items)});
   return groups;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<std::uint8_t, 19> vtk_types{1,  3,  21, 5,  22, 34, 9,  23, 28, 10,
                                                  24, 14, 27, 13, 26, 32, 12, 25, 29};
 
-template <class T> constexpr std::string_view vtk_name = "";
+template <class T> constexpr std::string_view vtk_name{};
 template <> constexpr std::string_view vtk_name<double> = "Float64";
 template <> constexpr std::string_view vtk_name<std::int32_t> = "Int32";
 template <> constexpr std::string_view vtk_name<std::int64_t> = "Int64";
