@@ -3,7 +3,7 @@
 /// their derivatives, of two beams that bend together and so slide along each other.
 ///   Evaluate       every iterate from nothing
 ///   EvaluateAgain  iterate after iterate in the same storage, as Newton's method does
-///   FindPairs      the pairs alone, from nothing
+///   UpdateNeighbours, FindPairs   the pairs alone, with and without what the last iterate knew
 /// Arguments: 0 SEG2 (SDNL140 F), 1 QUAD4 (C), 2 QUAD4, C refined by 8, 3 QUAD9.
 /// Counter: seconds of processor time for one point.
 #include "rubato/contact/enforcement.hpp"
@@ -101,6 +101,28 @@ void Evaluate(benchmark::State& state) {
   count(state, iterates.zone());
 }
 
+void EvaluateAgain(benchmark::State& state) {
+  Iterates iterates(state.range(0));
+  const auto multipliers = iterates.multipliers();
+  contact::NeighbourList neighbours(iterates.zone());
+  std::vector<contact::PointEvaluation> points;
+  for (auto _ : state) {
+    contact::evaluate(neighbours, multipliers, iterates.next(), points);
+    benchmark::DoNotOptimize(points.data());
+  }
+  count(state, iterates.zone());
+}
+
+void UpdateNeighbours(benchmark::State& state) {
+  Iterates iterates(state.range(0));
+  contact::NeighbourList neighbours(iterates.zone());
+  for (auto _ : state) {
+    neighbours.update(iterates.next());
+    benchmark::DoNotOptimize(neighbours.pairs().data());
+  }
+  count(state, iterates.zone());
+}
+
 void FindPairs(benchmark::State& state) {
   Iterates iterates(state.range(0));
   for (auto _ : state)
@@ -109,6 +131,8 @@ void FindPairs(benchmark::State& state) {
 }
 
 BENCHMARK(Evaluate)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
+BENCHMARK(EvaluateAgain)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
+BENCHMARK(UpdateNeighbours)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 BENCHMARK(FindPairs)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 
 } // namespace

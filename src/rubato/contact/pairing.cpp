@@ -46,8 +46,7 @@ Candidate candidate_on(const Zone& zone, int face_index, const Vector3d& point,
   const auto& face = zone.master.faces[static_cast<std::size_t>(face_index)];
   const auto nodes = deformed(face, configuration);
   Candidate candidate{face_index, project(face.type, nodes, point), 0};
-  candidate.distance =
-      (point - face_geometry(face.type, nodes, candidate.projection.clamped).position).norm();
+  candidate.distance = (point - face_position(face.type, nodes, candidate.projection.clamped)).norm();
   return candidate;
 }
 
