@@ -72,10 +72,7 @@ public:
     }
     measure_gap();
     measure_slip();
-    expand(d_projection_, out_.d_projection);
-    expand(d_normal_, out_.d_normal);
-    expand(d_tangent_[0], out_.d_tangent[0]);
-    expand(d_tangent_[1], out_.d_tangent[1]);
+    expand();
   }
 
 private:
@@ -85,6 +82,8 @@ private:
   static constexpr int turning_start = free_start + place_columns;
   static constexpr int columns = turning_start + (Turned ? components : 0);
   template <int Rows> using Local = Eigen::Matrix<double, Rows, columns>;
+  /// Rows of what all derivatives are made of.
+  enum Row : int { xi1, xi2, alpha, beta, gamma, row_count };
 
   /// The components of a motion among the columns: 0 is r, 1 + a is m_a.
   template <class Matrix> static auto motion(Matrix&& matrix, int start, int which) {
@@ -122,6 +121,7 @@ private:
     }
   }
 
+  /// dξ̄, and dξ where it differs.
   void vary_projection(const PlaceOnFace& free) {
     const Vector3d r = slave_position_ - free.at.position;
     Eigen::Matrix<double, Dimension, columns> right = Eigen::Matrix<double, Dimension, columns>::Zero();
@@ -136,46 +136,57 @@ private:
     d_free_.setZero();
     d_free_.template topRows<Dimension>() = slope.inverse() * right;
     if constexpr (Inside)
-      d_projection_ = d_free_;
+      rows_.template topRows<2>() = d_free_;
     else
-      d_projection_ = projection_.clamp_derivative * d_free_;
+      rows_.template topRows<2>() = projection_.clamp_derivative * d_free_;
   }
 
   static const Vector3d& curvature(const PlaceOnFace& place, int a, int b) {
     return place.at.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
   }
 
-  /// Adds d x,_a at a reference point that moves by d_xi.
-  void add_tangent(int a, const PlaceOnFace& place, int start, const Local<2>& d_xi, Local<3>& sum) const {
-    motion(sum, start, 1 + a).template topRows<components>().diagonal().array() += 1;
+  /// Adds v · d x,_a at a reference point that moves by d_xi.
+  template <class Rows>
+  static void add_tangent(const Vector3d& v, int a, const PlaceOnFace& place, int start, const Rows& d_xi,
+                          Local<1>& sum) {
+    motion(sum, start, 1 + a) += in_space(v);
     for (int b = 0; b < Dimension; ++b)
-      sum += curvature(place, a, b) * d_xi.row(b);
+      sum += v.dot(curvature(place, a, b)) * d_xi.row(b);
   }
 
-  /// The frame at the clamped place or, with Code_Aster, at the sum of both places' tangents.
+  /// The frame at the clamped place or, with Code_Aster, at the sum of both places' tangents t_a. Its turn
+  /// follows from n·dt_a = −t_a·dn and τ₂·dt₁ = |t₁| τ₂·dτ₁.
   template <class... Free> void vary_frame(const Free&... free) {
     Eigen::Matrix<double, 3, 2> t = clamped_.at.tangents;
-    std::array<Local<3>, Dimension> dt;
-    for (int a = 0; a < Dimension; ++a) {
-      auto& variation = dt[static_cast<std::size_t>(a)];
-      variation.setZero();
-      add_tangent(a, clamped_, 0, d_projection_, variation);
-      (add_tangent(a, free, free_start, d_free_, variation), ...);
+    for (int a = 0; a < Dimension; ++a)
       ((t.col(a) += free.at.tangents.col(a)), ...);
+    const auto along_tangent = [&](const Vector3d& v, int a) {
+      Local<1> sum = Local<1>::Zero();
+      add_tangent(v, a, clamped_, 0, rows_.template topRows<2>(), sum);
+      (add_tangent(v, a, free, free_start, d_free_, sum), ...);
+      return sum;
+    };
+    const double length = t.col(0).norm();
+    set_frame(t.col(0).cross(t.col(1)).normalized(), t.col(0) / length);
+    rows_.row(beta) = along_tangent(normal(), 0) / length;
+    if constexpr (Dimension == 2) {
+      rows_.row(alpha) = along_tangent(tangent(1), 0) / length;
+      rows_.row(gamma) = (along_tangent(normal(), 1) - t.col(1).dot(tangent(0)) * rows_.row(beta)) /
+                         t.col(1).dot(tangent(1));
+    } else {
+      rows_.row(alpha).setZero();
+      rows_.row(gamma).setZero();
     }
-    const Vector3d t1 = t.col(0);
-    const Vector3d t2 = t.col(1);
-    const Unit first(t1);
-    const Unit master(t1.cross(t2));
-    out_.normal = master.direction;
-    d_normal_ = -(master.derivative * cross_matrix(t2)) * dt[0];
-    if constexpr (Dimension == 2)
-      d_normal_ += (master.derivative * cross_matrix(t1)) * dt[1];
-    out_.tangents.col(0) = first.direction;
-    d_tangent_[0] = first.derivative * dt[0];
     if constexpr (Turned)
       turn_to_slave();
-    finish_tangents();
+  }
+
+  const Vector3d& normal() const { return out_.normal; }
+  Vector3d tangent(int a) const { return out_.tangents.col(a); }
+  void set_frame(const Vector3d& unit_normal, const Vector3d& first_tangent) {
+    out_.normal = unit_normal;
+    out_.tangents.col(0) = first_tangent;
+    out_.tangents.col(1) = unit_normal.cross(first_tangent);
   }
 
   /// n_s, the unit of the sum over the slave faces at the point of their unit normals; fills its variation.
@@ -215,40 +226,39 @@ private:
     return i;
   }
 
+  /// From the master's frame to one with the normal −n_s or n − n_s, made a unit. τ₁ keeps the master's first
+  /// direction as far as the turned normal allows.
   void turn_to_slave() {
-    Vector3d direction = -slave_normal();
-    Local<3> d_direction = Local<3>::Zero();
-    motion(d_direction, turning_start, 0).template topRows<components>().diagonal().setConstant(-1);
-    if (zone_.settings.normal == deck::ContactNormal::average) {
-      direction += out_.normal;
-      d_direction += d_normal_;
-    }
-    const Unit turned(direction);
-    out_.normal = turned.direction;
-    d_normal_ = turned.derivative * d_direction;
-    // τ₁ keeps the master's first direction as far as the turned normal allows.
-    const Vector3d along = out_.tangents.col(0);
-    const double part = along.dot(out_.normal);
-    const Local<1> d_part = along.transpose() * d_normal_ + out_.normal.transpose() * d_tangent_[0];
-    const Unit first(along - part * out_.normal);
-    d_tangent_[0] = first.derivative * (d_tangent_[0] - part * d_normal_ - out_.normal * d_part).eval();
-    out_.tangents.col(0) = first.direction;
-  }
-
-  void finish_tangents() {
-    const Vector3d t1 = out_.tangents.col(0);
-    out_.tangents.col(1) = out_.normal.cross(t1);
-    d_tangent_[1] = cross_matrix(out_.normal) * d_tangent_[0] - cross_matrix(t1) * d_normal_;
+    const bool average = zone_.settings.normal == deck::ContactNormal::average;
+    const Vector3d n = normal(), t1 = tangent(0), t2 = tangent(1);
+    const Local<row_count> master = rows_;
+    const Vector3d direction = (average ? n : Vector3d::Zero().eval()) - slave_normal();
+    const Vector3d turned = direction.normalized();
+    const double part = t1.dot(turned);
+    const Vector3d along = t1 - part * turned;
+    set_frame(turned, along.normalized());
+    const auto against_normal = [&](const Vector3d& v) { // −v·dn
+      Local<1> row = Local<1>::Zero();
+      motion(row, turning_start, 0) = in_space(v);
+      if (average)
+        row += v.dot(t1) * master.row(beta) + v.dot(t2) * master.row(gamma);
+      return (row / direction.norm()).eval();
+    };
+    rows_.row(beta) = against_normal(tangent(0));
+    rows_.row(gamma) = against_normal(tangent(1));
+    rows_.row(alpha) = (tangent(1).dot(t2) * master.row(alpha) + tangent(1).dot(n) * master.row(beta) +
+                        part * rows_.row(gamma)) /
+                       along.norm();
   }
 
   void measure_gap() {
     const Vector3d apart = slave_position_ - clamped_.at.position;
-    out_.gap = out_.normal.dot(apart);
-    Local<1> d_gap = apart.transpose() * d_normal_;
-    motion(d_gap, 0, 0) += in_space(out_.normal);
+    out_.gap = normal().dot(apart);
+    factors_.row(0).setZero();
+    factors_(0, beta) = -apart.dot(tangent(0));
+    factors_(0, gamma) = -apart.dot(tangent(1));
     for (int a = 0; a < Dimension; ++a)
-      d_gap -= out_.normal.dot(clamped_.at.tangents.col(a)) * d_projection_.row(a);
-    expand(d_gap, out_.d_gap);
+      factors_(0, xi1 + a) = -normal().dot(clamped_.at.tangents.col(a));
   }
 
   void measure_slip() {
@@ -257,44 +267,66 @@ private:
     for (Index i = 0; i < out_.shape.size(); ++i) {
       const Vector3d increment = configuration_.increment(out_.nodes[static_cast<std::size_t>(i)]);
       moved += out_.shape[i] * increment;
-      moved_slope += increment * out_.shape_slope.row(i);
+      for (int a = 0; a < Dimension; ++a)
+        moved_slope.col(a) += out_.shape_slope(i, a) * increment;
     }
+    const Eigen::Vector2d along = out_.tangents.transpose() * moved;
+    const double across = normal().dot(moved);
     out_.slip.setZero();
-    Local<2> d_slip = Local<2>::Zero();
-    for (int a = 0; a < Dimension; ++a) {
-      const Vector3d tau = out_.tangents.col(a);
-      out_.slip[a] = tau.dot(moved);
-      d_slip.row(a) = moved.transpose() * d_tangent_[static_cast<std::size_t>(a)] +
-                      (tau.transpose() * moved_slope) * d_projection_;
-      motion(d_slip.row(a), 0, 0) += in_space(tau);
-    }
-    expand(d_slip, out_.d_slip);
+    out_.slip.head<Dimension>() = along.head<Dimension>();
+    factors_.template bottomRows<2>() << out_.tangents.transpose() * moved_slope,
+        Eigen::Matrix<double, 2, 3>{{along[1], across, 0}, {-along[0], 0, across}};
+    if constexpr (Dimension == 1)
+      factors_.row(2).setZero();
   }
 
-  /// Derivatives by the motions → derivatives by q.
-  template <int Rows> void expand(const Local<Rows>& by_motions, Variation<Rows>& by_q) const {
-    using Block = Eigen::Matrix<double, Rows, components>;
-    by_q.resize(Rows, out_.unknowns());
-    Block by_approach = motion(by_motions, 0, 0);
+  using Block = Eigen::Matrix<double, row_count, components>;
+
+  /// From derivatives by the motions to those by q, node by node.
+  void expand() const {
+    const Index unknowns = out_.unknowns();
+    out_.d_projection.resize(2, unknowns);
+    out_.d_normal.resize(3, unknowns);
+    for (auto& variation : out_.d_tangent)
+      variation.resize(3, unknowns);
+    out_.d_gap.resize(unknowns);
+    out_.d_slip.resize(2, unknowns);
+    Block by_approach = motion(rows_, 0, 0);
     if constexpr (!Inside)
-      by_approach += motion(by_motions, free_start, 0);
+      by_approach += motion(rows_, free_start, 0);
     for (Index i = 0; i < slave_count_; ++i) {
-      auto block = motion(by_q, 0, static_cast<int>(i));
-      block = out_.shape[i] * by_approach;
+      Block rows = out_.shape[i] * by_approach;
       if constexpr (Turned)
-        block += motion(by_motions, turning_start, 0) *
-                 motion(out_.d_slave_normal, 0, static_cast<int>(i)).template topRows<components>();
+        rows += motion(rows_, turning_start, 0) *
+                motion(out_.d_slave_normal, 0, static_cast<int>(i)).template topRows<components>();
+      write(i, rows);
     }
     for (Index j = 0; j < face_.node_count; ++j) {
       const Index node = slave_count_ + j;
-      Block block = out_.shape[node] * motion(by_motions, 0, 0);
+      Block rows = out_.shape[node] * motion(rows_, 0, 0);
       for (int a = 0; a < Dimension; ++a)
-        block -= out_.shape_slope(node, a) * motion(by_motions, 0, 1 + a);
+        rows -= out_.shape_slope(node, a) * motion(rows_, 0, 1 + a);
       if constexpr (!Inside)
         for (int k = 0; k <= Dimension; ++k)
-          block += free_weights_(k, j) * motion(by_motions, free_start, k);
-      motion(by_q, 0, static_cast<int>(node)) = block;
+          rows += free_weights_(k, j) * motion(rows_, free_start, k);
+      write(node, rows);
     }
+  }
+
+  void write(Index node, const Block& rows) const {
+    const auto at = static_cast<int>(node);
+    const Vector3d n = normal(), t1 = tangent(0), t2 = tangent(1);
+    motion(out_.d_projection, 0, at) = rows.template topRows<2>();
+    motion(out_.d_normal, 0, at) = -t1 * rows.row(beta) - t2 * rows.row(gamma);
+    motion(out_.d_tangent[0], 0, at) = t2 * rows.row(alpha) + n * rows.row(beta);
+    motion(out_.d_tangent[1], 0, at) = n * rows.row(gamma) - t1 * rows.row(alpha);
+    Eigen::Matrix<double, 3, components> measures = factors_ * rows;
+    measures.row(0) += out_.shape[node] * in_space(n);
+    measures.row(1) += out_.shape[node] * in_space(t1);
+    if constexpr (Dimension == 2)
+      measures.row(2) += out_.shape[node] * in_space(t2);
+    motion(out_.d_gap, 0, at) = measures.row(0);
+    motion(out_.d_slip, 0, at) = measures.template bottomRows<2>();
   }
 
   const Zone& zone_;
@@ -310,9 +342,10 @@ private:
   /// What a master node's displacement is multiplied with in the free place's motions, one a row.
   Eigen::Matrix<double, 1 + Dimension, 9> free_weights_;
   Local<2> d_free_;
-  Local<2> d_projection_;
-  Local<3> d_normal_;
-  std::array<Local<3>, 2> d_tangent_;
+  /// dξ̄ and how the frame turns: dτ₁ = α τ₂ + β n, dτ₂ = −α τ₁ + γ n, dn = −β τ₁ − γ τ₂.
+  Local<row_count> rows_;
+  /// dg and dΔs are n·r and τ_a·r plus these factors times the rows.
+  Eigen::Matrix<double, 3, row_count> factors_;
 };
 
 template <int Dimension, bool Inside>

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -24,6 +25,8 @@ using mesh::CellType;
 constexpr double snap = 1e-12;
 constexpr int max_iterations = 30;
 constexpr double last_digit = 1e-14;
+/// A projection farther outside than this many of the last Newton step doesn't come back inside.
+constexpr double steps_outside = 10;
 /// Beyond this many face sizes the quadratic shape functions say nothing about the face any more.
 constexpr double far_away = 8.0;
 
@@ -74,6 +77,7 @@ template <int Dimension, int Nodes> struct FaceKind {
   static constexpr int nodes = Nodes;
   /// The projection on an affine face is one linear equation.
   static constexpr bool affine = Nodes == Dimension + 1;
+  static constexpr bool triangle = Nodes == 3 || Nodes == 6 || Nodes == 7;
 };
 
 template <class Visit> auto with_kind(CellType type, const Visit& visit) {
@@ -174,9 +178,18 @@ bool settled(double before, double now, bool by_newton, double size) {
          (by_newton && now < 1e-3 * before && now * now * now <= last_digit * before * before * size);
 }
 
+/// How far outside the reference face a place lies at least; ≤ 0 inside.
+template <class Kind> double beyond(const Vector2d& xi) {
+  if constexpr (Kind::dimension == 1)
+    return std::abs(xi[0]) - 1;
+  if constexpr (Kind::triangle)
+    return std::max({-xi[0], -xi[1], (xi[0] + xi[1] - 1) / std::numbers::sqrt2});
+  return xi.lpNorm<Eigen::Infinity>() - 1;
+}
+
 template <class Kind>
-void iterate(const FaceCoordinates& nodes, const Vector3d& point, Projection& result,
-             const fem::ReferenceCell& cell) {
+void iterate(const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted,
+             const fem::ReferenceCell& cell, Projection& result) {
   double before = 0;
   for (int iteration = 0; iteration < max_iterations && !result.converged; ++iteration) {
     const auto at = geometry_of<Kind>(nodes, shape_of<Kind>(cell, result.xi));
@@ -193,7 +206,9 @@ void iterate(const FaceCoordinates& nodes, const Vector3d& point, Projection& re
     // Rounding keeps the last digit moving on long faces; a step of a few of them changes nothing any more.
     if (iteration > 6 && length <= 1e-11)
       result.converged = true;
-    if (Kind::affine)
+    const bool given_up =
+        wanted == Wanted::inside && step.by_newton && beyond<Kind>(result.xi) > steps_outside * length;
+    if (Kind::affine || given_up)
       break;
     before = length;
   }
@@ -232,12 +247,12 @@ void clamp_to_face(CellType type, Projection& projection) {
   finish(projection);
 }
 
-Projection project(CellType type, const FaceCoordinates& nodes, const Vector3d& point) {
+Projection project(CellType type, const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted) {
   Projection result;
   if (is_triangle(type))
     result.xi = Vector2d(1.0 / 3, 1.0 / 3);
   const auto& cell = fem::reference_cell(type);
-  with_kind(type, [&](auto kind) { iterate<decltype(kind)>(nodes, point, result, cell); });
+  with_kind(type, [&](auto kind) { iterate<decltype(kind)>(nodes, point, wanted, cell, result); });
   clamp_to_face(type, result);
   return result;
 }

@@ -52,7 +52,12 @@ struct Projection {
 /// inside. Fills clamped, clamp_derivative and overshoot from xi.
 void clamp_to_face(mesh::CellType type, Projection& projection);
 
-/// Solves (x_s − x(ξ))·x,_a(ξ) = 0 by Newton's method from the middle of the face, then clamps.
-Projection project(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector3d& point);
+/// Which projections are asked for: those that aren't can be left as soon as that is known.
+enum class Wanted { any, inside };
+
+/// Solves (x_s − x(ξ))·x,_a(ξ) = 0 by Newton's method from the middle of the face, then clamps. When only one
+/// inside is wanted, a result outside is rough.
+Projection project(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector3d& point,
+                   Wanted wanted = Wanted::any);
 
 } // namespace rubato::contact
