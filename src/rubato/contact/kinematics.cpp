@@ -44,7 +44,7 @@ struct PlaceOnFace {
 /// Builds one point's kinematics step by step; lives only as long as evaluate_kinematics.
 ///
 /// Derivatives are taken with respect to the point's few motions first (see the header), which stand in this
-/// order, `components` columns each: r, m_a of the clamped place, those of the free place unless it is the
+/// order, `components` columns each: e, m_a of the clamped place, those of the free place unless it is the
 /// same (Inside), δn_s when the slave turns the normal (Turned).
 template <int Dimension, bool Inside, bool Turned> class Evaluation {
 public:
@@ -85,7 +85,7 @@ private:
   /// Rows of what all derivatives are made of.
   enum Row : int { xi1, xi2, alpha, beta, gamma, row_count };
 
-  /// The components of a motion among the columns: 0 is r, 1 + a is m_a.
+  /// The components of a motion among the columns: 0 is e, 1 + a is m_a.
   template <class Matrix> static auto motion(Matrix&& matrix, int start, int which) {
     return matrix.template middleCols<components>(start + which * components);
   }
@@ -274,7 +274,8 @@ private:
     const double across = normal().dot(moved);
     out_.slip.setZero();
     out_.slip.head<Dimension>() = along.head<Dimension>();
-    factors_.template bottomRows<2>() << out_.tangents.transpose() * moved_slope,
+    factors_.template block<2, 2>(1, xi1) = out_.tangents.transpose() * moved_slope;
+    factors_.template block<2, 3>(1, alpha) =
         Eigen::Matrix<double, 2, 3>{{along[1], across, 0}, {-along[0], 0, across}};
     if constexpr (Dimension == 1)
       factors_.row(2).setZero();
@@ -314,19 +315,20 @@ private:
   }
 
   void write(Index node, const Block& rows) const {
-    const auto at = static_cast<int>(node);
     const Vector3d n = normal(), t1 = tangent(0), t2 = tangent(1);
-    motion(out_.d_projection, 0, at) = rows.template topRows<2>();
-    motion(out_.d_normal, 0, at) = -t1 * rows.row(beta) - t2 * rows.row(gamma);
-    motion(out_.d_tangent[0], 0, at) = t2 * rows.row(alpha) + n * rows.row(beta);
-    motion(out_.d_tangent[1], 0, at) = n * rows.row(gamma) - t1 * rows.row(alpha);
-    Eigen::Matrix<double, 3, components> measures = factors_ * rows;
-    measures.row(0) += out_.shape[node] * in_space(n);
-    measures.row(1) += out_.shape[node] * in_space(t1);
-    if constexpr (Dimension == 2)
-      measures.row(2) += out_.shape[node] * in_space(t2);
-    motion(out_.d_gap, 0, at) = measures.row(0);
-    motion(out_.d_slip, 0, at) = measures.template bottomRows<2>();
+    const double shape = out_.shape[node];
+    for (int c = 0; c < components; ++c) {
+      const Index column = node * components + c;
+      const double a = rows(alpha, c), b = rows(beta, c), g = rows(gamma, c);
+      out_.d_projection.col(column) = rows.col(c).template head<2>();
+      out_.d_normal.col(column) = -b * t1 - g * t2;
+      out_.d_tangent[0].col(column) = a * t2 + b * n;
+      out_.d_tangent[1].col(column) = g * n - a * t1;
+      const Vector3d measures =
+          Vector3d(n[c], t1[c], Dimension == 2 ? t2[c] : 0.0) * shape + factors_.lazyProduct(rows.col(c));
+      out_.d_gap[column] = measures[0];
+      out_.d_slip.col(column) = measures.template tail<2>();
+    }
   }
 
   const Zone& zone_;
@@ -344,7 +346,7 @@ private:
   Local<2> d_free_;
   /// dξ̄ and how the frame turns: dτ₁ = α τ₂ + β n, dτ₂ = −α τ₁ + γ n, dn = −β τ₁ − γ τ₂.
   Local<row_count> rows_;
-  /// dg and dΔs are n·r and τ_a·r plus these factors times the rows.
+  /// dg and dΔs_a are n·e and τ_a·e plus these factors times the rows.
   Eigen::Matrix<double, 3, row_count> factors_;
 };
 

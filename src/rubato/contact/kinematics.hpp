@@ -12,7 +12,7 @@
 ///
 /// Whatever the face, all of these depend linearly on a few motions of the point only, which is how they are
 /// computed:
-///   r = δx_s − Σ N_j(ξ̄) δu_j,   m_a = Σ N_j,a(ξ̄) δu_j
+///   e = δx_s − Σ N_j(ξ̄) δu_j,   m_a = Σ N_j,a(ξ̄) δu_j
 /// where the projection is clamped, the same two at ξ, and where the slave turns the normal, its δn_s. The
 /// frame stays orthonormal, so that three numbers say how it turns:
 ///   dτ₁ = α τ₂ + β n,   dτ₂ = −α τ₁ + γ n,   dn = −β τ₁ − γ τ₂

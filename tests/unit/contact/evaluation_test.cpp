@@ -148,7 +148,7 @@ TEST_P(ProjectionWantedInside, IsFoundWhereThereIsOneAndNowhereElse) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> along(-2, 2);
     std::uniform_real_distribution<double> above(-0.3, 0.3);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 400; ++i) {
       const bool plane = mesh::topology(GetParam()).dimension == 1;
       const double x = along(random), y = along(random), z = above(random);
       const Vector3d point = plane ? Vector3d(x, z, 0) : Vector3d(x, y, z);
