@@ -158,6 +158,31 @@ PointState measured(const Zone& zone, const SlavePoint& point, const VectorXd& m
   return state;
 }
 
+void evaluate_pairs(const Zone& zone, std::span<const Pair> pairs, const VectorXd& multipliers,
+                    const Configuration& configuration, std::vector<PointEvaluation>& into) {
+  into.resize(zone.points.size());
+  for (std::size_t i = 0; i < zone.points.size(); ++i) {
+    auto& evaluation = into[i];
+    evaluation.pair = pairs[i];
+    if (!pairs[i].paired())
+      evaluation.kinematics.reset();
+    else if (!evaluation.kinematics)
+      evaluation.kinematics.emplace();
+    if (evaluation.kinematics)
+      evaluate_kinematics(zone, zone.points[i], pairs[i], configuration, *evaluation.kinematics);
+    evaluation.variables = measured(zone, zone.points[i], multipliers, evaluation.kinematics);
+  }
+}
+
+void measure_again(const Zone& zone, const VectorXd& multipliers, const Configuration& configuration,
+                   std::span<PointEvaluation> held) {
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (held[i].kinematics)
+      measure_in_held_frame(*held[i].kinematics, configuration);
+    held[i].variables = measured(zone, zone.points[i], multipliers, held[i].kinematics);
+  }
+}
+
 /// Mean over the directions of the point's own stiffness, each node counted with its share.
 double resistance(const SlavePoint& point, const fem::DofMap& dofs,
                   const Eigen::Ref<const VectorXd>& diagonal) {
@@ -206,16 +231,15 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dof
 
 std::vector<PointEvaluation> evaluate(const Zone& zone, const VectorXd& multipliers,
                                       const Configuration& configuration) {
-  auto pairs = find_pairs(zone, configuration);
-  std::vector<PointEvaluation> evaluations(zone.points.size());
-  for (std::size_t i = 0; i < zone.points.size(); ++i) {
-    auto& evaluation = evaluations[i];
-    evaluation.pair = pairs[i];
-    if (evaluation.pair.paired())
-      evaluation.kinematics = evaluate_kinematics(zone, zone.points[i], evaluation.pair, configuration);
-    evaluation.variables = measured(zone, zone.points[i], multipliers, evaluation.kinematics);
-  }
+  std::vector<PointEvaluation> evaluations;
+  evaluate_pairs(zone, find_pairs(zone, configuration), multipliers, configuration, evaluations);
   return evaluations;
+}
+
+void evaluate(NeighbourList& neighbours, const VectorXd& multipliers, const Configuration& configuration,
+              std::vector<PointEvaluation>& into) {
+  neighbours.update(configuration);
+  evaluate_pairs(neighbours.zone(), neighbours.pairs(), multipliers, configuration, into);
 }
 
 std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> points) {
@@ -228,12 +252,15 @@ std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> point
 std::vector<PointEvaluation> evaluate_in_held_frames(std::vector<PointEvaluation> held, const Zone& zone,
                                                      const VectorXd& multipliers,
                                                      const Configuration& configuration) {
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    if (held[i].kinematics)
-      measure_in_held_frame(*held[i].kinematics, configuration);
-    held[i].variables = measured(zone, zone.points[i], multipliers, held[i].kinematics);
-  }
+  measure_again(zone, multipliers, configuration, held);
   return held;
+}
+
+void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zone& zone,
+                             const VectorXd& multipliers, const Configuration& configuration,
+                             std::vector<PointEvaluation>& into) {
+  into = held;
+  measure_again(zone, multipliers, configuration, into);
 }
 
 PointLaw ZoneLaw::of_point(std::size_t index) const {

@@ -4,6 +4,7 @@
 
 #include "rubato/contact/kinematics.hpp"
 #include "rubato/contact/law.hpp"
+#include "rubato/contact/neighbours.hpp"
 #include "rubato/contact/pairing.hpp"
 #include "rubato/contact/zone.hpp"
 
@@ -65,6 +66,11 @@ struct PointEvaluation {
 std::vector<PointEvaluation> evaluate(const Zone& zone, const Eigen::VectorXd& multipliers,
                                       const Configuration& configuration);
 
+/// The same in the storage that an earlier evaluation of the zone left in `into`, with pairs from a list of
+/// neighbours kept from one configuration to the next: in steady state nothing is searched or allocated.
+void evaluate(NeighbourList& neighbours, const Eigen::VectorXd& multipliers,
+              const Configuration& configuration, std::vector<PointEvaluation>& into);
+
 /// The points with the place on the master, normal and tangents they have now, held.
 std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> points);
 
@@ -72,6 +78,11 @@ std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> point
 std::vector<PointEvaluation> evaluate_in_held_frames(std::vector<PointEvaluation> held, const Zone& zone,
                                                      const Eigen::VectorXd& multipliers,
                                                      const Configuration& configuration);
+
+/// The same in the storage of `into`.
+void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zone& zone,
+                             const Eigen::VectorXd& multipliers, const Configuration& configuration,
+                             std::vector<PointEvaluation>& into);
 
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/kinematics.hpp"
 
-#include "rubato/fem/reference_cell.hpp"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -11,29 +9,9 @@
 namespace rubato::contact {
 namespace {
 
+using Eigen::Index;
 using Eigen::Matrix3d;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
-
-/// Shape functions of a face at one reference point.
-struct FaceShape {
-  std::array<double, 9> values{};
-  std::array<double, 18> gradients{};
-  int dimension = 2;
-
-  FaceShape(mesh::CellType type, const Vector2d& xi) {
-    const auto& cell = fem::reference_cell(type);
-    dimension = cell.dimension;
-    const Vector3d at(xi[0], xi[1], 0);
-    cell.values(at, std::span(values).first(static_cast<std::size_t>(cell.node_count)));
-    cell.gradients(at, std::span(gradients).first(static_cast<std::size_t>(cell.node_count * dimension)));
-  }
-  double value(Eigen::Index node) const { return values[static_cast<std::size_t>(node)]; }
-  double gradient(Eigen::Index node, int direction) const {
-    return gradients[static_cast<std::size_t>(node * dimension + direction)];
-  }
-};
 
 /// v / |v| and the matrix that turns dv into its variation.
 struct Unit {
@@ -41,260 +19,382 @@ struct Unit {
   Matrix3d derivative;
 
   explicit Unit(const Vector3d& v) {
-    const double length = v.norm();
-    direction = v / length;
-    derivative = (Matrix3d::Identity() - direction * direction.transpose()) / length;
+    const double inverse_length = 1 / v.norm();
+    direction = inverse_length * v;
+    derivative = inverse_length * (Matrix3d::Identity() - direction * direction.transpose());
   }
 };
 
-Matrix3d cross_matrix(const Vector3d& v) {
+/// v ↦ a × v
+Matrix3d cross_matrix(const Vector3d& a) {
   Matrix3d m;
-  m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
+  m << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
   return m;
 }
 
-/// d(a × b) = a × db − b × da
-Variation<3> cross_variation(const Vector3d& a, const Variation<3>& da, const Vector3d& b,
-                             const Variation<3>& db) {
-  return cross_matrix(a) * db - cross_matrix(b) * da;
-}
+/// A face at a reference point.
+struct PlaceOnFace {
+  FaceShape shape;
+  FaceGeometry at;
+
+  PlaceOnFace(const Face& face, const FaceCoordinates& coordinates, const Eigen::Vector2d& xi)
+      : shape(face_shape(face.type, xi)), at(face_geometry(face.type, coordinates, shape)) {}
+};
 
 /// Builds one point's kinematics step by step; lives only as long as evaluate_kinematics.
-class Evaluation {
+///
+/// Derivatives are taken with respect to the point's few motions first (see the header), which stand in this
+/// order, `components` columns each: e, m_a of the clamped place, those of the free place unless it is the
+/// same (Inside), δn_s when the slave turns the normal (Turned).
+template <int Dimension, bool Inside, bool Turned> class Evaluation {
 public:
-  Evaluation(const Zone& zone, const SlavePoint& point, const Pair& pair, const Configuration& configuration)
-      : zone_(zone), point_(point), pair_(pair), configuration_(configuration),
-        face_(zone.master.faces[static_cast<std::size_t>(pair.master_face)]),
-        coordinates_(deformed(face_, configuration)), free_(face_.type, pair.projection.xi),
-        clamped_(face_.type, pair.projection.clamped),
-        at_free_(face_geometry(face_.type, coordinates_, pair.projection.xi)),
-        at_clamped_(face_geometry(face_.type, coordinates_, pair.projection.clamped)) {
-    slave_count_ = static_cast<Eigen::Index>(point.nodes.size());
-    out_.components = configuration.dofs->components;
-    out_.parametric_dimension = parametric_dimension(face_.type);
-  }
+  Evaluation(const Zone& zone, const SlavePoint& point, const Pair& pair, const Configuration& configuration,
+             Kinematics& out)
+      : zone_(zone), point_(point), projection_(pair.projection), configuration_(configuration),
+        face_(zone.master.faces[static_cast<std::size_t>(pair.master_face)]), out_(out),
+        coordinates_(deformed(face_, configuration)), clamped_(face_, coordinates_, projection_.clamped),
+        slave_position_(position(point, configuration)),
+        slave_count_(static_cast<Index>(point.nodes.size())) {}
 
-  Kinematics run() {
+  void run() {
     collect_nodes();
-    vary_projection();
-    build_frame();
+    if constexpr (Inside) {
+      vary_projection(clamped_);
+      vary_frame();
+    } else {
+      const PlaceOnFace free(face_, coordinates_, projection_.xi);
+      collect_free_weights(free.shape);
+      vary_projection(free);
+      if (zone_.settings.clamped_normal == deck::ClampedNormal::code_aster)
+        vary_frame(free);
+      else
+        vary_frame();
+    }
     measure_gap();
     measure_slip();
-    return std::move(out_);
+    expand();
   }
 
 private:
-  Eigen::Index unknowns() const { return out_.unknowns(); }
+  static constexpr int components = Dimension + 1;
+  static constexpr int place_columns = (1 + Dimension) * components;
+  static constexpr int free_start = Inside ? 0 : place_columns;
+  static constexpr int turning_start = free_start + place_columns;
+  static constexpr int columns = turning_start + (Turned ? components : 0);
+  template <int Rows> using Local = Eigen::Matrix<double, Rows, columns>;
+  /// Rows of what all derivatives are made of.
+  enum Row : int { xi1, xi2, alpha, beta, gamma, row_count };
 
-  /// Adds factor · d(displacement of local node) to the rows of a variation.
-  void add_node(Variation<3>& variation, Eigen::Index node, double factor) const {
-    for (int i = 0; i < out_.components; ++i)
-      variation(i, node * out_.components + i) += factor;
+  /// The components of a motion among the columns: 0 is e, 1 + a is m_a.
+  template <class Matrix> static auto motion(Matrix&& matrix, int start, int which) {
+    return matrix.template middleCols<components>(start + which * components);
   }
-
-  /// Adds v · d(displacement of local node) to a row.
-  template <class Row> void add_node_along(Row&& row, Eigen::Index node, const Vector3d& v) const {
-    for (int i = 0; i < out_.components; ++i)
-      row[node * out_.components + i] += v[i];
-  }
+  static auto in_space(const Vector3d& v) { return v.head<components>().transpose(); }
 
   void collect_nodes() {
-    out_.nodes = point_.nodes;
+    out_.components = components;
+    out_.parametric_dimension = Dimension;
+    out_.nodes.assign(point_.nodes.begin(), point_.nodes.end());
     out_.nodes.insert(out_.nodes.end(), face_.node_span().begin(), face_.node_span().end());
-    const auto count = static_cast<Eigen::Index>(out_.nodes.size());
-    out_.shape = VectorXd::Zero(count);
-    out_.shape_slope = Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(count, 2);
-    for (Eigen::Index i = 0; i < slave_count_; ++i)
+    const auto count = static_cast<Index>(out_.nodes.size());
+    out_.shape.resize(count);
+    out_.shape_slope.setZero(count, 2);
+    for (Index i = 0; i < slave_count_; ++i)
       out_.shape[i] = point_.shape[static_cast<std::size_t>(i)];
-    for (Eigen::Index j = 0; j < face_.node_count; ++j) {
-      out_.shape[slave_count_ + j] = -clamped_.value(j);
-      for (int a = 0; a < out_.parametric_dimension; ++a)
-        out_.shape_slope(slave_count_ + j, a) = -clamped_.gradient(j, a);
+    for (Index j = 0; j < face_.node_count; ++j) {
+      const auto node = static_cast<std::size_t>(j);
+      out_.shape[slave_count_ + j] = -clamped_.shape.values[node];
+      for (int a = 0; a < Dimension; ++a)
+        out_.shape_slope(slave_count_ + j, a) = -gradient(clamped_.shape, j, a);
     }
   }
 
-  void vary_projection() {
-    const int dimension = out_.parametric_dimension;
-    const Vector3d r = position(point_, configuration_) - at_free_.position;
-    Variation<2> right = Variation<2>::Zero(2, unknowns());
-    for (int a = 0; a < dimension; ++a) {
-      const Vector3d t = at_free_.tangents.col(a);
-      for (Eigen::Index i = 0; i < slave_count_; ++i)
-        add_node_along(right.row(a), i, out_.shape[i] * t);
-      for (Eigen::Index j = 0; j < face_.node_count; ++j)
-        add_node_along(right.row(a), slave_count_ + j, free_.gradient(j, a) * r - free_.value(j) * t);
-    }
-    Eigen::Matrix2d slope = Eigen::Matrix2d::Identity();
-    for (int a = 0; a < dimension; ++a)
-      for (int b = 0; b < dimension; ++b)
-        slope(a, b) = at_free_.tangents.col(a).dot(at_free_.tangents.col(b)) -
-                      r.dot(at_free_.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)]);
-    d_free_ = slope.inverse() * right;
-    out_.d_projection = pair_.projection.clamp_derivative * d_free_;
+  static double gradient(const FaceShape& shape, Index node, int direction) {
+    return shape.gradients[static_cast<std::size_t>(node * Dimension + direction)];
   }
 
-  /// d x,_a at a reference point that moves by d_xi.
-  Variation<3> vary_tangent(int a, const FaceShape& shape, const FaceGeometry& at,
-                            const Variation<2>& d_xi) const {
-    Variation<3> variation = Variation<3>::Zero(3, unknowns());
-    if (a >= out_.parametric_dimension)
-      return variation;
-    for (Eigen::Index j = 0; j < face_.node_count; ++j)
-      add_node(variation, slave_count_ + j, shape.gradient(j, a));
-    for (int b = 0; b < out_.parametric_dimension; ++b)
-      variation += at.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] * d_xi.row(b);
-    return variation;
+  void collect_free_weights(const FaceShape& shape) {
+    for (Index j = 0; j < face_.node_count; ++j) {
+      free_weights_(0, j) = -shape.values[static_cast<std::size_t>(j)];
+      for (int a = 0; a < Dimension; ++a)
+        free_weights_(1 + a, j) = gradient(shape, j, a);
+    }
   }
 
-  void build_frame() {
-    std::array<Vector3d, 2> t;
-    std::array<Variation<3>, 2> dt;
-    const bool accumulate =
-        zone_.settings.clamped_normal == deck::ClampedNormal::code_aster && !pair_.projection.inside();
-    for (int a = 0; a < 2; ++a) {
-      const auto i = static_cast<std::size_t>(a);
-      t[i] = at_clamped_.tangents.col(a);
-      dt[i] = vary_tangent(a, clamped_, at_clamped_, out_.d_projection);
-      if (accumulate && a < out_.parametric_dimension) {
-        t[i] += at_free_.tangents.col(a);
-        dt[i] += vary_tangent(a, free_, at_free_, d_free_);
-      }
+  /// dξ̄, and dξ where it differs.
+  void vary_projection(const PlaceOnFace& free) {
+    const Vector3d r = slave_position_ - free.at.position;
+    Eigen::Matrix<double, Dimension, columns> right = Eigen::Matrix<double, Dimension, columns>::Zero();
+    Eigen::Matrix<double, Dimension, Dimension> slope;
+    for (int a = 0; a < Dimension; ++a) {
+      const Vector3d t = free.at.tangents.col(a);
+      motion(right.row(a), free_start, 0) = in_space(t);
+      motion(right.row(a), free_start, 1 + a) = in_space(r);
+      for (int b = 0; b < Dimension; ++b)
+        slope(a, b) = t.dot(free.at.tangents.col(b)) - r.dot(curvature(free, a, b));
     }
-    const Unit first(t[0]);
-    const Unit master(t[0].cross(t[1]));
-    out_.normal = master.direction;
-    out_.d_normal = master.derivative * cross_variation(t[0], dt[0], t[1], dt[1]);
-    out_.tangents.col(0) = first.direction;
-    out_.d_tangent[0] = first.derivative * dt[0];
-    if (zone_.settings.normal != deck::ContactNormal::master)
+    d_free_.setZero();
+    d_free_.template topRows<Dimension>() = slope.inverse() * right;
+    if constexpr (Inside)
+      rows_.template topRows<2>() = d_free_;
+    else
+      rows_.template topRows<2>() = projection_.clamp_derivative * d_free_;
+  }
+
+  static const Vector3d& curvature(const PlaceOnFace& place, int a, int b) {
+    return place.at.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+  }
+
+  /// Adds v · d x,_a at a reference point that moves by d_xi.
+  template <class Rows>
+  static void add_tangent(const Vector3d& v, int a, const PlaceOnFace& place, int start, const Rows& d_xi,
+                          Local<1>& sum) {
+    motion(sum, start, 1 + a) += in_space(v);
+    for (int b = 0; b < Dimension; ++b)
+      sum += v.dot(curvature(place, a, b)) * d_xi.row(b);
+  }
+
+  /// The frame at the clamped place or, with Code_Aster, at the sum of both places' tangents t_a. Its turn
+  /// follows from n·dt_a = −t_a·dn and τ₂·dt₁ = |t₁| τ₂·dτ₁.
+  template <class... Free> void vary_frame(const Free&... free) {
+    Eigen::Matrix<double, 3, 2> t = clamped_.at.tangents;
+    for (int a = 0; a < Dimension; ++a)
+      ((t.col(a) += free.at.tangents.col(a)), ...);
+    const auto along_tangent = [&](const Vector3d& v, int a) {
+      Local<1> sum = Local<1>::Zero();
+      add_tangent(v, a, clamped_, 0, rows_.template topRows<2>(), sum);
+      (add_tangent(v, a, free, free_start, d_free_, sum), ...);
+      return sum;
+    };
+    const double length = t.col(0).norm();
+    set_frame(t.col(0).cross(t.col(1)).normalized(), t.col(0) / length);
+    rows_.row(beta) = along_tangent(normal(), 0) / length;
+    if constexpr (Dimension == 2) {
+      rows_.row(alpha) = along_tangent(tangent(1), 0) / length;
+      rows_.row(gamma) = (along_tangent(normal(), 1) - t.col(1).dot(tangent(0)) * rows_.row(beta)) /
+                         t.col(1).dot(tangent(1));
+    } else {
+      rows_.row(alpha).setZero();
+      rows_.row(gamma).setZero();
+    }
+    if constexpr (Turned)
       turn_to_slave();
-    finish_tangents();
   }
 
-  /// Σ over the slave faces at the point of their unit normals, with its variation.
-  void slave_normal(Vector3d& sum, Variation<3>& variation) const {
-    sum.setZero();
-    variation = Variation<3>::Zero(3, unknowns());
-    for (const auto& place : point_.stands_on) {
-      const auto& face = zone_.slave.faces[static_cast<std::size_t>(place.face)];
-      const auto at = face_geometry(face.type, deformed(face, configuration_), place.xi);
-      const FaceShape shape(face.type, place.xi);
-      std::array<Variation<3>, 2> dt;
-      for (int a = 0; a < 2; ++a) {
-        auto& variation_of_tangent = dt[static_cast<std::size_t>(a)];
-        variation_of_tangent = Variation<3>::Zero(3, unknowns());
-        for (int i = 0; a < out_.parametric_dimension && i < face.node_count; ++i)
-          add_node(variation_of_tangent, local_slave_node(face.nodes[static_cast<std::size_t>(i)]),
-                   shape.gradient(i, a));
-      }
-      const Unit unit(at.tangents.col(0).cross(at.tangents.col(1)));
+  const Vector3d& normal() const { return out_.normal; }
+  Vector3d tangent(int a) const { return out_.tangents.col(a); }
+  void set_frame(const Vector3d& unit_normal, const Vector3d& first_tangent) {
+    out_.normal = unit_normal;
+    out_.tangents.col(0) = first_tangent;
+    out_.tangents.col(1) = unit_normal.cross(first_tangent);
+  }
+
+  /// n_s, the unit of the sum over the slave faces at the point of their unit normals; fills its variation.
+  Vector3d slave_normal() {
+    Vector3d sum = Vector3d::Zero();
+    auto& variation = out_.d_slave_normal;
+    variation.setZero(3, slave_count_ * components);
+    for (const auto& on : point_.stands_on) {
+      const auto& face = zone_.slave.faces[static_cast<std::size_t>(on.face)];
+      const PlaceOnFace place(face, deformed(face, configuration_), on.xi);
+      const Vector3d t1 = place.at.tangents.col(0);
+      const Vector3d t2 = place.at.tangents.col(1);
+      const Unit unit(t1.cross(t2));
       sum += unit.direction;
-      variation += unit.derivative * cross_variation(at.tangents.col(0), dt[0], at.tangents.col(1), dt[1]);
+      const Matrix3d by_first = -(unit.derivative * cross_matrix(t2));
+      const Matrix3d by_second = unit.derivative * cross_matrix(t1);
+      for (Index i = 0; i < face.node_count; ++i) {
+        auto block = variation.template middleCols<components>(
+            components * local_slave_node(face.nodes[static_cast<std::size_t>(i)]));
+        block += gradient(place.shape, i, 0) * by_first.leftCols<components>();
+        if constexpr (Dimension == 2)
+          block += gradient(place.shape, i, 1) * by_second;
+      }
     }
+    const Unit slave(sum);
+    for (Index i = 0; i < slave_count_; ++i) {
+      auto block = variation.template middleCols<components>(i * components);
+      block = (slave.derivative * block).eval();
+    }
+    return slave.direction;
   }
 
-  Eigen::Index local_slave_node(mesh::NodeIndex node) const {
-    Eigen::Index i = 0;
+  Index local_slave_node(mesh::NodeIndex node) const {
+    Index i = 0;
     while (point_.nodes[static_cast<std::size_t>(i)] != node)
       ++i;
     return i;
   }
 
+  /// From the master's frame to one with the normal −n_s or n − n_s, made a unit. τ₁ keeps the master's first
+  /// direction as far as the turned normal allows.
   void turn_to_slave() {
-    Vector3d sum;
-    Variation<3> d_sum;
-    slave_normal(sum, d_sum);
-    const Unit slave(sum);
-    Vector3d direction = -slave.direction;
-    Variation<3> d_direction = -slave.derivative * d_sum;
-    if (zone_.settings.normal == deck::ContactNormal::average) {
-      direction += out_.normal;
-      d_direction += out_.d_normal;
-    }
-    const Unit turned(direction);
-    out_.normal = turned.direction;
-    out_.d_normal = turned.derivative * d_direction;
-    // τ₁ keeps the master's first direction as far as the turned normal allows.
-    const Vector3d along = out_.tangents.col(0);
-    const double part = along.dot(out_.normal);
-    const Variation<1> d_part =
-        along.transpose() * out_.d_normal + out_.normal.transpose() * out_.d_tangent[0];
-    const Unit first(along - part * out_.normal);
-    out_.d_tangent[0] =
-        first.derivative * (out_.d_tangent[0] - part * out_.d_normal - out_.normal * d_part).eval();
-    out_.tangents.col(0) = first.direction;
-  }
-
-  void finish_tangents() {
-    const Vector3d t1 = out_.tangents.col(0);
-    out_.tangents.col(1) = out_.normal.cross(t1);
-    out_.d_tangent[1] = cross_variation(out_.normal, out_.d_normal, t1, out_.d_tangent[0]);
-  }
-
-  /// v·d(x_s − x_m(ξ̄)) with ξ̄ held.
-  Variation<1> along_shape(const Vector3d& v) const {
-    Variation<1> row = Variation<1>::Zero(unknowns());
-    for (Eigen::Index i = 0; i < out_.shape.size(); ++i)
-      add_node_along(row, i, out_.shape[i] * v);
-    return row;
+    const bool average = zone_.settings.normal == deck::ContactNormal::average;
+    const Vector3d n = normal(), t1 = tangent(0), t2 = tangent(1);
+    const Local<row_count> master = rows_;
+    const Vector3d direction = (average ? n : Vector3d::Zero().eval()) - slave_normal();
+    const Vector3d turned = direction.normalized();
+    const double part = t1.dot(turned);
+    const Vector3d along = t1 - part * turned;
+    set_frame(turned, along.normalized());
+    const auto against_normal = [&](const Vector3d& v) { // −v·dn
+      Local<1> row = Local<1>::Zero();
+      motion(row, turning_start, 0) = in_space(v);
+      if (average)
+        row += v.dot(t1) * master.row(beta) + v.dot(t2) * master.row(gamma);
+      return (row / direction.norm()).eval();
+    };
+    rows_.row(beta) = against_normal(tangent(0));
+    rows_.row(gamma) = against_normal(tangent(1));
+    rows_.row(alpha) = (tangent(1).dot(t2) * master.row(alpha) + tangent(1).dot(n) * master.row(beta) +
+                        part * rows_.row(gamma)) /
+                       along.norm();
   }
 
   void measure_gap() {
-    const Vector3d apart = position(point_, configuration_) - at_clamped_.position;
-    out_.gap = out_.normal.dot(apart);
-    out_.d_gap = along_shape(out_.normal) + apart.transpose() * out_.d_normal;
-    for (int a = 0; a < out_.parametric_dimension; ++a)
-      out_.d_gap -= out_.normal.dot(at_clamped_.tangents.col(a)) * out_.d_projection.row(a);
+    const Vector3d apart = slave_position_ - clamped_.at.position;
+    out_.gap = normal().dot(apart);
+    factors_.row(0).setZero();
+    factors_(0, beta) = -apart.dot(tangent(0));
+    factors_(0, gamma) = -apart.dot(tangent(1));
+    for (int a = 0; a < Dimension; ++a)
+      factors_(0, xi1 + a) = -normal().dot(clamped_.at.tangents.col(a));
   }
 
   void measure_slip() {
     Vector3d moved = Vector3d::Zero();
     Eigen::Matrix<double, 3, 2> moved_slope = Eigen::Matrix<double, 3, 2>::Zero();
-    for (Eigen::Index i = 0; i < out_.shape.size(); ++i) {
+    for (Index i = 0; i < out_.shape.size(); ++i) {
       const Vector3d increment = configuration_.increment(out_.nodes[static_cast<std::size_t>(i)]);
       moved += out_.shape[i] * increment;
-      moved_slope += increment * out_.shape_slope.row(i);
+      for (int a = 0; a < Dimension; ++a)
+        moved_slope.col(a) += out_.shape_slope(i, a) * increment;
     }
-    out_.d_slip = Variation<2>::Zero(2, unknowns());
-    for (int a = 0; a < out_.parametric_dimension; ++a) {
-      const Vector3d tau = out_.tangents.col(a);
-      out_.slip[a] = tau.dot(moved);
-      out_.d_slip.row(a) = along_shape(tau) +
-                           moved.transpose() * out_.d_tangent[static_cast<std::size_t>(a)] +
-                           (tau.transpose() * moved_slope) * out_.d_projection;
+    const Eigen::Vector2d along = out_.tangents.transpose() * moved;
+    const double across = normal().dot(moved);
+    out_.slip.setZero();
+    out_.slip.head<Dimension>() = along.head<Dimension>();
+    factors_.template block<2, 2>(1, xi1) = out_.tangents.transpose() * moved_slope;
+    factors_.template block<2, 3>(1, alpha) =
+        Eigen::Matrix<double, 2, 3>{{along[1], across, 0}, {-along[0], 0, across}};
+    if constexpr (Dimension == 1)
+      factors_.row(2).setZero();
+  }
+
+  using Block = Eigen::Matrix<double, row_count, components>;
+
+  /// From derivatives by the motions to those by q, node by node.
+  void expand() const {
+    const Index unknowns = out_.unknowns();
+    out_.d_projection.resize(2, unknowns);
+    out_.d_normal.resize(3, unknowns);
+    for (auto& variation : out_.d_tangent)
+      variation.resize(3, unknowns);
+    out_.d_gap.resize(unknowns);
+    out_.d_slip.resize(2, unknowns);
+    Block by_approach = motion(rows_, 0, 0);
+    if constexpr (!Inside)
+      by_approach += motion(rows_, free_start, 0);
+    for (Index i = 0; i < slave_count_; ++i) {
+      Block rows = out_.shape[i] * by_approach;
+      if constexpr (Turned)
+        rows += motion(rows_, turning_start, 0) *
+                motion(out_.d_slave_normal, 0, static_cast<int>(i)).template topRows<components>();
+      write(i, rows);
+    }
+    for (Index j = 0; j < face_.node_count; ++j) {
+      const Index node = slave_count_ + j;
+      Block rows = out_.shape[node] * motion(rows_, 0, 0);
+      for (int a = 0; a < Dimension; ++a)
+        rows -= out_.shape_slope(node, a) * motion(rows_, 0, 1 + a);
+      if constexpr (!Inside)
+        for (int k = 0; k <= Dimension; ++k)
+          rows += free_weights_(k, j) * motion(rows_, free_start, k);
+      write(node, rows);
+    }
+  }
+
+  void write(Index node, const Block& rows) const {
+    const Vector3d n = normal(), t1 = tangent(0), t2 = tangent(1);
+    const double shape = out_.shape[node];
+    for (int c = 0; c < components; ++c) {
+      const Index column = node * components + c;
+      const double a = rows(alpha, c), b = rows(beta, c), g = rows(gamma, c);
+      out_.d_projection.col(column) = rows.col(c).template head<2>();
+      out_.d_normal.col(column) = -b * t1 - g * t2;
+      out_.d_tangent[0].col(column) = a * t2 + b * n;
+      out_.d_tangent[1].col(column) = g * n - a * t1;
+      const Vector3d measures =
+          Vector3d(n[c], t1[c], Dimension == 2 ? t2[c] : 0.0) * shape + factors_.lazyProduct(rows.col(c));
+      out_.d_gap[column] = measures[0];
+      out_.d_slip.col(column) = measures.template tail<2>();
     }
   }
 
   const Zone& zone_;
   const SlavePoint& point_;
-  const Pair& pair_;
+  const Projection& projection_;
   const Configuration& configuration_;
   const Face& face_;
+  Kinematics& out_;
   FaceCoordinates coordinates_;
-  FaceShape free_;
-  FaceShape clamped_;
-  FaceGeometry at_free_;
-  FaceGeometry at_clamped_;
-  Eigen::Index slave_count_ = 0;
-  Variation<2> d_free_;
-  Kinematics out_;
+  PlaceOnFace clamped_;
+  Vector3d slave_position_;
+  Index slave_count_;
+  /// What a master node's displacement is multiplied with in the free place's motions, one a row.
+  Eigen::Matrix<double, 1 + Dimension, 9> free_weights_;
+  Local<2> d_free_;
+  /// dξ̄ and how the frame turns: dτ₁ = α τ₂ + β n, dτ₂ = −α τ₁ + γ n, dn = −β τ₁ − γ τ₂.
+  Local<row_count> rows_;
+  /// dg and dΔs_a are n·e and τ_a·e plus these factors times the rows.
+  Eigen::Matrix<double, 3, row_count> factors_;
 };
+
+template <int Dimension, bool Inside>
+void evaluate_turned(const Zone& zone, const SlavePoint& point, const Pair& pair,
+                     const Configuration& configuration, Kinematics& into) {
+  if (zone.settings.normal == deck::ContactNormal::master)
+    Evaluation<Dimension, Inside, false>(zone, point, pair, configuration, into).run();
+  else
+    Evaluation<Dimension, Inside, true>(zone, point, pair, configuration, into).run();
+}
+
+template <int Dimension>
+void evaluate_clamped(const Zone& zone, const SlavePoint& point, const Pair& pair,
+                      const Configuration& configuration, Kinematics& into) {
+  if (pair.projection.inside())
+    evaluate_turned<Dimension, true>(zone, point, pair, configuration, into);
+  else
+    evaluate_turned<Dimension, false>(zone, point, pair, configuration, into);
+}
 
 } // namespace
 
 Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                                const Configuration& configuration) {
-  return Evaluation(zone, point, pair, configuration).run();
+  Kinematics kinematics;
+  evaluate_kinematics(zone, point, pair, configuration, kinematics);
+  return kinematics;
+}
+
+void evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
+                         const Configuration& configuration, Kinematics& into) {
+  if (configuration.dofs->components == 2)
+    evaluate_clamped<1>(zone, point, pair, configuration, into);
+  else
+    evaluate_clamped<2>(zone, point, pair, configuration, into);
 }
 
 Kinematics with_held_frame(Kinematics k) {
   const auto unknowns = k.unknowns();
-  k.d_projection = Variation<2>::Zero(2, unknowns);
-  k.d_normal = Variation<3>::Zero(3, unknowns);
-  k.d_tangent.fill(Variation<3>::Zero(3, unknowns));
+  k.d_projection.setZero(2, unknowns);
+  k.d_normal.setZero(3, unknowns);
+  for (auto& variation : k.d_tangent)
+    variation.setZero(3, unknowns);
+  k.d_slave_normal.resize(3, 0);
   k.shape_slope.setZero();
-  k.d_gap = Variation<1>::Zero(unknowns);
-  k.d_slip = Variation<2>::Zero(2, unknowns);
+  k.d_gap.resize(unknowns);
+  k.d_slip.setZero(2, unknowns);
   for (Eigen::Index node = 0; node < k.shape.size(); ++node)
     for (int i = 0; i < k.components; ++i) {
       const auto column = node * k.components + i;

@@ -9,6 +9,13 @@
 ///   τ₁ = t₁/|t₁|, τ₂ = n × τ₁
 /// The projection moves with q: (t_a·t_b − r·x,_ab) dξ_b = t_a·(dx_s − ΣN_j dx_j) + r·ΣN_j,_a dx_j, r = x_s −
 /// x_m(ξ) (Laursen, Computational Contact and Impact Mechanics, 2002, ch. 5).
+///
+/// Whatever the face, all of these depend linearly on a few motions of the point only, which is how they are
+/// computed:
+///   e = δx_s − Σ N_j(ξ̄) δu_j,   m_a = Σ N_j,a(ξ̄) δu_j
+/// where the projection is clamped, the same two at ξ, and where the slave turns the normal, its δn_s. The
+/// frame stays orthonormal, so that three numbers say how it turns:
+///   dτ₁ = α τ₂ + β n,   dτ₂ = −α τ₁ + γ n,   dn = −β τ₁ − γ τ₂
 #pragma once
 
 #include "rubato/contact/pairing.hpp"
@@ -38,6 +45,8 @@ struct Kinematics {
   std::array<Variation<3>, 2> d_tangent;
   Variation<1> d_gap;
   Variation<2> d_slip;
+  /// δn_s over the slave nodes' part of q, where normals are the slave's or averages; else unused.
+  Variation<3> d_slave_normal;
   /// −∂N_j/∂ξ_b(ξ̄) on master nodes, 0 on slave nodes: the shape's own change is shape_slope · dξ̄.
   Eigen::Matrix<double, Eigen::Dynamic, 2> shape_slope;
 
@@ -48,6 +57,11 @@ struct Kinematics {
 /// same configuration.
 Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                                const Configuration& configuration);
+
+/// The same in the storage of an earlier evaluation: nothing is allocated when the point has as many unknowns
+/// as it had then.
+void evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
+                         const Configuration& configuration, Kinematics& into);
 
 /// The same point with its place on the master, normal and tangents held: only gap and slip follow the
 /// bodies. The relation is linear in q then.

@@ -53,7 +53,7 @@ void NeighbourList::update(const Configuration& configuration) {
   if (searches_ == 0 || 2 * moved_since_search() > margin_)
     search();
   for (std::size_t i = 0; i < slave_.size(); ++i)
-    pairs_[i] = pair_around(*zone_, nearest_of(i), slave_[i], configuration);
+    pairs_[i] = pair_around(*zone_, nearest_of(i), slave_[i], configuration, pairs_[i].master_face);
 }
 
 void NeighbourList::locate(const Configuration& configuration) {

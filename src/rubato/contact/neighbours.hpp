@@ -26,6 +26,7 @@ public:
   /// What find_pairs gives there, one a slave point.
   std::span<const Pair> pairs() const { return pairs_; }
 
+  const Zone& zone() const { return *zone_; }
   int searches() const { return searches_; }
 
 private:

@@ -3,7 +3,7 @@
 
 #include <nanoflann.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace rubato::contact {
@@ -32,23 +32,29 @@ struct Candidate {
   Projection projection;
   double distance = INFINITY;
 
+  /// Of equally good faces the first in the zone wins, in whatever order they are tried.
   bool beats(const Candidate& other) const {
     if (other.face < 0)
       return true;
     if (projection.inside() != other.projection.inside())
       return projection.inside();
-    return distance < other.distance;
+    return distance < other.distance || (distance == other.distance && face < other.face);
   }
 };
 
-Candidate candidate_on(const Zone& zone, int face_index, const Vector3d& point,
-                       const Configuration& configuration) {
+/// Tries one more face.
+void consider(const Zone& zone, int face_index, const Vector3d& point, const Configuration& configuration,
+              Candidate& best) {
   const auto& face = zone.master.faces[static_cast<std::size_t>(face_index)];
   const auto nodes = deformed(face, configuration);
-  Candidate candidate{face_index, project(face.type, nodes, point), 0};
-  candidate.distance =
-      (point - face_geometry(face.type, nodes, candidate.projection.clamped).position).norm();
-  return candidate;
+  const bool one_inside = best.face >= 0 && best.projection.inside();
+  Candidate candidate{face_index, project(face.type, nodes, point, one_inside ? Wanted::inside : Wanted::any),
+                      0};
+  if (one_inside && !candidate.projection.inside())
+    return;
+  candidate.distance = (point - face_position(face.type, nodes, candidate.projection.clamped)).norm();
+  if (candidate.beats(best))
+    best = candidate;
 }
 
 std::size_t nearest_node(const NodeTree& tree, const Vector3d& point) {
@@ -60,13 +66,16 @@ std::size_t nearest_node(const NodeTree& tree, const Vector3d& point) {
 
 } // namespace
 
-Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, const Configuration& configuration) {
+Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, const Configuration& configuration,
+                 int guess) {
+  const auto& faces = zone.master.faces_of_node[node];
+  const bool guessed = std::ranges::find(faces, guess) != faces.end();
   Candidate best;
-  for (const int face : zone.master.faces_of_node[node]) {
-    const auto candidate = candidate_on(zone, face, x, configuration);
-    if (candidate.beats(best))
-      best = candidate;
-  }
+  if (guessed)
+    consider(zone, guess, x, configuration, best);
+  for (const int face : faces)
+    if (!guessed || face != guess)
+      consider(zone, face, x, configuration, best);
   if (!(best.projection.overshoot <= largest_overshoot))
     return {};
   return {best.face, best.projection};

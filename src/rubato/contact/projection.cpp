@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
 
 namespace rubato::contact {
 namespace {
@@ -16,14 +19,18 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using mesh::CellType;
 
 /// Projections this near to the border lie on it but for rounding.
 constexpr double snap = 1e-12;
 constexpr int max_iterations = 30;
+constexpr double last_digit = 1e-14;
+/// A projection farther outside than this many of the last Newton step doesn't come back inside.
+constexpr double steps_outside = 10;
 /// Beyond this many face sizes the quadratic shape functions say nothing about the face any more.
 constexpr double far_away = 8.0;
 
-bool is_triangle(mesh::CellType type) {
+bool is_triangle(CellType type) {
   return mesh::topology(type).corner_count == 3;
 }
 
@@ -64,60 +71,173 @@ void clamp_to_triangle(Projection& p) {
   }
 }
 
+/// What a face's arithmetic is compiled for.
+template <int Dimension, int Nodes> struct FaceKind {
+  static constexpr int dimension = Dimension;
+  static constexpr int nodes = Nodes;
+  /// The projection on an affine face is one linear equation.
+  static constexpr bool affine = Nodes == Dimension + 1;
+  static constexpr bool triangle = Nodes == 3 || Nodes == 6 || Nodes == 7;
+};
+
+template <class Visit> auto with_kind(CellType type, const Visit& visit) {
+  switch (type) {
+  case CellType::seg2:
+    return visit(FaceKind<1, 2>{});
+  case CellType::seg3:
+    return visit(FaceKind<1, 3>{});
+  case CellType::tria3:
+    return visit(FaceKind<2, 3>{});
+  case CellType::tria6:
+    return visit(FaceKind<2, 6>{});
+  case CellType::tria7:
+    return visit(FaceKind<2, 7>{});
+  case CellType::quad4:
+    return visit(FaceKind<2, 4>{});
+  case CellType::quad8:
+    return visit(FaceKind<2, 8>{});
+  case CellType::quad9:
+    return visit(FaceKind<2, 9>{});
+  default:
+    throw std::invalid_argument("no contact on cells of type " + std::string(mesh::topology(type).name));
+  }
+}
+
+/// Σ of the nodes, each times every Stride-th of the weights.
+template <int Nodes, int Stride> Vector3d weighted_sum(const FaceCoordinates& nodes, const double* weights) {
+  Vector3d sum = weights[0] * nodes.col(0);
+  for (int i = 1; i < Nodes; ++i)
+    sum += weights[i * Stride] * nodes.col(i);
+  return sum;
+}
+
+template <class Kind> FaceShape shape_of(const fem::ReferenceCell& cell, const Vector2d& xi) {
+  constexpr auto n = static_cast<std::size_t>(Kind::nodes);
+  constexpr auto d = static_cast<std::size_t>(Kind::dimension);
+  const Vector3d at(xi[0], xi[1], 0);
+  FaceShape shape;
+  cell.values(at, std::span(shape.values).template first<n>());
+  cell.gradients(at, std::span(shape.gradients).template first<n * d>());
+  if constexpr (!Kind::affine)
+    cell.hessians(at, std::span(shape.hessians).template first<n * d * d>());
+  else
+    std::fill_n(shape.hessians.begin(), n * d * d, 0.0);
+  return shape;
+}
+
+template <class Kind> FaceGeometry geometry_of(const FaceCoordinates& nodes, const FaceShape& shape) {
+  constexpr int d = Kind::dimension;
+  FaceGeometry at;
+  at.position = weighted_sum<Kind::nodes, 1>(nodes, shape.values.data());
+  at.tangents.col(1) = Vector3d::UnitZ();
+  for (int a = 0; a < d; ++a)
+    at.tangents.col(a) = weighted_sum<Kind::nodes, d>(nodes, shape.gradients.data() + a);
+  for (auto& row : at.curvatures)
+    row.fill(Vector3d::Zero());
+  if constexpr (!Kind::affine) {
+    at.curvatures[0][0] = weighted_sum<Kind::nodes, d * d>(nodes, shape.hessians.data());
+    if constexpr (d == 2) {
+      at.curvatures[0][1] = weighted_sum<Kind::nodes, 4>(nodes, shape.hessians.data() + 1);
+      at.curvatures[1][0] = at.curvatures[0][1];
+      at.curvatures[1][1] = weighted_sum<Kind::nodes, 4>(nodes, shape.hessians.data() + 3);
+    }
+  }
+  return at;
+}
+
+struct Step {
+  Vector2d by;
+  bool by_newton;
+};
+
 /// One Newton step for the stationary distance; the Gauss–Newton matrix stands in where curvature spoils the
 /// minimum.
-Vector2d newton_step(const FaceGeometry& at, const Vector3d& point, int dimension) {
+template <class Kind> Step next_step(const FaceGeometry& at, const Vector3d& point) {
   const Vector3d distance = point - at.position;
-  if (dimension == 1) {
+  if constexpr (Kind::dimension == 1) {
     const double metric = at.tangents.col(0).squaredNorm();
     const double exact = metric - distance.dot(at.curvatures[0][0]);
-    const double slope = exact > 0.1 * metric ? exact : metric;
-    return {distance.dot(at.tangents.col(0)) / slope, 0.0};
+    const bool minimum = exact > 0.1 * metric;
+    return {{distance.dot(at.tangents.col(0)) / (minimum ? exact : metric), 0.0}, minimum};
+  } else {
+    const Matrix2d metric = at.tangents.transpose() * at.tangents;
+    Matrix2d exact = metric;
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        exact(a, b) -= distance.dot(at.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)]);
+    const bool minimum = exact.determinant() > 0.01 * metric.determinant() && exact(0, 0) > 0;
+    const Vector2d slope = at.tangents.transpose() * distance;
+    return {(minimum ? exact : metric).inverse() * slope, minimum};
   }
-  const Matrix2d metric = at.tangents.transpose() * at.tangents;
-  Matrix2d exact = metric;
-  for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b)
-      exact(a, b) -= distance.dot(at.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)]);
-  const bool minimum = exact.determinant() > 0.01 * metric.determinant() && exact(0, 0) > 0;
-  const Vector2d slope = at.tangents.transpose() * distance;
-  return (minimum ? exact : metric).inverse() * slope;
+}
+
+/// Whether nothing is left to do after Newton steps of these lengths. Errors shrink with their square: the
+/// next step is foreseen from the last two.
+bool settled(double before, double now, bool by_newton, double size) {
+  return now <= last_digit * size ||
+         (by_newton && now < 1e-3 * before && now * now * now <= last_digit * before * before * size);
+}
+
+/// How far outside the reference face a place lies at least; ≤ 0 inside.
+template <class Kind> double beyond(const Vector2d& xi) {
+  if constexpr (Kind::dimension == 1)
+    return std::abs(xi[0]) - 1;
+  if constexpr (Kind::triangle)
+    return std::max({-xi[0], -xi[1], (xi[0] + xi[1] - 1) / std::numbers::sqrt2});
+  return xi.lpNorm<Eigen::Infinity>() - 1;
+}
+
+template <class Kind>
+void iterate(const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted,
+             const fem::ReferenceCell& cell, Projection& result) {
+  double before = 0;
+  for (int iteration = 0; iteration < max_iterations && !result.converged; ++iteration) {
+    const auto at = geometry_of<Kind>(nodes, shape_of<Kind>(cell, result.xi));
+    const auto step = next_step<Kind>(at, point);
+    if (!step.by.allFinite())
+      break;
+    result.xi += step.by;
+    const double size = result.xi.norm();
+    if (size > far_away)
+      result.xi *= far_away / size;
+    const double length = step.by.norm();
+    result.converged =
+        Kind::affine ? size <= far_away : settled(before, length, step.by_newton, std::max(1.0, size));
+    // Rounding keeps the last digit moving on long faces; a step of a few of them changes nothing any more.
+    if (iteration > 6 && length <= 1e-11)
+      result.converged = true;
+    const bool given_up =
+        wanted == Wanted::inside && step.by_newton && beyond<Kind>(result.xi) > steps_outside * length;
+    if (Kind::affine || given_up)
+      break;
+    before = length;
+  }
 }
 
 } // namespace
 
-FaceGeometry face_geometry(mesh::CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
+FaceShape face_shape(CellType type, const Vector2d& xi) {
   const auto& cell = fem::reference_cell(type);
-  const int n = cell.node_count;
-  const int dimension = cell.dimension;
-  std::array<double, 9> values{};
-  std::array<double, 18> gradients{};
-  std::array<double, 36> hessians{};
-  const Vector3d xi3(xi[0], xi[1], 0);
-  cell.values(xi3, std::span(values).first(static_cast<std::size_t>(n)));
-  cell.gradients(xi3, std::span(gradients).first(static_cast<std::size_t>(n * dimension)));
-  cell.hessians(xi3, std::span(hessians).first(static_cast<std::size_t>(n * dimension * dimension)));
-
-  FaceGeometry geometry;
-  for (auto& row : geometry.curvatures)
-    for (auto& entry : row)
-      entry.setZero();
-  if (dimension == 1)
-    geometry.tangents.col(1) = Vector3d::UnitZ();
-  for (int i = 0; i < n; ++i) {
-    const Vector3d x = nodes.col(i);
-    geometry.position += values[static_cast<std::size_t>(i)] * x;
-    for (int a = 0; a < dimension; ++a) {
-      geometry.tangents.col(a) += gradients[static_cast<std::size_t>(i * dimension + a)] * x;
-      for (int b = 0; b < dimension; ++b)
-        geometry.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] +=
-            hessians[static_cast<std::size_t>((i * dimension + a) * dimension + b)] * x;
-    }
-  }
-  return geometry;
+  return with_kind(type, [&](auto kind) { return shape_of<decltype(kind)>(cell, xi); });
 }
 
-void clamp_to_face(mesh::CellType type, Projection& projection) {
+FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const FaceShape& shape) {
+  return with_kind(type, [&](auto kind) { return geometry_of<decltype(kind)>(nodes, shape); });
+}
+
+FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
+  return face_geometry(type, nodes, face_shape(type, xi));
+}
+
+Vector3d face_position(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
+  const auto& cell = fem::reference_cell(type);
+  std::array<double, 9> values;
+  cell.values({xi[0], xi[1], 0}, std::span(values).first(static_cast<std::size_t>(cell.node_count)));
+  return with_kind(type,
+                   [&](auto kind) { return weighted_sum<decltype(kind)::nodes, 1>(nodes, values.data()); });
+}
+
+void clamp_to_face(CellType type, Projection& projection) {
   projection.clamped = projection.xi;
   projection.clamp_derivative.setIdentity();
   if (is_triangle(type))
@@ -127,24 +247,12 @@ void clamp_to_face(mesh::CellType type, Projection& projection) {
   finish(projection);
 }
 
-Projection project(mesh::CellType type, const FaceCoordinates& nodes, const Vector3d& point) {
-  const int dimension = mesh::topology(type).dimension;
+Projection project(CellType type, const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted) {
   Projection result;
   if (is_triangle(type))
     result.xi = Vector2d(1.0 / 3, 1.0 / 3);
-  for (int iteration = 0; iteration < max_iterations && !result.converged; ++iteration) {
-    const auto at = face_geometry(type, nodes, result.xi);
-    const Vector2d step = newton_step(at, point, dimension);
-    if (!step.allFinite())
-      break;
-    result.xi += step;
-    if (result.xi.norm() > far_away)
-      result.xi *= far_away / result.xi.norm();
-    result.converged = step.norm() <= 1e-14 * std::max(1.0, result.xi.norm());
-    // Rounding keeps the last digit moving on long faces; a step of a few of them changes nothing any more.
-    if (iteration > 6 && step.norm() <= 1e-11)
-      result.converged = true;
-  }
+  const auto& cell = fem::reference_cell(type);
+  with_kind(type, [&](auto kind) { iterate<decltype(kind)>(nodes, point, wanted, cell, result); });
   clamp_to_face(type, result);
   return result;
 }

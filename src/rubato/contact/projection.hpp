@@ -13,6 +13,16 @@ namespace rubato::contact {
 /// Coordinates of the nodes of a face, one a column; at most nine.
 using FaceCoordinates = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9>;
 
+/// Shape functions of a face and their derivatives at one reference point; only the first node_count nodes'
+/// entries are set.
+struct FaceShape {
+  std::array<double, 9> values;
+  std::array<double, 18> gradients; ///< ∂N_i/∂ξ_a at i · dimension + a
+  std::array<double, 36> hessians;  ///< ∂²N_i/∂ξ_a∂ξ_b at (i · dimension + a) · dimension + b
+};
+
+FaceShape face_shape(mesh::CellType type, const Eigen::Vector2d& xi);
+
 /// Position and parametric derivatives of a face at one reference point. In 2D the second direction is e_z,
 /// so that tangent₁ × tangent₂ is the outward normal there as well.
 struct FaceGeometry {
@@ -21,7 +31,11 @@ struct FaceGeometry {
   std::array<std::array<Eigen::Vector3d, 2>, 2> curvatures;                   ///< x,_ab
 };
 
+FaceGeometry face_geometry(mesh::CellType type, const FaceCoordinates& nodes, const FaceShape& shape);
 FaceGeometry face_geometry(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
+
+/// x(ξ) alone.
+Eigen::Vector3d face_position(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
 
 struct Projection {
   Eigen::Vector2d xi = Eigen::Vector2d::Zero();      ///< of the unconstrained orthogonal projection
@@ -38,7 +52,12 @@ struct Projection {
 /// inside. Fills clamped, clamp_derivative and overshoot from xi.
 void clamp_to_face(mesh::CellType type, Projection& projection);
 
-/// Solves (x_s − x(ξ))·x,_a(ξ) = 0 by Newton's method from the middle of the face, then clamps.
-Projection project(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector3d& point);
+/// Which projections are asked for: those that aren't can be left as soon as that is known.
+enum class Wanted { any, inside };
+
+/// Solves (x_s − x(ξ))·x,_a(ξ) = 0 by Newton's method from the middle of the face, then clamps. When only one
+/// inside is wanted, a result outside is rough.
+Projection project(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector3d& point,
+                   Wanted wanted = Wanted::any);
 
 } // namespace rubato::contact

@@ -133,20 +133,4 @@ std::span<const int> Zone::multiplier_variables() const {
   return std::span(variables).subspan(first, last - first);
 }
 
-Eigen::Vector3d Configuration::position(NodeIndex node) const {
-  Eigen::Vector3d x = mesh->points[static_cast<std::size_t>(node)];
-  const auto first = dofs->first_dof[static_cast<std::size_t>(node)];
-  for (int i = 0; i < dofs->components; ++i)
-    x[i] += (*displacement)[first + i];
-  return x;
-}
-
-Eigen::Vector3d Configuration::increment(NodeIndex node) const {
-  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
-  const auto first = dofs->first_dof[static_cast<std::size_t>(node)];
-  for (int i = 0; i < dofs->components; ++i)
-    moved[i] = (*displacement)[first + i] - (*start)[first + i];
-  return moved;
-}
-
 } // namespace rubato::contact

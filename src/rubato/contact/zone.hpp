@@ -72,4 +72,20 @@ struct Configuration {
   Eigen::Vector3d increment(mesh::NodeIndex node) const;
 };
 
+inline Eigen::Vector3d Configuration::position(mesh::NodeIndex node) const {
+  Eigen::Vector3d x = mesh->points[static_cast<std::size_t>(node)];
+  const auto first = dofs->first_dof[static_cast<std::size_t>(node)];
+  for (int i = 0; i < dofs->components; ++i)
+    x[i] += (*displacement)[first + i];
+  return x;
+}
+
+inline Eigen::Vector3d Configuration::increment(mesh::NodeIndex node) const {
+  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+  const auto first = dofs->first_dof[static_cast<std::size_t>(node)];
+  for (int i = 0; i < dofs->components; ++i)
+    moved[i] = (*displacement)[first + i] - (*start)[first + i];
+  return moved;
+}
+
 } // namespace rubato::contact

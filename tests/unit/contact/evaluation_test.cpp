@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Zones measured iterate after iterate, in storage and with knowledge of the iterate before.
+#include <gtest/gtest.h>
+
+#include "two_faces.hpp"
+#include "unit/step/decks.hpp"
+#include "unit/step/walk.hpp"
+#include <cmath>
+
+namespace rubato::contact {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using mesh::CellType;
+
+/// The upper beam, the master, slides along the lower one and off its end; both bend.
+VectorXd sliding(const model::Model& model, double t) {
+  VectorXd u = VectorXd::Zero(model.dofs.dof_count);
+  for (const auto node : model.dofs.nodes) {
+    const auto& x = model.mesh.points[static_cast<std::size_t>(node)];
+    const bool upper = model.zones.front().master.position_of(node) >= 0;
+    u[model.dofs.dof(node, 0)] = upper ? 0.3 * t : 0.0;
+    u[model.dofs.dof(node, 1)] = (upper ? -0.05 : 0.1) * t * x[0] * x[0];
+  }
+  return u;
+}
+
+const test::Walk& beams() {
+  static const test::Walk walk(test::two_beams,
+                               {{"mesh.generate.0.cells", "quad9"}, {"mesh.generate.1.cells", "quad9"}});
+  return walk;
+}
+
+TEST(EvaluationInUsedStorage, GivesWhatAFreshOneGives) {
+  const auto& model = beams().model;
+  const auto& zone = model.zones.front();
+  const VectorXd multipliers = VectorXd::LinSpaced(zone.multiplier_count(), 0, 1);
+  const VectorXd start = sliding(model, 0);
+  NeighbourList neighbours(zone);
+  std::vector<PointEvaluation> points;
+  int lost = 0;
+  for (int i = 0; i <= 100; ++i) {
+    const VectorXd u = sliding(model, 0.01 * i);
+    const Configuration configuration{&model.mesh, &model.dofs, &u, &start};
+    evaluate(neighbours, multipliers, configuration, points);
+    const auto fresh = evaluate(zone, multipliers, configuration);
+    ASSERT_EQ(points.size(), fresh.size());
+    for (std::size_t p = 0; p < fresh.size(); ++p) {
+      EXPECT_EQ(points[p].pair.master_face, fresh[p].pair.master_face);
+      EXPECT_EQ(points[p].variables.gap, fresh[p].variables.gap);
+      EXPECT_EQ(points[p].variables.slip, fresh[p].variables.slip);
+      EXPECT_EQ(points[p].variables.pressure, fresh[p].variables.pressure);
+      ASSERT_EQ(points[p].kinematics.has_value(), fresh[p].kinematics.has_value());
+      if (!fresh[p].kinematics) {
+        ++lost;
+        continue;
+      }
+      EXPECT_EQ(points[p].kinematics->nodes, fresh[p].kinematics->nodes);
+      EXPECT_EQ(points[p].kinematics->d_gap, fresh[p].kinematics->d_gap);
+      EXPECT_EQ(points[p].kinematics->d_slip, fresh[p].kinematics->d_slip);
+    }
+  }
+  EXPECT_GT(lost, 0) << "some points are to lose the master";
+}
+
+TEST(EvaluationInUsedStorage, StaysInIt) {
+  const auto& model = beams().model;
+  const auto& zone = model.zones.front();
+  const VectorXd multipliers = VectorXd::Zero(zone.multiplier_count());
+  NeighbourList neighbours(zone);
+  std::vector<PointEvaluation> points;
+  const auto places = [&] {
+    std::vector<const void*> all;
+    for (const auto& point : points)
+      if (const auto& k = point.kinematics)
+        for (const void* place :
+             {static_cast<const void*>(k->nodes.data()), static_cast<const void*>(k->shape.data()),
+              static_cast<const void*>(k->d_normal.data()), static_cast<const void*>(k->d_gap.data())})
+          all.push_back(place);
+    return all;
+  };
+  const auto evaluate_at = [&](double t) {
+    const VectorXd u = sliding(model, t);
+    evaluate(neighbours, multipliers, {&model.mesh, &model.dofs, &u, &u}, points);
+  };
+  evaluate_at(0.0);
+  const auto before = places();
+  evaluate_at(0.01);
+  EXPECT_EQ(places(), before);
+  EXPECT_FALSE(before.empty());
+}
+
+TEST(HeldFrames, MeasureTheSameInUsedStorage) {
+  const auto& model = beams().model;
+  const auto& zone = model.zones.front();
+  const VectorXd multipliers = VectorXd::Zero(zone.multiplier_count());
+  const VectorXd start = sliding(model, 0);
+  const VectorXd u = sliding(model, 0.1);
+  const auto held = with_held_frames(evaluate(zone, multipliers, {&model.mesh, &model.dofs, &start, &start}));
+  const Configuration configuration{&model.mesh, &model.dofs, &u, &start};
+  auto points = evaluate(zone, multipliers, configuration);
+  evaluate_in_held_frames(held, zone, multipliers, configuration, points);
+  const auto fresh = evaluate_in_held_frames(held, zone, multipliers, configuration);
+  for (std::size_t p = 0; p < fresh.size(); ++p) {
+    EXPECT_EQ(points[p].variables.gap, fresh[p].variables.gap);
+    EXPECT_EQ(points[p].variables.slip, fresh[p].variables.slip);
+    if (fresh[p].kinematics) {
+      EXPECT_EQ(points[p].kinematics->d_gap, fresh[p].kinematics->d_gap);
+    }
+  }
+}
+
+/// Undeformed, nodes stand opposite nodes: the faces around one are equally good, and the first is to win.
+TEST(PairAround, DoesNotDependOnTheGuess) {
+  const auto& model = beams().model;
+  const auto& zone = model.zones.front();
+  for (const double t : {0.0, 0.05, 0.4, 1.0}) {
+    const VectorXd u = sliding(model, t);
+    const Configuration configuration{&model.mesh, &model.dofs, &u, &u};
+    for (const auto& point : zone.points) {
+      const auto x = position(point, configuration);
+      for (std::size_t node = 0; node < zone.master.nodes.size(); ++node) {
+        if ((configuration.position(zone.master.nodes[node]) - x).norm() > zone.master.longest_edge)
+          continue;
+        const auto expected = pair_around(zone, node, x, configuration);
+        for (const int guess : zone.master.faces_of_node[node]) {
+          const auto pair = pair_around(zone, node, x, configuration, guess);
+          ASSERT_EQ(pair.master_face, expected.master_face);
+          EXPECT_EQ(pair.projection.clamped, expected.projection.clamped);
+        }
+      }
+    }
+  }
+}
+
+class ProjectionWantedInside : public testing::TestWithParam<CellType> {};
+
+TEST_P(ProjectionWantedInside, IsFoundWhereThereIsOneAndNowhereElse) {
+  int inside = 0;
+  int outside = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    test::TwoFacesOptions options;
+    options.master = options.slave = GetParam();
+    options.seed = seed;
+    const auto setup = test::two_faces(options);
+    const auto nodes = deformed(setup.zone.master.faces.front(), setup.configuration(setup.u));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> along(-2, 2);
+    std::uniform_real_distribution<double> above(-0.3, 0.3);
+    for (int i = 0; i < 400; ++i) {
+      const bool plane = mesh::topology(GetParam()).dimension == 1;
+      const double x = along(random), y = along(random), z = above(random);
+      const Vector3d point = plane ? Vector3d(x, z, 0) : Vector3d(x, y, z);
+      const auto any = project(GetParam(), nodes, point);
+      const auto wanted = project(GetParam(), nodes, point, Wanted::inside);
+      EXPECT_EQ(wanted.inside(), any.inside());
+      if (any.inside()) {
+        EXPECT_EQ(wanted.xi, any.xi);
+      }
+      ++(any.inside() ? inside : outside);
+    }
+  }
+  EXPECT_GT(inside, 100);
+  EXPECT_GT(outside, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Faces, ProjectionWantedInside,
+                         testing::Values(CellType::seg2, CellType::seg3, CellType::tria3, CellType::tria6,
+                                         CellType::tria7, CellType::quad4, CellType::quad8, CellType::quad9),
+                         [](const auto& face) { return std::string(mesh::topology(face.param).name); });
+
+} // namespace
+} // namespace rubato::contact
