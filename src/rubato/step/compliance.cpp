@@ -7,7 +7,7 @@ namespace rubato::step {
 namespace {
 
 /// Right-hand sides solved together: enough for matrix–matrix products, little enough memory.
-constexpr std::size_t block_size = 32;
+constexpr std::size_t block_size = 128;
 
 } // namespace
 
@@ -32,7 +32,7 @@ Eigen::MatrixXd Compliance::between_unknowns(std::span<const int> unknowns) {
 }
 
 Eigen::MatrixXd Compliance::between(std::span<const int> positions) {
-  compute_missing(positions);
+  prepare(positions);
   const auto size = static_cast<Eigen::Index>(positions.size());
   Eigen::MatrixXd s(size, size);
   for (Eigen::Index j = 0; j < size; ++j) {
@@ -45,12 +45,12 @@ Eigen::MatrixXd Compliance::between(std::span<const int> positions) {
 
 void Compliance::add(double factor, std::span<const int> positions, std::span<const double> force,
                      Eigen::VectorXd& d) {
-  compute_missing(positions);
+  prepare(positions);
   for (std::size_t i = 0; i < positions.size(); ++i)
     d += factor * force[i] * columns_[static_cast<std::size_t>(positions[i])];
 }
 
-void Compliance::compute_missing(std::span<const int> positions) {
+void Compliance::prepare(std::span<const int> positions) {
   std::vector<std::size_t> missing;
   for (const int position : positions)
     if (columns_[static_cast<std::size_t>(position)].size() == 0)

@@ -118,7 +118,8 @@ void Condensed::guess_contact(State& trial, const Held& held) {
   std::vector<GuessPoint> points;
   for (int round = 0; round < guess_rounds; ++round) {
     const auto before = std::move(points);
-    points = guess_points(side_.at(trial, held), held, trial);
+    side_.measure(trial, held, now_);
+    points = guess_points(now_, held, trial);
     if (points.size() == before.size())
       for (std::size_t k = 0; k < points.size(); ++k)
         points[k].force = before[k].force;
@@ -203,8 +204,8 @@ void Condensed::take_guess(const GuessPoint& guess, State& trial) const {
 }
 
 void Condensed::evaluate_contact(const State& trial, const Held& held, int iteration) {
-  previous_ = std::move(now_);
-  now_ = side_.at(trial, held);
+  std::swap(previous_, now_);
+  side_.measure(trial, held, now_);
   if (iteration > 0)
     side_.renew_status(held, now_);
   active_.clear();

@@ -81,6 +81,15 @@ public:
   }
 
 private:
+  void prepare(std::span<GuessPoint* const> points) {
+    std::vector<int> positions;
+    for (const auto* point : points)
+      positions.insert(positions.end(), point->positions.begin(), point->positions.end());
+    std::ranges::sort(positions);
+    positions.erase(std::ranges::unique(positions).begin(), positions.end());
+    compliance_.prepare(positions);
+  }
+
   /// The surface under the forces of some rows.
   VectorXd moved_by(int first_row, int last_row) const {
     VectorXd d = free_;
@@ -96,16 +105,19 @@ private:
     const VectorXd without = moved_by(1, 2);
     Rows rows(factor_, compliance_, free_.size());
     std::vector<GuessPoint*> chosen;
+    std::vector<bool> known(points_.size(), false);
     VectorXd forces;
     for (int round = 0; round < most_rounds; ++round) {
       const VectorXd d = moved_by(0, 2);
       std::vector<GuessPoint*> more;
-      for (auto& point : points_)
-        if (std::ranges::find(chosen, &point) == chosen.end() &&
-            (point.force[0] > 0 || value_of(point, 0, d) < 0))
-          more.push_back(&point);
+      for (std::size_t i = 0; i < points_.size(); ++i)
+        if (!known[i] && (points_[i].force[0] > 0 || value_of(points_[i], 0, d) < 0)) {
+          known[i] = true;
+          more.push_back(&points_[i]);
+        }
       if (more.empty())
         return;
+      prepare(more);
       rows.reserve(rows.size() + static_cast<Index>(more.size()));
       for (auto* point : more) {
         rows.add(*point, 0);

@@ -37,9 +37,9 @@ void keep_given_status(const contact::Zone& zone, const std::vector<PointEvaluat
 
 } // namespace
 
-ContactSide::ContactSide(const Model& model, const EffectiveSystem& system, const State& committed,
+ContactSide::ContactSide(const Model& model, EffectiveSystem& system, const State& committed,
                          const Variant& variant)
-    : model_(model), committed_(committed), variant_(variant), coefficients_(system.zones) {
+    : model_(model), system_(system), committed_(committed), variant_(variant), coefficients_(system.zones) {
   for (std::size_t z = 0; z < coefficients_.size(); ++z)
     vary(model.zones[z], variant, coefficients_[z]);
 }
@@ -50,20 +50,27 @@ contact::ZoneLaw ContactSide::law_of(std::size_t zone, const Held& held) const {
 }
 
 ContactIterate ContactSide::at(const State& trial, const Held& held) const {
+  ContactIterate iterate;
+  measure(trial, held, iterate);
+  return iterate;
+}
+
+void ContactSide::measure(const State& trial, const Held& held, ContactIterate& into) const {
   const contact::Configuration configuration{&model_.mesh, &model_.dofs, &trial.motion.u,
                                              &committed_.motion.u};
-  ContactIterate iterate;
+  into.points.resize(model_.zones.size());
+  into.status.resize(model_.zones.size());
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto& zone = model_.zones[z];
     const auto& multipliers = trial.zones[z].multipliers;
-    iterate.points.push_back(held[z].frames.empty() ? contact::evaluate(zone, multipliers, configuration)
-                                                    : contact::evaluate_in_held_frames(
-                                                          held[z].frames, zone, multipliers, configuration));
-    keep_given_status(zone, iterate.points[z], trial.zones[z].status, iterate.status.emplace_back());
+    if (held[z].frames.empty())
+      contact::evaluate(system_.neighbours[z], multipliers, configuration, into.points[z]);
+    else
+      contact::evaluate_in_held_frames(held[z].frames, zone, multipliers, configuration, into.points[z]);
+    keep_given_status(zone, into.points[z], trial.zones[z].status, into.status[z]);
     if (!held[z].status.empty())
-      iterate.status[z] = held[z].status;
+      into.status[z] = held[z].status;
   }
-  return iterate;
 }
 
 void ContactSide::renew_status(const Held& held, ContactIterate& iterate) const {

@@ -37,11 +37,14 @@ struct ContactIterate {
 
 class ContactSide {
 public:
-  ContactSide(const model::Model& model, const EffectiveSystem& system, const State& committed,
+  /// Everything must outlive this.
+  ContactSide(const model::Model& model, EffectiveSystem& system, const State& committed,
               const Variant& variant);
 
   /// Contact at `trial` as `held` has it, with the statuses of `trial` where a point can have them.
   ContactIterate at(const State& trial, const Held& held) const;
+  /// The same in storage that an earlier iterate left.
+  void measure(const State& trial, const Held& held, ContactIterate& into) const;
   /// Statuses that the points of an iterate call for, where no loop holds them.
   void renew_status(const Held& held, ContactIterate& iterate) const;
   /// How the zone behaves in this attempt.
@@ -59,6 +62,7 @@ private:
   bool gaps_closed(const ContactIterate& now) const;
 
   const model::Model& model_;
+  EffectiveSystem& system_;
   const State& committed_;
   Variant variant_;
   std::vector<contact::ZoneCoefficients> coefficients_;

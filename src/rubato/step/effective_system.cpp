@@ -21,8 +21,10 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     full += system.coefficients.damping * model.damping;
   system.diagonal = full.diagonal();
   system.matrix = model::free_part(model, full);
-  for (const auto& zone : model.zones)
+  for (const auto& zone : model.zones) {
     system.zones.push_back(contact::automatic_coefficients(zone, model.dofs, system.diagonal));
+    system.neighbours.emplace_back(zone);
+  }
   if (engine == LinearEngine::automatic)
     if (auto factor = linalg::CholeskyFactor::of(system.matrix))
       system.compliance.emplace(std::move(*factor), surface_unknowns(model), model.free_dofs,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/neighbours.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/step/compliance.hpp"
 #include "rubato/time/scheme.hpp"
@@ -22,6 +23,7 @@ struct EffectiveSystem {
   model::SparseMatrix matrix;
   Eigen::VectorXd diagonal; ///< of every dof, constrained ones included
   std::vector<contact::ZoneCoefficients> zones;
+  std::vector<contact::NeighbourList> neighbours; ///< of every zone, kept from one iterate to the next
   /// The factored matrix; nothing when every iteration solves the whole system.
   std::optional<Compliance> compliance;
 };

@@ -4,6 +4,8 @@
 #include "rubato/step/linear_step.hpp"
 #include "rubato/step/projected_cg.hpp"
 
+#include <utility>
+
 namespace rubato::step {
 namespace {
 
@@ -50,8 +52,8 @@ StepReport Newton::ended(Outcome outcome) {
 }
 
 void Newton::evaluate_contact(const State& trial, const Held& held, int iteration) {
-  previous_ = std::move(now_);
-  now_ = side_.at(trial, held);
+  std::swap(previous_, now_);
+  side_.measure(trial, held, now_);
   if (iteration > 0)
     side_.renew_status(held, now_);
   contact_ = contact::ContactSystem(trial.motion.u.size(), model_.multiplier_count);
