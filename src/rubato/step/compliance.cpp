@@ -50,6 +50,17 @@ void Compliance::add(double factor, std::span<const int> positions, std::span<co
     d += factor * force[i] * columns_[static_cast<std::size_t>(positions[i])];
 }
 
+void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
+  std::vector<int> loaded;
+  std::vector<double> loads;
+  for (Eigen::Index i = 0; i < force.size(); ++i)
+    if (force[i] != 0) {
+      loaded.push_back(static_cast<int>(i));
+      loads.push_back(force[i]);
+    }
+  add(factor, loaded, loads, d);
+}
+
 void Compliance::prepare(std::span<const int> positions) {
   std::vector<std::size_t> missing;
   for (const int position : positions)

@@ -35,6 +35,8 @@ public:
   Eigen::MatrixXd between(std::span<const int> positions);
   /// d += factor S force, all positions, with the force given by its entries at some of them.
   void add(double factor, std::span<const int> positions, std::span<const double> force, Eigen::VectorXd& d);
+  /// The same with a force that is zero at most positions.
+  void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
   /// Computes what is still missing of the columns of these positions: many at once cost far less than one by
   /// one.
   void prepare(std::span<const int> positions);

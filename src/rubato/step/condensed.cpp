@@ -375,16 +375,9 @@ bool Condensed::solve_points(VectorXd& y) {
 
 /// d_s = d_free − f₁ S f
 void Condensed::move_surface(const VectorXd& force, State& trial) {
-  std::vector<int> loaded;
-  std::vector<double> loads;
-  for (Index i = 0; i < force.size(); ++i)
-    if (force[i] != 0) {
-      loaded.push_back(static_cast<int>(i));
-      loads.push_back(force[i]);
-    }
   applied_ = force;
   moved_ = free_;
-  system_.compliance->add(-scheme_.forces.now, loaded, loads, moved_);
+  system_.compliance->add(-scheme_.forces.now, force, moved_);
   const auto& dofs = system_.compliance->dof_of_position();
   for (std::size_t i = 0; i < dofs.size(); ++i)
     trial.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];

@@ -92,12 +92,13 @@ private:
 
   /// The surface under the forces of some rows.
   VectorXd moved_by(int first_row, int last_row) const {
-    VectorXd d = free_;
+    VectorXd force = VectorXd::Zero(free_.size());
     for (const auto& point : points_)
       for (int row = first_row; row <= last_row; ++row)
-        if (point.force[row] != 0)
-          compliance_.add(factor_ * point.force[row], point.positions,
-                          point.slopes[static_cast<std::size_t>(row)], d);
+        for (std::size_t i = 0; point.force[row] != 0 && i < point.positions.size(); ++i)
+          force[point.positions[i]] += point.force[row] * point.slopes[static_cast<std::size_t>(row)][i];
+    VectorXd d = free_;
+    compliance_.add(factor_, force, d);
     return d;
   }
 
