@@ -250,6 +250,7 @@ std::string to_json(const Study& study) {
   deck["loads"] = echo_list(study.loads, dimension);
   deck["contact"] = echo_by_name(study.contact);
   deck["time"] = echo(study.time);
+  deck["solver"] = word_of(solver_words, study.solver);
   deck["newton"] = {{"max_iterations", study.newton.max_iterations}, {"residual", study.newton.residual}};
   deck["probes"] = echo_by_name(study.probes, dimension);
   deck["fields"] = echo(study.fields);

@@ -78,6 +78,17 @@ void check_explicit_contact(const Study& study, Faults& faults) {
                              word_of(scheme_words, study.time.scheme)));
 }
 
+void read_solver(const Found& value, Study& study) {
+  if (!read(value, study.solver, solver_words))
+    return;
+  if (is_explicit(study.time.scheme) && study.solver != Solver::automatic)
+    value->fault(fmt::format("the scheme {} solves no system, expected auto",
+                             word_of(scheme_words, study.time.scheme)));
+  const auto by_cg = [](const ContactZone& zone) { return zone.method == ContactMethod::nodal_pcg; };
+  if (study.solver == Solver::full && std::ranges::any_of(study.contact, by_cg))
+    value->fault("found full, but nodal_pcg works on the factored bulk, expected auto or condensed");
+}
+
 /// The deck of one run, everything laid over it. Parts come in the order in which one needs another.
 Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& faults) {
   Study study;
@@ -96,6 +107,7 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   if (context.scheme && is_explicit(*context.scheme))
     check_explicit_contact(study, faults);
   read_newton(map.find("newton"), study.newton);
+  read_solver(map.find("solver"), study);
   read_probes(map.find("probes"), context, study.probes);
   read_fields(map.find("fields"), context, study.fields);
   read_checks(map.find("checks"), context, study.probes, study.checks);

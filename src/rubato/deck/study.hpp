@@ -215,6 +215,9 @@ struct TimeStepping {
   bool operator==(const TimeStepping&) const = default;
 };
 
+/// How implicit steps are solved: with the bulk factored once a step length, or whole in every iteration.
+enum class Solver { automatic, condensed, full };
+
 struct NewtonSettings {
   int max_iterations = 40;
   double residual = 1e-8; ///< relative, PHYSICS.md's residual test
@@ -288,6 +291,7 @@ struct Study {
   std::vector<ContactZone> contact;
   TimeStepping time;
   NewtonSettings newton;
+  Solver solver = Solver::automatic;
   std::vector<Probe> probes;
   FieldOutput fields;
   std::vector<Check> checks;

@@ -61,6 +61,9 @@ inline constexpr std::array<Word<ClampedNormal>, 2> clamped_normal_words{
 inline constexpr std::array<Word<Iteration>, 2> iteration_words{
     {{"newton", Iteration::newton}, {"fixed_point", Iteration::fixed_point}}};
 
+inline constexpr std::array<Word<Solver>, 3> solver_words{
+    {{"auto", Solver::automatic}, {"condensed", Solver::condensed}, {"full", Solver::full}}};
+
 inline constexpr std::array<Word<SchemeKind>, 6> scheme_words{
     {{"newmark", SchemeKind::newmark},
      {"hht", SchemeKind::hht},

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace rubato::run {
@@ -67,11 +68,13 @@ public:
   Loop(const model::Model& model, const std::filesystem::path& folder, const Watch& watch,
        const step::State* previous)
       : model_(model), watch_(watch), scheme_(time::make_scheme(model.study.time)), systems_(model, scheme_),
-        committed_(first_state(model, scheme_, previous)), recorder_(model, folder),
+        committed_(first_state(model, scheme_, previous)), folder_(folder),
         control_(model.study.time, committed_.t), end_(time::instants_of(model.study.time).back()) {}
 
   RunResult run(double setup_start) {
-    recorder_.start(committed_);
+    tell_solver();
+    recorder_.emplace(model_, folder_);
+    recorder_->start(committed_);
     result_.setup_seconds = processor_seconds() - setup_start;
     const double loop_start = processor_seconds();
     while (!control_.finished() && result_.status == Status::complete) {
@@ -83,12 +86,21 @@ public:
     result_.loop_seconds = processor_seconds() - loop_start;
     result_.end = committed_;
     result_.checks =
-        recorder_.finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
-                          result_.steps, result_.iterations, result_.cuts});
+        recorder_->finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
+                           result_.steps, result_.iterations, result_.cuts});
     return std::move(result_);
   }
 
 private:
+  /// Throws InputError when the deck wants what the matrix doesn't allow.
+  void tell_solver() {
+    const auto& system = systems_.of(control_.length());
+    if (model_.study.solver == deck::Solver::condensed && !system.compliance)
+      throw InputError("solver: found condensed, but the effective matrix is not positive definite without "
+                       "contact; expected auto or full");
+    watch_.say(fmt::format("{}: solver {}", model_.study.name, step::solver_of(model_, system)));
+  }
+
   void interrupt() {
     result_.status = Status::interrupted;
     result_.message = fmt::format("interrupted at t = {:g}", committed_.t);
@@ -115,12 +127,12 @@ private:
   void accept(step::State& trial, const results::Attempt& attempt, const step::StepReport& report) {
     control_.accept();
     ++result_.steps;
-    recorder_.step(committed_, trial, attempt, report, control_.finished());
+    recorder_->step(committed_, trial, attempt, report, control_.finished());
     committed_ = std::move(trial);
   }
 
   void reject(const results::Attempt& attempt, const step::StepReport& report) {
-    recorder_.failed(attempt, report);
+    recorder_->failed(attempt, report);
     if (control_.cut()) {
       ++result_.cuts;
       return;
@@ -134,7 +146,8 @@ private:
   time::Scheme scheme_;
   SystemCache systems_;
   step::State committed_;
-  results::Recorder recorder_; // after the first state: a study that has none leaves no folder
+  std::filesystem::path folder_;
+  std::optional<results::Recorder> recorder_; // once nothing can be refused any more: that leaves no folder
   time::StepControl control_;
   double end_;
   RunResult result_;

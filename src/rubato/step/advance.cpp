@@ -108,6 +108,19 @@ private:
 
 } // namespace
 
+std::string solver_of(const Model& model, const EffectiveSystem& system) {
+  if (model.study.solver == deck::Solver::full)
+    return "full, as the deck says";
+  if (!system.compliance)
+    return "full: the effective matrix is not positive definite without contact";
+  if (model.zones.empty())
+    return "the bulk factored once a step length";
+  if (can_condense(model, system))
+    return "condensed on contact points: the bulk is linear and factored once a step length";
+  return "condensed on contact unknowns: the bulk is linear and factored once a step length, and not every "
+         "contact point stands on a node";
+}
+
 State predict(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
               const State& committed, double t) {
   State trial = committed;

@@ -8,7 +8,12 @@
 #include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
 
+#include <string>
+
 namespace rubato::step {
+
+/// How steps with this system are solved, and why: for the log.
+std::string solver_of(const model::Model& model, const EffectiveSystem& system);
 
 /// What the scheme predicts for t, with the displacements imposed there.
 State predict(const model::Model& model, const time::Scheme& scheme, const EffectiveSystem& system,

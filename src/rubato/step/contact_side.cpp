@@ -67,9 +67,8 @@ void ContactSide::measure(const State& trial, const Held& held, ContactIterate& 
       contact::evaluate(system_.neighbours[z], multipliers, configuration, into.points[z]);
     else
       contact::evaluate_in_held_frames(held[z].frames, zone, multipliers, configuration, into.points[z]);
-    keep_given_status(zone, into.points[z], trial.zones[z].status, into.status[z]);
-    if (!held[z].status.empty())
-      into.status[z] = held[z].status;
+    const auto& given = held[z].status.empty() ? trial.zones[z].status : held[z].status;
+    keep_given_status(zone, into.points[z], given, into.status[z]);
   }
 }
 

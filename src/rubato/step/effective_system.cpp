@@ -9,8 +9,7 @@ namespace rubato::step {
 using model::Model;
 using model::SparseMatrix;
 
-EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
-                                      LinearEngine engine) {
+EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step) {
   EffectiveSystem system;
   system.step = step;
   system.coefficients = time::coefficients_of(scheme, step);
@@ -25,7 +24,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     system.zones.push_back(contact::automatic_coefficients(zone, model.dofs, system.diagonal));
     system.neighbours.emplace_back(zone);
   }
-  if (engine == LinearEngine::automatic)
+  if (model.study.solver != deck::Solver::full)
     if (auto factor = linalg::CholeskyFactor::of(system.matrix))
       system.compliance.emplace(std::move(*factor), surface_unknowns(model), model.free_dofs,
                                 static_cast<Eigen::Index>(model.dofs.dof_count));

@@ -14,8 +14,6 @@
 
 namespace rubato::step {
 
-enum class LinearEngine { automatic, full };
-
 /// The effective matrix A = m M + c C + k K of one step length, on free dofs.
 struct EffectiveSystem {
   double step = 0;
@@ -28,9 +26,8 @@ struct EffectiveSystem {
   std::optional<Compliance> compliance;
 };
 
-/// Factors the matrix unless `engine` is full or the matrix is not positive definite, as when only contact
-/// holds a body.
-EffectiveSystem make_effective_system(const model::Model& model, const time::Scheme& scheme, double step,
-                                      LinearEngine engine = LinearEngine::automatic);
+/// Factors the matrix unless the study's solver is full or the matrix is not positive definite, as when only
+/// contact holds a body.
+EffectiveSystem make_effective_system(const model::Model& model, const time::Scheme& scheme, double step);
 
 } // namespace rubato::step

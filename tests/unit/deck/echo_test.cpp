@@ -37,6 +37,7 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
     decks.push_back(replaced(smallest_deck, "newmark", scheme));
     decks.push_back(replaced(decks.back(), "step: 1e-3", "step: auto"));
   }
+  decks.push_back(smallest_deck + "solver: condensed\n");
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);
     EXPECT_EQ(read_back(study), study) << deck;
@@ -57,6 +58,7 @@ TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {
   EXPECT_TRUE(json["runs"].contains("run"));
   const auto smallest = nlohmann::json::parse(to_json(parse_one(smallest_deck)));
   EXPECT_EQ(smallest["newton"]["max_iterations"], 40);
+  EXPECT_EQ(smallest["solver"], "auto");
   EXPECT_EQ(smallest["time"]["start"], "consistent");
   EXPECT_EQ(smallest["materials"]["steel"]["cells"], "all");
 }

@@ -351,6 +351,19 @@ TEST(DeckFaults, AnExplicitSchemeTakesContactByPenaltyOnly) {
   EXPECT_EQ(faults(", method: penalty, friction_method: augmented_lagrangian").size(), 1U);
 }
 
+TEST(DeckFaults, ASolverMustSuitTheSchemeAndTheMethod) {
+  EXPECT_EQ(faults_of(smallest_deck + "solver: full\n"), Sentences{});
+  EXPECT_EQ(faults_of_explicit("end: 1", "solver: full\n"),
+            Sentences{"solver: the scheme central_difference solves no system, expected auto"});
+  EXPECT_EQ(faults_of_explicit("end: 1", "solver: auto\n"), Sentences{});
+  const auto by_cg = smallest_deck + "contact: {a: {master: M, slave: S, method: nodal_pcg}}\n";
+  const auto deck = by_cg + "solver: full\n";
+  EXPECT_EQ(faults_of(deck),
+            Sentences{place_of(deck, "full") +
+                      ": solver: found full, but nodal_pcg works on the factored bulk, expected auto or "
+                      "condensed"});
+}
+
 TEST(DeckFaults, MethodsThatDoNotGoTogetherAreToldApart) {
   EXPECT_EQ(
       faults_of_zone("method: nodal_pcg, friction: 0.2"),

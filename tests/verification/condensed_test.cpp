@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Whole runs of SDNL140 solved on the contact points alone must be what the whole system gives.
+#include <gtest/gtest.h>
+
+#include "verification/modelings.hpp"
+#include "verification/sdnl140.hpp"
+
+namespace rubato::verification {
+namespace {
+
+struct Whole {
+  char letter;
+  const char* run;
+};
+
+void PrintTo(const Whole& run, std::ostream* out) {
+  *out << run.letter << '_' << run.run;
+}
+
+class WholeRun : public testing::TestWithParam<Whole> {
+protected:
+  static Finished solved(const char* solver) {
+    const auto& run = GetParam();
+    auto study =
+        study_of(run.letter, run.run, {{"solver", solver}, {"newton.residual", "1e-12"}, {"fields", "~"}});
+    return finish(study);
+  }
+};
+
+TEST_P(WholeRun, IsTheSameCondensedAndWhole) {
+  const auto condensed = solved("condensed");
+  const auto whole = solved("full");
+  ASSERT_EQ(condensed.result.status, run::Status::complete) << condensed.result.message;
+  ASSERT_EQ(whole.result.status, run::Status::complete) << whole.result.message;
+  ASSERT_EQ(condensed.result.steps, whole.result.steps);
+  const auto& u = condensed.result.end.motion.u;
+  const auto& reference = whole.result.end.motion.u;
+  EXPECT_LT((u - reference).lpNorm<Eigen::Infinity>(), 1e-10 * reference.lpNorm<Eigen::Infinity>());
+}
+
+INSTANTIATE_TEST_SUITE_P(SDNL140, WholeRun,
+                         testing::Values(Whole{'a', "evol1"}, Whole{'c', "evol1"}, Whole{'c', "evol2"},
+                                         Whole{'c', "evol3"}, Whole{'c', "evol4"}, Whole{'d', "evol1"},
+                                         Whole{'e', "evol1"}, Whole{'f', "evol1"}, Whole{'f', "evol2"},
+                                         Whole{'f', "evol3"}, Whole{'f', "evol4"}, Whole{'f', "evol5"}),
+                         [](const auto& run) {
+                           return std::string(1, run.param.letter) + "_" + run.param.run;
+                         });
+
+} // namespace
+} // namespace rubato::verification
