@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -104,9 +105,10 @@ template <class Visit> auto with_kind(CellType type, const Visit& visit) {
 }
 
 /// Σ of the nodes, each times every Stride-th of the weights.
-template <int Nodes, int Stride> Vector3d weighted_sum(const FaceCoordinates& nodes, const double* weights) {
+template <std::ptrdiff_t Nodes, std::ptrdiff_t Stride>
+Vector3d weighted_sum(const FaceCoordinates& nodes, const double* weights) {
   Vector3d sum = weights[0] * nodes.col(0);
-  for (int i = 1; i < Nodes; ++i)
+  for (std::ptrdiff_t i = 1; i < Nodes; ++i)
     sum += weights[i * Stride] * nodes.col(i);
   return sum;
 }

@@ -86,7 +86,7 @@ private:
     for (const auto* point : points)
       positions.insert(positions.end(), point->positions.begin(), point->positions.end());
     std::ranges::sort(positions);
-    positions.erase(std::ranges::unique(positions).begin(), positions.end());
+    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
     compliance_.prepare(positions);
   }
 

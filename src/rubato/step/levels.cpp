@@ -10,7 +10,6 @@ namespace rubato::step {
 namespace {
 
 using contact::PointEvaluation;
-using contact::Status;
 using deck::Iteration;
 using Eigen::VectorXd;
 using model::Model;

@@ -14,8 +14,8 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
+#include <numeric>
 #include <optional>
-#include <ranges>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -32,10 +32,9 @@ static_assert(short_name_size == MED_SNAME_SIZE);
 constexpr std::string_view hdf5_signature{"\x89HDF\r\n\x1a\n", 8};
 
 std::uint64_t little_endian(std::string_view bytes) {
-  std::uint64_t value = 0;
-  for (const char byte : bytes | std::views::reverse)
-    value = (value << 8) | static_cast<unsigned char>(byte);
-  return value;
+  return std::accumulate(bytes.rbegin(), bytes.rend(), std::uint64_t{0}, [](std::uint64_t value, char byte) {
+    return (value << 8) | static_cast<unsigned char>(byte);
+  });
 }
 
 /// The length that an HDF5 superblock announces (HDF5 file format specification, II.A); nothing for a
