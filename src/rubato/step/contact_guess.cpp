@@ -210,7 +210,10 @@ private:
       }
       const VectorXd held = slips + matrix * bound;
       VectorXd next = bound;
-      next(sticking) = VectorXd(MatrixXd(matrix(sticking, sticking)).llt().solve(VectorXd(-held(sticking))));
+      const VectorXd pulled_back =
+          MatrixXd(matrix(sticking, sticking)).llt().solve(VectorXd(-held(sticking)));
+      for (std::size_t k = 0; k < sticking.size(); ++k)
+        next[sticking[k]] = pulled_back[static_cast<Index>(k)];
       const bool same = (next - forces).lpNorm<Eigen::Infinity>() <= 1e-9 * limits.maxCoeff();
       forces = next;
       moved = slips + matrix * forces;
