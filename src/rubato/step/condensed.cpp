@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/condensed.hpp"
 
-#include "rubato/step/contact_guess.hpp"
 #include "rubato/step/linear_step.hpp"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -81,8 +78,10 @@ StepReport Condensed::run(State& trial, const Held& held) {
       return ended(Outcome::not_finite);
     if (iteration > 0 && settled(held)) {
       move_bulk(trial);
-      if (in_equilibrium(trial)) {
-        finish(trial, held);
+      const auto force = contact_force();
+      if (in_equilibrium(trial, force)) {
+        equilibrium_.finish(force, trial);
+        side_.finish(held, now_, trial);
         return ended(Outcome::converged);
       }
       start_from(trial);
@@ -255,12 +254,12 @@ void Condensed::eliminate_multipliers(ActivePoint& point) const {
   all.middleCols(d, q) = -r.by_q.topRows(d + m);
   all.col(d + q).tail(m) = r.equations;
   if (m > 0) {
-    MatrixXd by_multiplier =
-        r.by_multiplier * row_sizes(r.by_multiplier.transpose()).cwiseInverse().asDiagonal();
-    const VectorXd scale = row_sizes(by_multiplier).cwiseInverse();
-    by_multiplier = scale.asDiagonal() * by_multiplier;
-    all = scale.asDiagonal() * all;
-    all.applyOnTheLeft(by_multiplier.householderQr().householderQ().adjoint());
+    point.column_scale = row_sizes(r.by_multiplier.transpose()).cwiseInverse();
+    const MatrixXd by_multiplier = r.by_multiplier * point.column_scale.asDiagonal();
+    point.row_scale = row_sizes(by_multiplier).cwiseInverse();
+    point.by_multiplier.compute(point.row_scale.asDiagonal() * by_multiplier);
+    all = point.row_scale.asDiagonal() * all;
+    all.applyOnTheLeft(point.by_multiplier.householderQ().adjoint());
   }
   point.equations = all.block(m, 0, d, d + q);
   point.right = all.col(d + q).tail(d);
@@ -408,13 +407,10 @@ void Condensed::correct_multipliers(const Held& held, const VectorXd& y, const V
       if (point.positions[q] >= 0)
         right -= r.by_q.col(static_cast<Index>(q)).head(d + m) *
                  (moved_[point.positions[q]] - before[point.positions[q]]);
-    const VectorXd column_scale = row_sizes(r.by_multiplier.transpose()).cwiseInverse();
-    MatrixXd matrix = r.by_multiplier * column_scale.asDiagonal();
-    const VectorXd row_scale = row_sizes(matrix).cwiseInverse();
-    matrix = row_scale.asDiagonal() * matrix;
+    const VectorXd scaled = point.by_multiplier.solve(point.row_scale.cwiseProduct(right));
     trial.zones[point.zone].multipliers.segment(
         model_.zones[point.zone].points[point.index].node_position * m, m) +=
-        column_scale.cwiseProduct(VectorXd(matrix.householderQr().solve(row_scale.cwiseProduct(right))));
+        point.column_scale.cwiseProduct(scaled);
   }
 }
 
@@ -445,21 +441,11 @@ ContactForce Condensed::contact_force() const {
   return force;
 }
 
-bool Condensed::in_equilibrium(const State& trial) {
-  const auto force = contact_force();
+bool Condensed::in_equilibrium(const State& trial, const ContactForce& force) {
   equilibrium_.evaluate(trial.motion, force);
   equilibrium_.measure(trial.motion, force, report_);
   scale_ = equilibrium_.scale();
   return report_.residual <= report_.tolerance;
-}
-
-void Condensed::finish(State& trial, const Held& held) {
-  equilibrium_.finish(contact_force(), trial);
-  for (std::size_t z = 0; z < now_.status.size(); ++z) {
-    trial.zones[z].status = now_.status[z];
-    trial.zones[z].outcomes = contact::outcomes(side_.law_of(z, held), now_.points[z], now_.status[z]);
-  }
-  moved_ = (trial.motion.u - base_.u)(system_.compliance->dof_of_position());
 }
 
 } // namespace rubato::step

@@ -18,6 +18,7 @@
 #include "rubato/step/equilibrium.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 
 #include <vector>
 
@@ -44,7 +45,10 @@ private:
     std::vector<int> positions; ///< of q's dofs on the surface, −1 where a support holds them
     Eigen::MatrixXd equations;  ///< A₁ | A₂: d rows, d + q columns
     Eigen::VectorXd right;      ///< b
-    Eigen::Index first = 0;     ///< of its y
+    /// Z_m over E_m, rows and columns scaled to entries of order one, factored.
+    Eigen::HouseholderQR<Eigen::MatrixXd> by_multiplier;
+    Eigen::VectorXd row_scale, column_scale;
+    Eigen::Index first = 0; ///< of its y
     Eigen::Index unknowns() const { return response.components + response.slopes; }
   };
 
@@ -69,8 +73,7 @@ private:
                            State& trial) const;
   void move_bulk(State& trial);
   ContactForce contact_force() const;
-  bool in_equilibrium(const State& trial);
-  void finish(State& trial, const Held& held);
+  bool in_equilibrium(const State& trial, const ContactForce& force);
   StepReport ended(Outcome outcome);
 
   const model::Model& model_;

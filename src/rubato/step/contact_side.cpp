@@ -94,6 +94,13 @@ bool ContactSide::settled(const Held& held, const ContactIterate& before, const 
   return geometry_settled(held, before, now) && gaps_closed(now);
 }
 
+void ContactSide::finish(const Held& held, const ContactIterate& iterate, State& trial) const {
+  for (std::size_t z = 0; z < iterate.status.size(); ++z) {
+    trial.zones[z].status = iterate.status[z];
+    trial.zones[z].outcomes = contact::outcomes(law_of(z, held), iterate.points[z], iterate.status[z]);
+  }
+}
+
 bool ContactSide::geometry_settled(const Held& held, const ContactIterate& before,
                                    const ContactIterate& now) const {
   for (std::size_t z = 0; z < now.points.size(); ++z)

@@ -57,6 +57,9 @@ public:
   /// Whether no projection of a point in contact moved between two iterates, and exact gaps are closed.
   bool settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const;
 
+  /// Stores in `trial` the statuses of an iterate and what its points do.
+  void finish(const Held& held, const ContactIterate& iterate, State& trial) const;
+
 private:
   bool geometry_settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const;
   bool gaps_closed(const ContactIterate& now) const;

@@ -34,7 +34,8 @@ StepReport Newton::run(State& trial, const Held& held) {
     if (!equilibrium_.residual().allFinite())
       return ended(Outcome::not_finite);
     if (iteration > 0 && settled(held)) {
-      finish(trial, held);
+      equilibrium_.finish(force_, trial);
+      side_.finish(held, now_, trial);
       return ended(Outcome::converged);
     }
     if (iteration == model_.study.newton.max_iterations)
@@ -98,14 +99,6 @@ bool Newton::solve_and_correct(State& trial) {
     trial.zones[z].multipliers +=
         solution->multipliers.segment(model_.multiplier_offsets[z], model_.zones[z].multiplier_count());
   return true;
-}
-
-void Newton::finish(State& trial, const Held& held) const {
-  equilibrium_.finish(force_, trial);
-  for (std::size_t z = 0; z < now_.status.size(); ++z) {
-    trial.zones[z].status = now_.status[z];
-    trial.zones[z].outcomes = contact::outcomes(side_.law_of(z, held), now_.points[z], now_.status[z]);
-  }
 }
 
 } // namespace rubato::step

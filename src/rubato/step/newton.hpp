@@ -28,7 +28,6 @@ private:
   void add_zone(std::size_t zone, const Held& held);
   bool settled(const Held& held);
   bool solve_and_correct(State& trial);
-  void finish(State& trial, const Held& held) const;
 
   const model::Model& model_;
   const time::Scheme& scheme_;
