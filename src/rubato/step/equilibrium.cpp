@@ -38,11 +38,14 @@ Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const E
       history_(history_forces(model, scheme, committed)) {}
 
 void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& contact) {
-  inertia_ = scheme_.inertia.now != 0 ? VectorXd(scheme_.inertia.now * multiply(model_.mass, motion.a))
-                                      : VectorXd::Zero(motion.u.size());
-  if (scheme_.damping.now != 0)
-    inertia_ += scheme_.damping.now * multiply(model_.damping, motion.v);
-  unbalance_ = model_.stiffness * motion.u + contact.all - external_;
+  forces_.internal.noalias() = model_.stiffness * motion.u;
+  forces_.inertia = scheme_.dynamic ? multiply(model_.mass, motion.a) : VectorXd::Zero(motion.u.size());
+  inertia_ = scheme_.inertia.now * forces_.inertia;
+  if (scheme_.damping.now != 0 && model_.damping.nonZeros() > 0) {
+    forces_.damping = model_.damping * motion.v;
+    inertia_ += scheme_.damping.now * forces_.damping;
+  }
+  unbalance_ = forces_.internal + contact.all - external_;
   full_residual_ = inertia_ + scheme_.forces.now * unbalance_ + history_;
   residual_ = full_residual_(model_.free_dofs);
 }
@@ -52,9 +55,9 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   for (const auto& constraint : model_.constraints)
     reference[constraint.dof] -= full_residual_[constraint.dof];
   scale_ = reference.lpNorm<Eigen::Infinity>();
-  if (scheme_.dynamic)
-    scale_ = std::max(scale_, multiply(model_.mass, motion.v).lpNorm<Eigen::Infinity>() *
-                                  system_.coefficients.acceleration * system_.step);
+  forces_.momentum = scheme_.dynamic ? multiply(model_.mass, motion.v) : VectorXd::Zero(motion.u.size());
+  scale_ = std::max(scale_, forces_.momentum.lpNorm<Eigen::Infinity>() * system_.coefficients.acceleration *
+                                system_.step);
   Index worst = 0;
   const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without
@@ -71,6 +74,8 @@ void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.force_scale = scale_;
   trial.unbalance = unbalance_ - contact.forgotten;
   trial.contact_force = contact.all;
+  trial.forces = forces_;
+  trial.forces.external = external_;
   trial.reaction = VectorXd::Zero(unbalance_.size());
   for (const auto& constraint : model_.constraints)
     trial.reaction[constraint.dof] = full_residual_[constraint.dof];

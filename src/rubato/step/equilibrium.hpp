@@ -47,6 +47,7 @@ private:
   Eigen::VectorXd external_;
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
   Eigen::VectorXd inertia_, unbalance_, full_residual_, residual_;
+  BodyForces forces_; ///< of the motion that was evaluated, momentum of the one that was measured
   double scale_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "rubato/step/start.hpp"
 
 #include "rubato/linalg/direct_solver.hpp"
+#include "rubato/step/energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
   if (!loaded_history)
     state.unbalance.setZero();
+  find_body_forces(model, state);
   return state;
 }
 
@@ -68,6 +70,7 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
   state.unbalance = model.stiffness * state.motion.u + state.contact_force - model::external_force(model, t);
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
+  find_body_forces(model, state);
   return state;
 }
 

@@ -11,6 +11,16 @@
 
 namespace rubato::step {
 
+/// What acts on the bodies at an instant, one a dof. The ledger of energies needs them; steps don't.
+struct BodyForces {
+  Eigen::VectorXd internal; ///< K u [force]
+  Eigen::VectorXd external; ///< the loads [force]
+  Eigen::VectorXd inertia;  ///< M a [force]
+  Eigen::VectorXd momentum; ///< M v [force · time]
+  Eigen::VectorXd damping;  ///< C v [force]; empty without damping
+  Eigen::VectorXd friction; ///< the part of the contact force along the surfaces, internal side [force]
+};
+
 struct State {
   double t = 0;
   time::Motion motion; ///< u, v, a, one a dof
@@ -20,6 +30,7 @@ struct State {
   Eigen::VectorXd reaction;      ///< of the supports, on constrained dofs [force]
   double force_scale = 0;        ///< what the residual of the last step was measured by [force]
   std::vector<contact::ZoneState> zones;
+  BodyForces forces;
 };
 
 } // namespace rubato::step
