@@ -156,12 +156,12 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.numbers("state/contact_force", state.contact_force);
   archive.numbers("state/reaction", state.reaction);
   archive.number("state/force_scale", state.force_scale);
-  archive.numbers("state/forces/internal", state.forces.internal);
-  archive.numbers("state/forces/external", state.forces.external);
-  archive.numbers("state/forces/inertia", state.forces.inertia);
-  archive.numbers("state/forces/momentum", state.forces.momentum);
-  archive.numbers("state/forces/damping", state.forces.damping);
-  archive.numbers("state/forces/friction", state.forces.friction);
+  archive.numbers("state/friction_force", state.friction_force);
+  archive.numbers("state/external_force", state.external_force);
+  archive.numbers("state/bulk/internal", state.bulk.internal);
+  archive.numbers("state/bulk/viscous", state.bulk.viscous);
+  archive.numbers("state/bulk/momentum", state.bulk.momentum);
+  archive.numbers("state/bulk/inertia", state.bulk.inertia);
   archive.parts("state/zones", state.zones);
   for (std::size_t z = 0; z < state.zones.size(); ++z) {
     const auto at = fmt::format("state/zone_{}/", z);

@@ -8,20 +8,16 @@ namespace {
 using Eigen::VectorXd;
 using model::Model;
 
-VectorXd multiply(const model::SparseMatrix& matrix, const VectorXd& v) {
-  return matrix.nonZeros() > 0 ? VectorXd(matrix * v) : VectorXd::Zero(v.size());
-}
-
 double kinetic_energy(const State& state) {
-  return 0.5 * state.motion.v.dot(state.forces.momentum);
+  return 0.5 * state.motion.v.dot(state.bulk.momentum);
 }
 
 double strain_energy(const State& state) {
-  return 0.5 * state.motion.u.dot(state.forces.internal);
+  return 0.5 * state.motion.u.dot(state.bulk.internal);
 }
 
 bool damped(const State& state) {
-  return state.forces.damping.size() > 0;
+  return state.bulk.viscous.size() > 0;
 }
 
 /// [x]·{f}
@@ -51,15 +47,15 @@ EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, con
 }
 
 void EnergyAccount::enter(const State& committed, const State& trial) {
-  const auto& before = committed.forces;
-  const auto& now = trial.forces;
+  const auto& before = committed.bulk;
+  const auto& now = trial.bulk;
   const VectorXd moved = trial.motion.u - committed.motion.u;
   ledger_.kinetic = scheme_->dynamic ? kinetic_energy(trial) : 0;
   ledger_.strain = strain_energy(trial);
-  ledger_.external_work += work(moved, before.external, now.external);
+  ledger_.external_work += work(moved, committed.external_force, trial.external_force);
   if (damped(trial))
-    ledger_.damping += work(moved, before.damping, now.damping);
-  const double friction = work(moved, before.friction, now.friction);
+    ledger_.damping += work(moved, before.viscous, now.viscous);
+  const double friction = work(moved, committed.friction_force, trial.friction_force);
   const double springs = energy_of_springs(trial.zones);
   ledger_.friction += friction;
   ledger_.impact +=
@@ -75,12 +71,11 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
 EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, const State& committed,
                                                       const State& trial) const {
   const auto reaction = [&](const State& state, int dof) {
-    const auto& f = state.forces;
-    double sum = f.internal[dof] + state.contact_force[dof] - f.external[dof];
+    double sum = state.bulk.internal[dof] + state.contact_force[dof] - state.external_force[dof];
     if (scheme_->dynamic)
-      sum += f.inertia[dof];
+      sum += state.bulk.inertia[dof];
     if (damped(state))
-      sum += f.damping[dof];
+      sum += state.bulk.viscous[dof];
     return sum;
   };
   Supports supports;
@@ -98,16 +93,16 @@ EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, con
 /// [u]·(m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F₁ + f₀ F₀): that of R and of what is left unbalanced.
 double EnergyAccount::work_of_equation(const VectorXd& moved, const State& committed,
                                        const State& trial) const {
-  const auto& before = committed.forces;
-  const auto& now = trial.forces;
-  double sum = scheme_->forces.now * moved.dot(now.internal + trial.contact_force - now.external);
+  const auto& before = committed.bulk;
+  const auto& now = trial.bulk;
+  double sum = scheme_->forces.now * moved.dot(now.internal + trial.contact_force - trial.external_force);
   if (scheme_->forces.before != 0)
     sum += scheme_->forces.before * moved.dot(committed.unbalance);
   if (!scheme_->dynamic)
     return sum;
   sum += moved.dot(scheme_->inertia.now * now.inertia + scheme_->inertia.before * before.inertia);
   if (damped(trial))
-    sum += moved.dot(scheme_->damping.now * now.damping + scheme_->damping.before * before.damping);
+    sum += moved.dot(scheme_->damping.now * now.viscous + scheme_->damping.before * before.viscous);
   return sum;
 }
 
@@ -115,18 +110,19 @@ double EnergyAccount::work_of_equation(const VectorXd& moved, const State& commi
 ///   + [u]·((m₁ − γ) M[a] + (c₁ − ½) C[v] + (f₁ − ½) [F]) + f₀ [u]·(F₀ as the step took it − F₀)
 double EnergyAccount::scheme_dissipation(const VectorXd& moved, const State& committed,
                                          const State& trial) const {
-  const auto& before = committed.forces;
-  const auto& now = trial.forces;
-  const double force_change = moved.dot(now.internal - before.internal + trial.contact_force -
-                                        committed.contact_force - now.external + before.external);
+  const auto& before = committed.bulk;
+  const auto& now = trial.bulk;
+  const double force_change =
+      moved.dot(now.internal - before.internal + trial.contact_force - committed.contact_force -
+                trial.external_force + committed.external_force);
   double sum = (scheme_->forces.now - 0.5) * force_change;
   if (scheme_->forces.before != 0)
-    sum += scheme_->forces.before *
-           moved.dot(committed.unbalance - before.internal - committed.contact_force + before.external);
+    sum += scheme_->forces.before * moved.dot(committed.unbalance - before.internal -
+                                              committed.contact_force + committed.external_force);
   if (!scheme_->dynamic)
     return sum;
   if (damped(trial))
-    sum += (scheme_->damping.now - 0.5) * moved.dot(now.damping - before.damping);
+    sum += (scheme_->damping.now - 0.5) * moved.dot(now.viscous - before.viscous);
   const auto inertia_change = now.inertia - before.inertia;
   sum += (scheme_->inertia.now - scheme_->gamma) * moved.dot(inertia_change);
   const double h = trial.t - committed.t;
@@ -135,18 +131,6 @@ double EnergyAccount::scheme_dissipation(const VectorXd& moved, const State& com
     sum += factor * (0.5 * (trial.motion.a.dot(now.inertia) - committed.motion.a.dot(before.inertia)) +
                      (scheme_->gamma - 0.5) * (trial.motion.a - committed.motion.a).dot(inertia_change));
   return sum;
-}
-
-void find_body_forces(const Model& model, State& state) {
-  auto& forces = state.forces;
-  const auto& motion = state.motion;
-  forces.internal = model.stiffness * motion.u;
-  forces.external = model::external_force(model, state.t);
-  forces.inertia = multiply(model.mass, motion.a);
-  forces.momentum = multiply(model.mass, motion.v);
-  forces.damping = model.damping.nonZeros() > 0 ? VectorXd(model.damping * motion.v) : VectorXd();
-  if (forces.friction.size() != motion.u.size())
-    forces.friction = VectorXd::Zero(motion.u.size());
 }
 
 double energy_of_springs(std::span<const contact::ZoneState> zones) {

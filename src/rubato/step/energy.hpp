@@ -86,9 +86,6 @@ private:
   EnergyLedger ledger_;
 };
 
-/// Finds the forces on the bodies of a state that no step has led to.
-void find_body_forces(const model::Model& model, State& state);
-
 /// What contact springs of these zones hold: exact where pressures are proportional to penetrations, 0 where
 /// gaps are closed.
 double energy_of_springs(std::span<const contact::ZoneState> zones);

@@ -2,7 +2,6 @@
 #include "rubato/step/start.hpp"
 
 #include "rubato/linalg/direct_solver.hpp"
-#include "rubato/step/energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +44,14 @@ contact::ZoneState untouched_zone(const Model& model, const contact::Zone& zone,
 
 } // namespace
 
+BulkForces bulk_forces(const Model& model, const time::Motion& motion) {
+  BulkForces forces{
+      model.products.stiffness(motion.u), {}, model.products.mass(motion.v), model.products.mass(motion.a)};
+  if (model.damping.nonZeros() > 0)
+    forces.viscous = model.damping * motion.v;
+  return forces;
+}
+
 State initial_state(const Model& model, const time::Scheme& scheme, double t, bool loaded_history) {
   const auto size = static_cast<Index>(model.dofs.dof_count);
   State state;
@@ -53,6 +60,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   apply_imposed(model, t, state.motion.u);
   state.unbalance = model.stiffness * state.motion.u - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);
+  state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
   for (const auto& zone : model.zones)
     state.zones.push_back(untouched_zone(model, zone, state.motion.u));
@@ -60,7 +68,8 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
   if (!loaded_history)
     state.unbalance.setZero();
-  find_body_forces(model, state);
+  state.bulk = bulk_forces(model, state.motion);
+  state.external_force = model::external_force(model, t);
   return state;
 }
 
@@ -70,7 +79,10 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
   state.unbalance = model.stiffness * state.motion.u + state.contact_force - model::external_force(model, t);
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
-  find_body_forces(model, state);
+  state.bulk = bulk_forces(model, state.motion);
+  state.external_force = model::external_force(model, t);
+  if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
+    state.friction_force = VectorXd::Zero(state.contact_force.size());
   return state;
 }
 

@@ -11,26 +11,26 @@
 
 namespace rubato::step {
 
-/// What acts on the bodies at an instant, one a dof. The ledger of energies needs them; steps don't.
-struct BodyForces {
+/// What the bulk answers to its motion, kept with it: a step starts without any product.
+struct BulkForces {
   Eigen::VectorXd internal; ///< K u [force]
-  Eigen::VectorXd external; ///< the loads [force]
+  Eigen::VectorXd viscous;  ///< C v [force], empty without damping
+  Eigen::VectorXd momentum; ///< M v
   Eigen::VectorXd inertia;  ///< M a [force]
-  Eigen::VectorXd momentum; ///< M v [force · time]
-  Eigen::VectorXd damping;  ///< C v [force]; empty without damping
-  Eigen::VectorXd friction; ///< the part of the contact force along the surfaces, internal side [force]
 };
 
 struct State {
   double t = 0;
   time::Motion motion; ///< u, v, a, one a dof
+  BulkForces bulk;
   Eigen::VectorXd
       unbalance; ///< internal + contact − external force at t: the scheme's history bracket [force]
-  Eigen::VectorXd contact_force; ///< contact and friction, internal side [force]
-  Eigen::VectorXd reaction;      ///< of the supports, on constrained dofs [force]
-  double force_scale = 0;        ///< what the residual of the last step was measured by [force]
+  Eigen::VectorXd contact_force;  ///< contact and friction, internal side [force]
+  Eigen::VectorXd friction_force; ///< the part of it along the surfaces [force]
+  Eigen::VectorXd external_force; ///< the loads at t [force]
+  Eigen::VectorXd reaction;       ///< of the supports, on constrained dofs [force]
+  double force_scale = 0;         ///< what the residual of the last step was measured by [force]
   std::vector<contact::ZoneState> zones;
-  BodyForces forces;
 };
 
 } // namespace rubato::step
