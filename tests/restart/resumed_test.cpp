@@ -67,7 +67,7 @@ TEST_F(ResumedRun, OfAStoppedRunHasNoSeam) {
   EXPECT_NE(stopped.err.find("--resume goes on from there"), std::string::npos) << stopped.err;
 
   const auto end =
-      "time.end=" +
+      "runs.exact.time.end=" +
       std::to_string(test::summary_in(folder_ / "out/exact/run.json").at("steps").get<int>() * 5e-4 + 0.01);
   ASSERT_EQ(run(deck, "out", {"--only", "exact", "--resume", "--set", end}).exit_code, 0);
   ASSERT_EQ(run(deck, "whole", {"--only", "exact", "--set", end}).exit_code, 0);
