@@ -20,7 +20,7 @@ using Seconds = std::chrono::duration<double>;
 
 int kills() {
   const char* wanted = std::getenv("RUBATO_KILLS");
-  return wanted != nullptr ? std::atoi(wanted) : 12;
+  return wanted != nullptr ? std::atoi(wanted) : 6;
 }
 
 class KilledRun : public testing::TestWithParam<const std::string*> {

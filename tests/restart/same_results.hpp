@@ -45,7 +45,8 @@ inline nlohmann::json summary_in(const std::filesystem::path& file) {
   return summary;
 }
 
-/// MED stamps the time into its files: they are compared by what they hold.
+/// MED stamps the time into its files: they are compared by what they hold. Of the values, which take a
+/// process each to read, the displacements: the .vtu files show them all.
 inline void expect_same_fields(const std::filesystem::path& a, const std::filesystem::path& b) {
   const auto fields = results::med_fields(a);
   const auto others = results::med_fields(b);
@@ -57,9 +58,11 @@ inline void expect_same_fields(const std::filesystem::path& a, const std::filesy
       const auto& instant = fields[f].instants[i];
       EXPECT_EQ(instant.time, others[f].instants[i].time);
       EXPECT_EQ(instant.number, others[f].instants[i].number);
-      EXPECT_EQ(results::read_med_field(a, fields[f].name, instant.number),
-                results::read_med_field(b, fields[f].name, instant.number))
-          << fields[f].name << " at " << instant.time;
+      if (fields[f].name == "displacement") {
+        EXPECT_EQ(results::read_med_field(a, fields[f].name, instant.number),
+                  results::read_med_field(b, fields[f].name, instant.number))
+            << "at " << instant.time;
+      }
     }
   }
 }

@@ -62,6 +62,7 @@ std::optional<RunResult> finished_run(const deck::Study& study, const Course& co
   result.setup_seconds = spent.setup_seconds;
   result.loop_seconds = spent.loop_seconds;
   result.checks = results::evaluate_checks(study.checks, stored.probes, course.folder);
+  result.energy = course.from->record;
   result.end = course.from->state;
   return result;
 }

@@ -59,6 +59,7 @@ public:
     result_.loop_seconds = loop_seconds();
     result_.steps = static_cast<int>(motion_.steps());
     energy_.tell();
+    result_.energy = energy_.record();
     result_.end = std::move(now_);
     result_.checks = recorder_->finish(
         {result_.status, result_.message, result_.setup_seconds, result_.loop_seconds, result_.steps, 0, 0});

@@ -94,6 +94,7 @@ public:
       keep_checkpoint();
     result_.loop_seconds = loop_seconds();
     energy_.tell();
+    result_.energy = energy_.record();
     result_.end = committed_;
     result_.checks =
         recorder_->finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,

@@ -6,6 +6,7 @@
 #include "rubato/model/model.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/run_status.hpp"
+#include "rubato/step/energy.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 
@@ -48,7 +49,8 @@ struct RunResult {
   double setup_seconds = 0; ///< processor time
   double loop_seconds = 0;
   std::vector<results::CheckResult> checks;
-  step::State end; ///< the last accepted state
+  step::EnergyRecord energy; ///< how well its ledger closes, and what it gained
+  step::State end;           ///< the last accepted state
 
   bool checks_hold() const;
 };
