@@ -17,6 +17,7 @@ struct RunArguments {
   std::filesystem::path output;
   std::vector<std::string> settings; ///< "path.to.key=value"
   std::vector<std::string> only;     ///< names of runs
+  bool resume = false;
   bool quiet = false;
 };
 int run(const RunArguments& arguments);

@@ -34,6 +34,8 @@ void add_run(CLI::App& program, Arguments& arguments) {
   command->add_option("--only", run.only, "run only these runs of the deck (and those they start from)")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command->add_flag("--resume", run.resume,
+                    "go on from the checkpoints in the folder of results; runs at their end are left alone");
   command->add_flag("-q,--quiet", run.quiet, "print checks and errors only");
   command->callback([&arguments] { arguments.work = [&] { return app::run(arguments.run); }; });
 }

@@ -75,6 +75,11 @@ void ProgressLine::say(const std::string& text) {
     fmt::print(stderr, "{}\n", text);
 }
 
+void ProgressLine::warn(const std::string& text) {
+  close();
+  fmt::print(stderr, "warning: {}\n", text);
+}
+
 void ProgressLine::close() {
   if (open_)
     fmt::print(stderr, "\n");

@@ -17,6 +17,8 @@ public:
   void update(const run::Progress& progress);
   /// Prints a sentence of its own, as a run does that is about to take its first step.
   void say(const std::string& text);
+  /// Prints what is to be known even when nothing else is.
+  void warn(const std::string& text);
   /// Ends the rewritten line.
   void close();
 

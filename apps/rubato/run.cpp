@@ -96,9 +96,11 @@ void print_summary(const deck::Study& study, const run::RunResult& result,
 class Series {
 public:
   Series(const RunArguments& arguments, std::filesystem::path output, std::stop_token stop)
-      : output_(std::move(output)), quiet_(arguments.quiet), stop_(std::move(stop)), line_(arguments.quiet) {
+      : output_(std::move(output)), begin_(arguments.resume ? run::Begin::resumed : run::Begin::anew),
+        quiet_(arguments.quiet), stop_(std::move(stop)), line_(arguments.quiet) {
     watch_.progress = [this](const run::Progress& progress) { line_.update(progress); };
     watch_.say = [this](const std::string& text) { line_.say(text); };
+    watch_.warn = [this](const std::string& text) { line_.warn(text); };
     watch_.stop = [this] { return stop_.stop_requested(); };
   }
 
@@ -120,19 +122,20 @@ public:
 private:
   int run(const deck::Study& study, const step::State* previous) {
     const auto folder = output_ / study.name;
-    auto result = run::run_study(study, folder, watch_, previous);
+    auto result = run::run_study(study, folder, watch_, previous, begin_);
     line_.close();
     if (!quiet_ || !result.checks.empty())
       print_summary(study, result, folder);
     if (result.status == run::Status::complete)
       ends_.emplace(study.name, std::move(result.end));
     else
-      fmt::print(stderr, "error: {}: {}; the results up to there are in {}\n", study.name, result.message,
-                 folder.string());
+      fmt::print(stderr, "error: {}: {}; the results up to there are in {}{}\n", study.name, result.message,
+                 folder.string(), study.checkpoint.last ? ", --resume goes on from there" : "");
     return exit_code_of(result);
   }
 
   std::filesystem::path output_;
+  run::Begin begin_;
   bool quiet_;
   std::stop_token stop_;
   ProgressLine line_;

@@ -330,4 +330,16 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
   return all;
 }
 
+void add_friction_force(std::span<const PointEvaluation> points, std::span<const PointOutcome> outcomes,
+                        const fem::DofMap& dofs, VectorXd& force) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].kinematics || outcomes[i].tangential.isZero(0))
+      continue;
+    const auto& k = *points[i].kinematics;
+    for (std::size_t node = 0; node < k.nodes.size(); ++node)
+      force.segment(dofs.dof(k.nodes[node], 0), k.components) -=
+          k.shape[static_cast<Index>(node)] * outcomes[i].tangential.head(k.components);
+  }
+}
+
 } // namespace rubato::contact

@@ -127,4 +127,8 @@ void add_contributions(const ZoneLaw& law, std::span<const PointEvaluation> poin
 std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEvaluation> points,
                                    std::span<const Status> status);
 
+/// Adds what friction puts on the dofs, internal side, when the points do that.
+void add_friction_force(std::span<const PointEvaluation> points, std::span<const PointOutcome> outcomes,
+                        const fem::DofMap& dofs, Eigen::VectorXd& force);
+
 } // namespace rubato::contact

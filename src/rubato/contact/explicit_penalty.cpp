@@ -110,6 +110,12 @@ double ExplicitPenalty::stored() const {
   return sum;
 }
 
+void ExplicitPenalty::restore(const Memory& memory, const Configuration& configuration) {
+  springs_ = memory.springs;
+  dissipated_ = memory.dissipated;
+  neighbours_.update(configuration);
+}
+
 ZoneState ExplicitPenalty::state() const {
   auto state = initial_state(*zone_);
   state.outcomes.assign(springs_.size(), {});

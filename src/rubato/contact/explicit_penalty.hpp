@@ -36,6 +36,25 @@ std::vector<double> penalty_stiffness(const Zone& zone, const fem::DofMap& dofs,
 /// One zone's springs and what they carry from step to step.
 class ExplicitPenalty {
 public:
+  /// What a point keeps from step to step.
+  struct Spring {
+    Status status = Status::open;
+    bool paired = true;  ///< at the end of the last step; in the first one nothing is forgiven
+    double forgiven = 0; ///< g₀ ≤ 0
+    double gap = 0;
+    double pressure = 0;
+    double tangential_stiffness = 0;
+    Eigen::Vector3d slip = Eigen::Vector3d::Zero();     ///< elastic [length]
+    Eigen::Vector3d traction = Eigen::Vector3d::Zero(); ///< tangential, on the slave [pressure]
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    Eigen::Vector2d slip_on_tangents = Eigen::Vector2d::Zero(); ///< of the last step
+  };
+  /// All that the zone carries from step to step.
+  struct Memory {
+    std::vector<Spring> springs; ///< one a contact point
+    double dissipated = 0;
+  };
+
   /// k_t is k_n or, where the deck gives c_t [1/length], μ p c_t if that is less: then friction saturates at
   /// the slip 1/c_t. `dofs` and `zone` must outlive this.
   ExplicitPenalty(const Zone& zone, const fem::DofMap& dofs, std::vector<double> normal_stiffness);
@@ -47,6 +66,10 @@ public:
 
   double stored() const;                            ///< in the springs [force · length]
   double dissipated() const { return dissipated_; } ///< by friction, in all steps
+
+  Memory memory() const { return {springs_, dissipated_}; }
+  /// Goes back to what it carried at a configuration.
+  void restore(const Memory& memory, const Configuration& configuration);
 
   /// Statuses and outcomes for the results; slips are those of the last step.
   ZoneState state() const;
@@ -65,19 +88,6 @@ private:
     Eigen::Vector3d normal;
     Eigen::Vector3d tangent; ///< the first
     std::array<double, 9> shape;
-  };
-  /// What a point keeps from step to step.
-  struct Spring {
-    Status status = Status::open;
-    bool paired = true;  ///< at the end of the last step; in the first one nothing is forgiven
-    double forgiven = 0; ///< g₀ ≤ 0
-    double gap = 0;
-    double pressure = 0;
-    double tangential_stiffness = 0;
-    Eigen::Vector3d slip = Eigen::Vector3d::Zero();     ///< elastic [length]
-    Eigen::Vector3d traction = Eigen::Vector3d::Zero(); ///< tangential, on the slave [pressure]
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    Eigen::Vector2d slip_on_tangents = Eigen::Vector2d::Zero(); ///< of the last step
   };
 
   const Face& master_face(std::size_t point) const;

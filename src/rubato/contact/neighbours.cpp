@@ -96,7 +96,8 @@ std::size_t NeighbourList::nearest_of(std::size_t point) const {
   double least = INFINITY;
   for (auto k = start_[point]; k < start_[point + 1]; ++k) {
     const double squared = (master_[near_nodes_[k]] - slave_[point]).squaredNorm();
-    if (squared >= least)
+    // Of equally near nodes the first in the surface: the order of the list depends on where it was searched.
+    if (squared > least || (squared == least && near_nodes_[k] > nearest))
       continue;
     least = squared;
     nearest = near_nodes_[k];

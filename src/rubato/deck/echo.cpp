@@ -198,6 +198,10 @@ Json echo(const FieldOutput& fields) {
   return {{"formats", formats}, {"at", fields.at}, {"every", fields.every}, {"last", fields.last}};
 }
 
+Json echo(const CheckpointOutput& checkpoint) {
+  return {{"at", checkpoint.at}, {"every", checkpoint.every}, {"last", checkpoint.last}};
+}
+
 Json echo(const Check& check) {
   auto map = Json::object();
   if (check.field) {
@@ -254,6 +258,7 @@ std::string to_json(const Study& study) {
   deck["newton"] = {{"max_iterations", study.newton.max_iterations}, {"residual", study.newton.residual}};
   deck["probes"] = echo_by_name(study.probes, dimension);
   deck["fields"] = echo(study.fields);
+  deck["checkpoint"] = echo(study.checkpoint);
   deck["checks"] = echo_list(study.checks);
   deck["runs"] = {{study.name, Json::object()}};
   constexpr int indentation = 2;

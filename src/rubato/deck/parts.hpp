@@ -48,6 +48,7 @@ void require_within(const Value& value, double instant, const Context& context);
 
 void read_probes(const Found& value, const Context& context, std::vector<Probe>& probes);
 void read_fields(const Found& value, const Context& context, FieldOutput& fields);
+void read_checkpoint(const Found& value, const Context& context, CheckpointOutput& checkpoint);
 void read_checks(const Found& value, const Context& context, const std::vector<Probe>& probes,
                  std::vector<Check>& checks);
 

@@ -110,6 +110,7 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   read_solver(map.find("solver"), study);
   read_probes(map.find("probes"), context, study.probes);
   read_fields(map.find("fields"), context, study.fields);
+  read_checkpoint(map.find("checkpoint"), context, study.checkpoint);
   read_checks(map.find("checks"), context, study.probes, study.checks);
   map.finish();
   return study;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Probes and fields: what is kept of a run.
+// Probes, fields and checkpoints: what is kept of a run.
 #include "rubato/deck/parts.hpp"
 
 #include <fmt/format.h>
@@ -54,6 +54,15 @@ void read_formats(const Found& value, FieldOutput& fields) {
       (*choice == 0 ? fields.vtu : fields.med) = true;
 }
 
+void read_instants_within(const Found& at, const Context& context, std::vector<double>& instants) {
+  if (read(at, instants) && ascends(at, instants))
+    for (const auto& instant : items(at)) {
+      double number = 0;
+      read(Found(instant), number);
+      require_within(instant, number, context);
+    }
+}
+
 } // namespace
 
 void require_within(const Value& value, double instant, const Context& context) {
@@ -72,15 +81,19 @@ void read_fields(const Found& value, const Context& context, FieldOutput& fields
     return;
   MapReader map(*value);
   read_formats(map.find("formats"), fields);
-  const auto at = map.find("at");
-  if (read(at, fields.at) && ascends(at, fields.at))
-    for (const auto& instant : items(at)) {
-      double number = 0;
-      read(Found(instant), number);
-      require_within(instant, number, context);
-    }
+  read_instants_within(map.find("at"), context, fields.at);
   read(map.find("every"), fields.every, at_least(0));
   read(map.find("last"), fields.last);
+  map.finish();
+}
+
+void read_checkpoint(const Found& value, const Context& context, CheckpointOutput& checkpoint) {
+  if (!value)
+    return;
+  MapReader map(*value);
+  read_instants_within(map.find("at"), context, checkpoint.at);
+  read(map.find("every"), checkpoint.every, at_least(0));
+  read(map.find("last"), checkpoint.last);
   map.finish();
 }
 

@@ -247,6 +247,14 @@ struct FieldOutput {
   bool operator==(const FieldOutput&) const = default;
 };
 
+/// When the state is stored that `--resume` goes on from.
+struct CheckpointOutput {
+  std::vector<double> at; ///< instants
+  int every = 0;          ///< and every n-th step, of an explicit run every n-th record; 0: none
+  bool last = true;       ///< and when the run ends, however it does
+  bool operator==(const CheckpointOutput&) const = default;
+};
+
 enum class CheckSource { external, analytic, other_code, other_run };
 
 /// A field at the nodes of a group, as a check compares it.
@@ -294,6 +302,7 @@ struct Study {
   Solver solver = Solver::automatic;
   std::vector<Probe> probes;
   FieldOutput fields;
+  CheckpointOutput checkpoint;
   std::vector<Check> checks;
   bool operator==(const Study&) const = default;
 };

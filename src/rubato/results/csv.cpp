@@ -35,17 +35,37 @@ double number(std::string_view text, const Location& at) {
 
 } // namespace
 
-CsvWriter::CsvWriter(std::filesystem::path path, std::span<const std::string> columns)
-    : path_(std::move(path)), file_(path_, std::ios::trunc) {
-  file_ << fmt::format("{}\n", fmt::join(columns, ",")) << std::flush;
+LineFile::LineFile(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::trunc) {
   if (!file_)
     throw InputError(fmt::format("{}: cannot be written", path_.string()));
 }
 
-void CsvWriter::row(std::span<const double> values) {
-  file_ << fmt::format("{}\n", fmt::join(values, ",")) << std::flush;
+LineFile::LineFile(std::filesystem::path path, std::uintmax_t bytes) : path_(std::move(path)), bytes_(bytes) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path_, error);
+  if (error || size < bytes)
+    throw InputError(fmt::format("{}: found {}, expected the {} bytes that the checkpoint counts on",
+                                 path_.string(), error ? error.message() : fmt::format("{} bytes", size),
+                                 bytes));
+  std::filesystem::resize_file(path_, bytes, error);
+  file_.open(path_, std::ios::app);
+  if (error || !file_)
+    throw InputError(fmt::format("{}: cannot be written", path_.string()));
+}
+
+void LineFile::add(std::string_view line) {
+  file_ << line << '\n' << std::flush;
   if (!file_)
     throw std::runtime_error(fmt::format("{}: writing failed, is the disk full?", path_.string()));
+  bytes_ += line.size() + 1;
+}
+
+CsvWriter::CsvWriter(const std::filesystem::path& path, std::span<const std::string> columns) : file_(path) {
+  file_.add(fmt::format("{}", fmt::join(columns, ",")));
+}
+
+void CsvWriter::row(std::span<const double> values) {
+  file_.add(fmt::format("{}", fmt::join(values, ",")));
 }
 
 int Table::column(const std::string& name) const {

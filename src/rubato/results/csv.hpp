@@ -2,25 +2,48 @@
 /// Tables as text, a line at a time: what is written stays readable however the run ends.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubato::results {
+
+/// A file that grows by whole lines.
+class LineFile {
+public:
+  /// A new file. Throws InputError, naming it, when it cannot be written.
+  explicit LineFile(std::filesystem::path path);
+  /// Goes on after the first `bytes` of a file that is there; the rest of it is gone then. Throws InputError,
+  /// naming it, when it is shorter or cannot be written.
+  LineFile(std::filesystem::path path, std::uintmax_t bytes);
+
+  /// Throws std::runtime_error when writing fails.
+  void add(std::string_view line);
+  std::uintmax_t bytes() const { return bytes_; }
+
+private:
+  std::filesystem::path path_;
+  std::ofstream file_;
+  std::uintmax_t bytes_ = 0;
+};
 
 /// A comma-separated file with one header line. Numbers are written so that reading them gives the same bits.
 class CsvWriter {
 public:
   /// Throws InputError, naming the file, when it cannot be written.
-  CsvWriter(std::filesystem::path path, std::span<const std::string> columns);
+  CsvWriter(const std::filesystem::path& path, std::span<const std::string> columns);
+  /// Goes on with a table that is there, as LineFile does.
+  CsvWriter(const std::filesystem::path& path, std::uintmax_t bytes) : file_(path, bytes) {}
   /// Throws std::runtime_error when writing fails.
   void row(std::span<const double> values);
+  std::uintmax_t bytes() const { return file_.bytes(); }
 
 private:
-  std::filesystem::path path_;
-  std::ofstream file_;
+  LineFile file_;
 };
 
 struct Table {

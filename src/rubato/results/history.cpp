@@ -16,6 +16,13 @@ bool is_same_instant(double a, double b, double length) {
   return std::abs(a - b) <= same_instant * length;
 }
 
+bool is_named_instant(std::span<const double> instants, double t, double step) {
+  constexpr double part_of_step = 1e-6;
+  return std::ranges::any_of(instants, [&](double at) {
+    return std::abs(t - at) <= std::max(step * part_of_step, same_instant * std::abs(at));
+  });
+}
+
 std::optional<double> value_at(const Table& history, int column, double t) {
   if (column < 0 || history.rows.empty())
     return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include "rubato/deck/read.hpp"
 #include "rubato/mesh/io/med.hpp"
+#include "rubato/results/history.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/run_folder.hpp"
@@ -22,7 +23,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::string_view axes = "xyz";
-constexpr double same_instant = 1e-9;
 
 std::filesystem::path prepared(std::filesystem::path folder) {
   prepare_run_folder(folder);
@@ -34,6 +34,19 @@ std::ofstream opened(const std::filesystem::path& path) {
   if (!file)
     throw InputError(fmt::format("{}: cannot be written", path.string()));
   return file;
+}
+
+/// Copies a file so that the other is there whole or not at all.
+void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to) {
+  auto beside = to;
+  beside += ".new";
+  std::error_code error;
+  std::filesystem::copy_file(from, beside, std::filesystem::copy_options::overwrite_existing, error);
+  if (!error)
+    std::filesystem::rename(beside, to, error);
+  if (error)
+    throw InputError(
+        fmt::format("{}: cannot be copied to {} ({})", from.string(), to.string(), error.message()));
 }
 
 const Eigen::VectorXd& field_of(const step::State& state, deck::ProbeField field) {
@@ -80,8 +93,9 @@ class Recorder::Impl {
 public:
   Impl(const model::Model& model, std::filesystem::path folder)
       : model_(model), folder_(prepared(std::move(folder))), probes_(folder_ / probes_file, probe_columns()),
-        steps_(opened(folder_ / steps_file)), series_(folder_ / pvd_file) {
-    write_summary({.status = RunStatus::running, .reason = "the run did not come to its end"}, {});
+        steps_(folder_ / steps_file), energy_(folder_ / energy_file, energy_columns()),
+        series_(folder_ / pvd_file) {
+    write_summary(running, {});
     history_.columns = probe_columns();
     const auto columns = resultant_columns();
     for (const auto& zone : model_.zones)
@@ -90,6 +104,21 @@ public:
       std::filesystem::create_directories(folder_ / vtu_folder);
     if (model_.study.fields.med)
       mesh::write_med(folder_ / med_file, model_.mesh, mesh_name);
+  }
+
+  Impl(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position,
+       const step::State& state)
+      : model_(model), folder_(std::move(folder)), probes_(folder_ / probes_file, position.probes),
+        steps_(folder_ / steps_file, position.attempts), energy_(folder_ / energy_file, position.energy),
+        series_(folder_ / pvd_file, series_of(position)), history_(read_csv(folder_ / probes_file)),
+        med_copy_(position.med_copy), steps_done_(position.steps) {
+    for (std::size_t z = 0; z < model_.zones.size(); ++z)
+      resultants_.emplace_back(folder_ / resultants_file(model_.zones[z].settings.name),
+                               position.resultants.at(z));
+    restore_fields(position);
+    if (position.unwritten)
+      unwritten_ = state;
+    write_summary(running, {});
   }
 
   void start(const step::State& state) {
@@ -114,10 +143,26 @@ public:
   void failed(const Attempt& attempt, const step::StepReport& report) { write_attempt(attempt, report); }
 
   void energy(double t, const step::EnergyLedger& e) {
-    if (!energy_)
-      energy_.emplace(folder_ / energy_file, energy_columns());
-    energy_->row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.damping, e.contact,
-                            e.friction, e.balance()});
+    energy_.row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.damping, e.contact,
+                           e.friction, e.impact, e.numerical, e.unbalanced, e.balance()});
+  }
+
+  RecorderPosition position() {
+    keep_med_copy();
+    RecorderPosition position;
+    position.steps = steps_done_;
+    position.probes = probes_.bytes();
+    position.attempts = steps_.bytes();
+    position.energy = energy_.bytes();
+    for (const auto& table : resultants_)
+      position.resultants.push_back(table.bytes());
+    for (const auto& entry : series_.entries()) {
+      position.field_times.push_back(entry.time);
+      position.field_files.push_back(entry.file.generic_string());
+    }
+    position.med_copy = med_copy_;
+    position.unwritten = unwritten_.has_value();
+    return position;
   }
 
   std::vector<CheckResult> finish(const Ending& ending) {
@@ -130,6 +175,34 @@ public:
 
 private:
   static constexpr const char* mesh_name = "mesh";
+  inline static const Ending running{.reason = "the run did not come to its end"};
+
+  static std::vector<PvdSeries::Entry> series_of(const RecorderPosition& position) {
+    std::vector<PvdSeries::Entry> entries;
+    for (std::size_t i = 0; i < position.field_times.size(); ++i)
+      entries.push_back({position.field_times[i], position.field_files.at(i)});
+    return entries;
+  }
+
+  void restore_fields(const RecorderPosition& position) {
+    if (model_.study.fields.vtu) {
+      std::vector<std::string> kept;
+      for (const auto& entry : series_.entries())
+        kept.push_back(entry.file.filename().string());
+      remove_vtu_files_but(folder_, kept);
+      series_.rewrite();
+    }
+    if (model_.study.fields.med)
+      copy_whole(folder_ / position.med_copy, folder_ / med_file);
+  }
+
+  /// MED files do not grow at their end alone: of a run that goes on, the file itself may be anything.
+  void keep_med_copy() {
+    if (!model_.study.fields.med || !med_copy_.empty())
+      return;
+    med_copy_ = med_copy_file(steps_done_);
+    copy_whole(folder_ / med_file, folder_ / med_copy_);
+  }
 
   /// Written beside and then renamed: whoever reads it meanwhile finds a whole one.
   void write_summary(const Ending& ending, const std::vector<CheckResult>& checks) const {
@@ -168,8 +241,8 @@ private:
   }
 
   static std::vector<std::string> energy_columns() {
-    return {"t",       "kinetic", "strain",   "external_work", "support_work",
-            "damping", "contact", "friction", "balance"};
+    return {"t",       "kinetic",  "strain", "external_work", "support_work", "damping",
+            "contact", "friction", "impact", "numerical",     "unbalanced",   "balance"};
   }
 
   std::vector<std::string> probe_columns() const {
@@ -221,10 +294,7 @@ private:
                                 {"settled", round.settled}});
     if (!attempt.accepted && report.worst_node >= 0)
       json["worst_node"] = model::node_label(model_.mesh, report.worst_node);
-    steps_ << json.dump() << '\n' << std::flush;
-    if (!steps_)
-      throw std::runtime_error(
-          fmt::format("{}: writing failed, is the disk full?", (folder_ / steps_file).string()));
+    steps_.add(json.dump());
   }
 
   bool has_fields() const { return model_.study.fields.vtu || model_.study.fields.med; }
@@ -237,9 +307,7 @@ private:
       return true;
     if (wanted.every > 0 && steps_done_ % wanted.every == 0)
       return true;
-    return std::ranges::any_of(wanted.at, [&](double at) {
-      return std::abs(t - at) <= std::max(step * 1e-6, same_instant * std::abs(at));
-    });
+    return is_named_instant(wanted.at, t, step);
   }
 
   void write_fields(const step::State& now) {
@@ -251,24 +319,30 @@ private:
       write_vtu(folder_ / file, model_.mesh, fields);
       series_.add(now.t, folder_ / file);
     }
-    if (model_.study.fields.med)
+    if (model_.study.fields.med) {
+      med_copy_.clear();
       append_med_fields(folder_ / med_file, mesh_name, {steps_done_, now.t}, fields);
+    }
   }
 
   const model::Model& model_;
   std::filesystem::path folder_;
   CsvWriter probes_;
-  std::ofstream steps_;
+  LineFile steps_;
+  CsvWriter energy_;
   PvdSeries series_;
   std::vector<CsvWriter> resultants_;
-  std::optional<CsvWriter> energy_;
   Table history_;
   std::optional<step::State> unwritten_; // the last step, while it has no fields
+  std::string med_copy_;                 // of fields.med as it is now, or empty
   int steps_done_ = 0;
 };
 
 Recorder::Recorder(const model::Model& model, std::filesystem::path folder)
     : impl_(std::make_unique<Impl>(model, std::move(folder))) {}
+Recorder::Recorder(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position,
+                   const step::State& state)
+    : impl_(std::make_unique<Impl>(model, std::move(folder), position, state)) {}
 Recorder::~Recorder() = default;
 Recorder::Recorder(Recorder&&) noexcept = default;
 Recorder& Recorder::operator=(Recorder&&) noexcept = default;
@@ -285,6 +359,9 @@ void Recorder::energy(double t, const step::EnergyLedger& ledger) {
 }
 void Recorder::failed(const Attempt& attempt, const step::StepReport& report) {
   impl_->failed(attempt, report);
+}
+RecorderPosition Recorder::position() {
+  return impl_->position();
 }
 std::vector<CheckResult> Recorder::finish(const Ending& ending) {
   return impl_->finish(ending);

@@ -5,7 +5,7 @@
 ///   resultants_<zone>.csv  t; points in contact, sticking; force of the master on the slave x, y[, z];
 ///                          normal part (∫p); friction part (|∫ tangential traction|); largest pressure;
 ///                          smallest gap
-///   energy.csv             t and the parts of the energy ledger, of runs that keep one
+///   energy.csv             t and the parts of the energy ledger
 ///   steps.jsonl            one JSON object a step tried, accepted or not
 ///   fields/*.vtu, *.pvd    and fields.med, at the chosen instants
 ///   run.json               status, the study, versions, timings, iterations, checks; there from the start,
@@ -20,9 +20,11 @@
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace rubato::results {
@@ -39,7 +41,7 @@ struct Attempt {
 /// How a run ended.
 struct Ending {
   RunStatus status = RunStatus::running;
-  std::string reason; ///< why it is not complete, in a sentence
+  std::string reason = {}; ///< why it is not complete, in a sentence
   double setup_seconds = 0;
   double loop_seconds = 0;
   int steps = 0;
@@ -47,11 +49,29 @@ struct Ending {
   int cuts = 0;
 };
 
+/// How far the files of a run have come.
+struct RecorderPosition {
+  int steps = 0;
+  // Bytes:
+  std::uintmax_t probes = 0;
+  std::uintmax_t attempts = 0;
+  std::uintmax_t energy = 0;
+  std::vector<std::uintmax_t> resultants; ///< one a zone
+  std::vector<double> field_times;        ///< of the .vtu files
+  std::vector<std::string> field_files;
+  std::string med_copy;   ///< name of the copy of fields.med, or empty
+  bool unwritten = false; ///< whether the last step has no fields that it may still get
+};
+
 class Recorder {
 public:
   /// Creates the folder and its files; those of a run that was there before are gone then. Throws InputError
   /// when that cannot be done.
   Recorder(const model::Model& model, std::filesystem::path folder);
+  /// Goes on where a run stood; what its files hold beyond is gone then. `state`: of its last step. Throws
+  /// InputError when a file is shorter than it was.
+  Recorder(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position,
+           const step::State& state);
   ~Recorder();
   Recorder(Recorder&&) noexcept;
   Recorder& operator=(Recorder&&) noexcept;
@@ -60,9 +80,10 @@ public:
   /// `last` tells whether this is the run's last instant.
   void step(const step::State& before, const step::State& now, const Attempt& attempt,
             const step::StepReport& report, bool last);
-  /// The first one makes energy.csv.
   void energy(double t, const step::EnergyLedger& ledger);
   void failed(const Attempt& attempt, const step::StepReport& report);
+  /// For a checkpoint; fields.med is copied for it when it has changed since the last one.
+  RecorderPosition position();
   /// Evaluates the checks and writes run.json. Of a run that stopped early the last instant reached gets its
   /// fields when the last one is wanted.
   std::vector<CheckResult> finish(const Ending& ending);

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view resultants_prefix = "resultants_";
 constexpr std::size_t step_digits = 6;
+constexpr std::string_view med_copy_prefix = "checkpoint_";
 
 bool is_vtu_file(const std::string& name) {
   const fs::path path(name);
@@ -25,9 +26,13 @@ bool is_vtu_file(const std::string& name) {
          std::ranges::all_of(stem, [](unsigned char letter) { return std::isdigit(letter) != 0; });
 }
 
+bool is_med_copy(const std::string& name) {
+  return name.starts_with(med_copy_prefix) && name.ends_with(".med");
+}
+
 bool is_file_of_a_run(const std::string& name) {
-  constexpr std::array known{probes_file, energy_file, steps_file, pvd_file, med_file};
-  return std::ranges::find(known, name) != known.end() ||
+  constexpr std::array known{probes_file, energy_file, steps_file, pvd_file, med_file, checkpoint_file};
+  return std::ranges::find(known, name) != known.end() || is_med_copy(name) ||
          (name.starts_with(resultants_prefix) && name.ends_with(".csv"));
 }
 
@@ -56,6 +61,30 @@ std::string resultants_file(std::string_view zone) {
 
 std::string vtu_file(int step) {
   return fmt::format("{:0{}}.vtu", step, step_digits);
+}
+
+std::string med_copy_file(int step) {
+  return fmt::format("{}{:0{}}.med", med_copy_prefix, step, step_digits);
+}
+
+void remove_med_copies(const fs::path& folder, const std::string& but) {
+  std::vector<fs::path> files;
+  collect(
+      folder, [&](const auto& name) { return is_med_copy(name) && name != but; }, files);
+  std::error_code ignored;
+  for (const auto& file : files)
+    fs::remove(file, ignored);
+}
+
+void remove_vtu_files_but(const fs::path& folder, std::span<const std::string> kept) {
+  std::vector<fs::path> files;
+  collect(
+      folder / vtu_folder,
+      [&](const auto& name) { return is_vtu_file(name) && std::ranges::find(kept, name) == kept.end(); },
+      files);
+  std::error_code ignored;
+  for (const auto& file : files)
+    fs::remove(file, ignored);
 }
 
 void prepare_run_folder(const fs::path& folder) {

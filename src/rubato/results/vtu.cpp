@@ -63,6 +63,13 @@ void PvdSeries::add(double time, const std::filesystem::path& file) {
   write();
 }
 
+void PvdSeries::rewrite() const {
+  if (!entries_.empty())
+    return write();
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
 void PvdSeries::write() const {
   auto temporary = path_;
   temporary += ".new";

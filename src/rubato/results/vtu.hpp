@@ -36,6 +36,9 @@ public:
   /// `entries`: what a run that goes on has already written. Nothing is written before the first add.
   explicit PvdSeries(std::filesystem::path path, std::vector<Entry> entries = {});
 
+  /// Writes the series, or removes its file when there is nothing in it.
+  void rewrite() const;
+
   /// Adds a file, by the path this program would open it with, at a time. Throws InputError when the series
   /// can't be written.
   void add(double time, const std::filesystem::path& file);

@@ -35,27 +35,31 @@ void check_step(const deck::TimeStepping& time, double stable) {
 
 class ExplicitLoop {
 public:
-  ExplicitLoop(const model::Model& model, const std::filesystem::path& folder, const Watch& watch)
-      : model_(model), time_(model.study.time), watch_(watch), motion_(model) {
+  ExplicitLoop(const model::Model& model, const Course& course, const Watch& watch)
+      : model_(model), time_(model.study.time), course_(course), watch_(watch), motion_(model),
+        keeper_(model.study, course, watch),
+        energy_(model.study.name, watch, course.from ? course.from->record : step::EnergyRecord()) {
     const auto spectrum = motion_.spectrum();
     check_step(time_, spectrum.stable_step());
     records_ = whole((time_.end - time_.begin) / time_.record);
     limit_step(spectrum);
-    tell_steps(spectrum);
-    recorder_.emplace(model, folder);
+    if (course.from)
+      go_on(*course.from);
+    tell_steps(motion_.spectrum());
   }
 
   RunResult run(double setup_start) {
-    now_ = motion_.state();
-    recorder_->start(now_);
-    recorder_->energy(now_.t, motion_.energy());
-    result_.setup_seconds = processor_seconds() - setup_start;
-    const double loop_start = processor_seconds();
-    for (int i = 1; i <= records_ && result_.status == Status::complete; ++i)
+    start_recording();
+    result_.setup_seconds += processor_seconds() - setup_start;
+    loop_start_ = processor_seconds();
+    for (int i = next_record(); i <= records_ && result_.status == Status::complete; ++i)
       go_to(i);
-    result_.loop_seconds = processor_seconds() - loop_start;
+    if (result_.status == Status::complete && keeper_.keeps_end())
+      keep_checkpoint();
+    result_.loop_seconds = loop_seconds();
     result_.steps = static_cast<int>(motion_.steps());
-    tell_energy();
+    energy_.tell();
+    result_.energy = energy_.record();
     result_.end = std::move(now_);
     result_.checks = recorder_->finish(
         {result_.status, result_.message, result_.setup_seconds, result_.loop_seconds, result_.steps, 0, 0});
@@ -63,6 +67,51 @@ public:
   }
 
 private:
+  void go_on(const results::Checkpoint& from) {
+    motion_.restore(from.progress.value().motion);
+    limit_ = from.progress->limit;
+    now_ = from.state;
+    recorded_ = from.recorder.steps;
+    result_.setup_seconds = from.spent.setup_seconds;
+    former_loop_seconds_ = from.spent.loop_seconds;
+  }
+
+  void start_recording() {
+    if (course_.from) {
+      recorder_.emplace(model_, course_.folder, course_.from->recorder, now_);
+      return;
+    }
+    recorder_.emplace(model_, course_.folder);
+    now_ = motion_.state();
+    recorder_->start(now_);
+    recorder_->energy(now_.t, motion_.energy());
+  }
+
+  /// The first one that the motion has not reached.
+  int next_record() const {
+    int record = 1;
+    while (record <= records_ && instant(record) <= motion_.t() + rounding * time_.record)
+      ++record;
+    return record;
+  }
+
+  double loop_seconds() const { return former_loop_seconds_ + processor_seconds() - loop_start_; }
+
+  void keep_checkpoint() {
+    keeper_.keep([&] {
+      results::Checkpoint checkpoint;
+      checkpoint.spent = {.setup_seconds = result_.setup_seconds,
+                          .loop_seconds = loop_seconds(),
+                          .steps = static_cast<int>(motion_.steps())};
+      checkpoint.state = now_;
+      checkpoint.place.now = now_.t;
+      checkpoint.record = energy_.record();
+      checkpoint.recorder = recorder_->position();
+      checkpoint.progress = {motion_.memory(), limit_};
+      return checkpoint;
+    });
+  }
+
   double instant(int record) const {
     return record == records_ ? time_.end : time_.begin + record * (time_.end - time_.begin) / records_;
   }
@@ -86,7 +135,7 @@ private:
 
   void go_to(int record) {
     const double before = processor_seconds();
-    const double begin = motion_.t();
+    const double begin = now_.t;
     const auto steps_before = motion_.steps();
     if (!advance(instant(record)))
       return interrupt();
@@ -121,9 +170,11 @@ private:
     recorder_->step(now_, next, attempt, report, last);
     const auto energy = motion_.energy();
     recorder_->energy(next.t, energy);
-    largest_balance_ = std::max(largest_balance_, std::abs(energy.balance()));
-    largest_energy_ = std::max(largest_energy_, energy.largest());
+    energy_.note(next.t, energy);
     now_ = std::move(next);
+    ++recorded_;
+    if (keeper_.is_due(recorded_, now_.t, attempt.end - attempt.begin) && !last)
+      keep_checkpoint();
   }
 
   void give_up(const results::Attempt& attempt, const step::StepReport& report) {
@@ -136,32 +187,32 @@ private:
   void interrupt() {
     result_.status = Status::interrupted;
     result_.message = fmt::format("interrupted at t = {:g}", now_.t);
-  }
-
-  void tell_energy() const {
-    if (largest_energy_ > 0)
-      watch_.say(fmt::format("{}: energy balance within {:.2g} of the largest energy, {:.4g}",
-                             model_.study.name, largest_balance_ / largest_energy_, largest_energy_));
+    if (keeper_.keeps_end())
+      keep_checkpoint();
   }
 
   const model::Model& model_;
   const deck::TimeStepping& time_;
+  const Course& course_;
   const Watch& watch_;
   step::ExplicitMotion motion_;
+  Keeper keeper_;
+  EnergyWatch energy_;
   std::optional<results::Recorder> recorder_; // after the step is known to be good
   step::State now_;
   int records_ = 1;
   double limit_ = INFINITY; ///< of the step
-  double largest_balance_ = 0;
-  double largest_energy_ = 0;
+  int recorded_ = 0;        ///< records so far
+  double loop_start_ = 0;
+  double former_loop_seconds_ = 0;
   RunResult result_;
 };
 
 } // namespace
 
-RunResult run_explicit(const model::Model& model, const std::filesystem::path& folder, const Watch& watch,
+RunResult run_explicit(const model::Model& model, const Course& course, const Watch& watch,
                        double setup_start) {
-  return ExplicitLoop(model, folder, watch).run(setup_start);
+  return ExplicitLoop(model, course, watch).run(setup_start);
 }
 
 } // namespace rubato::run

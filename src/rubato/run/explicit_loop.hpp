@@ -3,15 +3,14 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
+#include "rubato/run/checkpoints.hpp"
 #include "rubato/run/time_loop.hpp"
-
-#include <filesystem>
 
 namespace rubato::run {
 
 /// `setup_start`: processor time when the run began. Throws InputError, before the folder is made, when the
 /// deck's step is longer than the stable one.
-RunResult run_explicit(const model::Model& model, const std::filesystem::path& folder, const Watch& watch,
+RunResult run_explicit(const model::Model& model, const Course& course, const Watch& watch,
                        double setup_start);
 
 } // namespace rubato::run

@@ -2,10 +2,13 @@
 /// What every time loop counts by.
 #pragma once
 
+#include "rubato/run/time_loop.hpp"
+#include "rubato/step/energy.hpp"
 #include "rubato/step/state.hpp"
 
 #include <algorithm>
 #include <ctime>
+#include <string>
 
 namespace rubato::run {
 
@@ -20,5 +23,25 @@ inline int points_in_contact(const step::State& state) {
         std::ranges::count_if(zone.status, [](auto status) { return status != contact::Status::open; }));
   return count;
 }
+
+/// Follows the ledger of a run: says at once when energy is gained, and at the end how well it closes.
+class EnergyWatch {
+public:
+  /// Everything must outlive this. `record`: of what was followed before.
+  EnergyWatch(const std::string& run, const Watch& watch, const step::EnergyRecord& record)
+      : run_(run), watch_(watch), record_(record), warned_(gains()) {}
+
+  void note(double t, const step::EnergyLedger& ledger);
+  void tell() const;
+  const step::EnergyRecord& record() const { return record_; }
+
+private:
+  bool gains() const;
+
+  const std::string& run_;
+  const Watch& watch_;
+  step::EnergyRecord record_;
+  bool warned_;
+};
 
 } // namespace rubato::run

@@ -2,9 +2,11 @@
 #include "rubato/run/time_loop.hpp"
 
 #include "rubato/results/recorder.hpp"
+#include "rubato/run/checkpoints.hpp"
 #include "rubato/run/explicit_loop.hpp"
 #include "rubato/run/loop_parts.hpp"
 #include "rubato/step/advance.hpp"
+#include "rubato/step/energy.hpp"
 #include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
 
@@ -65,25 +67,34 @@ step::State first_state(const model::Model& model, const time::Scheme& scheme, c
 
 class Loop {
 public:
-  Loop(const model::Model& model, const std::filesystem::path& folder, const Watch& watch,
-       const step::State* previous)
-      : model_(model), watch_(watch), scheme_(time::make_scheme(model.study.time)), systems_(model, scheme_),
-        committed_(first_state(model, scheme_, previous)), folder_(folder),
-        control_(model.study.time, committed_.t), end_(time::instants_of(model.study.time).back()) {}
+  Loop(const model::Model& model, const Course& course, const Watch& watch, const step::State* previous)
+      : model_(model), course_(course), watch_(watch), scheme_(time::make_scheme(model.study.time)),
+        systems_(model, scheme_),
+        committed_(course.from ? course.from->state : first_state(model, scheme_, previous)),
+        control_(model.study.time, committed_.t), end_(time::instants_of(model.study.time).back()),
+        account_(model, scheme_, committed_), keeper_(model.study, course, watch),
+        energy_(model.study.name, watch, course.from ? course.from->record : step::EnergyRecord()) {
+    if (course.from)
+      go_on(*course.from);
+  }
 
   RunResult run(double setup_start) {
-    tell_solver();
-    recorder_.emplace(model_, folder_);
-    recorder_->start(committed_);
-    result_.setup_seconds = processor_seconds() - setup_start;
-    const double loop_start = processor_seconds();
+    if (!control_.finished())
+      tell_solver();
+    start_recording();
+    result_.setup_seconds += processor_seconds() - setup_start;
+    loop_start_ = processor_seconds();
     while (!control_.finished() && result_.status == Status::complete) {
       if (watch_.stop())
         interrupt();
       else
         try_step();
     }
-    result_.loop_seconds = processor_seconds() - loop_start;
+    if (result_.status != Status::not_converged && keeper_.keeps_end())
+      keep_checkpoint();
+    result_.loop_seconds = loop_seconds();
+    energy_.tell();
+    result_.energy = energy_.record();
     result_.end = committed_;
     result_.checks =
         recorder_->finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
@@ -92,6 +103,46 @@ public:
   }
 
 private:
+  void go_on(const results::Checkpoint& from) {
+    check_fits(model_, committed_);
+    control_.go_on(from.place);
+    account_ = step::EnergyAccount(model_, scheme_, from.energy);
+    result_.steps = from.spent.steps;
+    result_.iterations = from.spent.iterations;
+    result_.cuts = from.spent.cuts;
+    result_.setup_seconds = from.spent.setup_seconds;
+    former_loop_seconds_ = from.spent.loop_seconds;
+  }
+
+  void start_recording() {
+    if (course_.from) {
+      recorder_.emplace(model_, course_.folder, course_.from->recorder, committed_);
+      return;
+    }
+    recorder_.emplace(model_, course_.folder);
+    recorder_->start(committed_);
+    recorder_->energy(committed_.t, account_.ledger());
+  }
+
+  double loop_seconds() const { return former_loop_seconds_ + processor_seconds() - loop_start_; }
+
+  void keep_checkpoint() {
+    keeper_.keep([&] {
+      results::Checkpoint checkpoint;
+      checkpoint.spent = {.setup_seconds = result_.setup_seconds,
+                          .loop_seconds = loop_seconds(),
+                          .steps = result_.steps,
+                          .iterations = result_.iterations,
+                          .cuts = result_.cuts};
+      checkpoint.state = committed_;
+      checkpoint.place = control_.place();
+      checkpoint.energy = account_.ledger();
+      checkpoint.record = energy_.record();
+      checkpoint.recorder = recorder_->position();
+      return checkpoint;
+    });
+  }
+
   /// Throws InputError when the deck wants what the matrix doesn't allow.
   void tell_solver() {
     const auto& system = systems_.of(control_.length());
@@ -114,7 +165,6 @@ private:
         step::advance(model_, scheme_, systems_.of(control_.length()), committed_, attempt.end, trial);
     attempt.accepted = report.converged();
     attempt.seconds = processor_seconds() - before;
-    result_.iterations += report.iterations;
     if (attempt.accepted)
       accept(trial, attempt, report);
     else
@@ -127,13 +177,24 @@ private:
   void accept(step::State& trial, const results::Attempt& attempt, const step::StepReport& report) {
     control_.accept();
     ++result_.steps;
+    result_.iterations += report.iterations;
+    account_.enter(committed_, trial);
     recorder_->step(committed_, trial, attempt, report, control_.finished());
+    recorder_->energy(trial.t, account_.ledger());
+    energy_.note(trial.t, account_.ledger());
     committed_ = std::move(trial);
+    if (keeper_.is_due(result_.steps, committed_.t, attempt.end - attempt.begin) && !control_.finished())
+      keep_checkpoint();
   }
 
+  /// A run that ends here is kept as it was before the attempt: resumed with other means, it makes it again.
   void reject(const results::Attempt& attempt, const step::StepReport& report) {
+    const bool goes_on = control_.cut();
+    if (!goes_on && keeper_.keeps_end())
+      keep_checkpoint();
     recorder_->failed(attempt, report);
-    if (control_.cut()) {
+    result_.iterations += report.iterations;
+    if (goes_on) {
       ++result_.cuts;
       return;
     }
@@ -142,14 +203,19 @@ private:
   }
 
   const model::Model& model_;
+  const Course& course_;
   const Watch& watch_;
   time::Scheme scheme_;
   SystemCache systems_;
   step::State committed_;
-  std::filesystem::path folder_;
   std::optional<results::Recorder> recorder_; // once nothing can be refused any more: that leaves no folder
   time::StepControl control_;
   double end_;
+  step::EnergyAccount account_;
+  Keeper keeper_;
+  EnergyWatch energy_;
+  double loop_start_ = 0;
+  double former_loop_seconds_ = 0;
   RunResult result_;
 };
 
@@ -160,9 +226,22 @@ bool RunResult::checks_hold() const {
 }
 
 RunResult run_study(const deck::Study& study, const std::filesystem::path& folder, const Watch& watch,
-                    const step::State* previous) {
+                    const step::State* previous, Begin begin) {
   const double start = processor_seconds();
-  const auto model = model::build_model(study);
+  auto mesh = model::load_mesh(study.mesh);
+  Course course{
+      folder, results::fingerprint(mesh), previous != nullptr ? results::fingerprint(*previous) : 0, {}};
+  if (begin == Begin::resumed) {
+    course.from = find_checkpoint(study, course);
+    if (auto finished = finished_run(study, course)) {
+      watch.say(fmt::format("{}: complete already", study.name));
+      return std::move(*finished);
+    }
+    watch.say(course.from ? fmt::format("{}: goes on from t = {:g}", study.name, course.from->state.t)
+                          : fmt::format("{}: no checkpoint in {}, starts at its beginning", study.name,
+                                        folder.string()));
+  }
+  const auto model = model::build_model(study, std::move(mesh));
   watch.say(fmt::format("{}: {} nodes, {} unknowns, {} contact points", study.name, model.mesh.node_count(),
                         model.free_dofs.size(), [&] {
                           std::size_t points = 0;
@@ -171,8 +250,8 @@ RunResult run_study(const deck::Study& study, const std::filesystem::path& folde
                           return points;
                         }()));
   if (deck::is_explicit(study.time.scheme))
-    return run_explicit(model, folder, watch, start);
-  return Loop(model, folder, watch, previous).run(start);
+    return run_explicit(model, course, watch, start);
+  return Loop(model, course, watch, previous).run(start);
 }
 
 std::string explain(const model::Model& model, const step::StepReport& report, double begin, double end) {

@@ -6,6 +6,7 @@
 #include "rubato/model/model.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/run_status.hpp"
+#include "rubato/step/energy.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 
@@ -33,6 +34,7 @@ struct Progress {
 struct Watch {
   std::function<void(const Progress&)> progress = [](const Progress&) {};
   std::function<void(const std::string&)> say = [](const std::string&) {};
+  std::function<void(const std::string&)> warn = [](const std::string&) {};
   std::function<bool()> stop = [] { return false; };
 };
 
@@ -47,16 +49,21 @@ struct RunResult {
   double setup_seconds = 0; ///< processor time
   double loop_seconds = 0;
   std::vector<results::CheckResult> checks;
-  step::State end; ///< the last accepted state
+  step::EnergyRecord energy; ///< how well its ledger closes, and what it gained
+  step::State end;           ///< the last accepted state
 
   bool checks_hold() const;
 };
 
+/// Where a run begins: at its beginning, or at the checkpoint in its folder if there is one.
+enum class Begin { anew, resumed };
+
 /// Runs one study into a folder of its own. `previous`: the end of the run it starts from, when it does.
-/// Throws InputError, before the folder is made, for a study that cannot be run and for an end that does not
-/// fit it.
+/// Throws InputError, before the folder is made or touched, for a study that cannot be run, for an end that
+/// does not fit it, and for a checkpoint it cannot go on from. A run that came to its end is not run again
+/// when it is resumed.
 RunResult run_study(const deck::Study& study, const std::filesystem::path& folder, const Watch& watch,
-                    const step::State* previous = nullptr);
+                    const step::State* previous = nullptr, Begin begin = Begin::anew);
 
 /// Why a step failed, with the node and what to try.
 std::string explain(const model::Model& model, const step::StepReport& report, double begin, double end);

@@ -9,8 +9,10 @@ namespace {
 
 using Eigen::Index;
 
-/// Columns computed together: enough for matrix–matrix products, little enough memory.
-constexpr std::size_t block_size = 128;
+/// Neighbouring columns that are always computed together: enough for matrix–matrix products, few that are
+/// never asked for. The last digits of a column depend on its company there; as that is always the same, they
+/// don't depend on what was asked for before, and a resumed run has the same ones.
+constexpr int block_size = 32;
 /// Surfaces up to this size get all their columns at once.
 constexpr int small_surface = 256;
 
@@ -79,30 +81,23 @@ void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorX
 }
 
 void Compliance::prepare(std::span<const int> positions) {
-  std::vector<std::vector<int>> missing(bodies_.size());
-  for (const int position : positions)
-    if (columns_[static_cast<std::size_t>(position)].size() == 0) {
-      const auto body = static_cast<std::size_t>(body_of_[static_cast<std::size_t>(position)]);
-      missing[body].push_back(position - bodies_[body].first);
-    }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (missing[b].empty())
+  for (const int position : positions) {
+    if (columns_[static_cast<std::size_t>(position)].size() != 0)
       continue;
-    if (bodies_[b].size <= small_surface) {
-      missing[b].resize(static_cast<std::size_t>(bodies_[b].size));
-      std::iota(missing[b].begin(), missing[b].end(), 0);
-    }
-    compute(b, missing[b]);
+    const auto body = static_cast<std::size_t>(body_of_[static_cast<std::size_t>(position)]);
+    const int size = bodies_[body].size;
+    const int together = size <= small_surface ? size : block_size;
+    const int first = (position - bodies_[body].first) / together * together;
+    compute(body, first, std::min(together, size - first));
   }
 }
 
-void Compliance::compute(std::size_t body, std::span<const int> places) {
-  for (std::size_t first = 0; first < places.size(); first += block_size) {
-    const auto block = places.subspan(first, std::min(block_size, places.size() - first));
-    const Eigen::MatrixXd moved = factor_.compliance(body, block);
-    for (std::size_t j = 0; j < block.size(); ++j)
-      columns_[static_cast<std::size_t>(bodies_[body].first + block[j])] = moved.col(static_cast<Index>(j));
-  }
+void Compliance::compute(std::size_t body, int first, int count) {
+  std::vector<int> places(static_cast<std::size_t>(count));
+  std::iota(places.begin(), places.end(), first);
+  const Eigen::MatrixXd moved = factor_.compliance(body, places);
+  for (int j = 0; j < count; ++j)
+    columns_[static_cast<std::size_t>(bodies_[body].first + first + j)] = moved.col(j);
 }
 
 } // namespace rubato::step

@@ -36,8 +36,8 @@ public:
   void add(double factor, std::span<const int> positions, std::span<const double> force, Eigen::VectorXd& d);
   /// The same with a force that is zero at most positions.
   void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
-  /// Computes what is still missing of the columns of these positions: many at once cost far less than one by
-  /// one.
+  /// Computes what is still missing of the columns of these positions, with their neighbours': many at once
+  /// cost far less than one by one.
   void prepare(std::span<const int> positions);
 
 private:
@@ -46,7 +46,7 @@ private:
     int first = 0;
     int size = 0;
   };
-  void compute(std::size_t body, std::span<const int> places);
+  void compute(std::size_t body, int first, int count);
 
   linalg::SplitFactor factor_;
   std::vector<int> dofs_;

@@ -95,9 +95,12 @@ bool ContactSide::settled(const Held& held, const ContactIterate& before, const 
 }
 
 void ContactSide::finish(const Held& held, const ContactIterate& iterate, State& trial) const {
+  trial.friction_force = Eigen::VectorXd::Zero(trial.motion.u.size());
   for (std::size_t z = 0; z < iterate.status.size(); ++z) {
     trial.zones[z].status = iterate.status[z];
     trial.zones[z].outcomes = contact::outcomes(law_of(z, held), iterate.points[z], iterate.status[z]);
+    contact::add_friction_force(iterate.points[z], trial.zones[z].outcomes, model_.dofs,
+                                trial.friction_force);
   }
 }
 

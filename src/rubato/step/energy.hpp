@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Where the energy of a run is and where it came from. [force · length]
+///
+/// The ledger of implicit steps is no estimate: docs/theory/energy.md derives, from the scheme's
+/// coefficients, an identity that its terms fulfil to rounding in every step whose equations are solved.
 #pragma once
+
+#include "rubato/model/model.hpp"
+#include "rubato/step/state.hpp"
+#include "rubato/time/scheme.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace rubato::step {
 
@@ -17,16 +25,69 @@ struct EnergyLedger {
   double support_work = 0;  ///< of supports that move
   double damping = 0;       ///< dissipated by Rayleigh damping
   double friction = 0;      ///< dissipated by friction
+  double impact = 0;        ///< taken by contact pressures and not stored: > 0 where bodies hit, < 0 gained
+  double numerical = 0;     ///< dissipated by the time scheme; < 0 gained
+  double unbalanced = 0;    ///< work of the forces that iterations left unbalanced
   double start = 0;         ///< kinetic + strain + contact when the run began
 
   double stored() const { return kinetic + strain + contact; }
-  /// What the run has gained from nowhere (> 0) or lost (< 0): 0 but for the errors of integration in time.
-  double balance() const { return stored() - start + damping + friction - external_work - support_work; }
+  /// What the run has gained from nowhere (> 0) or lost (< 0): rounding; of explicit runs also the errors of
+  /// contact in time.
+  double balance() const {
+    return stored() - start + damping + friction + impact + numerical - external_work - support_work -
+           unbalanced;
+  }
+  /// What the bodies have more than physics allows: < 0 as long as impacts and the scheme only take.
+  double gain() const { return stored() - start + damping + friction - external_work - support_work; }
   /// The largest of all parts: what the balance is measured by.
   double largest() const {
     return std::max({std::abs(kinetic), std::abs(strain), std::abs(contact), std::abs(external_work),
-                     std::abs(support_work), std::abs(damping), std::abs(friction), std::abs(start)});
+                     std::abs(support_work), std::abs(damping), std::abs(friction), std::abs(impact),
+                     std::abs(numerical), std::abs(unbalanced), std::abs(start)});
   }
 };
+
+/// How far ledgers of a run were out of balance, and what it gained.
+struct EnergyRecord {
+  double largest = 0;         ///< of all terms at all instants
+  double largest_balance = 0; ///< its magnitude
+  double gain = 0;            ///< the largest one, > 0
+  double gained_at = 0;       ///< when
+  double by_impact = 0;       ///< parts of it
+  double by_scheme = 0;
+
+  void note(double t, const EnergyLedger& ledger);
+};
+
+/// Keeps the ledger of an implicit run, step by step, at the cost of a few dot products a step.
+class EnergyAccount {
+public:
+  /// The model and the scheme must outlive this. `start`: the state the run begins with.
+  EnergyAccount(const model::Model& model, const time::Scheme& scheme, const State& start);
+  /// Goes on with an account as it was.
+  EnergyAccount(const model::Model& model, const time::Scheme& scheme, const EnergyLedger& ledger)
+      : model_(&model), scheme_(&scheme), ledger_(ledger) {}
+
+  /// Enters the step from `committed` to `trial`.
+  void enter(const State& committed, const State& trial);
+  const EnergyLedger& ledger() const { return ledger_; }
+
+private:
+  struct Supports {
+    double work = 0;      ///< with the mean of the reactions at both ends
+    double with_step = 0; ///< with the reaction that the step's equation has
+  };
+  Supports enter_supports(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
+  double work_of_equation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
+  double scheme_dissipation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
+
+  const model::Model* model_;
+  const time::Scheme* scheme_;
+  EnergyLedger ledger_;
+};
+
+/// What contact springs of these zones hold: exact where pressures are proportional to penetrations, 0 where
+/// gaps are closed.
+double energy_of_springs(std::span<const contact::ZoneState> zones);
 
 } // namespace rubato::step

@@ -86,6 +86,7 @@ void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.force_scale = scale_;
   trial.unbalance = unbalance_ - contact.forgotten;
   trial.contact_force = contact.all;
+  trial.external_force = external_;
   trial.reaction = VectorXd::Zero(unbalance_.size());
   for (const auto& constraint : model_.constraints)
     trial.reaction[constraint.dof] = full_residual_[constraint.dof];

@@ -222,6 +222,39 @@ EnergyLedger ExplicitMotion::energy() const {
   return ledger;
 }
 
+ExplicitMotion::Memory ExplicitMotion::memory() const {
+  Memory memory{t_, h_, steps_, u_, v_, unbalance_, contact_force_, damping_force_, {}, {}, {}, {}, energy_};
+  for (const auto& load : loads_) {
+    memory.load_factors.push_back(load.factor);
+    memory.load_displacements.push_back(load.displacement);
+  }
+  for (const auto& support : supports_)
+    memory.reactions.push_back(support.reaction);
+  for (const auto& zone : contact_)
+    memory.zones.push_back(zone.memory());
+  return memory;
+}
+
+void ExplicitMotion::restore(const Memory& memory) {
+  t_ = memory.t;
+  h_ = memory.step;
+  steps_ = memory.steps;
+  u_ = memory.u;
+  v_ = memory.v;
+  unbalance_ = memory.unbalance;
+  contact_force_ = memory.contact_force;
+  damping_force_ = memory.damping_force;
+  energy_ = memory.energy;
+  for (std::size_t i = 0; i < loads_.size(); ++i) {
+    loads_[i].factor = memory.load_factors.at(i);
+    loads_[i].displacement = memory.load_displacements.at(i);
+  }
+  for (std::size_t i = 0; i < supports_.size(); ++i)
+    supports_[i].reaction = memory.reactions.at(i);
+  for (std::size_t z = 0; z < contact_.size(); ++z)
+    contact_[z].restore(memory.zones.at(z), {&model_->mesh, &model_->dofs, &u_, &u_});
+}
+
 State ExplicitMotion::state() const {
   State state;
   state.t = t_;

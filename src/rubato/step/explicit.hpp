@@ -53,6 +53,21 @@ public:
   /// changes, from 0 at rest on: with it the balance of a linear model closes to rounding at any stable step.
   EnergyLedger energy() const;
 
+  /// All that it carries from step to step: whoever goes back to it does the same steps again, to the last
+  /// bit.
+  struct Memory {
+    double t = 0;
+    double step = 0;
+    std::int64_t steps = 0;
+    Eigen::VectorXd u, v, unbalance, contact_force, damping_force;
+    std::vector<double> load_factors, load_displacements; ///< one a load
+    std::vector<double> reactions;                        ///< one a support that moves
+    std::vector<contact::ExplicitPenalty::Memory> zones;
+    EnergyLedger energy;
+  };
+  Memory memory() const;
+  void restore(const Memory& memory);
+
   /// The present instant as implicit runs keep it, v = (v_{n−1/2} + v_{n+1/2})/2.
   State state() const;
 

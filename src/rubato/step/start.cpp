@@ -75,6 +75,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   apply_imposed(model, t, state.motion.u);
   state.unbalance = model.stiffness * state.motion.u - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);
+  state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
   for (const auto& zone : model.zones)
     state.zones.push_back(untouched_zone(model, zone, state.motion.u));
@@ -83,6 +84,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   if (!loaded_history)
     state.unbalance.setZero();
   state.bulk = bulk_forces(model, state.motion);
+  state.external_force = model::external_force(model, t);
   return state;
 }
 
@@ -93,6 +95,9 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
   state.bulk = bulk_forces(model, state.motion);
+  state.external_force = model::external_force(model, t);
+  if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
+    state.friction_force = VectorXd::Zero(state.contact_force.size());
   return state;
 }
 

@@ -25,9 +25,11 @@ struct State {
   BulkForces bulk;
   Eigen::VectorXd
       unbalance; ///< internal + contact − external force at t: the scheme's history bracket [force]
-  Eigen::VectorXd contact_force; ///< contact and friction, internal side [force]
-  Eigen::VectorXd reaction;      ///< of the supports, on constrained dofs [force]
-  double force_scale = 0;        ///< what the residual of the last step was measured by [force]
+  Eigen::VectorXd contact_force;  ///< contact and friction, internal side [force]
+  Eigen::VectorXd friction_force; ///< the part of it along the surfaces [force]
+  Eigen::VectorXd external_force; ///< the loads at t [force]
+  Eigen::VectorXd reaction;       ///< of the supports, on constrained dofs [force]
+  double force_scale = 0;         ///< what the residual of the last step was measured by [force]
   std::vector<contact::ZoneState> zones;
 };
 

@@ -46,6 +46,19 @@ double StepControl::length() const {
   return std::abs(difference - usual) <= same_length * usual ? usual : difference;
 }
 
+/// The end of a shorter list may differ from an instant of this one by rounding. A cut interval whose end is
+/// listed no more is left for the next listed instant.
+void StepControl::go_on(const Place& place) {
+  now_ = place.now;
+  next_ = static_cast<std::size_t>(std::ranges::upper_bound(instants_, now_) - instants_.begin());
+  const bool two_left = next_ + 1 < instants_.size();
+  if (place.finished && two_left && instants_[next_] - now_ <= sliver * (instants_[next_ + 1] - now_))
+    ++next_;
+  const bool listed =
+      next_ < instants_.size() && !place.ends.empty() && place.ends.front().instant == instants_[next_];
+  ends_ = listed ? place.ends : std::vector<End>();
+}
+
 void StepControl::accept() {
   now_ = target();
   if (!ends_.empty())

@@ -30,15 +30,27 @@ public:
   /// Whether target() is one of the listed instants.
   bool target_is_listed() const { return ends_.size() <= 1; }
 
+  /// The end of a part of a cut step, and how deep it is cut.
+  struct End {
+    double instant;
+    int level;
+    bool operator==(const End&) const = default;
+  };
+  /// Where the walk stands: what a run that is resumed goes on from.
+  struct Place {
+    double now = 0;
+    std::vector<End> ends; ///< of the parts of the interval to the next listed instant, the nearest last
+    bool finished = false;
+  };
+  Place place() const { return {now_, ends_, finished()}; }
+  /// Goes on from a place that a walk through this list, or a shorter one, has reached.
+  void go_on(const Place& place);
+
   void accept();
   /// Cuts the step; false when the levels are used up.
   bool cut();
 
 private:
-  struct End {
-    double instant;
-    int level;
-  };
   std::vector<double> instants_;
   std::size_t next_ = 1;
   std::vector<End> ends_; ///< ends of the parts of the interval to instants_[next_], the nearest last

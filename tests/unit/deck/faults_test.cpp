@@ -40,6 +40,8 @@ const Mistake key_mistakes[] = {
     {"friction: 0.2", "frction: 0.2", "frction",
      "unknown key 'contact.interface.frction'; did you mean 'friction'?"},
     {"fix: [x, y]", "fixx: [x, y], fix: x", "fixx", "unknown key 'supports.0.fixx'; did you mean 'fix'?"},
+    {"every: 20", "evry: 20", "evry", "unknown key 'checkpoint.evry'; did you mean 'every'?"},
+    {"checkpoint:", "checkpint:", "checkpint", "unknown key 'checkpint'; did you mean 'checkpoint'?"},
     {"mass: 2", "Mas: 2", "Mas", "unknown key 'materials.steel.rayleigh.Mas'; did you mean 'mass'?"},
     {"nodal_force", "nodl_force", "nodl", "unknown key 'loads.0.nodl_force'; did you mean 'nodal_force'?"},
     {"right_top: Force", "rigth_top: Force", "rigth",
@@ -146,6 +148,9 @@ const Mistake range_mistakes[] = {
     {"[0.001, 0.006]", "[0.001, 0.06]", "0.06]",
      "fields.at.1: found 0.06, expected an instant of the run, 0.001 to "
      "0.013"},
+    {"every: 20", "every: 0.5", "0.5, last", "checkpoint.every: found '0.5', expected a whole number >= 0"},
+    {"at: [0.002]", "at: [0.2]", "0.2], every: 20",
+     "checkpoint.at.0: found 0.2, expected an instant of the run, 0.001 to 0.013"},
     {"at: 0.012", "at: 12", "12, reference",
      "checks.0.at: found 12, expected an instant of the run, 0.001 to 0.013"},
     {"tolerance: 1e-3", "tolerance: 0", "0, kind", "checks.0.tolerance: found '0', expected a number > 0"},

@@ -268,10 +268,16 @@ TEST(DeckKeys, NewtonProbesFieldsAndChecks) {
   EXPECT_EQ(study.probes[1].point, (std::array{0.5, 0.15, 0.0}));
   EXPECT_EQ(study.probes[1].field, ProbeField::reaction);
   EXPECT_EQ(study.fields, (FieldOutput{true, true, {0.001, 0.006}, 10, false}));
+  EXPECT_EQ(study.checkpoint, (CheckpointOutput{{0.002}, 20, false}));
   ASSERT_EQ(study.checks.size(), 1U);
   EXPECT_EQ(
       study.checks[0],
       (Check{{"tip", {}}, 1, {}, {}, 0.012, -0.0132, 1e-3, false, CheckSource::other_code, "table 3", {}}));
+}
+
+TEST(DeckKeys, WithoutACheckpointTheEndIsKept) {
+  EXPECT_EQ(parse_one(smallest_deck).checkpoint, (CheckpointOutput{{}, 0, true}));
+  EXPECT_EQ(parse_one(smallest_deck + "checkpoint: {every: 3}").checkpoint, (CheckpointOutput{{}, 3, true}));
 }
 
 TEST(DeckKeys, FieldsAloneAreWrittenForParaView) {

@@ -87,6 +87,7 @@ probes:
   tip: {node: Force, field: velocity}
   middle: {point: [0.5, 0.15], field: reaction}
 fields: {formats: [vtu, med], at: [0.001, 0.006], every: 10, last: false}
+checkpoint: {at: [0.002], every: 20, last: false}
 checks:
   - {probe: tip.y, at: 0.012, reference: -0.0132, tolerance: 1e-3, kind: absolute, source: other_code, note: table 3}
 )";

@@ -57,6 +57,32 @@ TEST(CsvFile, CanBeReadWhileItIsWritten) {
   EXPECT_EQ(read_csv(folder / "a.csv").rows.size(), 1U);
 }
 
+TEST(CsvFile, GoesOnWhereItStoodAndForgetsWhatCameAfter) {
+  const ScratchFolder folder;
+  std::uintmax_t bytes = 0;
+  {
+    CsvWriter writer(folder / "a.csv", columns);
+    writer.row(std::array{1.0, 2.0, 3.0});
+    bytes = writer.bytes();
+    writer.row(std::array{4.0, 5.0, 6.0});
+  }
+  std::ofstream(folder / "a.csv", std::ios::app) << "7,8"; // a line that was being written
+  CsvWriter writer(folder / "a.csv", bytes);
+  EXPECT_EQ(writer.bytes(), bytes);
+  writer.row(std::array{0.5, 0.0, 0.0});
+  EXPECT_EQ(read_csv(folder / "a.csv").rows, (std::vector<std::vector<double>>{{1, 2, 3}, {0.5, 0, 0}}));
+  EXPECT_EQ(writer.bytes(), std::filesystem::file_size(folder / "a.csv"));
+}
+
+TEST(CsvFile, DoesNotGoOnWhenItIsShorterThanItWas) {
+  const ScratchFolder folder;
+  write(folder / "a.csv", "t\n");
+  EXPECT_EQ(fault_of([&] { CsvWriter(folder / "a.csv", 20); }),
+            (folder / "a.csv").string() +
+                ": found 2 bytes, expected the 20 bytes that the checkpoint counts on");
+  EXPECT_THROW(CsvWriter(folder / "b.csv", 20), InputError);
+}
+
 TEST(CsvFile, FindsItsColumnsByName) {
   const Table table{columns, {}};
   EXPECT_EQ(table.column("tip.y"), 2);

@@ -149,6 +149,54 @@ TEST(StepControl, MeasuresListedStepsOneByOne) {
   EXPECT_EQ(control.length(), 0.7 - 0.15);
 }
 
+StepControl resumed(const deck::TimeStepping& settings, const StepControl::Place& place) {
+  StepControl control(settings, settings.begin);
+  control.go_on(place);
+  return control;
+}
+
+TEST(StepControl, GoesOnFromAPlaceAmongThePartsOfACutStep) {
+  StepControl control(even(1, 3), 0);
+  control.accept();
+  control.cut();
+  control.cut();
+  control.accept();
+  const auto again = resumed(even(1, 3), control.place());
+  EXPECT_EQ(again.level(), control.level());
+  EXPECT_EQ(walked(again), walked(control));
+  EXPECT_EQ(walked(again), (Instants{1.5, 2, 3}));
+}
+
+TEST(StepControl, GoesOnBeyondAnEndThatIsNoMultipleOfTheStep) {
+  StepControl control(even(1, 2.5), 0);
+  while (!control.finished())
+    control.accept();
+  EXPECT_EQ(walked(resumed(even(1, 4), control.place())), (Instants{3, 4}));
+}
+
+TEST(StepControl, TakesAnOldEndForTheInstantItDiffersFromByRounding) {
+  StepControl control(even(0.1, 0.3), 0); // 3 × 0.1 is a little more than 0.3
+  while (!control.finished())
+    control.accept();
+  EXPECT_EQ(walked(resumed(even(0.1, 0.6), control.place())), (Instants{0.4, 0.5, 0.6}));
+}
+
+TEST(StepControl, LeavesACutIntervalWhoseEndIsListedNoMore) {
+  StepControl control(even(1, 2.5), 0);
+  control.accept();
+  control.accept();
+  control.cut(); // of what led to 2.5
+  control.accept();
+  EXPECT_EQ(walked(resumed(even(1, 4), control.place())), (Instants{3, 4}));
+}
+
+TEST(StepControl, IsFinishedWhereItWas) {
+  StepControl control(even(1, 2), 0);
+  while (!control.finished())
+    control.accept();
+  EXPECT_TRUE(resumed(even(1, 2), control.place()).finished());
+}
+
 TEST(StepControl, IsAValue) {
   StepControl control(even(1, 3), 0);
   control.cut();

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# HDF5 without MPI.
+#   SerialHDF5::SerialHDF5              to link with
+#   serial_hdf5_sources(target file…)   lets these files of a target include hdf5.h
+# Only these files see its header: others of the same target may use the HDF5 that MED was built with.
+find_path(SerialHDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial)
+find_library(SerialHDF5_LIBRARY NAMES hdf5_serial hdf5)
+if(SerialHDF5_INCLUDE_DIR)
+  foreach(header H5public.h H5pubconf.h)
+    file(STRINGS ${SerialHDF5_INCLUDE_DIR}/${header} SerialHDF5_line REGEX "^#define (H5_VERS_INFO|H5_VERSION) ")
+    string(REGEX MATCH "[0-9]+\\.[0-9]+\\.[0-9]+" SerialHDF5_number "${SerialHDF5_line}")
+    if(SerialHDF5_number)
+      set(SerialHDF5_VERSION ${SerialHDF5_number})
+    endif()
+  endforeach()
+endif()
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(
+  SerialHDF5
+  REQUIRED_VARS SerialHDF5_LIBRARY SerialHDF5_INCLUDE_DIR
+  VERSION_VAR SerialHDF5_VERSION)
+mark_as_advanced(SerialHDF5_INCLUDE_DIR SerialHDF5_LIBRARY)
+
+if(SerialHDF5_FOUND AND NOT TARGET SerialHDF5::SerialHDF5)
+  add_library(SerialHDF5::SerialHDF5 UNKNOWN IMPORTED GLOBAL)
+  set_target_properties(SerialHDF5::SerialHDF5 PROPERTIES IMPORTED_LOCATION ${SerialHDF5_LIBRARY})
+endif()
+
+function(serial_hdf5_sources target)
+  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target}
+                              PROPERTIES COMPILE_OPTIONS "-isystem;${SerialHDF5_INCLUDE_DIR}")
+endfunction()

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// One list of what a checkpoint holds serves both directions: `exchange` walks through it, an archive writes
+// what it is shown or replaces it by what it reads.
+#include "rubato/results/checkpoint.hpp"
+
+#include "rubato/error.hpp"
+#include "rubato/results/hdf5_file.hpp"
+#include "rubato/results/seal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <concepts>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace rubato::results {
+namespace {
+
+using contact::PointOutcome;
+using contact::Status;
+using Spring = contact::ExplicitPenalty::Spring;
+
+/// Shows every number of a record of a table, in the same order always.
+template <class Visit> void each_number(PointOutcome& outcome, const Visit& visit) {
+  visit(outcome.gap);
+  visit(outcome.pressure);
+  for (auto& x : outcome.slip)
+    visit(x);
+  for (auto& x : outcome.normal)
+    visit(x);
+  for (auto& x : outcome.tangential)
+    visit(x);
+}
+
+template <class Visit> void each_number(Spring& spring, const Visit& visit) {
+  auto status = static_cast<double>(spring.status);
+  double paired = spring.paired ? 1 : 0;
+  visit(status);
+  visit(paired);
+  spring.status = static_cast<Status>(static_cast<int>(status));
+  spring.paired = paired != 0;
+  for (auto* x : {&spring.forgiven, &spring.gap, &spring.pressure, &spring.tangential_stiffness})
+    visit(*x);
+  for (auto* v : {&spring.slip, &spring.traction, &spring.normal})
+    for (auto& x : *v)
+      visit(x);
+  for (auto& x : spring.slip_on_tangents)
+    visit(x);
+}
+
+template <class Visit> void each_number(time::StepControl::End& end, const Visit& visit) {
+  double level = end.level;
+  visit(end.instant);
+  visit(level);
+  end.level = static_cast<int>(level);
+}
+
+template <class Record> std::size_t numbers_in() {
+  Record record{};
+  std::size_t count = 0;
+  each_number(record, [&](double&) { ++count; });
+  return count;
+}
+
+/// What a step control keeps a status by, or a count.
+template <class T>
+concept Whole = std::integral<T> || std::is_enum_v<T>;
+
+class Writer {
+public:
+  explicit Writer(Hdf5File& file) : file_(&file) {}
+
+  void text(const std::string& name, std::string& value) { file_->write(name, value); }
+  void number(const std::string& name, double& value) { file_->write(name, std::span(&value, 1)); }
+  template <Whole T> void whole(const std::string& name, T& value) {
+    const auto integer = static_cast<std::int64_t>(value);
+    file_->write(name, std::span(&integer, 1));
+  }
+  template <class Vector> void numbers(const std::string& name, Vector& values) {
+    file_->write(name, std::span<const double>(values.data(), static_cast<std::size_t>(values.size())));
+  }
+  template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
+    std::vector<std::int64_t> integers;
+    std::ranges::transform(values, std::back_inserter(integers),
+                           [](T value) { return static_cast<std::int64_t>(value); });
+    file_->write(name, integers);
+  }
+  template <class Record> void table(const std::string& name, std::vector<Record>& records) {
+    std::vector<double> flat;
+    for (auto& record : records)
+      each_number(record, [&](double& x) { flat.push_back(x); });
+    file_->write(name, flat);
+  }
+  /// How many parts follow.
+  template <class Part> void parts(const std::string& name, std::vector<Part>& parts) {
+    auto count = parts.size();
+    whole(name, count);
+  }
+
+private:
+  Hdf5File* file_;
+};
+
+class Reader {
+public:
+  explicit Reader(const Hdf5File& file) : file_(&file) {}
+
+  void text(const std::string& name, std::string& value) { value = file_->text(name); }
+  void number(const std::string& name, double& value) { value = file_->numbers(name).at(0); }
+  template <Whole T> void whole(const std::string& name, T& value) {
+    value = static_cast<T>(file_->integers(name).at(0));
+  }
+  void numbers(const std::string& name, std::vector<double>& values) { values = file_->numbers(name); }
+  void numbers(const std::string& name, Eigen::VectorXd& values) {
+    const auto read = file_->numbers(name);
+    values = Eigen::Map<const Eigen::VectorXd>(read.data(), static_cast<Eigen::Index>(read.size()));
+  }
+  template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
+    values.clear();
+    for (const auto integer : file_->integers(name))
+      values.push_back(static_cast<T>(integer));
+  }
+  template <class Record> void table(const std::string& name, std::vector<Record>& records) {
+    const auto flat = file_->numbers(name);
+    records.assign(flat.size() / numbers_in<Record>(), {});
+    std::size_t next = 0;
+    for (auto& record : records)
+      each_number(record, [&](double& x) { x = flat.at(next++); });
+  }
+  template <class Part> void parts(const std::string& name, std::vector<Part>& parts) {
+    std::size_t count = 0;
+    whole(name, count);
+    parts.resize(count);
+  }
+
+private:
+  const Hdf5File* file_;
+};
+
+template <class Archive> void exchange(Archive& archive, Ending& spent) {
+  archive.whole("spent/steps", spent.steps);
+  archive.whole("spent/iterations", spent.iterations);
+  archive.whole("spent/cuts", spent.cuts);
+  archive.number("spent/setup_seconds", spent.setup_seconds);
+  archive.number("spent/loop_seconds", spent.loop_seconds);
+}
+
+template <class Archive> void exchange(Archive& archive, step::State& state) {
+  archive.number("state/t", state.t);
+  archive.numbers("state/u", state.motion.u);
+  archive.numbers("state/v", state.motion.v);
+  archive.numbers("state/a", state.motion.a);
+  archive.numbers("state/unbalance", state.unbalance);
+  archive.numbers("state/contact_force", state.contact_force);
+  archive.numbers("state/reaction", state.reaction);
+  archive.number("state/force_scale", state.force_scale);
+  archive.numbers("state/friction_force", state.friction_force);
+  archive.numbers("state/external_force", state.external_force);
+  archive.numbers("state/bulk/internal", state.bulk.internal);
+  archive.numbers("state/bulk/viscous", state.bulk.viscous);
+  archive.numbers("state/bulk/momentum", state.bulk.momentum);
+  archive.numbers("state/bulk/inertia", state.bulk.inertia);
+  archive.parts("state/zones", state.zones);
+  for (std::size_t z = 0; z < state.zones.size(); ++z) {
+    const auto at = fmt::format("state/zone_{}/", z);
+    archive.numbers(at + "multipliers", state.zones[z].multipliers);
+    archive.wholes(at + "status", state.zones[z].status);
+    archive.table(at + "outcomes", state.zones[z].outcomes);
+  }
+}
+
+template <class Archive> void exchange(Archive& archive, time::StepControl::Place& place) {
+  archive.number("place/now", place.now);
+  archive.table("place/ends", place.ends);
+  archive.whole("place/finished", place.finished);
+}
+
+template <class Archive> void exchange(Archive& archive, const std::string& at, step::EnergyLedger& energy) {
+  archive.number(at + "kinetic", energy.kinetic);
+  archive.number(at + "strain", energy.strain);
+  archive.number(at + "contact", energy.contact);
+  archive.number(at + "external_work", energy.external_work);
+  archive.number(at + "support_work", energy.support_work);
+  archive.number(at + "damping", energy.damping);
+  archive.number(at + "friction", energy.friction);
+  archive.number(at + "impact", energy.impact);
+  archive.number(at + "numerical", energy.numerical);
+  archive.number(at + "unbalanced", energy.unbalanced);
+  archive.number(at + "start", energy.start);
+}
+
+template <class Archive> void exchange(Archive& archive, step::EnergyRecord& record) {
+  archive.number("energy_record/largest", record.largest);
+  archive.number("energy_record/largest_balance", record.largest_balance);
+  archive.number("energy_record/gain", record.gain);
+  archive.number("energy_record/gained_at", record.gained_at);
+  archive.number("energy_record/by_impact", record.by_impact);
+  archive.number("energy_record/by_scheme", record.by_scheme);
+}
+
+template <class Archive> void exchange(Archive& archive, RecorderPosition& position) {
+  archive.whole("files/steps", position.steps);
+  archive.whole("files/probes", position.probes);
+  archive.whole("files/attempts", position.attempts);
+  archive.whole("files/energy", position.energy);
+  archive.wholes("files/resultants", position.resultants);
+  archive.numbers("files/field_times", position.field_times);
+  archive.parts("files/field_files", position.field_files);
+  for (std::size_t i = 0; i < position.field_files.size(); ++i)
+    archive.text(fmt::format("files/field_file_{}", i), position.field_files[i]);
+  archive.text("files/med_copy", position.med_copy);
+  archive.whole("files/unwritten", position.unwritten);
+}
+
+template <class Archive> void exchange(Archive& archive, ExplicitProgress& progress) {
+  auto& motion = progress.motion;
+  archive.number("explicit/limit", progress.limit);
+  archive.number("explicit/t", motion.t);
+  archive.number("explicit/step", motion.step);
+  archive.whole("explicit/steps", motion.steps);
+  archive.numbers("explicit/u", motion.u);
+  archive.numbers("explicit/v", motion.v);
+  archive.numbers("explicit/unbalance", motion.unbalance);
+  archive.numbers("explicit/contact_force", motion.contact_force);
+  archive.numbers("explicit/damping_force", motion.damping_force);
+  archive.numbers("explicit/load_factors", motion.load_factors);
+  archive.numbers("explicit/load_displacements", motion.load_displacements);
+  archive.numbers("explicit/reactions", motion.reactions);
+  archive.parts("explicit/zones", motion.zones);
+  for (std::size_t z = 0; z < motion.zones.size(); ++z) {
+    const auto at = fmt::format("explicit/zone_{}/", z);
+    archive.table(at + "springs", motion.zones[z].springs);
+    archive.number(at + "dissipated", motion.zones[z].dissipated);
+  }
+  exchange(archive, "explicit/energy/", motion.energy);
+}
+
+template <class Archive> void exchange(Archive& archive, Checkpoint& checkpoint) {
+  archive.text("study", checkpoint.study);
+  archive.whole("mesh", checkpoint.mesh);
+  archive.whole("start", checkpoint.start);
+  exchange(archive, checkpoint.spent);
+  exchange(archive, checkpoint.state);
+  exchange(archive, checkpoint.place);
+  exchange(archive, "energy/", checkpoint.energy);
+  exchange(archive, checkpoint.record);
+  exchange(archive, checkpoint.recorder);
+  bool is_explicit = checkpoint.progress.has_value();
+  archive.whole("is_explicit", is_explicit);
+  if (!is_explicit)
+    return;
+  if (!checkpoint.progress)
+    checkpoint.progress.emplace();
+  exchange(archive, *checkpoint.progress);
+}
+
+template <class T> std::uint32_t crc_of(std::span<const T> values, std::uint32_t before) {
+  return crc(values.data(), values.size_bytes(), before);
+}
+
+std::uint32_t crc_of(const std::vector<mesh::Group>& groups, std::uint32_t sum) {
+  for (const auto& group : groups) {
+    sum = crc_of(std::span<const char>(group.name), sum);
+    sum = crc_of(std::span(group.items), sum);
+  }
+  return sum;
+}
+
+} // namespace
+
+void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint) {
+  auto beside = path;
+  beside += ".new";
+  try {
+    Hdf5File file(beside, Hdf5File::Access::create, seal_size);
+    Writer writer(file);
+    exchange(writer, checkpoint);
+    file.close();
+    seal(beside);
+    std::filesystem::rename(beside, path);
+  } catch (const std::runtime_error&) {
+    std::error_code ignored;
+    std::filesystem::remove(beside, ignored);
+    throw;
+  }
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+  check_seal(path);
+  try {
+    const Hdf5File file(path, Hdf5File::Access::read);
+    Reader reader(file);
+    Checkpoint checkpoint;
+    exchange(reader, checkpoint);
+    return checkpoint;
+  } catch (const std::exception& error) { // sealed, but by a program that meant something else
+    throw InputError(error.what());
+  }
+}
+
+std::uint32_t fingerprint(const mesh::Mesh& mesh) {
+  std::uint32_t sum = 0;
+  for (const auto& point : mesh.points)
+    sum = crc(point.data(), 3 * sizeof(double), sum);
+  for (const auto& block : mesh.blocks) {
+    sum = crc(&block.type, sizeof block.type, sum);
+    sum = crc_of(std::span(block.nodes), sum);
+  }
+  return crc_of(mesh.cell_groups, crc_of(mesh.node_groups, sum));
+}
+
+std::uint32_t fingerprint(const step::State& state) {
+  std::uint32_t sum = crc(&state.t, sizeof state.t);
+  for (const auto* vector : {&state.motion.u, &state.motion.v, &state.motion.a})
+    sum = crc(vector->data(), static_cast<std::size_t>(vector->size()) * sizeof(double), sum);
+  return sum;
+}
+
+} // namespace rubato::results

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/results/study_difference.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace rubato::results {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array free_to_change{"/title",         "/mesh/file",       "/time/end",
+                                    "/time/instants", "/time/on_failure", "/newton",
+                                    "/checkpoint",    "/checks",          "/runs"};
+
+json without_free_parts(const std::string& text) {
+  auto study = json::parse(text);
+  for (const auto* path : free_to_change)
+    if (const json::json_pointer at(path); study.contains(at))
+      study.at(at.parent_pointer()).erase(at.back());
+  return study;
+}
+
+std::string value_at(const json& study, const json::json_pointer& at) {
+  return study.contains(at) ? study.at(at).dump() : "not there";
+}
+
+} // namespace
+
+std::optional<std::string> study_difference(const std::string& before, const std::string& now) {
+  const auto old_study = without_free_parts(before);
+  const auto new_study = without_free_parts(now);
+  const auto differences = json::diff(old_study, new_study);
+  if (differences.empty())
+    return std::nullopt;
+  const json::json_pointer at(differences.front().at("path").get<std::string>());
+  auto path = at.to_string().substr(1);
+  std::ranges::replace(path, '/', '.');
+  return fmt::format("{} was {} and is {} now", path, value_at(old_study, at), value_at(new_study, at));
+}
+
+} // namespace rubato::results

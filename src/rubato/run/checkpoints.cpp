@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/run/checkpoints.hpp"
+
+#include "rubato/deck/read.hpp"
+#include "rubato/results/history.hpp"
+#include "rubato/results/run_folder.hpp"
+#include "rubato/results/stored_run.hpp"
+#include "rubato/results/study_difference.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <utility>
+
+namespace rubato::run {
+namespace {
+
+/// Ends that differ by less than this part of the run are the same.
+constexpr double same_end = 1e-9;
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+  throw InputError(fmt::format(
+      "{}: the checkpoint is of another run: {}; without --resume the run starts over", file.string(), why));
+}
+
+bool reaches_end(const deck::TimeStepping& time, double t) {
+  return t >= time.end - same_end * (time.end - time.begin);
+}
+
+} // namespace
+
+std::optional<results::Checkpoint> find_checkpoint(const deck::Study& study, const Course& course) {
+  const auto file = course.folder / results::checkpoint_file;
+  if (!std::filesystem::exists(file))
+    return std::nullopt;
+  auto checkpoint = results::read_checkpoint(file);
+  if (const auto difference = results::study_difference(checkpoint.study, deck::to_json(study)))
+    refuse(file, *difference);
+  if (checkpoint.mesh != course.mesh)
+    refuse(file, "its mesh had other nodes, cells or groups");
+  if (checkpoint.start != course.start)
+    refuse(file, fmt::format("it began with another end of run '{}'", study.time.start_run.text));
+  if (checkpoint.state.t > study.time.end + same_end * (study.time.end - study.time.begin))
+    throw InputError(fmt::format("time.end: found {:g}, but the checkpoint stands at t = {:g} already",
+                                 study.time.end, checkpoint.state.t),
+                     study.time.at);
+  return checkpoint;
+}
+
+std::optional<RunResult> finished_run(const deck::Study& study, const Course& course) {
+  if (!course.from || !reaches_end(study.time, course.from->state.t) ||
+      !std::filesystem::exists(course.folder / results::summary_file))
+    return std::nullopt;
+  const auto stored = results::read_stored_run(course.folder);
+  if (stored.status != Status::complete)
+    return std::nullopt;
+  const auto& spent = course.from->spent;
+  RunResult result;
+  result.steps = spent.steps;
+  result.iterations = spent.iterations;
+  result.cuts = spent.cuts;
+  result.setup_seconds = spent.setup_seconds;
+  result.loop_seconds = spent.loop_seconds;
+  result.checks = results::evaluate_checks(study.checks, stored.probes, course.folder);
+  result.energy = course.from->record;
+  result.end = course.from->state;
+  return result;
+}
+
+Keeper::Keeper(const deck::Study& study, const Course& course, const Watch& watch)
+    : settings_(study.checkpoint), course_(course), watch_(watch), study_(deck::to_json(study)) {}
+
+bool Keeper::is_due(int count, double t, double step) const {
+  return (settings_.every > 0 && count % settings_.every == 0) ||
+         results::is_named_instant(settings_.at, t, step);
+}
+
+void Keeper::keep(const std::function<results::Checkpoint()>& make) const {
+  try {
+    auto checkpoint = make();
+    checkpoint.study = study_;
+    checkpoint.mesh = course_.mesh;
+    checkpoint.start = course_.start;
+    const auto med_copy = checkpoint.recorder.med_copy;
+    results::write_checkpoint(course_.folder / results::checkpoint_file, std::move(checkpoint));
+    results::remove_med_copies(course_.folder, med_copy);
+  } catch (const std::exception& error) {
+    watch_.warn(fmt::format("no checkpoint was written: {}", error.what()));
+  }
+}
+
+} // namespace rubato::run

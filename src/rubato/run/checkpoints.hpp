@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// When a run keeps checkpoints, and which ones it may go on from.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+#include "rubato/mesh/mesh.hpp"
+#include "rubato/results/checkpoint.hpp"
+#include "rubato/run/time_loop.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace rubato::run {
+
+/// A run and where it is kept.
+struct Course {
+  std::filesystem::path folder;
+  std::uint32_t mesh = 0;                  ///< fingerprint
+  std::uint32_t start = 0;                 ///< fingerprint of the other run's end it starts from, or 0
+  std::optional<results::Checkpoint> from; ///< where it goes on, when it is resumed
+};
+
+/// The checkpoint in the run's folder; nothing when there is none. Throws InputError, with the reason, when
+/// it is not one this run can go on from.
+std::optional<results::Checkpoint> find_checkpoint(const deck::Study& study, const Course& course);
+
+/// The run as it was left in its folder, when it came to the end that the study wants.
+std::optional<RunResult> finished_run(const deck::Study& study, const Course& course);
+
+/// Writes the checkpoints of a run.
+class Keeper {
+public:
+  /// Everything must outlive this.
+  Keeper(const deck::Study& study, const Course& course, const Watch& watch);
+
+  /// Whether the step that led to t in `step`, the run's `count`-th, is one to keep.
+  bool is_due(int count, double t, double step) const;
+  bool keeps_end() const { return settings_.last; }
+
+  /// Writes a checkpoint, completed with what tells runs apart. When that fails whoever watches is warned,
+  /// and the run goes on: the former one is still there.
+  void keep(const std::function<results::Checkpoint()>& make) const;
+
+private:
+  const deck::CheckpointOutput& settings_;
+  const Course& course_;
+  const Watch& watch_;
+  std::string study_; ///< its echo
+};
+
+} // namespace rubato::run

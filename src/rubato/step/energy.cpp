@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Notation of docs/theory/energy.md: [x] = x₁ − x₀, {x} = (x₀ + x₁)/2.
+#include "rubato/step/energy.hpp"
+
+namespace rubato::step {
+namespace {
+
+using Eigen::VectorXd;
+using model::Model;
+
+double kinetic_energy(const State& state) {
+  return 0.5 * state.motion.v.dot(state.bulk.momentum);
+}
+
+double strain_energy(const State& state) {
+  return 0.5 * state.motion.u.dot(state.bulk.internal);
+}
+
+bool damped(const State& state) {
+  return state.bulk.viscous.size() > 0;
+}
+
+/// [x]·{f}
+double work(const VectorXd& moved, const VectorXd& before, const VectorXd& now) {
+  return 0.5 * (moved.dot(before) + moved.dot(now));
+}
+
+} // namespace
+
+void EnergyRecord::note(double t, const EnergyLedger& ledger) {
+  largest = std::max(largest, ledger.largest());
+  largest_balance = std::max(largest_balance, std::abs(ledger.balance()));
+  if (ledger.gain() <= gain)
+    return;
+  gain = ledger.gain();
+  gained_at = t;
+  by_impact = -ledger.impact;
+  by_scheme = -ledger.numerical;
+}
+
+EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, const State& start)
+    : model_(&model), scheme_(&scheme) {
+  ledger_.kinetic = scheme.dynamic ? kinetic_energy(start) : 0;
+  ledger_.strain = strain_energy(start);
+  ledger_.contact = energy_of_springs(start.zones);
+  ledger_.start = ledger_.stored();
+}
+
+void EnergyAccount::enter(const State& committed, const State& trial) {
+  const auto& before = committed.bulk;
+  const auto& now = trial.bulk;
+  const VectorXd moved = trial.motion.u - committed.motion.u;
+  ledger_.kinetic = scheme_->dynamic ? kinetic_energy(trial) : 0;
+  ledger_.strain = strain_energy(trial);
+  ledger_.external_work += work(moved, committed.external_force, trial.external_force);
+  if (damped(trial))
+    ledger_.damping += work(moved, before.viscous, now.viscous);
+  const double friction = work(moved, committed.friction_force, trial.friction_force);
+  const double springs = energy_of_springs(trial.zones);
+  ledger_.friction += friction;
+  ledger_.impact +=
+      work(moved, committed.contact_force, trial.contact_force) - friction - (springs - ledger_.contact);
+  ledger_.contact = springs;
+  const auto supports = enter_supports(moved, committed, trial);
+  ledger_.support_work += supports.work;
+  ledger_.numerical += scheme_dissipation(moved, committed, trial) + supports.work - supports.with_step;
+  ledger_.unbalanced += work_of_equation(moved, committed, trial) - supports.with_step;
+}
+
+/// [u]·{r} on the dofs that are held, r = M a + C v + F, and [u]·R with the step's own R.
+EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, const State& committed,
+                                                      const State& trial) const {
+  const auto reaction = [&](const State& state, int dof) {
+    double sum = state.bulk.internal[dof] + state.contact_force[dof] - state.external_force[dof];
+    if (scheme_->dynamic)
+      sum += state.bulk.inertia[dof];
+    if (damped(state))
+      sum += state.bulk.viscous[dof];
+    return sum;
+  };
+  Supports supports;
+  for (const auto& constraint : model_->constraints) {
+    const int dof = constraint.dof;
+    if (moved[dof] == 0)
+      continue;
+    const double mean = 0.5 * (reaction(committed, dof) + reaction(trial, dof));
+    supports.work += moved[dof] * mean;
+    supports.with_step += moved[dof] * trial.reaction[dof];
+  }
+  return supports;
+}
+
+/// [u]·(m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F₁ + f₀ F₀): that of R and of what is left unbalanced.
+double EnergyAccount::work_of_equation(const VectorXd& moved, const State& committed,
+                                       const State& trial) const {
+  const auto& before = committed.bulk;
+  const auto& now = trial.bulk;
+  double sum = scheme_->forces.now * moved.dot(now.internal + trial.contact_force - trial.external_force);
+  if (scheme_->forces.before != 0)
+    sum += scheme_->forces.before * moved.dot(committed.unbalance);
+  if (!scheme_->dynamic)
+    return sum;
+  sum += moved.dot(scheme_->inertia.now * now.inertia + scheme_->inertia.before * before.inertia);
+  if (damped(trial))
+    sum += moved.dot(scheme_->damping.now * now.viscous + scheme_->damping.before * before.viscous);
+  return sum;
+}
+
+/// h²(β − γ/2) ([½ a·M a] + (γ − ½) [a]·M[a])
+///   + [u]·((m₁ − γ) M[a] + (c₁ − ½) C[v] + (f₁ − ½) [F]) + f₀ [u]·(F₀ as the step took it − F₀)
+double EnergyAccount::scheme_dissipation(const VectorXd& moved, const State& committed,
+                                         const State& trial) const {
+  const auto& before = committed.bulk;
+  const auto& now = trial.bulk;
+  const double force_change =
+      moved.dot(now.internal - before.internal + trial.contact_force - committed.contact_force -
+                trial.external_force + committed.external_force);
+  double sum = (scheme_->forces.now - 0.5) * force_change;
+  if (scheme_->forces.before != 0)
+    sum += scheme_->forces.before * moved.dot(committed.unbalance - before.internal -
+                                              committed.contact_force + committed.external_force);
+  if (!scheme_->dynamic)
+    return sum;
+  if (damped(trial))
+    sum += (scheme_->damping.now - 0.5) * moved.dot(now.viscous - before.viscous);
+  const auto inertia_change = now.inertia - before.inertia;
+  sum += (scheme_->inertia.now - scheme_->gamma) * moved.dot(inertia_change);
+  const double h = trial.t - committed.t;
+  const double factor = h * h * (scheme_->beta - scheme_->gamma / 2);
+  if (factor != 0)
+    sum += factor * (0.5 * (trial.motion.a.dot(now.inertia) - committed.motion.a.dot(before.inertia)) +
+                     (scheme_->gamma - 0.5) * (trial.motion.a - committed.motion.a).dot(inertia_change));
+  return sum;
+}
+
+double energy_of_springs(std::span<const contact::ZoneState> zones) {
+  double sum = 0;
+  for (const auto& zone : zones)
+    for (const auto& outcome : zone.outcomes)
+      if (outcome.gap < 0)
+        sum -= 0.5 * outcome.gap * outcome.normal.norm();
+  return sum;
+}
+
+} // namespace rubato::step

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Short runs that carry everything there is from step to step.
+#pragma once
+
+#include <string>
+
+namespace rubato::test {
+
+/// SDNL140's beams on a coarse mesh: they hit, rub, part and slide off each other's ends; steps fail and are
+/// cut; a second run starts from the end of the first, a third has other methods.
+inline const std::string rubbing_beams = R"(title: two beams rubbing
+mesh:
+  generate:
+    - name: Haut
+      rectangle: {from: [0, 0], to: [1, 0.1]}
+      divisions: [20, 2]
+      sides: {left: Encastrement, bottom: Haut_Contact}
+      points: {right_top: Force}
+    - name: Bas
+      rectangle: {from: [0, -0.1], to: [1, 0]}
+      divisions: [20, 2]
+      sides: {left: Encastrement, top: Bas_Contact}
+physics: plane_stress
+thickness: 1
+materials:
+  steel: {young: 200e9, poisson: 0, density: 7800, cells: all, rayleigh: {mass: 5}}
+supports:
+  - {on: Encastrement, fix: [x, y]}
+loads:
+  - nodal_force: {on: Force, y: -1e7}
+contact:
+  interface:
+    master: Haut_Contact
+    slave: Bas_Contact
+    friction: 0.2
+    exclude_nodes: [Encastrement]
+time: {scheme: hht, alpha: -0.1, step: 5e-4, end: 0.03}
+probes:
+  tip: {node: Force}
+  speed: {node: Force, field: velocity}
+fields: {formats: [vtu, med], every: 7}
+checkpoint: {every: 5}
+runs:
+  exact:
+    checkpoint: {at: [0.0115]}
+    checks: [{probe: tip.y, at: 0.006, reference: -0.15, tolerance: 1}]
+  rougher:
+    contact: {interface: {friction: 0.5, iterate: {friction: fixed_point}}}
+    time: {start: {from: exact}, begin: 0.03, end: 0.04}
+  springs:
+    contact: {interface: {method: penalty, coefficients: {normal: 1e9, tangential: 1e7}, iterate: {geometry: fixed_point}}}
+    time: {end: 0.012}
+)";
+
+/// The same beams by central differences.
+inline const std::string explicit_beams = [] {
+  auto deck = rubbing_beams.substr(0, rubbing_beams.find("time:"));
+  deck.insert(deck.find("    friction:"), "    method: penalty\n");
+  return deck + R"(time: {scheme: central_difference, end: 6e-3, record: 1e-4}
+probes:
+  tip: {node: Force}
+fields: {formats: [vtu], every: 9}
+checkpoint: {every: 4}
+)";
+}();
+
+} // namespace rubato::test

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Runs that are stopped, fail or come to their end, and go on.
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+#include "decks.hpp"
+#include "same_results.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/two_blocks.hpp"
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace rubato {
+namespace {
+
+using namespace std::chrono_literals;
+using test::with;
+using Arguments = std::vector<std::string>;
+
+class ResumedRun : public testing::Test {
+protected:
+  test::Outcome run(const std::string& deck, const std::string& output, Arguments more = {}) const {
+    test::write_text(folder_ / "deck.yaml", deck);
+    more.insert(more.begin(), {"run", "deck.yaml", "-o", output});
+    return test::run_program(more, folder_.path());
+  }
+  void expect_same(const std::string& a, const std::string& b) const {
+    test::expect_same_results(folder_ / a, folder_ / b);
+  }
+
+  test::ScratchFolder folder_;
+};
+
+const std::string four_steps = test::two_blocks + "fields: {formats: [vtu, med], every: 3, last: false}\n";
+
+TEST_F(ResumedRun, GoesBeyondItsEndAsIfItHadBeenToldBefore) {
+  const auto longer = with(four_steps, "end: 4e-4", "end: 1e-3");
+  ASSERT_EQ(run(longer, "whole").exit_code, 0);
+  ASSERT_EQ(run(four_steps, "out").exit_code, 0);
+  const auto outcome = run(four_steps, "out", {"--resume", "--set", "time.end=1e-3"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("run: goes on from t = 0.0004"), std::string::npos) << outcome.err;
+  expect_same("whole", "out");
+}
+
+TEST_F(ResumedRun, FindsTheNextInstantWhereTheOldEndDiffersFromOneByRounding) {
+  const auto at = [](const std::string& end) {
+    return with(test::two_blocks, "step: 1e-4, end: 4e-4", "step: 1e-4, end: " + end);
+  };
+  ASSERT_EQ(run(at("3e-4"), "out").exit_code, 0); // three steps of 1e-4 are a little more
+  ASSERT_EQ(run(at("5e-4"), "out", {"--resume"}).exit_code, 0);
+  EXPECT_EQ(test::attempts_in(folder_ / "out/run/steps.jsonl").size(), 5U);
+}
+
+TEST_F(ResumedRun, OfAStoppedRunHasNoSeam) {
+  const auto deck = with(test::rubbing_beams, "end: 0.03}", "end: 3}"); // nobody waits for its end
+  test::write_text(folder_ / "deck.yaml", deck);
+  test::Program program({"run", "deck.yaml", "-o", "out", "-q", "--only", "exact"}, folder_.path());
+  const auto steps = folder_ / "out/exact/steps.jsonl";
+  while (program.is_running() &&
+         !(std::filesystem::exists(steps) && std::filesystem::file_size(steps) > 3000))
+    std::this_thread::sleep_for(1ms);
+  program.send(SIGINT);
+  const auto stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 4);
+  EXPECT_NE(stopped.err.find("--resume goes on from there"), std::string::npos) << stopped.err;
+
+  const auto end =
+      "runs.exact.time.end=" +
+      std::to_string(test::summary_in(folder_ / "out/exact/run.json").at("steps").get<int>() * 5e-4 + 0.01);
+  ASSERT_EQ(run(deck, "out", {"--only", "exact", "--resume", "--set", end}).exit_code, 0);
+  ASSERT_EQ(run(deck, "whole", {"--only", "exact", "--set", end}).exit_code, 0);
+  expect_same("whole", "out");
+}
+
+TEST_F(ResumedRun, OfARunAtItsEndIsNotRunAgain) {
+  ASSERT_EQ(run(test::rubbing_beams, "out", {"--only", "exact"}).exit_code, 0);
+  const auto before = std::filesystem::last_write_time(folder_ / "out/exact/run.json");
+  const auto outcome = run(test::rubbing_beams, "out", {"--resume"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("exact: complete already"), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::filesystem::last_write_time(folder_ / "out/exact/run.json"), before);
+  ASSERT_EQ(run(test::rubbing_beams, "whole").exit_code, 0);
+  expect_same("whole", "out");
+}
+
+/// With no friction left to raise and no step to cut it fails; resumed with cuts it does what it had done
+/// with them from its beginning.
+TEST_F(ResumedRun, OfAFailedOneMayUseOtherMeans) {
+  const auto deck = with(test::rubbing_beams, "step: 5e-4, end: 0.03}",
+                         "step: 5e-4, end: 0.03}\nnewton: {max_iterations: 1}");
+  const auto failed = run(deck, "out", {"--only", "exact", "--set", "time.on_failure.levels=0"});
+  EXPECT_EQ(failed.exit_code, 3) << failed.err;
+  EXPECT_NE(failed.err.find("--resume goes on from there"), std::string::npos) << failed.err;
+  const auto again = run(deck, "out", {"--only", "exact", "--resume", "--set", "newton.max_iterations=40"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+TEST_F(ResumedRun, StartsAtItsBeginningWhenThereIsNoCheckpoint) {
+  const auto outcome = run(four_steps, "out", {"--resume"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("run: no checkpoint in out/run, starts at its beginning"), std::string::npos)
+      << outcome.err;
+}
+
+TEST_F(ResumedRun, KeepsNothingWhenItShallNot) {
+  ASSERT_EQ(run(four_steps + "checkpoint: {last: false}\n", "out").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/run/checkpoint.h5"));
+}
+
+} // namespace
+} // namespace rubato

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/results/checkpoint.hpp"
+#include "rubato/results/seal.hpp"
+#include "rubato/results/study_difference.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/faults.hpp"
+#include "support/scratch_folder.hpp"
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+namespace rubato::results {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double tiny = std::numeric_limits<double>::denorm_min();
+
+Checkpoint sample() {
+  Checkpoint c;
+  c.study = "{\"title\": \"ß\"}";
+  c.mesh = 0xdeadbeef;
+  c.start = 7;
+  c.spent = {.setup_seconds = 0.1, .loop_seconds = 1.0 / 3, .steps = 5, .iterations = 17, .cuts = 2};
+  c.state.t = 0.3;
+  c.state.motion = {VectorXd::Constant(3, -0.0), VectorXd::Constant(3, tiny), VectorXd::LinSpaced(3, 1, 2)};
+  c.state.unbalance = VectorXd::Constant(3, 0.1);
+  c.state.force_scale = 12;
+  c.state.zones.resize(2);
+  c.state.zones[1].multipliers = VectorXd::Constant(2, 1e300);
+  c.state.zones[1].status = {contact::Status::open, contact::Status::slip};
+  c.state.zones[1].outcomes = {{.gap = INFINITY}, {-1e-9, {1, 2}, 3, Vector3d(4, 5, 6), Vector3d(7, 8, 9)}};
+  c.place = {0.3, {{0.4, 1}, {0.35, 2}}, false};
+  c.energy.numerical = -4;
+  c.record.gained_at = 0.2;
+  c.recorder.resultants = {10, 20};
+  c.recorder.field_times = {0.1};
+  c.recorder.field_files = {"fields/000001.vtu"};
+  c.recorder.unwritten = true;
+  return c;
+}
+
+TEST(CheckpointFile, GivesBackWhatWasWritten) {
+  const test::ScratchFolder folder;
+  const auto written = sample();
+  write_checkpoint(folder / "a.h5", written);
+  const auto read = read_checkpoint(folder / "a.h5");
+  EXPECT_EQ(read.study, written.study);
+  EXPECT_EQ(read.mesh, written.mesh);
+  EXPECT_EQ(read.spent.iterations, 17);
+  EXPECT_EQ(read.spent.loop_seconds, 1.0 / 3);
+  EXPECT_EQ(read.state.motion.u, written.state.motion.u);
+  EXPECT_TRUE(std::signbit(read.state.motion.u[0]));
+  EXPECT_EQ(read.state.motion.v, written.state.motion.v);
+  EXPECT_EQ(read.state.contact_force.size(), 0);
+  EXPECT_EQ(read.state.zones, written.state.zones);
+  EXPECT_EQ(read.place.ends, written.place.ends);
+  EXPECT_FALSE(read.place.finished);
+  EXPECT_EQ(read.energy.numerical, -4);
+  EXPECT_EQ(read.record.gained_at, 0.2);
+  EXPECT_EQ(read.recorder.resultants, written.recorder.resultants);
+  EXPECT_EQ(read.recorder.field_files, written.recorder.field_files);
+  EXPECT_EQ(read.recorder.med_copy, "");
+  EXPECT_TRUE(read.recorder.unwritten);
+  EXPECT_FALSE(read.progress);
+}
+
+TEST(CheckpointFile, HoldsTheSpringsOfExplicitRuns) {
+  const test::ScratchFolder folder;
+  auto written = sample();
+  written.progress.emplace();
+  written.progress->limit = 1e-6;
+  written.progress->motion.steps = 1'000'000'000'000;
+  written.progress->motion.zones.resize(1);
+  written.progress->motion.zones[0].springs = {{contact::Status::stick,
+                                                false,
+                                                -1,
+                                                2,
+                                                3,
+                                                4,
+                                                Vector3d(5, 6, 7),
+                                                Vector3d(8, 9, 10),
+                                                Vector3d(0, 1, 0),
+                                                {11, 12}}};
+  write_checkpoint(folder / "a.h5", written);
+  const auto read = read_checkpoint(folder / "a.h5");
+  ASSERT_TRUE(read.progress);
+  EXPECT_EQ(read.progress->motion.steps, 1'000'000'000'000);
+  const auto& spring = read.progress->motion.zones.at(0).springs.at(0);
+  EXPECT_EQ(spring.status, contact::Status::stick);
+  EXPECT_FALSE(spring.paired);
+  EXPECT_EQ(spring.tangential_stiffness, 4);
+  EXPECT_EQ(spring.traction, Vector3d(8, 9, 10));
+  EXPECT_EQ(spring.slip_on_tangents, Eigen::Vector2d(11, 12));
+}
+
+TEST(CheckpointFile, HasTheSameBytesForTheSameContent) {
+  const test::ScratchFolder folder;
+  const auto bytes = [&](const char* name) {
+    write_checkpoint(folder / name, sample());
+    std::ifstream file(folder / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_TRUE(bytes("a.h5") == bytes("b.h5"));
+}
+
+TEST(CheckpointFile, StaysWhenTheNextOneCannotBeWritten) {
+  const test::ScratchFolder folder;
+  write_checkpoint(folder / "a.h5", sample());
+  std::filesystem::create_directory(folder / "a.h5.new");
+  auto next = sample();
+  next.mesh = 1;
+  EXPECT_THROW(write_checkpoint(folder / "a.h5", next), std::runtime_error);
+  EXPECT_EQ(read_checkpoint(folder / "a.h5").mesh, sample().mesh);
+}
+
+TEST(Seal, IsACyclicRedundancyCheck) {
+  EXPECT_EQ(crc("123456789", 9), 0xcbf43926); // the check value of CRC-32/ISO-HDLC
+  EXPECT_EQ(crc("56789", 5, crc("1234", 4)), 0xcbf43926);
+}
+
+TEST(StudyDifference, IsToldByTheFirstKeyThatChanged) {
+  const std::string before =
+      R"({"title": "a", "time": {"step": 1, "end": 2}, "contact": {"z": {"friction": 0.2}}})";
+  EXPECT_EQ(study_difference(before, before), std::nullopt);
+  EXPECT_EQ(
+      study_difference(
+          before, R"({"title": "b", "time": {"step": 1, "end": 3}, "contact": {"z": {"friction": 0.2}}})"),
+      std::nullopt)
+      << "title and end may change";
+  EXPECT_EQ(
+      study_difference(
+          before, R"({"title": "a", "time": {"step": 1, "end": 2}, "contact": {"z": {"friction": 0.3}}})"),
+      "contact.z.friction was 0.2 and is 0.3 now");
+  EXPECT_EQ(study_difference(before, R"({"title": "a", "time": {"step": 1, "end": 2}, "contact": {}})"),
+            R"(contact.z was {"friction":0.2} and is not there now)");
+}
+
+} // namespace
+} // namespace rubato::results

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The ledger of energies closes in SDNL140's runs, whatever the modeling, the scheme and the method.
+#include <gtest/gtest.h>
+
+#include "support/shared_files.hpp"
+#include "verification/modelings.hpp"
+#include "verification/sdnl140.hpp"
+#include <string>
+#include <vector>
+
+namespace rubato::verification {
+namespace {
+
+constexpr double closed = 1e-10;
+
+void expect_closed(const deck::Study& study) {
+  const auto result = finish(study).result;
+  EXPECT_EQ(result.status, run::Status::complete) << result.message;
+  EXPECT_GT(result.energy.largest, 0);
+  EXPECT_LE(result.energy.largest_balance, closed * result.energy.largest);
+}
+
+class EnergyOfModeling : public testing::TestWithParam<char> {};
+
+TEST_P(EnergyOfModeling, ClosesOnTheOriginalMeshOrItsOwn) {
+  expect_closed(study_of(GetParam(), "evol1"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sdnl140, EnergyOfModeling, testing::Values('a', 'c', 'd', 'e', 'f'),
+                         [](const auto& chosen) { return std::string(1, chosen.param); });
+
+struct Variation {
+  std::string name;
+  std::vector<deck::Setting> changes;
+};
+
+class EnergyOfModelingF : public testing::TestWithParam<Variation> {};
+
+TEST_P(EnergyOfModelingF, Closes) {
+  expect_closed(sdnl140('f', MeshFrom::generator, GetParam().changes));
+}
+
+const std::vector<Variation> variations{
+    {"Newmark", {{"time.scheme", "newmark"}, {"time.alpha", ""}}},
+    {"GeneralizedAlpha", {{"time.scheme", "generalized_alpha"}, {"time.alpha", ""}}},
+    {"ModifiedAverageAcceleration", {{"time.scheme", "modified_average_acceleration"}}},
+    {"Static", {{"time.scheme", "static"}, {"time.alpha", ""}, {"time.start", ""}}},
+    {"ConsistentStart", {{"time.start", "consistent"}}},
+    {"Damping", {{"materials.steel.rayleigh", "{stiffness: 1e-5, mass: 10}"}}},
+    {"WholeSystem", {{"solver", "full"}}},
+    {"Penalty", {{"contact.interface.method", "penalty"}}},
+    {"FrictionByPenalty", {{"contact.interface.friction_method", "penalty"}}},
+    {"NodalLagrange", {{"contact.interface.method", "nodal_lagrange"}, {"time.end", "0.006"}}},
+    {"NodalPenalty", {{"contact.interface.method", "nodal_penalty"}}},
+    {"NodalPcg", {{"contact.interface.method", "nodal_pcg"}, {"contact.interface.friction", "0"}}},
+    {"ForgottenContactForces",
+     {{"contact.interface.method", "nodal_penalty"}, {"contact.interface.history_force", "false"}}},
+    {"GeometryInALoop", {{"contact.interface.iterate", "{geometry: fixed_point}"}}},
+};
+
+INSTANTIATE_TEST_SUITE_P(By, EnergyOfModelingF, testing::ValuesIn(variations),
+                         [](const auto& chosen) { return chosen.param.name; });
+
+} // namespace
+} // namespace rubato::verification
