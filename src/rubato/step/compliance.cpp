@@ -2,24 +2,34 @@
 #include "rubato/step/compliance.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace rubato::step {
 namespace {
 
-/// Right-hand sides solved together: enough for matrix–matrix products, little enough memory.
+using Eigen::Index;
+
+/// Columns computed together: enough for matrix–matrix products, little enough memory.
 constexpr std::size_t block_size = 128;
+/// Surfaces up to this size get all their columns at once.
+constexpr int small_surface = 256;
 
 } // namespace
 
-Compliance::Compliance(linalg::CholeskyFactor factor, std::vector<int> surface,
-                       std::span<const int> free_dofs, Eigen::Index dofs)
-    : factor_(std::move(factor)), surface_(std::move(surface)),
-      positions_(static_cast<std::size_t>(dofs), -1), size_(static_cast<Eigen::Index>(free_dofs.size())),
-      columns_(surface_.size()) {
-  for (const int unknown : surface_) {
+Compliance::Compliance(linalg::SplitFactor factor, std::span<const int> free_dofs, Index dofs)
+    : factor_(std::move(factor)), positions_(static_cast<std::size_t>(dofs), -1),
+      position_of_unknown_(free_dofs.size(), -1), columns_(factor_.surface().size()) {
+  for (const int unknown : factor_.surface()) {
     const int dof = free_dofs[static_cast<std::size_t>(unknown)];
-    positions_[static_cast<std::size_t>(dof)] = static_cast<int>(dofs_.size());
+    const auto position = static_cast<int>(dofs_.size());
+    positions_[static_cast<std::size_t>(dof)] = position;
+    position_of_unknown_[static_cast<std::size_t>(unknown)] = position;
     dofs_.push_back(dof);
+  }
+  const auto& starts = factor_.body_starts();
+  for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
+    bodies_.push_back({starts[b], starts[b + 1] - starts[b]});
+    body_of_.insert(body_of_.end(), static_cast<std::size_t>(bodies_.back().size), static_cast<int>(b));
   }
 }
 
@@ -27,18 +37,22 @@ Eigen::MatrixXd Compliance::between_unknowns(std::span<const int> unknowns) {
   std::vector<int> positions;
   positions.reserve(unknowns.size());
   for (const int unknown : unknowns)
-    positions.push_back(static_cast<int>(std::ranges::lower_bound(surface_, unknown) - surface_.begin()));
+    positions.push_back(position_of_unknown_[static_cast<std::size_t>(unknown)]);
   return between(positions);
 }
 
 Eigen::MatrixXd Compliance::between(std::span<const int> positions) {
   prepare(positions);
-  const auto size = static_cast<Eigen::Index>(positions.size());
+  const auto size = static_cast<Index>(positions.size());
   Eigen::MatrixXd s(size, size);
-  for (Eigen::Index j = 0; j < size; ++j) {
-    const auto& column = columns_[static_cast<std::size_t>(positions[static_cast<std::size_t>(j)])];
-    for (Eigen::Index i = 0; i < size; ++i)
-      s(i, j) = column[positions[static_cast<std::size_t>(i)]];
+  for (Index j = 0; j < size; ++j) {
+    const auto from = static_cast<std::size_t>(positions[static_cast<std::size_t>(j)]);
+    const auto& column = columns_[from];
+    const auto& body = bodies_[static_cast<std::size_t>(body_of_[from])];
+    for (Index i = 0; i < size; ++i) {
+      const int place = positions[static_cast<std::size_t>(i)] - body.first;
+      s(i, j) = place >= 0 && place < body.size ? column[place] : 0.0;
+    }
   }
   return s;
 }
@@ -46,14 +60,17 @@ Eigen::MatrixXd Compliance::between(std::span<const int> positions) {
 void Compliance::add(double factor, std::span<const int> positions, std::span<const double> force,
                      Eigen::VectorXd& d) {
   prepare(positions);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    d += factor * force[i] * columns_[static_cast<std::size_t>(positions[i])];
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto from = static_cast<std::size_t>(positions[i]);
+    const auto& body = bodies_[static_cast<std::size_t>(body_of_[from])];
+    d.segment(body.first, body.size) += factor * force[i] * columns_[from];
+  }
 }
 
 void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
   std::vector<int> loaded;
   std::vector<double> loads;
-  for (Eigen::Index i = 0; i < force.size(); ++i)
+  for (Index i = 0; i < force.size(); ++i)
     if (force[i] != 0) {
       loaded.push_back(static_cast<int>(i));
       loads.push_back(force[i]);
@@ -62,18 +79,29 @@ void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorX
 }
 
 void Compliance::prepare(std::span<const int> positions) {
-  std::vector<std::size_t> missing;
+  std::vector<std::vector<int>> missing(bodies_.size());
   for (const int position : positions)
-    if (columns_[static_cast<std::size_t>(position)].size() == 0)
-      missing.push_back(static_cast<std::size_t>(position));
-  for (std::size_t first = 0; first < missing.size(); first += block_size) {
-    const auto count = std::min(block_size, missing.size() - first);
-    Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(size_, static_cast<Eigen::Index>(count));
-    for (std::size_t j = 0; j < count; ++j)
-      loads(surface_[missing[first + j]], static_cast<Eigen::Index>(j)) = 1;
-    const Eigen::MatrixXd moved = factor_.solve(loads);
-    for (std::size_t j = 0; j < count; ++j)
-      columns_[missing[first + j]] = moved.col(static_cast<Eigen::Index>(j))(surface_);
+    if (columns_[static_cast<std::size_t>(position)].size() == 0) {
+      const auto body = static_cast<std::size_t>(body_of_[static_cast<std::size_t>(position)]);
+      missing[body].push_back(position - bodies_[body].first);
+    }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (missing[b].empty())
+      continue;
+    if (bodies_[b].size <= small_surface) {
+      missing[b].resize(static_cast<std::size_t>(bodies_[b].size));
+      std::iota(missing[b].begin(), missing[b].end(), 0);
+    }
+    compute(b, missing[b]);
+  }
+}
+
+void Compliance::compute(std::size_t body, std::span<const int> places) {
+  for (std::size_t first = 0; first < places.size(); first += block_size) {
+    const auto block = places.subspan(first, std::min(block_size, places.size() - first));
+    const Eigen::MatrixXd moved = factor_.compliance(body, block);
+    for (std::size_t j = 0; j < block.size(); ++j)
+      columns_[static_cast<std::size_t>(bodies_[body].first + block[j])] = moved.col(static_cast<Index>(j));
   }
 }
 

@@ -4,7 +4,7 @@
 /// first asked for: few contact points are ever active.
 #pragma once
 
-#include "rubato/linalg/direct_solver.hpp"
+#include "rubato/linalg/split_factor.hpp"
 
 #include <Eigen/Core>
 
@@ -15,16 +15,15 @@ namespace rubato::step {
 
 class Compliance {
 public:
-  /// `surface`: unknowns of all contact surfaces, ascending; `free_dofs`: the dof of every unknown; `dofs`:
-  /// how many there are.
-  Compliance(linalg::CholeskyFactor factor, std::vector<int> surface, std::span<const int> free_dofs,
-             Eigen::Index dofs);
+  /// `free_dofs`: the dof of every unknown; `dofs`: how many there are.
+  Compliance(linalg::SplitFactor factor, std::span<const int> free_dofs, Eigen::Index dofs);
 
+  const linalg::SplitFactor& factor() const { return factor_; }
   /// A⁻¹ force
   Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factor_.solve(force); }
 
   /// The unknowns of the surfaces; an index in this list is a position.
-  const std::vector<int>& surface() const { return surface_; }
+  const std::vector<int>& surface() const { return factor_.surface(); }
   const std::vector<int>& dof_of_position() const { return dofs_; }
   /// −1 for dofs that are held or not on a surface.
   const std::vector<int>& position_of_dof() const { return positions_; }
@@ -42,12 +41,20 @@ public:
   void prepare(std::span<const int> positions);
 
 private:
-  linalg::CholeskyFactor factor_;
-  std::vector<int> surface_;
+  /// A range of positions that forces on others do not move.
+  struct Body {
+    int first = 0;
+    int size = 0;
+  };
+  void compute(std::size_t body, std::span<const int> places);
+
+  linalg::SplitFactor factor_;
   std::vector<int> dofs_;
   std::vector<int> positions_;
-  Eigen::Index size_;
-  std::vector<Eigen::VectorXd> columns_; ///< by position in surface_, empty until used
+  std::vector<int> position_of_unknown_;
+  std::vector<Body> bodies_;
+  std::vector<int> body_of_;             ///< by position
+  std::vector<Eigen::VectorXd> columns_; ///< by position: of its body, empty until used
 };
 
 } // namespace rubato::step

@@ -105,9 +105,8 @@ void Condensed::start_from(const State& trial) {
   started_ = true;
   base_ = trial.motion;
   equilibrium_.evaluate(base_, ContactForce(base_.u.size()));
-  free_force_ = -equilibrium_.residual();
-  const auto& surface = system_.compliance->surface();
-  free_ = system_.compliance->solve(free_force_)(surface);
+  half_way_ = system_.compliance->factor().forward(-equilibrium_.residual());
+  free_ = system_.compliance->factor().surface_of(half_way_);
   moved_ = applied_ = VectorXd::Zero(free_.size());
 }
 
@@ -416,12 +415,11 @@ void Condensed::correct_multipliers(const Held& held, const VectorXd& y, const V
 
 /// The whole motion that belongs to the forces on the surface.
 void Condensed::move_bulk(State& trial) {
-  VectorXd force = free_force_;
-  const auto& surface = system_.compliance->surface();
-  for (std::size_t i = 0; i < surface.size(); ++i)
-    force[surface[i]] -= scheme_.forces.now * applied_[static_cast<Index>(i)];
+  const auto& factor = system_.compliance->factor();
+  VectorXd half_way = half_way_;
+  factor.load_surface(-scheme_.forces.now * applied_, half_way);
   VectorXd d = VectorXd::Zero(base_.u.size());
-  d(model_.free_dofs) = system_.compliance->solve(force);
+  d(model_.free_dofs) = factor.backward(half_way);
   trial.motion = base_;
   time::correct(system_.coefficients, d, trial.motion);
 }

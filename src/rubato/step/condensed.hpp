@@ -4,7 +4,8 @@
 /// The motion from a base is d = A⁻¹(−R₀ − f₁ f_c), R₀ the residual of the base without contact. So contact
 /// needs d only where its points are: d_s = d_free − f₁ S f_c, S = B A⁻¹ Bᵀ. Newton's iterates of the whole
 /// system fulfil this from the first one on; they are computed here without the bulk, which is solved for
-/// once before and once after them.
+/// once, in halves: down to the surface before the iterates, and back from it after them
+/// (linalg/split_factor.hpp).
 ///
 /// Unknowns of an iteration are y = (δz, δξ) of each point in contact (contact/factored_response.hpp): the
 /// change of its force and of its place on the master. Its own multipliers are eliminated point by point.
@@ -87,11 +88,11 @@ private:
 
   bool started_ = false;
   time::Motion base_;
-  Eigen::VectorXd free_force_; ///< −R₀ on free dofs
-  Eigen::VectorXd free_;       ///< d_free on the surface
-  Eigen::VectorXd moved_;      ///< d_s
-  Eigen::VectorXd applied_;    ///< contact force on the surface that moved_ belongs to
-  Eigen::VectorXd force_;      ///< f_c of the iterate
+  Eigen::VectorXd half_way_; ///< L⁻¹(−R₀): the free motion, solved down to the surface
+  Eigen::VectorXd free_;     ///< d_free on the surface
+  Eigen::VectorXd moved_;    ///< d_s
+  Eigen::VectorXd applied_;  ///< contact force on the surface that moved_ belongs to
+  Eigen::VectorXd force_;    ///< f_c of the iterate
   std::vector<ActivePoint> active_;
   std::vector<int> touched_;    ///< surface positions that active points act on
   std::vector<int> touched_at_; ///< index in it of each surface position, or −1

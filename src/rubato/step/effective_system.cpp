@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/effective_system.hpp"
 
-#include "rubato/linalg/direct_solver.hpp"
+#include "rubato/linalg/memory.hpp"
 #include "rubato/step/linear_step.hpp"
 
 namespace rubato::step {
@@ -25,8 +25,9 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     system.neighbours.emplace_back(zone);
   }
   if (model.study.solver != deck::Solver::full)
-    if (auto factor = linalg::CholeskyFactor::of(system.matrix))
-      system.compliance.emplace(std::move(*factor), surface_unknowns(model), model.free_dofs,
+    if (auto factor =
+            linalg::SplitFactor::of(system.matrix, surface_unknowns(model), linalg::available_memory()))
+      system.compliance.emplace(std::move(*factor), model.free_dofs,
                                 static_cast<Eigen::Index>(model.dofs.dof_count));
   return system;
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// How much memory a factor may take.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace rubato::linalg {
+
+/// Memory that can still be had [bytes]: the least of what the system has left, of what the control groups
+/// and the resource limits of the process leave it. The largest number where none of them can be read.
+std::size_t available_memory();
+
+/// A factor would need more than there is. Thrown before it is computed.
+class TooLargeForMemory : public std::runtime_error {
+public:
+  TooLargeForMemory(std::size_t needed_bytes, std::size_t available_bytes);
+  std::size_t needed = 0;
+  std::size_t available = 0;
+};
+
+} // namespace rubato::linalg

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/split_factor.hpp"
+
+#include "rubato/linalg/cholmod_engine.hpp"
+#include "rubato/linalg/memory.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+// Debian packs no header for the BLAS that OpenBLAS holds; these are its Fortran interfaces.
+extern "C" {
+void dtrsv_(const char* triangle, const char* transposed, const char* diagonal, const int* size,
+            const double* matrix, const int* stride, double* values, const int* increment);
+void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* diagonal,
+            const int* rows, const int* columns, const double* factor, const double* matrix,
+            const int* stride, double* values, const int* values_stride);
+}
+
+namespace rubato::linalg {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+enum class Side : char { lower = 'N', transposed = 'T' };
+
+void solve_in_place(const TrailingTriangle& triangle, Side side, Eigen::Ref<VectorXd> values) {
+  const auto size = static_cast<int>(triangle.size);
+  const auto stride = static_cast<int>(triangle.stride);
+  const auto transposed = static_cast<char>(side);
+  const int one = 1;
+  if (size > 0)
+    dtrsv_("L", &transposed, "N", &size, triangle.values, &stride, values.data(), &one);
+}
+
+void solve_in_place(const TrailingTriangle& triangle, Side side, MatrixXd& values) {
+  const auto size = static_cast<int>(triangle.size);
+  const auto columns = static_cast<int>(values.cols());
+  const auto stride = static_cast<int>(triangle.stride);
+  const auto transposed = static_cast<char>(side);
+  const double one = 1;
+  if (values.size() > 0)
+    dtrsm_("L", "L", &transposed, "N", &size, &columns, &one, triangle.values, &stride, values.data(), &size);
+}
+
+/// Of every unknown the number of its body: unknowns belong together when the matrix couples them.
+std::vector<int> bodies_of(const SparseMatrix& matrix, int& count) {
+  std::vector<int> body(static_cast<std::size_t>(matrix.cols()), -1);
+  std::vector<int> waiting;
+  count = 0;
+  for (int seed = 0; seed < matrix.cols(); ++seed) {
+    if (body[static_cast<std::size_t>(seed)] >= 0)
+      continue;
+    body[static_cast<std::size_t>(seed)] = count;
+    waiting.push_back(seed);
+    while (!waiting.empty()) {
+      const int unknown = waiting.back();
+      waiting.pop_back();
+      for (SparseMatrix::InnerIterator entry(matrix, unknown); entry; ++entry)
+        if (auto& other = body[static_cast<std::size_t>(entry.row())]; other < 0) {
+          other = count;
+          waiting.push_back(static_cast<int>(entry.row()));
+        }
+    }
+    ++count;
+  }
+  return body;
+}
+
+} // namespace
+
+struct SplitFactor::Body {
+  std::vector<int> unknowns; ///< in the order of elimination once factored
+  Index surface_size = 0;    ///< the last of them
+  std::unique_ptr<CholmodEngine> engine;
+  TrailingTriangle triangle;
+
+  Index size() const { return static_cast<Index>(unknowns.size()); }
+
+  void eliminate_in_order_of_factor() {
+    const auto order = engine->permutation();
+    std::vector<int> ordered(unknowns.size());
+    std::ranges::transform(order, ordered.begin(),
+                           [&](auto i) { return unknowns[static_cast<std::size_t>(i)]; });
+    unknowns = std::move(ordered);
+  }
+};
+
+SplitFactor::SplitFactor() = default;
+SplitFactor::SplitFactor(SplitFactor&&) noexcept = default;
+SplitFactor& SplitFactor::operator=(SplitFactor&&) noexcept = default;
+SplitFactor::~SplitFactor() = default;
+
+std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span<const int> surface,
+                                           std::size_t memory) {
+  if (matrix.rows() != matrix.cols())
+    throw std::invalid_argument("SplitFactor::of wants a square matrix.");
+  SplitFactor factor;
+  factor.size_ = matrix.cols();
+  int body_count = 0;
+  const auto body_of = bodies_of(matrix, body_count);
+  factor.bodies_.resize(static_cast<std::size_t>(body_count));
+  std::vector<char> on_surface(body_of.size(), 0);
+  for (const int unknown : surface)
+    on_surface[static_cast<std::size_t>(unknown)] = 1;
+  for (const char chosen : {0, 1})
+    for (int unknown = 0; unknown < matrix.cols(); ++unknown)
+      if (on_surface[static_cast<std::size_t>(unknown)] == chosen) {
+        auto& body = factor.bodies_[static_cast<std::size_t>(body_of[static_cast<std::size_t>(unknown)])];
+        body.unknowns.push_back(unknown);
+        body.surface_size += chosen;
+      }
+
+  std::vector<int> number(body_of.size());
+  std::vector<LowerTriangle> triangles;
+  for (auto& body : factor.bodies_) {
+    for (std::size_t i = 0; i < body.unknowns.size(); ++i)
+      number[static_cast<std::size_t>(body.unknowns[i])] = static_cast<int>(i);
+    triangles.emplace_back(matrix, body.unknowns, number);
+    if (!triangles.back().finite)
+      return std::nullopt;
+    body.engine = std::make_unique<CholmodEngine>();
+    body.engine->analyse(triangles.back(), body.surface_size);
+  }
+  if (const auto needed = factor.factor_bytes(); needed > memory)
+    throw TooLargeForMemory(needed, memory);
+
+  factor.body_starts_.push_back(0);
+  for (std::size_t b = 0; b < factor.bodies_.size(); ++b) {
+    auto& body = factor.bodies_[b];
+    if (!body.engine->factorise(triangles[b]))
+      return std::nullopt;
+    triangles[b] = LowerTriangle(SparseMatrix(0, 0));
+    body.triangle = body.engine->trailing(body.surface_size);
+    body.eliminate_in_order_of_factor();
+    factor.surface_.insert(factor.surface_.end(), body.unknowns.end() - body.surface_size,
+                           body.unknowns.end());
+    factor.body_starts_.push_back(static_cast<int>(factor.surface_.size()));
+  }
+  return factor;
+}
+
+VectorXd SplitFactor::solve(const VectorXd& right_side) const {
+  return backward(forward(right_side));
+}
+
+VectorXd SplitFactor::forward(const VectorXd& right_side) const {
+  if (right_side.size() != size_)
+    throw std::invalid_argument("SplitFactor wants a right side of the matrix's size.");
+  VectorXd half_way(size_);
+  Index first = 0;
+  for (const auto& body : bodies_) {
+    half_way.segment(first, body.size()) = body.engine->solve(CHOLMOD_L, right_side(body.unknowns));
+    first += body.size();
+  }
+  return half_way;
+}
+
+VectorXd SplitFactor::backward(const VectorXd& half_way) const {
+  VectorXd solution(size_);
+  Index first = 0;
+  for (const auto& body : bodies_) {
+    solution(body.unknowns) = body.engine->solve(CHOLMOD_Lt, half_way.segment(first, body.size()));
+    first += body.size();
+  }
+  return solution;
+}
+
+VectorXd SplitFactor::surface_of(const VectorXd& half_way) const {
+  VectorXd values(static_cast<Index>(surface_.size()));
+  Index end = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto& body = bodies_[b];
+    end += body.size();
+    auto part = values.segment(body_starts_[b], body.surface_size);
+    part = half_way.segment(end - body.surface_size, body.surface_size);
+    solve_in_place(body.triangle, Side::transposed, part);
+  }
+  return values;
+}
+
+void SplitFactor::load_surface(const VectorXd& force, VectorXd& half_way) const {
+  Index end = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto& body = bodies_[b];
+    end += body.size();
+    VectorXd part = force.segment(body_starts_[b], body.surface_size);
+    if (part.isZero(0))
+      continue;
+    solve_in_place(body.triangle, Side::lower, part);
+    half_way.segment(end - body.surface_size, body.surface_size) += part;
+  }
+}
+
+MatrixXd SplitFactor::compliance(std::size_t body, std::span<const int> places) const {
+  const auto& triangle = bodies_[body].triangle;
+  MatrixXd columns = MatrixXd::Zero(triangle.size, static_cast<Index>(places.size()));
+  for (std::size_t j = 0; j < places.size(); ++j)
+    columns(places[j], static_cast<Index>(j)) = 1;
+  solve_in_place(triangle, Side::lower, columns);
+  solve_in_place(triangle, Side::transposed, columns);
+  return columns;
+}
+
+std::size_t SplitFactor::factor_bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& body : bodies_)
+    bytes += body.engine->bytes();
+  return bytes;
+}
+
+} // namespace rubato::linalg

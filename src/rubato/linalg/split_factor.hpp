@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// A Cholesky factor that shows what happens at chosen unknowns, the surface, half way through a solve.
+#pragma once
+
+#include "rubato/linalg/direct_solver.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rubato::linalg {
+
+/// The factor of a symmetric positive definite matrix whose surface is eliminated last:
+///   A = [A_ii A_is; A_si A_ss],  L = [L_ii 0; L_si L_ss],  L_ss L_ssᵀ = A_ss − A_si A_ii⁻¹ A_is = S⁻¹,
+/// S = B A⁻¹ Bᵀ the compliance of the surface, B picking its unknowns. The solution of A x = b is known on
+/// the surface once L y = b is solved: x_s = L_ss⁻ᵀ y_s. A force added there then changes y_s alone. Bodies
+/// that A does not couple are factored each for itself.
+///
+/// Surface unknowns are counted body after body, in their order: their positions.
+class SplitFactor {
+public:
+  /// Nothing comes back when the matrix is not positive definite to working precision or has a value that is
+  /// not finite. `surface` ascends. Throws TooLargeForMemory when the factor would not fit into `memory`
+  /// [bytes], std::invalid_argument when the matrix is not square.
+  static std::optional<SplitFactor> of(const SparseMatrix& matrix, std::span<const int> surface,
+                                       std::size_t memory);
+  SplitFactor(SplitFactor&&) noexcept;
+  SplitFactor& operator=(SplitFactor&&) noexcept;
+  ~SplitFactor();
+
+  /// x = A⁻¹ b
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
+
+  /// y of L y = b, body after body in the order of elimination.
+  Eigen::VectorXd forward(const Eigen::VectorXd& right_side) const;
+  /// x_s = L_ss⁻ᵀ y_s, one a position.
+  Eigen::VectorXd surface_of(const Eigen::VectorXd& half_way) const;
+  /// y_s += L_ss⁻¹ f_s: what `forward` would have given with these forces on the surface.
+  void load_surface(const Eigen::VectorXd& force, Eigen::VectorXd& half_way) const;
+  /// x of Lᵀ x = y.
+  Eigen::VectorXd backward(const Eigen::VectorXd& half_way) const;
+
+  /// The unknown of every position.
+  const std::vector<int>& surface() const { return surface_; }
+  /// Positions at which one body's end and the next one's begin, 0 first.
+  const std::vector<int>& body_starts() const { return body_starts_; }
+  /// S of a body for unit forces at some of its positions (counted from its first): one column each.
+  Eigen::MatrixXd compliance(std::size_t body, std::span<const int> places) const;
+
+  /// Memory the factor holds.
+  std::size_t factor_bytes() const;
+
+private:
+  struct Body;
+  SplitFactor();
+
+  std::vector<Body> bodies_;
+  std::vector<int> surface_;
+  std::vector<int> body_starts_;
+  Eigen::Index size_ = 0;
+};
+
+} // namespace rubato::linalg
