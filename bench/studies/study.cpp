@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "study.hpp"
 
-#include "rubato/deck/read.hpp"
+#include "../sdnl140.hpp"
 #include "rubato/linalg/direct_solver.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/run/loop_parts.hpp"
@@ -47,17 +47,6 @@ Study refined_only(int refine, int full_steps) {
   study.quick = false;
   study.fitted = false;
   return study;
-}
-
-deck::Study read(const Study& study) {
-  const std::vector<deck::Setting> settings{{"mesh.refine", std::to_string(study.refine)},
-                                            {"time.step", fmt::format("{}", study.step)},
-                                            {"time.end", fmt::format("{}", study.end)},
-                                            {"checks", ""},
-                                            {"fields", ""}};
-  const auto deck =
-      deck::read_deck(std::filesystem::path(RUBATO_SOURCE_DIR) / "cases/sdnl140" / study.deck, settings);
-  return *std::ranges::find(deck.runs, "evol1", &deck::Study::name);
 }
 
 /// A folder that goes with the run.
@@ -182,7 +171,7 @@ std::span<const Study> studies() {
 }
 
 Measurement measure(const Study& study) {
-  auto deck = read(study);
+  auto deck = sdnl140(study.deck, study.refine, study.step, study.end);
   Measurement found{.title = study.title, .fitted = study.fitted};
   {
     const auto timing = run_steps(deck);
