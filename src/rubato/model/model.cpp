@@ -166,6 +166,8 @@ Model build_model(const deck::Study& study) {
 Model build_model(const deck::Study& study, mesh::Mesh mesh) {
   auto model = lay_out(study, std::move(mesh));
   assemble_matrices(model, study.materials);
+  if (!deck::is_explicit(study.time.scheme))
+    model.products = Products(model.stiffness, model.mass, model.dofs.components);
   return model;
 }
 
@@ -186,18 +188,16 @@ VectorXd imposed_displacements(const Model& model, double t) {
 
 SparseMatrix free_part(const Model& model, const SparseMatrix& matrix) {
   const auto size = static_cast<Eigen::Index>(model.free_dofs.size());
-  std::vector<Eigen::Triplet<double, int>> triplets;
-  triplets.reserve(static_cast<std::size_t>(matrix.nonZeros()));
-  for (int column = 0; column < matrix.outerSize(); ++column) {
-    const int free_column = model.free_index[static_cast<std::size_t>(column)];
-    if (free_column < 0)
-      continue;
-    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-      if (const int free_row = model.free_index[static_cast<std::size_t>(entry.row())]; free_row >= 0)
-        triplets.emplace_back(free_row, free_column, entry.value());
-  }
   SparseMatrix part(size, size);
-  part.setFromTriplets(triplets.begin(), triplets.end());
+  part.reserve(matrix.nonZeros());
+  for (Eigen::Index column = 0; column < size; ++column) {
+    part.startVec(column);
+    for (SparseMatrix::InnerIterator entry(matrix, model.free_dofs[static_cast<std::size_t>(column)]); entry;
+         ++entry)
+      if (const int row = model.free_index[static_cast<std::size_t>(entry.row())]; row >= 0)
+        part.insertBack(row, column) = entry.value();
+  }
+  part.finalize();
   return part;
 }
 

@@ -7,6 +7,7 @@
 #include "rubato/fem/bulk.hpp"
 #include "rubato/fem/dof_map.hpp"
 #include "rubato/mesh/mesh.hpp"
+#include "rubato/model/products.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -42,6 +43,7 @@ struct Model {
   SparseMatrix mass;           ///< empty (no entries) in a static or explicit run
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
   SparseMatrix damping;        ///< no entries without Rayleigh coefficients
+  Products products;           ///< with stiffness and mass, in an implicit run
   std::vector<Force> forces;
   std::vector<Constraint> constraints; ///< ascending dofs, one each
   std::vector<int> free_dofs;          ///< ascending

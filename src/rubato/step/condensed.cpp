@@ -16,10 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using model::Model;
 
-/// Equations of a multiplier with entries below this part of the largest one are empty: the point stands
-/// between parts that are held.
-constexpr double empty_row = 1e-13;
-
 /// Frames that the guess of the contact goes through.
 constexpr int guess_rounds = 10;
 /// Change of a force, in parts of the largest, after which the guess has settled.
@@ -40,12 +36,6 @@ bool about_equal(std::span<const GuessPoint> a, std::span<const GuessPoint> b) {
   return change <= settled_guess * largest;
 }
 
-/// Largest entry of each row, 1 where there is none.
-VectorXd row_sizes(const MatrixXd& matrix) {
-  VectorXd sizes = matrix.cwiseAbs().rowwise().maxCoeff();
-  return (sizes.array() > 0).select(sizes, 1.0);
-}
-
 bool owns_its_multipliers(const contact::Zone& zone) {
   return std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
 }
@@ -62,7 +52,8 @@ bool can_condense(const Model& model, const EffectiveSystem& system) {
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                      const State& committed, double t, const ContactSide& side)
     : model_(model), scheme_(scheme), system_(system), side_(side),
-      equilibrium_(model, scheme, system, committed, t), scale_(committed.force_scale) {}
+      equilibrium_(model, scheme, system, committed, t), scale_(committed.force_scale),
+      points_(*system.compliance, scheme.forces.now) {}
 
 StepReport Condensed::run(State& trial, const Held& held) {
   report_ = {};
@@ -74,7 +65,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
   }
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
-    if (!force_.allFinite())
+    if (!points_.force().allFinite())
       return ended(Outcome::not_finite);
     if (iteration > 0 && settled(held)) {
       move_bulk(trial);
@@ -206,63 +197,14 @@ void Condensed::evaluate_contact(const State& trial, const Held& held, int itera
   side_.measure(trial, held, now_);
   if (iteration > 0)
     side_.renew_status(held, now_);
-  active_.clear();
-  force_ = VectorXd::Zero(free_.size());
+  points_.clear();
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto law = side_.law_of(z, held);
     for (std::size_t i = 0; i < now_.status[z].size(); ++i)
       if (now_.status[z][i] != Status::open)
-        add_point(z, i, law);
+        points_.add(z, i, now_.status[z][i],
+                    contact::factor_response(law, i, now_.points[z][i], now_.status[z][i], model_.dofs));
   }
-}
-
-void Condensed::add_point(std::size_t zone, std::size_t index, const contact::ZoneLaw& law) {
-  auto& point = active_.emplace_back();
-  point.zone = zone;
-  point.index = index;
-  point.response =
-      contact::factor_response(law, index, now_.points[zone][index], now_.status[zone][index], model_.dofs);
-  auto& response = point.response;
-  const auto& position = system_.compliance->position_of_dof();
-  for (std::size_t q = 0; q < response.dofs.size(); ++q) {
-    const int at = position[static_cast<std::size_t>(response.dofs[q])];
-    point.positions.push_back(at);
-    if (at < 0)
-      response.by_q.col(static_cast<Index>(q)).setZero();
-    else
-      force_[at] += response.spread.col(static_cast<Index>(q)).head(response.components).dot(response.force);
-  }
-  eliminate_multipliers(point);
-}
-
-/// The combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm.
-void Condensed::eliminate_multipliers(ActivePoint& point) const {
-  auto& r = point.response;
-  const Index d = r.components;
-  const Index m = r.multipliers();
-  const Index q = r.by_q.cols();
-  for (Index row = d; row < d + m; ++row)
-    if (r.by_multiplier.row(row).isZero(0) && r.by_q.row(row).lpNorm<Eigen::Infinity>() <=
-                                                  empty_row * r.spread.topRows(d).lpNorm<Eigen::Infinity>()) {
-      r.by_multiplier(row, row - d) = 1;
-      r.by_q.row(row).setZero();
-      r.equations[row - d] = 0;
-    }
-  MatrixXd all = MatrixXd::Zero(d + m, d + q + 1); // on δz, on δq, right side
-  all.topLeftCorner(d, d).setIdentity();
-  all.middleCols(d, q) = -r.by_q.topRows(d + m);
-  all.col(d + q).tail(m) = r.equations;
-  if (m > 0) {
-    point.column_scale = row_sizes(r.by_multiplier.transpose()).cwiseInverse();
-    const MatrixXd by_multiplier = r.by_multiplier * point.column_scale.asDiagonal();
-    point.row_scale = row_sizes(by_multiplier).cwiseInverse();
-    point.by_multiplier.compute(point.row_scale.asDiagonal() * by_multiplier);
-    all = point.row_scale.asDiagonal() * all;
-    all.applyOnTheLeft(point.by_multiplier.householderQ().adjoint());
-  }
-  point.equations = all.block(m, 0, d, d + q);
-  point.right = all.col(d + q).tail(d);
-  point.first = active_.size() > 1 ? (&point - 1)->first + (&point - 1)->unknowns() : 0;
 }
 
 bool Condensed::settled(const Held& held) {
@@ -274,101 +216,25 @@ bool Condensed::settled(const Held& held) {
 
 /// Until the bulk has been solved for, forces are measured by what they were measured by in the last step.
 void Condensed::measure_surface() {
+  const auto& force = points_.force();
   Index worst = 0;
   const double largest =
-      force_.size() > 0 ? scheme_.forces.now * (force_ - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
-  const double scale = std::max(scale_, scheme_.forces.now * force_.lpNorm<Eigen::Infinity>());
+      force.size() > 0 ? scheme_.forces.now * (force - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
+  const double scale = std::max(scale_, scheme_.forces.now * force.lpNorm<Eigen::Infinity>());
   report_.residual = largest == 0 ? 0 : largest / scale;
-  if (force_.size() > 0)
+  if (force.size() > 0)
     report_.worst_node =
         model_.node_of(system_.compliance->dof_of_position()[static_cast<std::size_t>(worst)]);
 }
 
 bool Condensed::iterate(State& trial, const Held& held) {
-  VectorXd y;
-  if (!solve_points(y))
+  const auto change = points_.solve(free_ - moved_);
+  if (!change)
     return false;
-  VectorXd force = force_;
-  for (const auto& point : active_) {
-    const VectorXd change = point.response.spread.transpose() * y.segment(point.first, point.unknowns());
-    for (std::size_t q = 0; q < point.positions.size(); ++q)
-      if (point.positions[q] >= 0)
-        force[point.positions[q]] += change[static_cast<Index>(q)];
-  }
   const VectorXd before = moved_;
-  move_surface(force, trial);
-  correct_multipliers(held, y, before, trial);
+  move_surface(points_.force_after(*change), trial);
+  correct_multipliers(held, *change, moved_ - before, trial);
   return moved_.allFinite();
-}
-
-/// Surface positions of the active points.
-void Condensed::collect_touched() {
-  touched_.clear();
-  touched_at_.assign(static_cast<std::size_t>(free_.size()), -1);
-  for (const auto& point : active_)
-    for (const int position : point.positions)
-      if (position >= 0 && touched_at_[static_cast<std::size_t>(position)] < 0) {
-        touched_at_[static_cast<std::size_t>(position)] = static_cast<int>(touched_.size());
-        touched_.push_back(position);
-      }
-}
-
-/// S Cᵀ of one point.
-MatrixXd Condensed::answer_to(const ActivePoint& point, const MatrixXd& s) const {
-  MatrixXd answer = MatrixXd::Zero(s.rows(), point.unknowns());
-  for (std::size_t q = 0; q < point.positions.size(); ++q) {
-    if (point.positions[q] < 0)
-      continue;
-    const auto from_q = s.col(touched_at_[static_cast<std::size_t>(point.positions[q])]);
-    for (Index unknown = 0; unknown < answer.cols(); ++unknown)
-      if (const double part = point.response.spread(unknown, static_cast<Index>(q)); part != 0)
-        answer.col(unknown) += part * from_q;
-  }
-  return answer;
-}
-
-bool Condensed::solve_points(VectorXd& y) {
-  const Index size = active_.empty() ? 0 : active_.back().first + active_.back().unknowns();
-  if (size == 0)
-    return true;
-  collect_touched();
-  const MatrixXd s = scheme_.forces.now * system_.compliance->between(touched_);
-  const VectorXd g = free_(touched_) - moved_(touched_) - s * force_(touched_);
-  MatrixXd answer(s.rows(), size); // of the touched dofs to −y
-  for (const auto& point : active_)
-    answer.middleCols(point.first, point.unknowns()) = answer_to(point, s);
-  answer.transposeInPlace();
-
-  MatrixXd matrix(size, size); // transposed: a point's equations are columns
-  VectorXd right(size);
-  for (const auto& point : active_) {
-    const auto& r = point.response;
-    const Index d = r.components;
-    auto columns = matrix.middleCols(point.first, point.unknowns());
-    auto values = right.segment(point.first, point.unknowns());
-    columns.setZero();
-    values << point.right, VectorXd::Zero(r.slopes);
-    MatrixXd by_q(point.unknowns(), r.by_q.cols());
-    by_q << point.equations.rightCols(r.by_q.cols()), -r.by_q.bottomRows(r.slopes);
-    for (std::size_t q = 0; q < point.positions.size(); ++q) {
-      if (point.positions[q] < 0)
-        continue;
-      const Index at = touched_at_[static_cast<std::size_t>(point.positions[q])];
-      const auto on_q = by_q.col(static_cast<Index>(q));
-      for (Index equation = 0; equation < on_q.size(); ++equation)
-        if (on_q[equation] != 0)
-          columns.col(equation) -= on_q[equation] * answer.col(at);
-      values -= on_q * g[at];
-    }
-    columns.block(point.first, 0, d, d) += point.equations.leftCols(d).transpose();
-    columns.block(point.first + d, d, r.slopes, r.slopes) += MatrixXd::Identity(r.slopes, r.slopes);
-  }
-  matrix.transposeInPlace();
-  auto solution = solve_dense(std::move(matrix), std::move(right));
-  if (!solution)
-    return false;
-  y = std::move(*solution);
-  return true;
 }
 
 /// d_s = d_free − f₁ S f
@@ -381,8 +247,8 @@ void Condensed::move_surface(const VectorXd& force, State& trial) {
     trial.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];
 }
 
-void Condensed::correct_multipliers(const Held& held, const VectorXd& y, const VectorXd& before,
-                                    State& trial) const {
+void Condensed::correct_multipliers(const Held& held, const PointSystem::Change& change,
+                                    const VectorXd& moved, State& trial) const {
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto& zone = model_.zones[z];
     const auto count = static_cast<Index>(zone.multipliers_per_node());
@@ -394,23 +260,11 @@ void Condensed::correct_multipliers(const Held& held, const VectorXd& y, const V
         trial.zones[z].multipliers.segment(zone.points[i].node_position * count, count) +=
             contact::release(law, i, now_.points[z][i]);
   }
-  for (const auto& point : active_) {
-    const auto& r = point.response;
-    const Index d = r.components;
-    const Index m = r.multipliers();
-    if (m == 0)
-      continue;
-    VectorXd right(d + m);
-    right << y.segment(point.first, d), -r.equations;
-    for (std::size_t q = 0; q < point.positions.size(); ++q)
-      if (point.positions[q] >= 0)
-        right -= r.by_q.col(static_cast<Index>(q)).head(d + m) *
-                 (moved_[point.positions[q]] - before[point.positions[q]]);
-    const VectorXd scaled = point.by_multiplier.solve(point.row_scale.cwiseProduct(right));
-    trial.zones[point.zone].multipliers.segment(
-        model_.zones[point.zone].points[point.index].node_position * m, m) +=
-        point.column_scale.cwiseProduct(scaled);
-  }
+  for (const auto& point : points_.points())
+    if (const Index count = point.response.multipliers(); count > 0)
+      trial.zones[point.zone].multipliers.segment(
+          model_.zones[point.zone].points[point.index].node_position * count, count) +=
+          points_.multipliers_of(point, change, moved);
 }
 
 /// The whole motion that belongs to the forces on the surface.
@@ -426,7 +280,7 @@ void Condensed::move_bulk(State& trial) {
 
 ContactForce Condensed::contact_force() const {
   ContactForce force(base_.u.size());
-  for (const auto& point : active_) {
+  for (const auto& point : points_.points()) {
     const auto& r = point.response;
     const auto& settings = model_.zones[point.zone].settings;
     const VectorXd on_q = r.spread.topRows(r.components).transpose() * r.force;

@@ -6,20 +6,14 @@
 /// system fulfil this from the first one on; they are computed here without the bulk, which is solved for
 /// once, in halves: down to the surface before the iterates, and back from it after them
 /// (linalg/split_factor.hpp).
-///
-/// Unknowns of an iteration are y = (δz, δξ) of each point in contact (contact/factored_response.hpp): the
-/// change of its force and of its place on the master. Its own multipliers are eliminated point by point.
-/// With C the change of force put on the dofs, f = f_c + Cᵀ y, and g = d_free − f₁ S f_c − d_s:
-///   A₁ δz + A₂ δq = b,   δξ − P δq = 0,   δq = g − f₁ S Cᵀ y   at each point.
 #pragma once
 
-#include "rubato/contact/factored_response.hpp"
 #include "rubato/step/contact_guess.hpp"
 #include "rubato/step/contact_side.hpp"
 #include "rubato/step/equilibrium.hpp"
+#include "rubato/step/point_system.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 #include <vector>
 
@@ -38,21 +32,6 @@ public:
   StepReport run(State& trial, const Held& held);
 
 private:
-  /// A point in contact, its multipliers eliminated.
-  struct ActivePoint {
-    std::size_t zone = 0;
-    std::size_t index = 0;
-    contact::FactoredResponse response;
-    std::vector<int> positions; ///< of q's dofs on the surface, −1 where a support holds them
-    Eigen::MatrixXd equations;  ///< A₁ | A₂: d rows, d + q columns
-    Eigen::VectorXd right;      ///< b
-    /// Z_m over E_m, rows and columns scaled to entries of order one, factored.
-    Eigen::HouseholderQR<Eigen::MatrixXd> by_multiplier;
-    Eigen::VectorXd row_scale, column_scale;
-    Eigen::Index first = 0; ///< of its y
-    Eigen::Index unknowns() const { return response.components + response.slopes; }
-  };
-
   void start_from(const State& trial);
   void guess_contact(State& trial, const Held& held);
   std::vector<GuessPoint> guess_points(const ContactIterate& contact, const Held& held,
@@ -61,16 +40,11 @@ private:
                          const contact::Kinematics& k) const;
   void take_guess(const GuessPoint& guess, State& trial) const;
   void evaluate_contact(const State& trial, const Held& held, int iteration);
-  void add_point(std::size_t zone, std::size_t index, const contact::ZoneLaw& law);
-  void eliminate_multipliers(ActivePoint& point) const;
   bool settled(const Held& held);
   void measure_surface();
   bool iterate(State& trial, const Held& held);
-  bool solve_points(Eigen::VectorXd& y);
-  Eigen::MatrixXd answer_to(const ActivePoint& point, const Eigen::MatrixXd& s) const;
-  void collect_touched();
   void move_surface(const Eigen::VectorXd& force, State& trial);
-  void correct_multipliers(const Held& held, const Eigen::VectorXd& y, const Eigen::VectorXd& before,
+  void correct_multipliers(const Held& held, const PointSystem::Change& change, const Eigen::VectorXd& moved,
                            State& trial) const;
   void move_bulk(State& trial);
   ContactForce contact_force() const;
@@ -92,10 +66,7 @@ private:
   Eigen::VectorXd free_;     ///< d_free on the surface
   Eigen::VectorXd moved_;    ///< d_s
   Eigen::VectorXd applied_;  ///< contact force on the surface that moved_ belongs to
-  Eigen::VectorXd force_;    ///< f_c of the iterate
-  std::vector<ActivePoint> active_;
-  std::vector<int> touched_;    ///< surface positions that active points act on
-  std::vector<int> touched_at_; ///< index in it of each surface position, or −1
+  PointSystem points_;
 };
 
 } // namespace rubato::step

@@ -14,16 +14,12 @@ using model::Model;
 /// Rounding errors that a row of K u may gather, in units of the last digit of its largest term.
 constexpr double rounding_steps = 16;
 
-VectorXd multiply(const model::SparseMatrix& matrix, const VectorXd& v) {
-  return matrix.nonZeros() > 0 ? VectorXd(matrix * v) : VectorXd::Zero(v.size());
-}
-
-VectorXd history_forces(const Model& model, const time::Scheme& scheme, const State& committed) {
+VectorXd history_forces(const time::Scheme& scheme, const State& committed) {
   VectorXd history = scheme.forces.before * committed.unbalance;
   if (scheme.inertia.before != 0)
-    history += scheme.inertia.before * multiply(model.mass, committed.motion.a);
-  if (scheme.damping.before != 0)
-    history += scheme.damping.before * multiply(model.damping, committed.motion.v);
+    history += scheme.inertia.before * committed.bulk.inertia;
+  if (scheme.damping.before != 0 && committed.bulk.viscous.size() > 0)
+    history += scheme.damping.before * committed.bulk.viscous;
   return history;
 }
 
@@ -34,15 +30,33 @@ ContactForce::ContactForce(Index dofs)
 
 Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
                          const State& committed, double t)
-    : model_(model), scheme_(scheme), system_(system), t_(t), external_(model::external_force(model, t)),
-      history_(history_forces(model, scheme, committed)) {}
+    : model_(model), scheme_(scheme), system_(system), t_(t), start_(committed.motion.u),
+      predicted_(time::predict(scheme, system.step, committed.motion)),
+      predicted_bulk_(time::predict(
+          scheme, system.step, {committed.bulk.internal, committed.bulk.momentum, committed.bulk.inertia})),
+      external_(model::external_force(model, t)), history_(history_forces(scheme, committed)) {}
+
+/// The prediction is a combination of what is known; from there on one product with K and one with M do.
+void Equilibrium::take_motion(const time::Motion& motion) {
+  bulk_ = {predicted_bulk_.u, {}, predicted_bulk_.v, predicted_bulk_.a};
+  if (motion.u != start_) {
+    bulk_.internal = model_.products.stiffness(motion.u);
+    if (scheme_.dynamic) {
+      const VectorXd correction = model_.products.mass(motion.a - predicted_.a);
+      bulk_.inertia += correction;
+      bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
+    }
+  }
+  if (model_.damping.nonZeros() > 0)
+    bulk_.viscous = model_.damping * motion.v;
+}
 
 void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& contact) {
-  inertia_ = scheme_.inertia.now != 0 ? VectorXd(scheme_.inertia.now * multiply(model_.mass, motion.a))
-                                      : VectorXd::Zero(motion.u.size());
-  if (scheme_.damping.now != 0)
-    inertia_ += scheme_.damping.now * multiply(model_.damping, motion.v);
-  unbalance_ = model_.stiffness * motion.u + contact.all - external_;
+  take_motion(motion);
+  inertia_ = scheme_.inertia.now * bulk_.inertia;
+  if (bulk_.viscous.size() > 0)
+    inertia_ += scheme_.damping.now * bulk_.viscous;
+  unbalance_ = bulk_.internal + contact.all - external_;
   full_residual_ = inertia_ + scheme_.forces.now * unbalance_ + history_;
   residual_ = full_residual_(model_.free_dofs);
 }
@@ -53,8 +67,8 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
     reference[constraint.dof] -= full_residual_[constraint.dof];
   scale_ = reference.lpNorm<Eigen::Infinity>();
   if (scheme_.dynamic)
-    scale_ = std::max(scale_, multiply(model_.mass, motion.v).lpNorm<Eigen::Infinity>() *
-                                  system_.coefficients.acceleration * system_.step);
+    scale_ = std::max(scale_, bulk_.momentum.lpNorm<Eigen::Infinity>() * system_.coefficients.acceleration *
+                                  system_.step);
   Index worst = 0;
   const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without
@@ -68,6 +82,7 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
 
 void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.t = t_;
+  trial.bulk = bulk_;
   trial.force_scale = scale_;
   trial.unbalance = unbalance_ - contact.forgotten;
   trial.contact_force = contact.all;

@@ -40,10 +40,16 @@ public:
   void finish(const ContactForce& contact, State& trial) const;
 
 private:
+  void take_motion(const time::Motion& motion);
+
   const model::Model& model_;
   const time::Scheme& scheme_;
   const EffectiveSystem& system_;
   double t_;
+  const Eigen::VectorXd& start_;
+  time::Motion predicted_;      ///< where the step ends without any correction
+  time::Motion predicted_bulk_; ///< K u, M v, M a there
+  BulkForces bulk_;
   Eigen::VectorXd external_;
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
   Eigen::VectorXd inertia_, unbalance_, full_residual_, residual_;

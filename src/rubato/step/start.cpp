@@ -44,6 +44,14 @@ contact::ZoneState untouched_zone(const Model& model, const contact::Zone& zone,
 
 } // namespace
 
+BulkForces bulk_forces(const Model& model, const time::Motion& motion) {
+  BulkForces forces{
+      model.products.stiffness(motion.u), {}, model.products.mass(motion.v), model.products.mass(motion.a)};
+  if (model.damping.nonZeros() > 0)
+    forces.viscous = model.damping * motion.v;
+  return forces;
+}
+
 State initial_state(const Model& model, const time::Scheme& scheme, double t, bool loaded_history) {
   const auto size = static_cast<Index>(model.dofs.dof_count);
   State state;
@@ -59,6 +67,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
   if (!loaded_history)
     state.unbalance.setZero();
+  state.bulk = bulk_forces(model, state.motion);
   return state;
 }
 
@@ -68,6 +77,7 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
   state.unbalance = model.stiffness * state.motion.u + state.contact_force - model::external_force(model, t);
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
+  state.bulk = bulk_forces(model, state.motion);
   return state;
 }
 

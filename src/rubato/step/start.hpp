@@ -8,6 +8,9 @@
 
 namespace rubato::step {
 
+/// K u, C v, M v and M a of a motion.
+BulkForces bulk_forces(const model::Model& model, const time::Motion& motion);
+
 /// Displacements and velocities 0, imposed displacements applied, M a = external − internal force.
 /// `loaded_history` false takes the first history bracket as zero (Code_Aster's start). Throws InputError
 /// when the mass matrix is singular.

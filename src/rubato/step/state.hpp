@@ -11,9 +11,18 @@
 
 namespace rubato::step {
 
+/// What the bulk answers to its motion, kept with it: a step starts without any product.
+struct BulkForces {
+  Eigen::VectorXd internal; ///< K u [force]
+  Eigen::VectorXd viscous;  ///< C v [force], empty without damping
+  Eigen::VectorXd momentum; ///< M v
+  Eigen::VectorXd inertia;  ///< M a [force]
+};
+
 struct State {
   double t = 0;
   time::Motion motion; ///< u, v, a, one a dof
+  BulkForces bulk;
   Eigen::VectorXd
       unbalance; ///< internal + contact − external force at t: the scheme's history bracket [force]
   Eigen::VectorXd contact_force; ///< contact and friction, internal side [force]

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/products.hpp"
+
+namespace rubato::model {
+
+Products::Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& stiffness,
+                   const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass, int components)
+    : stiffness_(std::in_place, stiffness, components) {
+  if (mass.nonZeros() > 0)
+    mass_.emplace(mass, components);
+}
+
+Eigen::VectorXd Products::stiffness(const Eigen::VectorXd& u) const {
+  Eigen::VectorXd force(u.size());
+  stiffness_->multiply(u, force);
+  return force;
+}
+
+Eigen::VectorXd Products::mass(const Eigen::VectorXd& a) const {
+  return mass_ ? *mass_ * a : Eigen::VectorXd::Zero(a.size());
+}
+
+} // namespace rubato::model

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The surface compliance between the positions that some contact points touch, body by body in one piece:
+/// what dense algebra on contact points works with.
+#pragma once
+
+#include "rubato/step/compliance.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace rubato::step {
+
+class TouchedSurface {
+public:
+  /// `compliance` must outlive this.
+  explicit TouchedSurface(Compliance& compliance) : compliance_(&compliance) {}
+
+  /// Takes these positions, each of which may occur several times; every one gets a place.
+  void touch(std::span<const int> positions);
+  Eigen::Index size() const { return static_cast<Eigen::Index>(positions_.size()); }
+  /// The position of every place.
+  const std::vector<int>& positions() const { return positions_; }
+  int place_of(int position) const { return places_[static_cast<std::size_t>(position)]; }
+
+  /// moved = S force, both one a place.
+  void multiply(const Eigen::VectorXd& force, Eigen::VectorXd& moved) const;
+  /// moved += factor · (column of S)
+  void add_column(int place, double factor, Eigen::Ref<Eigen::VectorXd> moved) const;
+
+private:
+  struct Body {
+    Eigen::Index first = 0; ///< of its places
+    Eigen::MatrixXd s;
+  };
+  Compliance* compliance_;
+  std::vector<int> positions_;
+  std::vector<int> places_;  ///< by position, −1 where nothing touches
+  std::vector<int> body_of_; ///< by place
+  std::vector<Body> bodies_;
+};
+
+/// A contact point's forces and equations over places: forces F (rows() of them) put rightᵀ F there, and its
+/// equations see left · d.
+struct PointRows {
+  std::vector<int> places;
+  Eigen::MatrixXd left;
+  Eigen::MatrixXd right;
+  Eigen::Index first = 0; ///< of its rows among those of all points
+
+  Eigen::Index rows() const { return left.rows(); }
+};
+
+/// factor · left S rightᵀ between all points, at most three rows each. `symmetric`: left and right are the
+/// same, so only half is computed.
+Eigen::MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
+                               double factor, bool symmetric);
+
+} // namespace rubato::step
