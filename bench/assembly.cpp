@@ -5,8 +5,9 @@
 ///   Mass       likewise
 /// Arguments: n, and the nodes of a cell: 8 (HEXA8) or 27 (HEXA27). Counter: Mel/s, millions of elements a
 /// second of processor time.
-#include "rubato/deck/read.hpp"
 #include "rubato/fem/assembly.hpp"
+
+#include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 
 #include <benchmark/benchmark.h>
@@ -32,8 +33,7 @@ time: {scheme: static, step: 1, end: 1}
 
 void count(benchmark::State& state, const model::Model& model) {
   const auto elements = static_cast<double>(model.bulk.cells.size());
-  state.counters["Mel/s"] =
-      benchmark::Counter(elements / 1e6, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["Mel/s"] = benchmark::Counter(elements / 1e6, benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void Pattern(benchmark::State& state) {

@@ -6,6 +6,7 @@
 ///   FactorWhole              LU of the same matrix: what an iteration of the full system costs at least
 /// Counter: dofs.
 #include "rubato/linalg/direct_solver.hpp"
+
 #include "rubato/linalg/memory.hpp"
 #include "rubato/linalg/split_factor.hpp"
 #include "rubato/model/model.hpp"

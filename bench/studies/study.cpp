@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "study.hpp"
 
-#include "../sdnl140.hpp"
 #include "rubato/linalg/direct_solver.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/run/loop_parts.hpp"
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "../sdnl140.hpp"
 #include <algorithm>
 #include <array>
 #include <filesystem>
