@@ -53,7 +53,7 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
                      const State& committed, double t, const ContactSide& side)
     : model_(model), scheme_(scheme), system_(system), side_(side),
       equilibrium_(model, scheme, system, committed, t), scale_(committed.force_scale),
-      points_(*system.compliance, scheme.forces.now) {}
+      surface_(*system.compliance), points_(*system.compliance, surface_, scheme.forces.now) {}
 
 StepReport Condensed::run(State& trial, const Held& held) {
   report_ = {};
@@ -104,6 +104,7 @@ void Condensed::start_from(const State& trial) {
 /// Contact in frames that follow the surface. Points that press in the end touch at first, all others are
 /// open.
 void Condensed::guess_contact(State& trial, const Held& held) {
+  ContactGuess guess(*system_.compliance, surface_, scheme_.forces.now);
   std::vector<GuessPoint> points;
   for (int round = 0; round < guess_rounds; ++round) {
     const auto before = std::move(points);
@@ -112,13 +113,13 @@ void Condensed::guess_contact(State& trial, const Held& held) {
     if (points.size() == before.size())
       for (std::size_t k = 0; k < points.size(); ++k)
         points[k].force = before[k].force;
-    guess_forces(points, free_, scheme_.forces.now, *system_.compliance);
+    guess.improve(points, free_);
     VectorXd force = VectorXd::Zero(free_.size());
     for (const auto& point : points) {
-      for (std::size_t q = 0; q < point.positions.size(); ++q)
-        for (std::size_t row = 0; row < 3; ++row)
-          if (const double part = point.force[static_cast<Index>(row)]; part != 0)
-            force[point.positions[q]] -= point.slopes[row][q] * part;
+      if (point.force[0] != 0)
+        for (std::size_t q = 0; q < point.positions.size(); ++q)
+          force[point.positions[q]] -=
+              point.slopes.col(static_cast<Index>(q)).dot(point.force.head(point.slopes.rows()));
       take_guess(point, trial);
     }
     move_surface(force, trial);
@@ -149,13 +150,15 @@ GuessPoint Condensed::guess_point(const contact::ZoneState& state, const contact
   guess.index = index;
   guess.value << k.gap, k.slip;
   guess.friction = law.friction;
-  guess.tangents = k.components - 1;
+  const int tangents = k.components - 1;
   const auto& outcome = state.outcomes[index];
   guess.force[0] = std::max(0.0, outcome.pressure * point.area);
-  for (int a = 0; a < guess.tangents; ++a)
+  for (int a = 0; a < tangents; ++a)
     guess.force[1 + a] = outcome.tangential.dot(k.tangents.col(a));
   if (!contact::is_exact(law.zone->settings.method))
     guess.softness = 1 / (law.coefficients.normal[index] * point.weight);
+  guess.slopes.resize(1 + tangents, k.unknowns());
+  Index next = 0;
   for (std::size_t node = 0; node < k.nodes.size(); ++node)
     for (int i = 0; i < k.components; ++i) {
       const int at = position[static_cast<std::size_t>(model_.dofs.dof(k.nodes[node], i))];
@@ -163,12 +166,12 @@ GuessPoint Condensed::guess_point(const contact::ZoneState& state, const contact
         continue;
       const auto q = static_cast<Index>(node) * k.components + i;
       guess.positions.push_back(at);
-      guess.slopes[0].push_back(k.d_gap[q]);
-      for (int a = 0; a < guess.tangents; ++a)
-        guess.slopes[static_cast<std::size_t>(1 + a)].push_back(k.d_slip(a, q));
-      for (int row = 0; row <= guess.tangents; ++row)
-        guess.value[row] -= guess.slopes[static_cast<std::size_t>(row)].back() * moved_[at];
+      guess.slopes(0, next) = k.d_gap[q];
+      for (int a = 0; a < tangents; ++a)
+        guess.slopes(1 + a, next) = k.d_slip(a, q);
+      guess.value.head(1 + tangents) -= guess.slopes.col(next++) * moved_[at];
     }
+  guess.slopes.conservativeResize(Eigen::NoChange, next);
   return guess;
 }
 

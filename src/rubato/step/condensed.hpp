@@ -66,6 +66,7 @@ private:
   Eigen::VectorXd free_;     ///< d_free on the surface
   Eigen::VectorXd moved_;    ///< d_s
   Eigen::VectorXd applied_;  ///< contact force on the surface that moved_ belongs to
+  TouchedSurface surface_;
   PointSystem points_;
 };
 
