@@ -38,9 +38,9 @@ Matrix matrix_of(benchmark::State& state) {
   auto study = bench::sdnl140("c.yaml", refine, 1e-3 / refine, 1e-3);
   study.solver = deck::Solver::full; // nothing is factored yet
   const auto model = model::build_model(study);
-  auto system = step::make_effective_system(model, time::make_scheme(study.time), study.time.step);
+  const auto system = step::make_effective_system(model, time::make_scheme(study.time), study.time.step);
   state.counters["dofs"] = static_cast<double>(system.matrix.rows());
-  return {std::move(system.matrix), step::surface_unknowns(model)};
+  return {system.matrix, step::surface_unknowns(model)};
 }
 
 void Factor(benchmark::State& state) {

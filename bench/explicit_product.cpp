@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// What explicit steps cost: a box of distorted HEXA8, n cells along each side.
-///   ReadMemory    a long vector added up: what one core reads at all
-///   CsrProduct    K u by Eigen's compressed rows: limited by memory, and reading twice as much as it needs
-///   BlockProduct  K u as explicit steps do it
-///   PlainProduct  the same with what every processor of the architecture has
-///   ExplicitStep  whole steps, loads and supports included
+///   ReadMemory       a long vector added up: what one core reads at all
+///   CsrProduct       K u by Eigen's compressed rows: limited by memory, and reading twice as much as it
+///   needs BlockProduct     K u as explicit steps do it PlainProduct     the same with what every processor
+///   of the architecture has ShuffledProduct  the same with the nodes in an order without any locality
+///   ExplicitStep     whole steps, loads and supports included
 /// Counters: Mel/s, millions of elements a second of processor time; GB/s, vector or matrix bytes read.
 #include "rubato/deck/read.hpp"
 #include "rubato/linalg/block_matrix.hpp"
@@ -13,8 +13,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -78,9 +81,9 @@ void CsrProduct(benchmark::State& state) {
   count_bytes(state, 12.0 * static_cast<double>(matrix.nonZeros()));
 }
 
-void multiply_blocks(benchmark::State& state, linalg::Instructions instructions) {
-  const auto model = distorted_box(static_cast<int>(state.range(0)));
-  const linalg::SymmetricBlockMatrix matrix(model.stiffness, 3);
+void multiply_blocks(benchmark::State& state, const model::SparseMatrix& entries,
+                     linalg::Instructions instructions) {
+  const linalg::SymmetricBlockMatrix matrix(entries, 3);
   const Eigen::VectorXd x = Eigen::VectorXd::Ones(matrix.rows());
   Eigen::VectorXd y(matrix.rows());
   for (auto _ : state) {
@@ -92,11 +95,25 @@ void multiply_blocks(benchmark::State& state, linalg::Instructions instructions)
 }
 
 void BlockProduct(benchmark::State& state) {
-  multiply_blocks(state, linalg::best_instructions());
+  const auto model = distorted_box(static_cast<int>(state.range(0)));
+  multiply_blocks(state, model.stiffness, linalg::best_instructions());
 }
 
 void PlainProduct(benchmark::State& state) {
-  multiply_blocks(state, linalg::Instructions::plain);
+  const auto model = distorted_box(static_cast<int>(state.range(0)));
+  multiply_blocks(state, model.stiffness, linalg::Instructions::plain);
+}
+
+void ShuffledProduct(benchmark::State& state) {
+  const auto model = distorted_box(static_cast<int>(state.range(0)));
+  std::vector<int> nodes(static_cast<std::size_t>(model.stiffness.rows() / 3));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  std::ranges::shuffle(nodes, std::mt19937(3));
+  Eigen::PermutationMatrix<Eigen::Dynamic> shuffle(model.stiffness.rows());
+  for (int dof = 0; dof < shuffle.size(); ++dof)
+    shuffle.indices()[dof] = 3 * nodes[static_cast<std::size_t>(dof / 3)] + dof % 3;
+  const model::SparseMatrix shuffled = model.stiffness.twistedBy(shuffle);
+  multiply_blocks(state, shuffled, linalg::best_instructions());
 }
 
 void ExplicitStep(benchmark::State& state) {
@@ -116,6 +133,7 @@ BENCHMARK(ReadMemory)->Arg(1 << 25)->Unit(benchmark::kMillisecond);
 BENCHMARK(CsrProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
 BENCHMARK(BlockProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
 BENCHMARK(PlainProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
+BENCHMARK(ShuffledProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
 BENCHMARK(ExplicitStep)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
 
 } // namespace

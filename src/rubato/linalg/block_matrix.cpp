@@ -49,13 +49,14 @@ template <int Size>
   const auto rows = static_cast<std::int64_t>(start.size()) - 1;
   std::fill_n(y, rows * Size, 0.0);
   for (std::int64_t i = 0; i < rows; ++i) {
+    const double* own = diagonal + i * area;
     double here[Size];
     double sum[Size] = {};
     for (int r = 0; r < Size; ++r)
       here[r] = x[i * Size + r];
     for (int c = 0; c < Size; ++c)
       for (int r = 0; r < Size; ++r)
-        sum[r] += diagonal[i * area + c * Size + r] * here[c];
+        sum[r] += own[c * Size + r] * here[c];
     for (auto k = start[at(i)]; k < start[at(i) + 1]; ++k) {
       const double* block = upper + k * area;
       const double* there = x + std::int64_t{column[k]} * Size;
