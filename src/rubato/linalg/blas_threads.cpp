@@ -7,6 +7,8 @@
 extern "C" void openblas_set_num_threads(int count);
 // What OpenBLAS itself calls before a fork; its builds without threads lack it.
 extern "C" [[gnu::weak]] int blas_thread_shutdown_();
+// Of the OpenMP that CHOLMOD may be built with.
+extern "C" [[gnu::weak]] void omp_set_max_active_levels(int count);
 
 namespace rubato::linalg {
 namespace {
@@ -29,6 +31,8 @@ void start_with_one_blas_thread_by_default() {
   use_one_blas_thread_by_default();
   if (!environment_decides() && blas_thread_shutdown_ != nullptr)
     blas_thread_shutdown_();
+  if (!environment_decides() && omp_set_max_active_levels != nullptr)
+    omp_set_max_active_levels(0);
 }
 
 } // namespace rubato::linalg

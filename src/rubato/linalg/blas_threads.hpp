@@ -11,8 +11,8 @@ void use_one_blas_thread_by_default();
 
 /// For the first line of a main(): use_one_blas_thread_by_default(), and the threads that OpenBLAS started
 /// when it was loaded end at once; left alone they keep the other cores busy for a tenth of a second each,
-/// waiting for work. No other thread may be in BLAS meanwhile. OpenBLAS starts them again should its number
-/// of threads be raised later.
+/// waiting for work. Nor does OpenMP, which CHOLMOD may be built with, start any. No other thread may be in
+/// BLAS meanwhile. OpenBLAS starts them again should its number of threads be raised later.
 void start_with_one_blas_thread_by_default();
 
 } // namespace rubato::linalg

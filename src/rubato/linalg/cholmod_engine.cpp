@@ -215,8 +215,9 @@ std::vector<Index> CholmodEngine::interior_ordering(LowerTriangle& lower, Index 
     return order;
   auto part = leading_part(lower, interior);
   auto matrix = part.view();
+  // METIS says no more than that it failed, which on a graph it only does for want of memory.
   if (!cholmod_l_metis(&matrix, nullptr, 0, 1, order.data(), &common_))
-    refuse_status(common_.status);
+    throw std::bad_alloc();
   return order;
 }
 

@@ -123,7 +123,10 @@ std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span
     body.engine = std::make_unique<CholmodEngine>();
     body.engine->analyse(triangles.back(), body.surface_size);
   }
-  if (const auto needed = factor.factor_bytes(); needed > memory)
+  auto needed = factor.factor_bytes();
+  for (const auto& body : factor.bodies_)
+    needed += static_cast<std::size_t>(body.surface_size * body.surface_size) * sizeof(double);
+  if (needed > memory)
     throw TooLargeForMemory(needed, memory);
 
   factor.body_starts_.push_back(0);

@@ -24,8 +24,8 @@ namespace rubato::linalg {
 class SplitFactor {
 public:
   /// Nothing comes back when the matrix is not positive definite to working precision or has a value that is
-  /// not finite. `surface` ascends. Throws TooLargeForMemory when the factor would not fit into `memory`
-  /// [bytes], std::invalid_argument when the matrix is not square.
+  /// not finite. `surface` ascends. Throws TooLargeForMemory when the factor and the compliance of the
+  /// surface would not fit into `memory` [bytes], std::invalid_argument when the matrix is not square.
   static std::optional<SplitFactor> of(const SparseMatrix& matrix, std::span<const int> surface,
                                        std::size_t memory);
   SplitFactor(SplitFactor&&) noexcept;

@@ -53,13 +53,15 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
                      const State& committed, double t, const ContactSide& side)
     : model_(model), scheme_(scheme), system_(system), side_(side),
       equilibrium_(model, scheme, system, committed, t), scale_(committed.force_scale),
-      points_(*system.compliance, scheme.forces.now) {}
+      surface_(*system.compliance), points_(*system.compliance, surface_, scheme.forces.now) {}
 
 StepReport Condensed::run(State& trial, const Held& held) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
   if (!started_) {
     start_from(trial);
+    if (!equilibrium_.residual().allFinite())
+      return ended(Outcome::not_finite);
     if (side_.variant().guess_contact)
       guess_contact(trial, held);
   }
@@ -75,6 +77,8 @@ StepReport Condensed::run(State& trial, const Held& held) {
         side_.finish(held, now_, trial);
         return ended(Outcome::converged);
       }
+      if (!equilibrium_.residual().allFinite())
+        return ended(Outcome::not_finite);
       start_from(trial);
     }
     if (iteration == model_.study.newton.max_iterations)
@@ -88,7 +92,17 @@ StepReport Condensed::run(State& trial, const Held& held) {
 
 StepReport Condensed::ended(Outcome outcome) {
   report_.outcome = outcome;
+  if (!report_.converged())
+    report_.worst = equilibrium_.residual().allFinite() ? worst_on_surface() : equilibrium_.worst();
   return report_;
+}
+
+std::vector<WorstNode> Condensed::worst_on_surface() const {
+  std::vector<mesh::NodeIndex> nodes;
+  for (const int dof : system_.compliance->dof_of_position())
+    nodes.push_back(model_.node_of(dof));
+  const VectorXd left = scheme_.forces.now * (points_.force() - applied_);
+  return worst_nodes(left, nodes, surface_scale());
 }
 
 /// Takes a motion as the base that everything is counted from.
@@ -104,6 +118,7 @@ void Condensed::start_from(const State& trial) {
 /// Contact in frames that follow the surface. Points that press in the end touch at first, all others are
 /// open.
 void Condensed::guess_contact(State& trial, const Held& held) {
+  ContactGuess guess(*system_.compliance, surface_, scheme_.forces.now);
   std::vector<GuessPoint> points;
   for (int round = 0; round < guess_rounds; ++round) {
     const auto before = std::move(points);
@@ -112,13 +127,13 @@ void Condensed::guess_contact(State& trial, const Held& held) {
     if (points.size() == before.size())
       for (std::size_t k = 0; k < points.size(); ++k)
         points[k].force = before[k].force;
-    guess_forces(points, free_, scheme_.forces.now, *system_.compliance);
+    guess.improve(points, free_);
     VectorXd force = VectorXd::Zero(free_.size());
     for (const auto& point : points) {
-      for (std::size_t q = 0; q < point.positions.size(); ++q)
-        for (std::size_t row = 0; row < 3; ++row)
-          if (const double part = point.force[static_cast<Index>(row)]; part != 0)
-            force[point.positions[q]] -= point.slopes[row][q] * part;
+      if (point.force[0] != 0)
+        for (std::size_t q = 0; q < point.positions.size(); ++q)
+          force[point.positions[q]] -=
+              point.slopes.col(static_cast<Index>(q)).dot(point.force.head(point.slopes.rows()));
       take_guess(point, trial);
     }
     move_surface(force, trial);
@@ -149,13 +164,15 @@ GuessPoint Condensed::guess_point(const contact::ZoneState& state, const contact
   guess.index = index;
   guess.value << k.gap, k.slip;
   guess.friction = law.friction;
-  guess.tangents = k.components - 1;
+  const int tangents = k.components - 1;
   const auto& outcome = state.outcomes[index];
   guess.force[0] = std::max(0.0, outcome.pressure * point.area);
-  for (int a = 0; a < guess.tangents; ++a)
+  for (int a = 0; a < tangents; ++a)
     guess.force[1 + a] = outcome.tangential.dot(k.tangents.col(a));
   if (!contact::is_exact(law.zone->settings.method))
     guess.softness = 1 / (law.coefficients.normal[index] * point.weight);
+  guess.slopes.resize(1 + tangents, k.unknowns());
+  Index next = 0;
   for (std::size_t node = 0; node < k.nodes.size(); ++node)
     for (int i = 0; i < k.components; ++i) {
       const int at = position[static_cast<std::size_t>(model_.dofs.dof(k.nodes[node], i))];
@@ -163,12 +180,12 @@ GuessPoint Condensed::guess_point(const contact::ZoneState& state, const contact
         continue;
       const auto q = static_cast<Index>(node) * k.components + i;
       guess.positions.push_back(at);
-      guess.slopes[0].push_back(k.d_gap[q]);
-      for (int a = 0; a < guess.tangents; ++a)
-        guess.slopes[static_cast<std::size_t>(1 + a)].push_back(k.d_slip(a, q));
-      for (int row = 0; row <= guess.tangents; ++row)
-        guess.value[row] -= guess.slopes[static_cast<std::size_t>(row)].back() * moved_[at];
+      guess.slopes(0, next) = k.d_gap[q];
+      for (int a = 0; a < tangents; ++a)
+        guess.slopes(1 + a, next) = k.d_slip(a, q);
+      guess.value.head(1 + tangents) -= guess.slopes.col(next++) * moved_[at];
     }
+  guess.slopes.conservativeResize(Eigen::NoChange, next);
   return guess;
 }
 
@@ -215,13 +232,16 @@ bool Condensed::settled(const Held& held) {
 }
 
 /// Until the bulk has been solved for, forces are measured by what they were measured by in the last step.
+double Condensed::surface_scale() const {
+  return std::max(scale_, scheme_.forces.now * points_.force().lpNorm<Eigen::Infinity>());
+}
+
 void Condensed::measure_surface() {
   const auto& force = points_.force();
   Index worst = 0;
   const double largest =
       force.size() > 0 ? scheme_.forces.now * (force - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
-  const double scale = std::max(scale_, scheme_.forces.now * force.lpNorm<Eigen::Infinity>());
-  report_.residual = largest == 0 ? 0 : largest / scale;
+  report_.residual = largest == 0 ? 0 : largest / surface_scale();
   if (force.size() > 0)
     report_.worst_node =
         model_.node_of(system_.compliance->dof_of_position()[static_cast<std::size_t>(worst)]);

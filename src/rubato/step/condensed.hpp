@@ -42,6 +42,8 @@ private:
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   bool settled(const Held& held);
   void measure_surface();
+  double surface_scale() const;
+  std::vector<WorstNode> worst_on_surface() const;
   bool iterate(State& trial, const Held& held);
   void move_surface(const Eigen::VectorXd& force, State& trial);
   void correct_multipliers(const Held& held, const PointSystem::Change& change, const Eigen::VectorXd& moved,
@@ -66,6 +68,7 @@ private:
   Eigen::VectorXd free_;     ///< d_free on the surface
   Eigen::VectorXd moved_;    ///< d_s
   Eigen::VectorXd applied_;  ///< contact force on the surface that moved_ belongs to
+  TouchedSurface surface_;
   PointSystem points_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/contact_guess.hpp"
 
-#include <Eigen/Cholesky>
+#include "rubato/linalg/dense_cholesky.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,216 +21,174 @@ constexpr int most_sets = 30;
 constexpr int most_rounds = 4;
 
 double value_of(const GuessPoint& point, int row, const VectorXd& d) {
-  const auto& slopes = point.slopes[static_cast<std::size_t>(row)];
   double value = point.value[row];
-  for (std::size_t i = 0; i < slopes.size(); ++i)
-    value += slopes[i] * d[point.positions[i]];
+  for (std::size_t i = 0; i < point.positions.size(); ++i)
+    value += point.slopes(row, static_cast<Index>(i)) * d[point.positions[i]];
   return value;
 }
 
-/// Gaps or slips of points that forces along them change: value = … + matrix F.
-class Rows {
-public:
-  Rows(double factor, Compliance& compliance, Index surface)
-      : factor_(factor), compliance_(compliance), moved_(surface) {}
-
-  Index size() const { return static_cast<Index>(rows_.size()); }
-  const MatrixXd& matrix() const { return matrix_; }
-
-  void reserve(Index size) { matrix_.conservativeResize(size, size); }
-
-  /// The matrix must have room for it.
-  void add(const GuessPoint& point, int row) {
-    const Index k = size();
-    rows_.push_back({&point, row});
-    moved_.setZero();
-    compliance_.add(factor_, point.positions, point.slopes[static_cast<std::size_t>(row)], moved_);
-    for (Index other = 0; other <= k; ++other)
-      matrix_(other, k) = matrix_(k, other) = along(rows_[static_cast<std::size_t>(other)]);
-  }
-  void soften(double softness) { matrix_(size() - 1, size() - 1) += softness; }
-
-private:
-  struct Row {
-    const GuessPoint* point;
-    int row;
-  };
-  double along(const Row& row) const {
-    const auto& slopes = row.point->slopes[static_cast<std::size_t>(row.row)];
-    double sum = 0;
-    for (std::size_t i = 0; i < slopes.size(); ++i)
-      sum += slopes[i] * moved_[row.point->positions[i]];
-    return sum;
-  }
-
-  double factor_;
-  Compliance& compliance_;
-  std::vector<Row> rows_;
-  MatrixXd matrix_;
-  VectorXd moved_;
-};
-
-class Guess {
-public:
-  Guess(std::span<GuessPoint> points, const VectorXd& free, double factor, Compliance& compliance)
-      : points_(points), free_(free), factor_(factor), compliance_(compliance) {}
-
-  void run() {
-    press();
-    rub();
-  }
-
-private:
-  void prepare(std::span<GuessPoint* const> points) {
-    std::vector<int> positions;
-    for (const auto* point : points)
-      positions.insert(positions.end(), point->positions.begin(), point->positions.end());
-    std::ranges::sort(positions);
-    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
-    compliance_.prepare(positions);
-  }
-
-  /// The surface under the forces of some rows.
-  VectorXd moved_by(int first_row, int last_row) const {
-    VectorXd force = VectorXd::Zero(free_.size());
-    for (const auto& point : points_)
-      for (int row = first_row; row <= last_row; ++row)
-        for (std::size_t i = 0; point.force[row] != 0 && i < point.positions.size(); ++i)
-          force[point.positions[i]] += point.force[row] * point.slopes[static_cast<std::size_t>(row)][i];
-    VectorXd d = free_;
-    compliance_.add(factor_, force, d);
-    return d;
-  }
-
-  void press() {
-    const VectorXd without = moved_by(1, 2);
-    Rows rows(factor_, compliance_, free_.size());
-    std::vector<GuessPoint*> chosen;
-    std::vector<bool> known(points_.size(), false);
-    VectorXd forces;
-    for (int round = 0; round < most_rounds; ++round) {
-      const VectorXd d = moved_by(0, 2);
-      std::vector<GuessPoint*> more;
-      for (std::size_t i = 0; i < points_.size(); ++i)
-        if (!known[i] && (points_[i].force[0] > 0 || value_of(points_[i], 0, d) < 0)) {
-          known[i] = true;
-          more.push_back(&points_[i]);
-        }
-      if (more.empty())
-        return;
-      prepare(more);
-      rows.reserve(rows.size() + static_cast<Index>(more.size()));
-      for (auto* point : more) {
-        rows.add(*point, 0);
-        rows.soften(point->softness);
-        chosen.push_back(point);
-      }
-      VectorXd gaps(rows.size());
-      forces.resize(rows.size());
-      for (Index k = 0; k < rows.size(); ++k) {
-        gaps[k] = value_of(*chosen[static_cast<std::size_t>(k)], 0, without);
-        forces[k] = chosen[static_cast<std::size_t>(k)]->force[0];
-      }
-      sweep_pressing(rows.matrix(), gaps, forces);
-      settle_pressing(rows.matrix(), gaps, forces);
-      for (Index k = 0; k < rows.size(); ++k)
-        chosen[static_cast<std::size_t>(k)]->force[0] = forces[k];
-    }
-  }
-
-  /// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle.
-  static void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled) {
-    VectorXd forces = settled;
-    VectorXd open = gaps + matrix * forces;
-    for (int round = 0; round < most_sets; ++round) {
-      std::vector<int> set;
-      for (Index k = 0; k < forces.size(); ++k)
-        if (matrix(k, k) > 0 && (forces[k] > 0 || (forces[k] == 0 && open[k] < 0)))
-          set.push_back(static_cast<int>(k));
-      const VectorXd pressed = MatrixXd(matrix(set, set)).llt().solve(VectorXd(-gaps(set)));
-      forces.setZero();
-      forces(set) = pressed;
-      open = gaps + matrix * forces;
-      open(set).setZero();
-      if ((forces.array() >= 0).all() && (open.array() >= 0).all()) {
-        settled = forces;
-        return;
-      }
-    }
-  }
-
-  void rub() {
-    std::vector<GuessPoint*> chosen;
-    for (auto& point : points_)
-      if (point.force[0] > 0 && point.friction > 0)
-        chosen.push_back(&point);
-      else
-        point.force.tail<2>().setZero();
-    if (chosen.empty())
+/// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle.
+void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled) {
+  VectorXd forces = settled;
+  VectorXd open = gaps + matrix * forces;
+  for (int round = 0; round < most_sets; ++round) {
+    std::vector<int> set;
+    for (Index k = 0; k < forces.size(); ++k)
+      if (matrix(k, k) > 0 && (forces[k] > 0 || (forces[k] == 0 && open[k] < 0)))
+        set.push_back(static_cast<int>(k));
+    const VectorXd pressed = linalg::solve_positive_definite(matrix(set, set), -gaps(set));
+    forces.setZero();
+    forces(set) = pressed;
+    open = gaps + matrix * forces;
+    open(set).setZero();
+    if ((forces.array() >= 0).all() && (open.array() >= 0).all()) {
+      settled = forces;
       return;
-    const VectorXd without = moved_by(0, 0);
-    const int tangents = chosen.front()->tangents;
-    const auto size = static_cast<Index>(chosen.size()) * tangents;
-    Rows rows(factor_, compliance_, free_.size());
-    rows.reserve(size);
-    VectorXd slips(size);
-    VectorXd forces(size);
-    VectorXd limits(static_cast<Index>(chosen.size()));
-    for (Index k = 0; k < limits.size(); ++k) {
-      const auto& point = *chosen[static_cast<std::size_t>(k)];
-      limits[k] = point.friction * point.force[0];
-      for (int a = 0; a < tangents; ++a) {
-        rows.add(point, 1 + a);
-        slips[k * tangents + a] = value_of(point, 1 + a, without);
-        forces[k * tangents + a] = point.force[1 + a];
-      }
-    }
-    sweep_rubbing(rows.matrix(), slips, limits, tangents, forces);
-    if (tangents == 1)
-      settle_rubbing(rows.matrix(), slips, limits, forces);
-    for (Index k = 0; k < limits.size(); ++k)
-      for (int a = 0; a < tangents; ++a)
-        chosen[static_cast<std::size_t>(k)]->force[1 + a] = forces[k * tangents + a];
-  }
-
-  /// The same between bounds.
-  static void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits,
-                             VectorXd& settled) {
-    VectorXd forces = settled;
-    VectorXd moved = slips + matrix * forces;
-    for (int round = 0; round < most_sets; ++round) {
-      std::vector<int> sticking;
-      VectorXd bound = VectorXd::Zero(forces.size());
-      for (Index k = 0; k < forces.size(); ++k) {
-        const double pulled = forces[k] - moved[k] / std::max(matrix(k, k), 1e-300);
-        if (matrix(k, k) > 0 && std::abs(pulled) < limits[k])
-          sticking.push_back(static_cast<int>(k));
-        else
-          bound[k] = std::copysign(limits[k], pulled);
-      }
-      const VectorXd held = slips + matrix * bound;
-      VectorXd next = bound;
-      const VectorXd pulled_back =
-          MatrixXd(matrix(sticking, sticking)).llt().solve(VectorXd(-held(sticking)));
-      for (std::size_t k = 0; k < sticking.size(); ++k)
-        next[sticking[k]] = pulled_back[static_cast<Index>(k)];
-      const bool same = (next - forces).lpNorm<Eigen::Infinity>() <= 1e-9 * limits.maxCoeff();
-      forces = next;
-      moved = slips + matrix * forces;
-      if (same) {
-        settled = forces;
-        return;
-      }
     }
   }
+}
 
-  std::span<GuessPoint> points_;
-  const VectorXd& free_;
-  double factor_;
-  Compliance& compliance_;
-};
+/// The same between bounds.
+void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits,
+                    VectorXd& settled) {
+  VectorXd forces = settled;
+  VectorXd moved = slips + matrix * forces;
+  for (int round = 0; round < most_sets; ++round) {
+    std::vector<int> sticking;
+    VectorXd bound = VectorXd::Zero(forces.size());
+    for (Index k = 0; k < forces.size(); ++k) {
+      const double pulled = forces[k] - moved[k] / std::max(matrix(k, k), 1e-300);
+      if (matrix(k, k) > 0 && std::abs(pulled) < limits[k])
+        sticking.push_back(static_cast<int>(k));
+      else
+        bound[k] = std::copysign(limits[k], pulled);
+    }
+    const VectorXd held = slips + matrix * bound;
+    VectorXd next = bound;
+    const VectorXd pulled_back = linalg::solve_positive_definite(matrix(sticking, sticking), -held(sticking));
+    for (std::size_t k = 0; k < sticking.size(); ++k)
+      next[sticking[k]] = pulled_back[static_cast<Index>(k)];
+    const bool same = (next - forces).lpNorm<Eigen::Infinity>() <= 1e-9 * limits.maxCoeff();
+    forces = next;
+    moved = slips + matrix * forces;
+    if (same) {
+      settled = forces;
+      return;
+    }
+  }
+}
 
 } // namespace
+
+ContactGuess::ContactGuess(Compliance& compliance, TouchedSurface& surface, double factor)
+    : compliance_(compliance), surface_(surface), factor_(factor) {}
+
+void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free) {
+  chosen_.clear();
+  const VectorXd without = moved(points, free, 1, 2);
+  for (int round = 0; round < most_rounds && choose_more(points, free); ++round) {
+    couple(chosen_, 0, 1, pressing_);
+    press(without);
+  }
+  rub(points, free);
+}
+
+/// The surface under the forces of some rows of all points.
+VectorXd ContactGuess::moved(std::span<const GuessPoint> points, const VectorXd& free, int first_row,
+                             int last_row) const {
+  VectorXd force = VectorXd::Zero(free.size());
+  for (const auto& point : points)
+    for (Index row = first_row; row <= std::min<Index>(last_row, point.tangents()); ++row)
+      for (std::size_t i = 0; point.force[row] != 0 && i < point.positions.size(); ++i)
+        force[point.positions[i]] += point.force[row] * point.slopes(row, static_cast<Index>(i));
+  VectorXd d = free;
+  compliance_.add(factor_, force, d);
+  return d;
+}
+
+/// Points that press or penetrate join those that are chosen already. Whether there are any.
+bool ContactGuess::choose_more(std::span<GuessPoint> points, const VectorXd& free) {
+  const VectorXd d = moved(points, free, 0, 2);
+  const auto known = chosen_.size();
+  for (auto& point : points)
+    if ((point.force[0] > 0 || value_of(point, 0, d) < 0) &&
+        std::find(chosen_.begin(), chosen_.begin() + static_cast<std::ptrdiff_t>(known), &point) ==
+            chosen_.begin() + static_cast<std::ptrdiff_t>(known))
+      chosen_.push_back(&point);
+  return chosen_.size() > known;
+}
+
+void ContactGuess::couple(std::span<GuessPoint* const> points, Index first_row, Index rows,
+                          Coupling& coupling) {
+  const auto is_named = [](const GuessPoint* point, const Coupling::Name& name) {
+    return Coupling::Name{point->zone, point->index} == name;
+  };
+  if (std::ranges::equal(points, coupling.points, is_named))
+    return;
+  coupling.points.clear();
+  std::vector<int> positions;
+  for (const auto* point : points) {
+    coupling.points.push_back({point->zone, point->index});
+    positions.insert(positions.end(), point->positions.begin(), point->positions.end());
+  }
+  surface_.touch(positions);
+  std::vector<PointRows> all(points.size());
+  std::vector<const PointRows*> pointers;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    for (const int position : points[k]->positions)
+      all[k].places.push_back(surface_.place_of(position));
+    all[k].left = all[k].right = points[k]->slopes.middleRows(first_row, rows);
+    all[k].first = static_cast<Index>(k) * rows;
+    pointers.push_back(&all[k]);
+  }
+  coupling.matrix = between_points(surface_, pointers, factor_, true);
+}
+
+/// `without`: the surface without pressing forces.
+void ContactGuess::press(const VectorXd& without) {
+  MatrixXd matrix = pressing_.matrix;
+  VectorXd gaps(matrix.rows());
+  VectorXd forces(matrix.rows());
+  for (Index k = 0; k < gaps.size(); ++k) {
+    const auto& point = *chosen_[static_cast<std::size_t>(k)];
+    matrix(k, k) += point.softness;
+    gaps[k] = value_of(point, 0, without);
+    forces[k] = point.force[0];
+  }
+  sweep_pressing(matrix, gaps, forces);
+  settle_pressing(matrix, gaps, forces);
+  for (Index k = 0; k < gaps.size(); ++k)
+    chosen_[static_cast<std::size_t>(k)]->force[0] = forces[k];
+}
+
+void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& free) {
+  std::vector<GuessPoint*> rubbing;
+  for (auto& point : points)
+    if (point.force[0] > 0 && point.friction > 0)
+      rubbing.push_back(&point);
+    else
+      point.force.tail<2>().setZero();
+  if (rubbing.empty())
+    return;
+  const Index tangents = rubbing.front()->tangents();
+  couple(rubbing, 1, tangents, rubbing_);
+  const VectorXd without = moved(points, free, 0, 0);
+  VectorXd slips(rubbing_.matrix.rows());
+  VectorXd forces(slips.size());
+  VectorXd limits(static_cast<Index>(rubbing.size()));
+  for (Index k = 0; k < limits.size(); ++k) {
+    const auto& point = *rubbing[static_cast<std::size_t>(k)];
+    limits[k] = point.friction * point.force[0];
+    for (Index a = 0; a < tangents; ++a)
+      slips[k * tangents + a] = value_of(point, static_cast<int>(1 + a), without);
+    forces.segment(k * tangents, tangents) = point.force.segment(1, tangents);
+  }
+  sweep_rubbing(rubbing_.matrix, slips, limits, static_cast<int>(tangents), forces);
+  if (tangents == 1)
+    settle_rubbing(rubbing_.matrix, slips, limits, forces);
+  for (Index k = 0; k < limits.size(); ++k)
+    rubbing[static_cast<std::size_t>(k)]->force.segment(1, tangents) = forces.segment(k * tangents, tangents);
+}
 
 void sweep_pressing(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces) {
   VectorXd open = values + matrix * forces;
@@ -276,10 +234,6 @@ void sweep_rubbing(const MatrixXd& matrix, const VectorXd& values, const VectorX
     if (largest_change <= good_enough * limits.maxCoeff())
       return;
   }
-}
-
-void guess_forces(std::span<GuessPoint> points, const VectorXd& free, double factor, Compliance& compliance) {
-  Guess(points, free, factor, compliance).run();
 }
 
 } // namespace rubato::step

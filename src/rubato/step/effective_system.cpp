@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/effective_system.hpp"
 
+#include "rubato/error.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/step/linear_step.hpp"
+
+#include <fmt/format.h>
 
 namespace rubato::step {
 
 using model::Model;
 using model::SparseMatrix;
+
+namespace {
+
+std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix) {
+  try {
+    return linalg::SplitFactor::of(matrix, surface_unknowns(model), linalg::available_memory());
+  } catch (const linalg::TooLargeForMemory& error) {
+    throw InputError(fmt::format("the model is too large for this machine: with its {} unknowns {}",
+                                 model.free_dofs.size(), error.what()));
+  }
+}
+
+} // namespace
 
 EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step) {
   EffectiveSystem system;
@@ -25,8 +41,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     system.neighbours.emplace_back(zone);
   }
   if (model.study.solver != deck::Solver::full)
-    if (auto factor =
-            linalg::SplitFactor::of(system.matrix, surface_unknowns(model), linalg::available_memory()))
+    if (auto factor = factored(model, system.matrix))
       system.compliance.emplace(std::move(*factor), model.free_dofs,
                                 static_cast<Eigen::Index>(model.dofs.dof_count));
   return system;

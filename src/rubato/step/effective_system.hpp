@@ -27,7 +27,8 @@ struct EffectiveSystem {
 };
 
 /// Factors the matrix unless the study's solver is full or the matrix is not positive definite, as when only
-/// contact holds a body.
+/// contact holds a body. Throws InputError before the factorisation when the factor would not fit into the
+/// memory that is left.
 EffectiveSystem make_effective_system(const model::Model& model, const time::Scheme& scheme, double step);
 
 } // namespace rubato::step

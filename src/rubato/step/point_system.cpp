@@ -49,8 +49,8 @@ void mend_empty_rows(contact::FactoredResponse& r, MatrixXd& by_q) {
 
 } // namespace
 
-PointSystem::PointSystem(Compliance& compliance, double force_weight)
-    : compliance_(compliance), force_weight_(force_weight), surface_(compliance) {
+PointSystem::PointSystem(Compliance& compliance, TouchedSurface& surface, double force_weight)
+    : compliance_(compliance), force_weight_(force_weight), surface_(surface) {
   clear();
 }
 

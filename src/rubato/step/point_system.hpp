@@ -48,8 +48,8 @@ struct ActivePoint {
 
 class PointSystem {
 public:
-  /// `compliance` must outlive this.
-  PointSystem(Compliance& compliance, double force_weight);
+  /// Both must outlive this.
+  PointSystem(Compliance& compliance, TouchedSurface& surface, double force_weight);
 
   void clear();
   void add(std::size_t zone, std::size_t index, contact::Status status, contact::FactoredResponse response);
@@ -86,7 +86,7 @@ private:
   Eigen::VectorXd force_;
   Eigen::Index forces_ = 0; ///< how many δz
   Eigen::Index places_ = 0; ///< how many δξ
-  TouchedSurface surface_;
+  TouchedSurface& surface_;
   std::optional<linalg::DenseLu> factors_;
   Eigen::VectorXd row_scale_, column_scale_; ///< of the factored matrix
 };

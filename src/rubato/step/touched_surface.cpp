@@ -2,6 +2,7 @@
 #include "rubato/step/touched_surface.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace rubato::step {
@@ -51,12 +52,12 @@ void TouchedSurface::touch(std::span<const int> positions) {
   std::vector<int> wanted(positions.begin(), positions.end());
   std::ranges::sort(wanted);
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  if (wanted == positions_)
+  if (std::ranges::includes(positions_, wanted))
     return;
-  for (const int position : positions_)
-    places_[static_cast<std::size_t>(position)] = -1;
+  std::vector<int> all;
+  std::ranges::set_union(positions_, wanted, std::back_inserter(all));
+  positions_ = std::move(all);
   places_.resize(compliance_->surface().size(), -1);
-  positions_ = std::move(wanted);
   body_of_.clear();
   bodies_.clear();
   const auto& starts = compliance_->factor().body_starts();

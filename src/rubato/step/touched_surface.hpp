@@ -17,7 +17,8 @@ public:
   /// `compliance` must outlive this.
   explicit TouchedSurface(Compliance& compliance) : compliance_(&compliance) {}
 
-  /// Takes these positions, each of which may occur several times; every one gets a place.
+  /// Takes these positions too, each of which may occur several times; every one gets a place. Places change
+  /// when there are new ones.
   void touch(std::span<const int> positions);
   Eigen::Index size() const { return static_cast<Eigen::Index>(positions_.size()); }
   /// The position of every place.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/dense_cholesky.hpp"
+
+#include "rubato/linalg/blas_threads.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+// Debian packs no header for the LAPACK that OpenBLAS holds; this is its Fortran interface.
+extern "C" void dposv_(const char* triangle, const int* size, const int* right_sides, double* matrix,
+                       const int* stride, double* values, const int* values_stride, int* info);
+
+namespace rubato::linalg {
+
+Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd right_side) {
+  const auto size = static_cast<int>(right_side.size());
+  if (matrix.rows() != size || matrix.cols() != size)
+    throw std::invalid_argument("a right side of another size than the matrix");
+  if (size == 0)
+    return right_side;
+  use_one_blas_thread_by_default();
+  const int one = 1;
+  int info = 0;
+  dposv_("L", &size, &one, matrix.data(), &size, right_side.data(), &size, &info);
+  if (info != 0)
+    right_side.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return right_side;
+}
+
+} // namespace rubato::linalg

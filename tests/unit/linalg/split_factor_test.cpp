@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/memory.hpp"
+#include "rubato/linalg/split_factor.hpp"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "unit/linalg/elastic_block.hpp"
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+namespace rubato::linalg {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr auto plenty = std::numeric_limits<std::size_t>::max();
+
+VectorXd random_vector(Eigen::Index size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-1, 1);
+  return VectorXd::NullaryExpr(size, [&] { return value(random); });
+}
+
+/// Two elastic blocks of different size that don't touch, their unknowns interleaved one for one as far as
+/// both go.
+SparseMatrix two_bodies() {
+  const auto a = test::elastic_block(5, 3, 3);
+  const auto b = test::elastic_block(4, 2, 2);
+  const auto place = [&](bool first, Eigen::Index i) {
+    const auto both = std::min(a.rows(), b.rows());
+    if (i < both)
+      return static_cast<int>(2 * i + (first ? 0 : 1));
+    return static_cast<int>(both + i);
+  };
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (const bool first : {true, false}) {
+    const auto& block = first ? a : b;
+    for (int column = 0; column < block.outerSize(); ++column)
+      for (SparseMatrix::InnerIterator entry(block, column); entry; ++entry)
+        entries.emplace_back(place(first, entry.row()), place(first, column), entry.value());
+  }
+  SparseMatrix matrix(a.rows() + b.rows(), a.rows() + b.rows());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+std::vector<int> every(int step, Eigen::Index size) {
+  std::vector<int> chosen;
+  for (int i = 1; i < size; i += step)
+    chosen.push_back(i);
+  return chosen;
+}
+
+class SplitFactorWithSurface : public testing::TestWithParam<int> {
+protected:
+  SparseMatrix matrix = two_bodies();
+  std::vector<int> surface = every(GetParam(), matrix.rows());
+  std::optional<SplitFactor> factor = SplitFactor::of(matrix, surface, plenty);
+};
+
+TEST_P(SplitFactorWithSurface, SolvesAsAWholeFactorDoes) {
+  ASSERT_TRUE(factor);
+  const auto right_side = random_vector(matrix.rows(), 1);
+  const VectorXd expected = CholeskyFactor::of(matrix)->solve(right_side);
+  EXPECT_LE((factor->solve(right_side) - expected).norm(), 1e-11 * expected.norm());
+}
+
+TEST_P(SplitFactorWithSurface, KnowsTheSurfaceHalfWay) {
+  ASSERT_TRUE(factor);
+  const auto right_side = random_vector(matrix.rows(), 2);
+  const VectorXd whole = factor->solve(right_side);
+  const VectorXd on_surface = factor->surface_of(factor->forward(right_side));
+  ASSERT_EQ(factor->surface().size(), surface.size());
+  EXPECT_LE((on_surface - whole(factor->surface())).norm(), 1e-11 * whole.norm());
+}
+
+TEST_P(SplitFactorWithSurface, TakesForcesOnTheSurfaceHalfWay) {
+  ASSERT_TRUE(factor);
+  VectorXd right_side = random_vector(matrix.rows(), 3);
+  const auto force = random_vector(static_cast<Eigen::Index>(surface.size()), 4);
+  auto half_way = factor->forward(right_side);
+  factor->load_surface(force, half_way);
+  right_side(factor->surface()) += force;
+  const VectorXd expected = factor->solve(right_side);
+  EXPECT_LE((factor->backward(half_way) - expected).norm(), 1e-11 * expected.norm());
+}
+
+TEST_P(SplitFactorWithSurface, GivesTheComplianceOfEachBody) {
+  ASSERT_TRUE(factor);
+  const MatrixXd inverse = MatrixXd(matrix).inverse();
+  const auto& starts = factor->body_starts();
+  ASSERT_EQ(starts.size(), 3U);
+  for (std::size_t body = 0; body < 2; ++body) {
+    const std::vector<int> unknowns(factor->surface().begin() + starts[body],
+                                    factor->surface().begin() + starts[body + 1]);
+    std::vector<int> places;
+    for (int place = 0; place < static_cast<int>(unknowns.size()); place += 2)
+      places.push_back(place);
+    const MatrixXd expected = MatrixXd(inverse(unknowns, unknowns))(Eigen::all, places);
+    EXPECT_LE((factor->compliance(body, places) - expected).norm(), 1e-11 * expected.norm());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryFew, SplitFactorWithSurface, testing::Values(1, 2, 7, 50));
+
+TEST(SplitFactor, TakesABodyWithoutSurface) {
+  const auto matrix = two_bodies();
+  const auto factor = SplitFactor::of(matrix, {}, plenty);
+  ASSERT_TRUE(factor);
+  EXPECT_EQ(factor->surface_of(factor->forward(VectorXd::Ones(matrix.rows()))).size(), 0);
+}
+
+TEST(SplitFactor, RefusesAFloatingBody) {
+  const std::vector<int> surface{0, 1, 2};
+  EXPECT_FALSE(SplitFactor::of(test::elastic_block(4, 3, 3, false), surface, plenty));
+}
+
+TEST(SplitFactor, RefusesWhatDoesNotFitBeforeItFactors) {
+  const auto matrix = test::elastic_block(8, 8, 8);
+  const auto needed = SplitFactor::of(matrix, {}, plenty)->factor_bytes();
+  EXPECT_TRUE(SplitFactor::of(matrix, {}, needed));
+  try {
+    SplitFactor::of(matrix, {}, needed - 1);
+    FAIL() << "a factor larger than the memory was computed";
+  } catch (const TooLargeForMemory& error) {
+    EXPECT_EQ(error.needed, needed);
+    EXPECT_EQ(error.available, needed - 1);
+  }
+}
+
+TEST(SplitFactor, RefusesSizesThatDoNotMatch) {
+  EXPECT_THROW(SplitFactor::of(SparseMatrix(2, 3), {}, plenty), std::invalid_argument);
+  const auto factor = SplitFactor::of(two_bodies(), {}, plenty);
+  EXPECT_THROW(factor->forward(VectorXd::Ones(3)), std::invalid_argument);
+}
+
+TEST(AvailableMemory, IsSomewhereBetweenAMegabyteAndAPetabyte) {
+  EXPECT_GT(available_memory(), std::size_t{1} << 20);
+  EXPECT_LT(available_memory(), std::size_t{1} << 50);
+}
+
+} // namespace
+} // namespace rubato::linalg

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The points' linear system against the equations it stands for, with made-up points on two elastic blocks.
+#include "rubato/step/point_system.hpp"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "unit/linalg/elastic_block.hpp"
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace rubato::step {
+namespace {
+
+using contact::FactoredResponse;
+using contact::Status;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double force_weight = 0.7;
+
+class Random {
+public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double number() { return std::uniform_real_distribution<double>(-1, 1)(engine_); }
+  MatrixXd matrix(Index rows, Index columns) {
+    return MatrixXd::NullaryExpr(rows, columns, [&] { return number(); });
+  }
+  int below(int end) { return std::uniform_int_distribution<int>(0, end - 1)(engine_); }
+
+private:
+  std::mt19937 engine_;
+};
+
+/// A point of eight displacements, three forces and two coordinates on its master, its multipliers three.
+FactoredResponse made_up(Random& random, int dofs, double slope_size) {
+  FactoredResponse response;
+  response.components = 3;
+  response.slopes = 2;
+  while (response.dofs.size() < 8)
+    if (const int dof = random.below(dofs);
+        std::find(response.dofs.begin(), response.dofs.end(), dof) == response.dofs.end())
+      response.dofs.push_back(dof);
+  response.force = random.matrix(3, 1);
+  response.spread = random.matrix(5, 8);
+  response.spread.bottomRows(2) *= slope_size;
+  response.by_q = random.matrix(8, 8);
+  response.by_multiplier = random.matrix(6, 3);
+  response.equations = random.matrix(3, 1);
+  return response;
+}
+
+struct Bulk {
+  linalg::SparseMatrix matrix = test::elastic_block(5, 4, 3);
+  MatrixXd s; ///< of all dofs
+  Compliance compliance;
+
+  /// All but a few unknowns are on the surface; every unknown is its own dof.
+  Bulk() : s(MatrixXd(matrix).inverse()), compliance(factored(), numbers(), matrix.rows()) {}
+  std::vector<int> numbers() const {
+    std::vector<int> all(static_cast<std::size_t>(matrix.rows()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+  linalg::SplitFactor factored() const {
+    auto surface = numbers();
+    surface.resize(surface.size() - 5);
+    return *linalg::SplitFactor::of(matrix, surface, std::numeric_limits<std::size_t>::max());
+  }
+};
+
+class PointSystemWith : public testing::TestWithParam<double> {};
+
+TEST_P(PointSystemWith, SolvesEachPointsEquations) {
+  Bulk bulk;
+  // In units that make the compliance of order one.
+  const double unit = 1 / bulk.s.diagonal().maxCoeff();
+  Random random(17);
+  TouchedSurface surface(bulk.compliance);
+  PointSystem system(bulk.compliance, surface, force_weight);
+  for (std::size_t i = 0; i < 12; ++i) {
+    auto response = made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam());
+    response.spread *= unit;
+    system.add(0, i, Status::stick, std::move(response));
+  }
+  const auto& dofs = bulk.compliance.dof_of_position();
+  const VectorXd d0 = random.matrix(static_cast<Index>(dofs.size()), 1);
+  const auto change = system.solve(d0);
+  ASSERT_TRUE(change);
+  const MatrixXd s = bulk.s(dofs, dofs);
+  const VectorXd moved = d0 - force_weight * s * system.force_after(*change);
+  for (const auto& point : system.points()) {
+    const auto& r = point.response;
+    const VectorXd m = system.multipliers_of(point, *change, moved);
+    VectorXd q(8);
+    for (Index k = 0; k < 8; ++k)
+      q[k] = moved[bulk.compliance
+                       .position_of_dof()[static_cast<std::size_t>(r.dofs[static_cast<std::size_t>(k)])]];
+    const VectorXd z = change->force.segment(point.first(), 3);
+    const double size = std::max(1.0, z.lpNorm<Eigen::Infinity>());
+    EXPECT_LE((r.by_q.topRows(3) * q + r.by_multiplier.topRows(3) * m - z).lpNorm<Eigen::Infinity>(),
+              1e-7 * size);
+    EXPECT_LE((r.by_q.middleRows(3, 3) * q + r.by_multiplier.bottomRows(3) * m + r.equations)
+                  .lpNorm<Eigen::Infinity>(),
+              1e-7 * size);
+    EXPECT_LE(
+        (r.by_q.bottomRows(2) * q - change->places.segment(point.first_slope, 2)).lpNorm<Eigen::Infinity>(),
+        1e-7 * size);
+  }
+}
+
+// From places that hardly matter, which refinement takes care of, to ones that matter as much as forces.
+INSTANTIATE_TEST_SUITE_P(SlopesOfSize, PointSystemWith, testing::Values(0, 1e-3, 1e-1, 1, 10));
+
+TEST(PointSystem, SharesAForceAmongPointsThatSayTheSame) {
+  Bulk bulk;
+  const double unit = 1 / bulk.s.diagonal().maxCoeff();
+  FactoredResponse held; // one displacement held at 1 by a force along it
+  held.components = 1;
+  held.dofs = {7};
+  held.force = VectorXd::Zero(1);
+  held.spread = MatrixXd::Constant(1, 1, unit);
+  held.by_q = (MatrixXd(2, 1) << 0, 1).finished();
+  held.by_multiplier = (MatrixXd(2, 1) << 1, 0).finished();
+  held.equations = VectorXd::Constant(1, -1);
+  TouchedSurface surface(bulk.compliance);
+  PointSystem system(bulk.compliance, surface, force_weight);
+  system.add(0, 0, Status::stick, held);
+  system.add(0, 1, Status::stick, held);
+  const auto change = system.solve(VectorXd::Zero(static_cast<Index>(bulk.compliance.surface().size())));
+  ASSERT_TRUE(change);
+  EXPECT_NEAR(change->force[0], change->force[1], 1e-9 * std::abs(change->force[0]));
+  const double moved = -force_weight * bulk.s(7, 7) * unit * (change->force[0] + change->force[1]);
+  EXPECT_NEAR(moved, 1, 1e-9);
+}
+
+TEST(PointSystem, WithoutPointsChangesNothing) {
+  Bulk bulk;
+  TouchedSurface surface(bulk.compliance);
+  PointSystem system(bulk.compliance, surface, force_weight);
+  const auto size = static_cast<Index>(bulk.compliance.surface().size());
+  const auto change = system.solve(VectorXd::Ones(size));
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->force.size(), 0);
+  EXPECT_TRUE(system.force_after(*change).isZero(0));
+}
+
+TEST(TouchedSurface, TakesMoreAndKeepsWhatItHas) {
+  Bulk bulk;
+  TouchedSurface surface(bulk.compliance);
+  surface.touch(std::vector<int>{9, 4, 9});
+  EXPECT_EQ(surface.positions(), (std::vector<int>{4, 9}));
+  surface.touch(std::vector<int>{6, 4});
+  EXPECT_EQ(surface.positions(), (std::vector<int>{4, 6, 9}));
+  EXPECT_EQ(surface.place_of(6), 1);
+  const Eigen::Vector3d force(1, -2, 3);
+  VectorXd moved;
+  surface.multiply(force, moved);
+  const auto& dofs = bulk.compliance.dof_of_position();
+  const std::vector<int> at{dofs[4], dofs[6], dofs[9]};
+  EXPECT_LE((moved - bulk.s(at, at) * force).norm(), 1e-12 * moved.norm());
+}
+
+} // namespace
+} // namespace rubato::step
