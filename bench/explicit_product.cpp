@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// What explicit steps cost: a box of distorted HEXA8, n cells along each side.
-///   CsrProduct    K u by Eigen's compressed rows: what limited memory gives without care
-///   BlockProduct  K u as explicit steps do it
-///   ExplicitStep  whole steps, loads and supports included
-/// Counters: Mel/s, millions of elements a second of processor time; GB/s, matrix bytes read.
+///   ReadMemory       a long vector added up: what one core reads at all
+///   CsrProduct       K u by Eigen's compressed rows: limited by memory, and reading twice as much as it
+///   needs BlockProduct     K u as explicit steps do it PlainProduct     the same with what every processor
+///   of the architecture has ShuffledProduct  the same with the nodes in an order without any locality
+///   ExplicitStep     whole steps, loads and supports included
+/// Counters: Mel/s, millions of elements a second of processor time; GB/s, vector or matrix bytes read.
 #include "rubato/deck/read.hpp"
 #include "rubato/linalg/block_matrix.hpp"
 #include "rubato/model/model.hpp"
@@ -11,8 +13,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -46,10 +51,26 @@ time: {scheme: central_difference, end: 1}
   return model::build_model(study, std::move(mesh));
 }
 
-void count(benchmark::State& state, double products, double bytes) {
+void count_elements(benchmark::State& state, double products) {
   const double elements = static_cast<double>(state.range(0) * state.range(0) * state.range(0));
   state.counters["Mel/s"] = benchmark::Counter(products * elements / 1e6, benchmark::Counter::kIsRate);
-  state.counters["GB/s"] = benchmark::Counter(products * bytes / 1e9, benchmark::Counter::kIsRate);
+}
+
+void count_bytes(benchmark::State& state, double bytes) {
+  state.counters["GB/s"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * bytes / 1e9, benchmark::Counter::kIsRate);
+}
+
+void ReadMemory(benchmark::State& state) {
+  constexpr int lanes = 16; // sums of their own, so that none waits for the one before
+  const Eigen::VectorXd numbers = Eigen::VectorXd::Ones(state.range(0));
+  for (auto _ : state) {
+    Eigen::Vector<double, lanes> sum = Eigen::Vector<double, lanes>::Zero();
+    for (Eigen::Index i = 0; i < numbers.size(); i += lanes)
+      sum += numbers.segment<lanes>(i);
+    benchmark::DoNotOptimize(sum.data());
+  }
+  count_bytes(state, static_cast<double>(sizeof(double)) * static_cast<double>(numbers.size()));
 }
 
 void CsrProduct(benchmark::State& state) {
@@ -61,19 +82,44 @@ void CsrProduct(benchmark::State& state) {
     y.noalias() = matrix * x;
     benchmark::DoNotOptimize(y.data());
   }
-  count(state, static_cast<double>(state.iterations()), 12.0 * static_cast<double>(matrix.nonZeros()));
+  count_elements(state, static_cast<double>(state.iterations()));
+  count_bytes(state, 12.0 * static_cast<double>(matrix.nonZeros()));
+}
+
+void multiply_blocks(benchmark::State& state, const model::SparseMatrix& entries,
+                     linalg::Instructions instructions) {
+  const linalg::SymmetricBlockMatrix matrix(entries, 3);
+  const Eigen::VectorXd x = Eigen::VectorXd::Ones(matrix.rows());
+  Eigen::VectorXd y(matrix.rows());
+  for (auto _ : state) {
+    matrix.multiply(x, y, instructions);
+    benchmark::DoNotOptimize(y.data());
+  }
+  count_elements(state, static_cast<double>(state.iterations()));
+  count_bytes(state, static_cast<double>(matrix.bytes()));
 }
 
 void BlockProduct(benchmark::State& state) {
   const auto model = distorted_box(static_cast<int>(state.range(0)));
-  const linalg::SymmetricBlockMatrix matrix(model.stiffness, 3);
-  const Eigen::VectorXd x = Eigen::VectorXd::Ones(matrix.rows());
-  Eigen::VectorXd y(matrix.rows());
-  for (auto _ : state) {
-    matrix.multiply(x, y);
-    benchmark::DoNotOptimize(y.data());
-  }
-  count(state, static_cast<double>(state.iterations()), static_cast<double>(matrix.bytes()));
+  multiply_blocks(state, model.stiffness, linalg::best_instructions());
+}
+
+void PlainProduct(benchmark::State& state) {
+  const auto model = distorted_box(static_cast<int>(state.range(0)));
+  multiply_blocks(state, model.stiffness, linalg::Instructions::plain);
+}
+
+void ShuffledProduct(benchmark::State& state) {
+  const auto model = distorted_box(static_cast<int>(state.range(0)));
+  std::vector<int> nodes(static_cast<std::size_t>(model.stiffness.rows() / 3));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  std::ranges::shuffle(nodes, std::mt19937(3));
+  Eigen::PermutationMatrix<Eigen::Dynamic> shuffle(model.stiffness.rows());
+  for (int dof = 0; dof < shuffle.size(); ++dof)
+    shuffle.indices()[dof] = 3 * nodes[static_cast<std::size_t>(dof / 3)] + dof % 3;
+  model::SparseMatrix shuffled;
+  shuffled = model.stiffness.twistedBy(shuffle);
+  multiply_blocks(state, shuffled, linalg::best_instructions());
 }
 
 void ExplicitStep(benchmark::State& state) {
@@ -86,11 +132,14 @@ void ExplicitStep(benchmark::State& state) {
     done += steps;
     motion.advance(done * h, steps);
   }
-  count(state, static_cast<double>(done), 0);
+  count_elements(state, static_cast<double>(done));
 }
 
+BENCHMARK(ReadMemory)->Arg(1 << 25)->Unit(benchmark::kMillisecond);
 BENCHMARK(CsrProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
 BENCHMARK(BlockProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
+BENCHMARK(PlainProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
+BENCHMARK(ShuffledProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
 BENCHMARK(ExplicitStep)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
 
 } // namespace

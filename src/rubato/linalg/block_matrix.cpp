@@ -27,34 +27,86 @@ std::vector<std::vector<std::int32_t>> upper_pattern(const SparseMatrix& matrix,
   return pattern;
 }
 
-/// How far ahead of the product blocks are asked for, in numbers: a kilobyte or more gets ahead of what the
+/// How far ahead of the product blocks are asked for, in numbers: a few kilobytes get ahead of what the
 /// processor fetches by itself.
-constexpr std::int64_t look_ahead = 1024;
+constexpr std::int64_t look_ahead = 512;
 
-/// y_i += A_ij x_j and y_j += A_ijᵀ x_i over the stored blocks, row after row. The size of a block is known
-/// to the compiler, so that a block is a few registers.
+/// The arrays of a symmetric block matrix.
+struct Blocks {
+  std::span<const std::int64_t> start;
+  const std::int32_t* column;
+  const double* diagonal;
+  const double* upper;
+};
+
+/// y_i += A_ij x_j and y_j += A_ijᵀ x_i over the stored blocks, row after row. In numbers, not in expressions
+/// of small matrices: what one row has put into y the next rows soon read again, and a processor waits when
+/// it reads in one piece what it is still writing in two.
 template <int Size>
-void multiply_blocks(std::span<const std::int64_t> start, const std::int32_t* column, const double* diagonal,
-                     const double* upper, const double* x, double* y) {
-  using Block = Eigen::Map<const Eigen::Matrix<double, Size, Size>>;
-  using Part = Eigen::Matrix<double, Size, 1>;
+[[gnu::always_inline]] inline void multiply_rows(const Blocks& blocks, const double* x, double* y) {
+  const auto [start, column, diagonal, upper] = blocks;
+  constexpr int area = Size * Size;
   const auto rows = static_cast<std::int64_t>(start.size()) - 1;
   std::fill_n(y, rows * Size, 0.0);
   for (std::int64_t i = 0; i < rows; ++i) {
-    const Part here = Eigen::Map<const Part>(x + i * Size);
-    Part sum = Block(diagonal + i * Size * Size) * here;
+    const double* own = diagonal + i * area;
+    double here[Size];
+    double sum[Size] = {};
+    for (int r = 0; r < Size; ++r)
+      here[r] = x[i * Size + r];
+    for (int c = 0; c < Size; ++c)
+      for (int r = 0; r < Size; ++r)
+        sum[r] += own[c * Size + r] * here[c];
     for (auto k = start[at(i)]; k < start[at(i) + 1]; ++k) {
-      const Block block(upper + k * Size * Size);
-      __builtin_prefetch(upper + k * Size * Size + look_ahead);
-      const auto other = std::int64_t{column[k]} * Size;
-      sum += block * Eigen::Map<const Part>(x + other);
-      Eigen::Map<Part>(y + other) += block.transpose() * here;
+      const double* block = upper + k * area;
+      const double* there = x + std::int64_t{column[k]} * Size;
+      double* result = y + std::int64_t{column[k]} * Size;
+      double part[Size];
+      __builtin_prefetch(block + look_ahead);
+      for (int c = 0; c < Size; ++c)
+        part[c] = result[c];
+      for (int c = 0; c < Size; ++c)
+        for (int r = 0; r < Size; ++r) {
+          sum[r] += block[c * Size + r] * there[c];
+          part[c] += block[c * Size + r] * here[r];
+        }
+      for (int c = 0; c < Size; ++c)
+        result[c] = part[c];
     }
-    Eigen::Map<Part>(y + i * Size) += sum;
+    for (int r = 0; r < Size; ++r)
+      y[i * Size + r] += sum[r];
   }
 }
 
+template <int Size> void multiply_plain(const Blocks& blocks, const double* x, double* y) {
+  multiply_rows<Size>(blocks, x, y);
+}
+
+#ifdef __x86_64__
+template <int Size>
+[[gnu::target("avx2,fma")]] void multiply_fused(const Blocks& blocks, const double* x, double* y) {
+  multiply_rows<Size>(blocks, x, y);
+}
+#else
+template <int Size> void multiply_fused(const Blocks& blocks, const double* x, double* y) {
+  multiply_rows<Size>(blocks, x, y);
+}
+#endif
+
+bool processor_fuses() {
+#ifdef __x86_64__
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+#else
+  return false;
+#endif
+}
+
 } // namespace
+
+Instructions best_instructions() {
+  static const auto best = processor_fuses() ? Instructions::fused : Instructions::plain;
+  return best;
+}
 
 SymmetricBlockMatrix::SymmetricBlockMatrix(const SparseMatrix& matrix, int block_size)
     : block_size_(block_size) {
@@ -86,11 +138,14 @@ SymmetricBlockMatrix::SymmetricBlockMatrix(const SparseMatrix& matrix, int block
     }
 }
 
-void SymmetricBlockMatrix::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+void SymmetricBlockMatrix::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y,
+                                    Instructions instructions) const {
+  const Blocks blocks{start_, column_.data(), diagonal_.data(), upper_.data()};
+  const bool fused = instructions == Instructions::fused;
   if (block_size_ == 2)
-    multiply_blocks<2>(start_, column_.data(), diagonal_.data(), upper_.data(), x.data(), y.data());
+    (fused ? multiply_fused<2> : multiply_plain<2>)(blocks, x.data(), y.data());
   else
-    multiply_blocks<3>(start_, column_.data(), diagonal_.data(), upper_.data(), x.data(), y.data());
+    (fused ? multiply_fused<3> : multiply_plain<3>)(blocks, x.data(), y.data());
 }
 
 std::size_t SymmetricBlockMatrix::bytes() const {

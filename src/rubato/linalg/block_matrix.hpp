@@ -12,6 +12,14 @@
 
 namespace rubato::linalg {
 
+/// What a product is compiled for: `plain` is every processor of the architecture, `fused` one that
+/// multiplies and adds in one instruction (x86-64 with AVX2 and FMA; elsewhere the same as `plain`). The two
+/// differ by rounding.
+enum class Instructions : std::uint8_t { plain, fused };
+
+/// The fastest that this processor has.
+Instructions best_instructions();
+
 class SymmetricBlockMatrix {
 public:
   /// `matrix`: symmetric, of size · block_size rows, entries in whole blocks (as fem::BlockPattern makes
@@ -20,7 +28,9 @@ public:
   SymmetricBlockMatrix(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& matrix, int block_size);
 
   /// y = A x. Allocates nothing; x and y must have rows() entries and not be the same.
-  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const { multiply(x, y, best_instructions()); }
+  /// Likewise with instructions that this processor must have.
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y, Instructions instructions) const;
 
   Eigen::Index rows() const { return static_cast<Eigen::Index>(diagonal_count()) * block_size_; }
   /// Bytes that one product reads of the matrix.

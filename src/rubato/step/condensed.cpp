@@ -18,29 +18,32 @@ using model::Model;
 
 /// Frames that the guess of the contact goes through.
 constexpr int guess_rounds = 10;
-/// Change of a force, in parts of the largest, after which the guess has settled.
-constexpr double settled_guess = 1e-2;
-
-/// A friction force this little below its limit, relatively, is at it.
-constexpr double rounding = 1e-9;
-
-bool about_equal(std::span<const GuessPoint> a, std::span<const GuessPoint> b) {
-  if (a.size() != b.size())
-    return false;
-  double change = 0;
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    change = std::max(change, (a[i].force - b[i].force).lpNorm<Eigen::Infinity>());
-    largest = std::max(largest, b[i].force[0]);
-  }
-  return change <= settled_guess * largest;
-}
+/// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
+constexpr double settled_guess = 1e-3;
 
 bool owns_its_multipliers(const contact::Zone& zone) {
   return std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
 }
 
+/// Nothing of an attempt before is seen but the storage it left.
+CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme) {
+  if (!system.scratch)
+    system.scratch = std::make_shared<CondensedScratch>(*system.compliance, scheme.forces.now);
+  system.scratch->forget();
+  return *system.scratch;
+}
+
 } // namespace
+
+CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight)
+    : surface(compliance), points(compliance, surface, force_weight),
+      guess(compliance, surface, force_weight) {}
+
+void CondensedScratch::forget() {
+  surface.forget();
+  points.clear();
+  guess.forget();
+}
 
 bool can_condense(const Model& model, const EffectiveSystem& system) {
   return system.compliance && !model.zones.empty() &&
@@ -52,8 +55,8 @@ bool can_condense(const Model& model, const EffectiveSystem& system) {
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                      const State& committed, double t, const ContactSide& side)
     : model_(model), scheme_(scheme), system_(system), side_(side),
-      equilibrium_(model, scheme, system, committed, t), scale_(committed.force_scale),
-      surface_(*system.compliance), points_(*system.compliance, surface_, scheme.forces.now) {}
+      equilibrium_(model, scheme, system, committed, t), scratch_(scratch_of(system, scheme)),
+      scale_(committed.force_scale) {}
 
 StepReport Condensed::run(State& trial, const Held& held) {
   report_ = {};
@@ -67,14 +70,14 @@ StepReport Condensed::run(State& trial, const Held& held) {
   }
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
-    if (!points_.force().allFinite())
+    if (!points().force().allFinite())
       return ended(Outcome::not_finite);
     if (iteration > 0 && settled(held)) {
       move_bulk(trial);
       const auto force = contact_force();
       if (in_equilibrium(trial, force)) {
         equilibrium_.finish(force, trial);
-        side_.finish(held, now_, trial);
+        side_.finish(held, now(), trial);
         return ended(Outcome::converged);
       }
       if (!equilibrium_.residual().allFinite())
@@ -101,7 +104,7 @@ std::vector<WorstNode> Condensed::worst_on_surface() const {
   std::vector<mesh::NodeIndex> nodes;
   for (const int dof : system_.compliance->dof_of_position())
     nodes.push_back(model_.node_of(dof));
-  const VectorXd left = scheme_.forces.now * (points_.force() - applied_);
+  const VectorXd left = scheme_.forces.now * (points().force() - applied_);
   return worst_nodes(left, nodes, surface_scale());
 }
 
@@ -115,129 +118,54 @@ void Condensed::start_from(const State& trial) {
   moved_ = applied_ = VectorXd::Zero(free_.size());
 }
 
-/// Contact in frames that follow the surface. Points that press in the end touch at first, all others are
-/// open.
+/// Contact in frames that follow the surface, until the forces fit the frames they lead to. Points that press
+/// in the end touch at first, all others are open.
 void Condensed::guess_contact(State& trial, const Held& held) {
-  ContactGuess guess(*system_.compliance, surface_, scheme_.forces.now);
-  std::vector<GuessPoint> points;
+  auto& guess = scratch_.guess;
+  auto& points = scratch_.guess_points;
   for (int round = 0; round < guess_rounds; ++round) {
-    const auto before = std::move(points);
-    side_.measure(trial, held, now_);
-    points = guess_points(now_, held, trial);
-    if (points.size() == before.size())
-      for (std::size_t k = 0; k < points.size(); ++k)
-        points[k].force = before[k].force;
-    guess.improve(points, free_);
-    VectorXd force = VectorXd::Zero(free_.size());
-    for (const auto& point : points) {
-      if (point.force[0] != 0)
-        for (std::size_t q = 0; q < point.positions.size(); ++q)
-          force[point.positions[q]] -=
-              point.slopes.col(static_cast<Index>(q)).dot(point.force.head(point.slopes.rows()));
-      take_guess(point, trial);
-    }
-    move_surface(force, trial);
-    if (about_equal(before, points))
+    side_.measure(trial, held, now());
+    const bool same = linearise(model_, side_, held, *system_.compliance, now(), moved_, trial,
+                                round == 0 ? GuessForces::of_last_step : GuessForces::kept, points);
+    if (!same)
+      guess.forget();
+    else if (round > 0 && guess.misfit(points, moved_) <= settled_guess)
       return;
+    guess.improve(points, free_);
+    take_guess(model_, points, trial);
+    move_surface(force_on_surface(points, free_.size()), trial);
   }
-}
-
-std::vector<GuessPoint> Condensed::guess_points(const ContactIterate& contact, const Held& held,
-                                                const State& trial) const {
-  std::vector<GuessPoint> points;
-  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
-    const auto law = side_.law_of(z, held);
-    for (std::size_t i = 0; held[z].status.empty() && i < model_.zones[z].points.size(); ++i)
-      if (contact.points[z][i].kinematics && !model_.zones[z].points[i].excluded) {
-        points.push_back(guess_point(trial.zones[z], law, i, *contact.points[z][i].kinematics));
-        points.back().zone = z;
-      }
-  }
-  return points;
-}
-
-GuessPoint Condensed::guess_point(const contact::ZoneState& state, const contact::ZoneLaw& law,
-                                  std::size_t index, const contact::Kinematics& k) const {
-  const auto& point = law.zone->points[index];
-  const auto& position = system_.compliance->position_of_dof();
-  GuessPoint guess;
-  guess.index = index;
-  guess.value << k.gap, k.slip;
-  guess.friction = law.friction;
-  const int tangents = k.components - 1;
-  const auto& outcome = state.outcomes[index];
-  guess.force[0] = std::max(0.0, outcome.pressure * point.area);
-  for (int a = 0; a < tangents; ++a)
-    guess.force[1 + a] = outcome.tangential.dot(k.tangents.col(a));
-  if (!contact::is_exact(law.zone->settings.method))
-    guess.softness = 1 / (law.coefficients.normal[index] * point.weight);
-  guess.slopes.resize(1 + tangents, k.unknowns());
-  Index next = 0;
-  for (std::size_t node = 0; node < k.nodes.size(); ++node)
-    for (int i = 0; i < k.components; ++i) {
-      const int at = position[static_cast<std::size_t>(model_.dofs.dof(k.nodes[node], i))];
-      if (at < 0)
-        continue;
-      const auto q = static_cast<Index>(node) * k.components + i;
-      guess.positions.push_back(at);
-      guess.slopes(0, next) = k.d_gap[q];
-      for (int a = 0; a < tangents; ++a)
-        guess.slopes(1 + a, next) = k.d_slip(a, q);
-      guess.value.head(1 + tangents) -= guess.slopes.col(next++) * moved_[at];
-    }
-  guess.slopes.conservativeResize(Eigen::NoChange, next);
-  return guess;
-}
-
-void Condensed::take_guess(const GuessPoint& guess, State& trial) const {
-  const auto& zone = model_.zones[guess.zone];
-  const auto& point = zone.points[guess.index];
-  auto& state = trial.zones[guess.zone];
-  const double limit = guess.friction * guess.force[0];
-  const Eigen::Vector2d friction = guess.force.tail<2>();
-  auto& status = state.status[guess.index];
-  if (guess.force[0] == 0)
-    status = Status::open;
-  else
-    status = friction.norm() < (1 - rounding) * limit ? Status::stick : Status::slip;
-  auto multipliers = state.multipliers.segment(
-      static_cast<Index>(point.node_position) * zone.multipliers_per_node(), zone.multipliers_per_node());
-  Index next = 0;
-  for (const int variable : zone.multiplier_variables())
-    multipliers[next++] = variable == 0 ? guess.force[0] / point.weight
-                          : limit > 0   ? -friction[variable - 1] / limit
-                                        : 0.0;
 }
 
 void Condensed::evaluate_contact(const State& trial, const Held& held, int iteration) {
-  std::swap(previous_, now_);
-  side_.measure(trial, held, now_);
+  std::swap(previous(), now());
+  side_.measure(trial, held, now());
   if (iteration > 0)
-    side_.renew_status(held, now_);
-  points_.clear();
+    side_.renew_status(held, now());
+  points().clear();
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto law = side_.law_of(z, held);
-    for (std::size_t i = 0; i < now_.status[z].size(); ++i)
-      if (now_.status[z][i] != Status::open)
-        points_.add(z, i, now_.status[z][i],
-                    contact::factor_response(law, i, now_.points[z][i], now_.status[z][i], model_.dofs));
+    for (std::size_t i = 0; i < now().status[z].size(); ++i)
+      if (now().status[z][i] != Status::open)
+        points().add(z, i, now().status[z][i],
+                     contact::factor_response(law, i, now().points[z][i], now().status[z][i], model_.dofs));
   }
 }
 
 bool Condensed::settled(const Held& held) {
-  side_.collect_restless(held, previous_, now_, report_);
+  side_.collect_restless(held, previous(), now(), report_);
   measure_surface();
   return report_.residual <= report_.tolerance && report_.status_changes == 0 &&
-         side_.settled(held, previous_, now_);
+         side_.settled(held, previous(), now());
 }
 
 /// Until the bulk has been solved for, forces are measured by what they were measured by in the last step.
 double Condensed::surface_scale() const {
-  return std::max(scale_, scheme_.forces.now * points_.force().lpNorm<Eigen::Infinity>());
+  return std::max(scale_, scheme_.forces.now * points().force().lpNorm<Eigen::Infinity>());
 }
 
 void Condensed::measure_surface() {
-  const auto& force = points_.force();
+  const auto& force = points().force();
   Index worst = 0;
   const double largest =
       force.size() > 0 ? scheme_.forces.now * (force - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
@@ -248,11 +176,11 @@ void Condensed::measure_surface() {
 }
 
 bool Condensed::iterate(State& trial, const Held& held) {
-  const auto change = points_.solve(free_ - moved_);
+  const auto change = points().solve(free_ - moved_);
   if (!change)
     return false;
   const VectorXd before = moved_;
-  move_surface(points_.force_after(*change), trial);
+  move_surface(points().force_after(*change), trial);
   correct_multipliers(held, *change, moved_ - before, trial);
   return moved_.allFinite();
 }
@@ -276,15 +204,15 @@ void Condensed::correct_multipliers(const Held& held, const PointSystem::Change&
       continue;
     const auto law = side_.law_of(z, held);
     for (std::size_t i = 0; i < zone.points.size(); ++i)
-      if (now_.status[z][i] == Status::open)
+      if (now().status[z][i] == Status::open)
         trial.zones[z].multipliers.segment(zone.points[i].node_position * count, count) +=
-            contact::release(law, i, now_.points[z][i]);
+            contact::release(law, i, now().points[z][i]);
   }
-  for (const auto& point : points_.points())
+  for (const auto& point : points().points())
     if (const Index count = point.response.multipliers(); count > 0)
       trial.zones[point.zone].multipliers.segment(
           model_.zones[point.zone].points[point.index].node_position * count, count) +=
-          points_.multipliers_of(point, change, moved);
+          points().multipliers_of(point, change, moved);
 }
 
 /// The whole motion that belongs to the forces on the surface.
@@ -300,7 +228,7 @@ void Condensed::move_bulk(State& trial) {
 
 ContactForce Condensed::contact_force() const {
   ContactForce force(base_.u.size());
-  for (const auto& point : points_.points()) {
+  for (const auto& point : points().points()) {
     const auto& r = point.response;
     const auto& settings = model_.zones[point.zone].settings;
     const VectorXd on_q = r.spread.topRows(r.components).transpose() * r.force;

@@ -8,9 +8,9 @@
 /// (linalg/split_factor.hpp).
 #pragma once
 
-#include "rubato/step/contact_guess.hpp"
 #include "rubato/step/contact_side.hpp"
 #include "rubato/step/equilibrium.hpp"
+#include "rubato/step/guess_points.hpp"
 #include "rubato/step/point_system.hpp"
 
 #include <Eigen/Core>
@@ -22,6 +22,19 @@ namespace rubato::step {
 /// Whether every contact point of the model owns its multipliers and A is factored.
 bool can_condense(const model::Model& model, const EffectiveSystem& system);
 
+/// Storage that one attempt leaves to the next.
+struct CondensedScratch {
+  ContactIterate now, previous;
+  TouchedSurface surface;
+  PointSystem points;
+  ContactGuess guess;
+  std::vector<GuessPoint> guess_points;
+
+  /// The compliance must outlive this.
+  CondensedScratch(Compliance& compliance, double force_weight);
+  void forget();
+};
+
 class Condensed {
 public:
   /// Everything must outlive this.
@@ -32,13 +45,14 @@ public:
   StepReport run(State& trial, const Held& held);
 
 private:
+  ContactIterate& now() { return scratch_.now; }
+  ContactIterate& previous() { return scratch_.previous; }
+  PointSystem& points() { return scratch_.points; }
+  const ContactIterate& now() const { return scratch_.now; }
+  const PointSystem& points() const { return scratch_.points; }
+
   void start_from(const State& trial);
   void guess_contact(State& trial, const Held& held);
-  std::vector<GuessPoint> guess_points(const ContactIterate& contact, const Held& held,
-                                       const State& trial) const;
-  GuessPoint guess_point(const contact::ZoneState& state, const contact::ZoneLaw& law, std::size_t index,
-                         const contact::Kinematics& k) const;
-  void take_guess(const GuessPoint& guess, State& trial) const;
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   bool settled(const Held& held);
   void measure_surface();
@@ -58,7 +72,7 @@ private:
   EffectiveSystem& system_;
   const ContactSide& side_;
   Equilibrium equilibrium_;
-  ContactIterate now_, previous_;
+  CondensedScratch& scratch_;
   StepReport report_;
   double scale_; ///< of forces, what the residual is measured by
 
@@ -68,8 +82,6 @@ private:
   Eigen::VectorXd free_;     ///< d_free on the surface
   Eigen::VectorXd moved_;    ///< d_s
   Eigen::VectorXd applied_;  ///< contact force on the surface that moved_ belongs to
-  TouchedSurface surface_;
-  PointSystem points_;
 };
 
 } // namespace rubato::step

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rubato::step {
 namespace {
@@ -93,6 +94,45 @@ void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free) {
   rub(points, free);
 }
 
+double ContactGuess::misfit(std::span<const GuessPoint> points, const VectorXd& d) const {
+  double change = 0;
+  double largest = 0;
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    const auto& point = *chosen_[k];
+    const auto row = static_cast<Index>(k);
+    const double give = pressing_.matrix(row, row) + point.softness;
+    const double gap = value_of(point, 0, d) + point.softness * point.force[0];
+    if (give > 0)
+      change = std::max(change, std::abs(std::max(0.0, point.force[0] - gap / give) - point.force[0]));
+    largest = std::max(largest, point.force[0]);
+  }
+  for (std::size_t k = 0; k < sliding_.size(); ++k) {
+    const auto& point = *sliding_[k];
+    const Index tangents = point.tangents();
+    const double give =
+        rubbing_.matrix.diagonal().segment(static_cast<Index>(k) * tangents, tangents).maxCoeff();
+    const double limit = point.friction * point.force[0];
+    Eigen::Vector2d wanted = point.force.tail<2>();
+    for (int a = 0; give > 0 && a < tangents; ++a)
+      wanted[a] -= value_of(point, 1 + a, d) / give;
+    if (const double length = wanted.norm(); length > limit)
+      wanted *= limit / length;
+    change = std::max(change, (wanted - point.force.tail<2>()).lpNorm<Eigen::Infinity>());
+  }
+  const double give = chosen_.empty() ? 0.0 : pressing_.matrix.diagonal().maxCoeff();
+  for (const auto& point : points)
+    if (const double gap = value_of(point, 0, d); point.force[0] == 0 && gap < 0)
+      change = std::max(change, give > 0 ? -gap / give : std::numeric_limits<double>::infinity());
+  return change > 0 ? change / largest : 0.0;
+}
+
+void ContactGuess::forget() {
+  chosen_.clear();
+  sliding_.clear();
+  pressing_.points.clear();
+  rubbing_.points.clear();
+}
+
 /// The surface under the forces of some rows of all points.
 VectorXd ContactGuess::moved(std::span<const GuessPoint> points, const VectorXd& free, int first_row,
                              int last_row) const {
@@ -162,7 +202,8 @@ void ContactGuess::press(const VectorXd& without) {
 }
 
 void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& free) {
-  std::vector<GuessPoint*> rubbing;
+  auto& rubbing = sliding_;
+  rubbing.clear();
   for (auto& point : points)
     if (point.force[0] > 0 && point.friction > 0)
       rubbing.push_back(&point);

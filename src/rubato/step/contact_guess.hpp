@@ -40,6 +40,12 @@ public:
   /// call while the same points may touch: a guess needs no better.
   void improve(std::span<GuessPoint> points, const Eigen::VectorXd& free);
 
+  /// How much a sweep would change the forces now that the points have been linearised anew and the surface
+  /// is at d, in parts of the largest one. The points must be those of the last call.
+  double misfit(std::span<const GuessPoint> points, const Eigen::VectorXd& d) const;
+  /// Points and what they do to one another.
+  void forget();
+
 private:
   /// What forces along some of their rows do to the gaps or slips of points, kept from call to call.
   struct Coupling {
@@ -62,7 +68,7 @@ private:
   Compliance& compliance_;
   TouchedSurface& surface_;
   double factor_;
-  std::vector<GuessPoint*> chosen_;
+  std::vector<GuessPoint*> chosen_, sliding_;
   Coupling pressing_, rubbing_;
 };
 

@@ -42,8 +42,8 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   }
   if (model.study.solver != deck::Solver::full)
     if (auto factor = factored(model, system.matrix))
-      system.compliance.emplace(std::move(*factor), model.free_dofs,
-                                static_cast<Eigen::Index>(model.dofs.dof_count));
+      system.compliance = std::make_unique<Compliance>(std::move(*factor), model.free_dofs,
+                                                       static_cast<Eigen::Index>(model.dofs.dof_count));
   return system;
 }
 

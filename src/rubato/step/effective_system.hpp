@@ -9,10 +9,12 @@
 #include "rubato/step/compliance.hpp"
 #include "rubato/time/scheme.hpp"
 
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace rubato::step {
+
+struct CondensedScratch;
 
 /// The effective matrix A = m M + c C + k K of one step length, on free dofs.
 struct EffectiveSystem {
@@ -23,7 +25,8 @@ struct EffectiveSystem {
   std::vector<contact::ZoneCoefficients> zones;
   std::vector<contact::NeighbourList> neighbours; ///< of every zone, kept from one iterate to the next
   /// The factored matrix; nothing when every iteration solves the whole system.
-  std::optional<Compliance> compliance;
+  std::unique_ptr<Compliance> compliance;
+  std::shared_ptr<CondensedScratch> scratch; ///< of condensed steps with this matrix
 };
 
 /// Factors the matrix unless the study's solver is full or the matrix is not positive definite, as when only

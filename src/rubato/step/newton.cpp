@@ -87,7 +87,7 @@ bool Newton::solve_and_correct(State& trial) {
   const LinearProblem problem{model_, system_.matrix, scheme_.forces.now, contact_, equilibrium_.residual()};
   std::optional<LinearSolution> solution;
   if (by_projected_cg(model_))
-    solution = solve_projected_cg(problem, system_.compliance, now_.points, trial.zones);
+    solution = solve_projected_cg(problem, system_.compliance.get(), now_.points, trial.zones);
   else if (system_.compliance)
     solution = solve_condensed(problem, *system_.compliance);
   if (!solution && !by_projected_cg(model_))

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace rubato::step {
@@ -23,8 +24,10 @@ constexpr double empty_row = 1e-13;
 constexpr double refined_enough = 1e-9;
 /// The same where rounding lets it come no further.
 constexpr double refined_to_rounding = 1e-6;
-/// A round of refinement that leaves more than this part is not worth its cost.
+/// A round of refinement that leaves more than this part of the least error is slow. Forces and places take
+/// turns, so that a single one means nothing.
 constexpr double slow_round = 0.5;
+constexpr int most_slow_rounds = 3;
 constexpr int most_rounds = 30;
 /// Whole systems beyond this size take too long to give up on.
 constexpr Index largest_whole = 3000;
@@ -160,7 +163,8 @@ std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c) {
     return std::nullopt;
   auto change = no_change();
   double first = 0;
-  double before = 0;
+  double least = std::numeric_limits<double>::infinity();
+  int slow_rounds = 0;
   for (int round = 0; round < most_rounds; ++round) {
     const auto left = residual(c, change);
     const VectorXd scaled = row_scale_.cwiseProduct(left.force);
@@ -171,9 +175,10 @@ std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c) {
     const double error = first > 0 ? std::max(size / first, moves) : moves;
     if (round > 0 && error <= refined_enough)
       return change;
-    if (round > 0 && !(error <= slow_round * before))
+    slow_rounds = error <= slow_round * least ? 0 : slow_rounds + 1;
+    if (slow_rounds == most_slow_rounds)
       return error <= refined_to_rounding ? std::optional(change) : std::nullopt;
-    before = error;
+    least = std::min(least, error);
     Change by{column_scale_.cwiseProduct(factors_->solve(scaled)), left.places};
     by.places = places_after(by);
     change.force += by.force;

@@ -176,7 +176,7 @@ std::optional<VectorXd> minimise_over_nonnegative(const BoundedProblem& problem,
 }
 
 std::optional<LinearSolution>
-solve_projected_cg(const LinearProblem& problem, const std::optional<Compliance>& compliance,
+solve_projected_cg(const LinearProblem& problem, const Compliance* compliance,
                    const std::vector<std::vector<contact::PointEvaluation>>& points,
                    const std::vector<contact::ZoneState>& zones) {
   if (!compliance)

@@ -30,7 +30,7 @@ std::optional<Eigen::VectorXd> minimise_over_nonnegative(const BoundedProblem& p
 /// The motion and change of nodal forces of one linear contact problem, all zones of which are nodal_pcg.
 /// Nothing comes back without a compliance or when the iterations do not suffice.
 std::optional<LinearSolution>
-solve_projected_cg(const LinearProblem& problem, const std::optional<Compliance>& compliance,
+solve_projected_cg(const LinearProblem& problem, const Compliance* compliance,
                    const std::vector<std::vector<contact::PointEvaluation>>& points,
                    const std::vector<contact::ZoneState>& zones);
 

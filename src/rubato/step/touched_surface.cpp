@@ -48,6 +48,12 @@ void fill(const TouchedSurface& surface, std::span<const PointRows* const> point
 
 } // namespace
 
+void TouchedSurface::forget() {
+  positions_.clear();
+  body_of_.clear();
+  bodies_.clear();
+}
+
 void TouchedSurface::touch(std::span<const int> positions) {
   std::vector<int> wanted(positions.begin(), positions.end());
   std::ranges::sort(wanted);

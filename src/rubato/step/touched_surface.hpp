@@ -17,6 +17,7 @@ public:
   /// `compliance` must outlive this.
   explicit TouchedSurface(Compliance& compliance) : compliance_(&compliance) {}
 
+  void forget();
   /// Takes these positions too, each of which may occur several times; every one gets a place. Places change
   /// when there are new ones.
   void touch(std::span<const int> positions);

@@ -56,6 +56,20 @@ TEST(SymmetricBlockMatrix, MultipliesAsTheSparseMatrixItWasMadeOf) {
     }
 }
 
+TEST(SymmetricBlockMatrix, MultipliesTheSameWithAnyInstructionsOfTheProcessor) {
+  for (const int size : {2, 3}) {
+    const auto matrix = scattered(40, size);
+    const SymmetricBlockMatrix in_blocks(matrix, size);
+    const auto x = random_vector(matrix.rows());
+    VectorXd plain(matrix.rows());
+    VectorXd best(matrix.rows());
+    in_blocks.multiply(x, plain, Instructions::plain);
+    in_blocks.multiply(x, best);
+    EXPECT_LT((best - plain).norm(), 1e-14 * plain.norm()) << size;
+    EXPECT_GT(plain.norm(), 1) << size;
+  }
+}
+
 TEST(SymmetricBlockMatrix, MultipliesAStiffness) {
   const auto matrix = test::elastic_block(4, 3, 5, false);
   const SymmetricBlockMatrix in_blocks(matrix, 3);

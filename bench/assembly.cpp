@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What making the matrices of a model costs: a box with n cells along each side.
+///   Pattern    who shares a cell with whom
+///   Stiffness  element stiffnesses, and their sum
+///   Mass       likewise
+/// Arguments: n, and the nodes of a cell: 8 (HEXA8) or 27 (HEXA27). Counter: Mel/s, millions of elements a
+/// second of processor time.
+#include "rubato/fem/assembly.hpp"
+
+#include "rubato/deck/read.hpp"
+#include "rubato/model/model.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+namespace {
+
+using namespace rubato;
+
+model::Model box(const benchmark::State& state) {
+  const auto n = std::to_string(state.range(0));
+  const auto deck = "mesh: {generate: [{name: box, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [" + n +
+                    ", " + n + ", " + n + "], cells: hexa" + std::to_string(state.range(1)) +
+                    R"(, sides: {left: held}}]}
+physics: solid
+materials: {steel: {young: 200e9, poisson: 0.3, density: 7800}}
+supports: [{on: held, fix: [x, y, z]}]
+time: {scheme: static, step: 1, end: 1}
+)";
+  return model::build_model(deck::parse_deck(deck, "bench.yaml").runs.front());
+}
+
+void count(benchmark::State& state, const model::Model& model) {
+  const auto elements = static_cast<double>(model.bulk.cells.size());
+  state.counters["Mel/s"] = benchmark::Counter(elements / 1e6, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void Pattern(benchmark::State& state) {
+  const auto model = box(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(fem::BlockPattern(model.mesh, model.bulk.cells, model.dofs));
+  count(state, model);
+}
+
+void Stiffness(benchmark::State& state) {
+  const auto model = box(state);
+  const fem::BlockPattern pattern(model.mesh, model.bulk.cells, model.dofs);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(fem::assemble_stiffness(model.mesh, model.bulk, pattern).valuePtr());
+  count(state, model);
+}
+
+void Mass(benchmark::State& state) {
+  const auto model = box(state);
+  const fem::BlockPattern pattern(model.mesh, model.bulk.cells, model.dofs);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(fem::assemble_mass(model.mesh, model.bulk, pattern).valuePtr());
+  count(state, model);
+}
+
+BENCHMARK(Pattern)->Args({16, 8})->Args({32, 8})->Args({8, 27})->Unit(benchmark::kMillisecond);
+BENCHMARK(Stiffness)->Args({16, 8})->Args({32, 8})->Args({8, 27})->Unit(benchmark::kMillisecond);
+BENCHMARK(Mass)->Args({16, 8})->Args({32, 8})->Args({8, 27})->Unit(benchmark::kMillisecond);
+
+} // namespace

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/guess_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::step {
+namespace {
+
+using contact::Status;
+using Eigen::Index;
+using Eigen::VectorXd;
+using model::Model;
+
+/// A friction force this little below its limit, relatively, is at it.
+constexpr double rounding = 1e-9;
+
+void set_relations(const Model& model, const Compliance& compliance, const contact::Kinematics& k,
+                   const VectorXd& moved, GuessPoint& guess) {
+  const auto& position = compliance.position_of_dof();
+  const int tangents = k.components - 1;
+  guess.value << k.gap, k.slip;
+  guess.positions.clear();
+  guess.slopes.resize(1 + tangents, k.unknowns());
+  Index next = 0;
+  for (std::size_t node = 0; node < k.nodes.size(); ++node)
+    for (int i = 0; i < k.components; ++i) {
+      const int at = position[static_cast<std::size_t>(model.dofs.dof(k.nodes[node], i))];
+      if (at < 0)
+        continue;
+      const auto q = static_cast<Index>(node) * k.components + i;
+      guess.positions.push_back(at);
+      guess.slopes(0, next) = k.d_gap[q];
+      for (int a = 0; a < tangents; ++a)
+        guess.slopes(1 + a, next) = k.d_slip(a, q);
+      guess.value.head(1 + tangents) -= guess.slopes.col(next++) * moved[at];
+    }
+  if (next < guess.slopes.cols())
+    guess.slopes.conservativeResize(Eigen::NoChange, next);
+}
+
+void set_forces(const contact::PointOutcome& outcome, const contact::SlavePoint& point,
+                const contact::Kinematics& k, GuessPoint& guess) {
+  guess.force.setZero();
+  guess.force[0] = std::max(0.0, outcome.pressure * point.area);
+  for (int a = 0; a + 1 < k.components; ++a)
+    guess.force[1 + a] = outcome.tangential.dot(k.tangents.col(a));
+}
+
+} // namespace
+
+bool linearise(const Model& model, const ContactSide& side, const Held& held, const Compliance& compliance,
+               const ContactIterate& contact, const VectorXd& moved, const State& state, GuessForces forces,
+               std::vector<GuessPoint>& points) {
+  std::size_t count = 0;
+  bool same = true;
+  for (std::size_t z = 0; z < model.zones.size(); ++z) {
+    const auto& zone = model.zones[z];
+    const auto law = side.law_of(z, held);
+    const bool soft = !contact::is_exact(zone.settings.method);
+    for (std::size_t i = 0; held[z].status.empty() && i < zone.points.size(); ++i) {
+      const auto& kinematics = contact.points[z][i].kinematics;
+      if (!kinematics || zone.points[i].excluded)
+        continue;
+      const bool known = count < points.size() && points[count].zone == z && points[count].index == i;
+      same = same && known;
+      if (count == points.size())
+        points.emplace_back();
+      auto& guess = points[count++];
+      guess.zone = z;
+      guess.index = i;
+      guess.friction = law.friction;
+      guess.softness = soft ? 1 / (law.coefficients.normal[i] * zone.points[i].weight) : 0.0;
+      set_relations(model, compliance, *kinematics, moved, guess);
+      if (!known || forces == GuessForces::of_last_step)
+        set_forces(state.zones[z].outcomes[i], zone.points[i], *kinematics, guess);
+    }
+  }
+  same = same && count == points.size();
+  points.resize(count);
+  return same;
+}
+
+VectorXd force_on_surface(std::span<const GuessPoint> points, Index positions) {
+  VectorXd force = VectorXd::Zero(positions);
+  for (const auto& point : points)
+    for (std::size_t q = 0; point.force[0] != 0 && q < point.positions.size(); ++q)
+      force[point.positions[q]] -=
+          point.slopes.col(static_cast<Index>(q)).dot(point.force.head(point.slopes.rows()));
+  return force;
+}
+
+void take_guess(const Model& model, std::span<const GuessPoint> points, State& state) {
+  for (const auto& guess : points) {
+    const auto& zone = model.zones[guess.zone];
+    const auto& point = zone.points[guess.index];
+    auto& of_zone = state.zones[guess.zone];
+    const double limit = guess.friction * guess.force[0];
+    const Eigen::Vector2d friction = guess.force.tail<2>();
+    const bool sticks = friction.norm() < (1 - rounding) * limit;
+    of_zone.status[guess.index] = guess.force[0] == 0 ? Status::open : sticks ? Status::stick : Status::slip;
+    const Index count = zone.multipliers_per_node();
+    Index next = static_cast<Index>(point.node_position) * count;
+    for (const int variable : zone.multiplier_variables())
+      of_zone.multipliers[next++] = variable == 0 ? guess.force[0] / point.weight
+                                    : limit > 0   ? -friction[variable - 1] / limit
+                                                  : 0.0;
+  }
+}
+
+} // namespace rubato::step
