@@ -130,7 +130,7 @@ private:
       ends_.emplace(study.name, std::move(result.end));
     else
       fmt::print(stderr, "error: {}: {}; the results up to there are in {}{}\n", study.name, result.message,
-                 folder.string(), study.checkpoint.last ? ", --resume goes on from there" : "");
+                 folder.string(), result.kept ? ", --resume goes on from there" : "");
     return exit_code_of(result);
   }
 

@@ -141,6 +141,18 @@ bool touches(const PointState& point, const PointLaw& law) {
 
 } // namespace
 
+std::string_view to_string(Status status) {
+  switch (status) {
+  case Status::open:
+    return "open";
+  case Status::stick:
+    return "sticks";
+  case Status::slip:
+    return "slips";
+  }
+  return "";
+}
+
 Status wanted_status(const PointState& point, const PointLaw& law) {
   if (!touches(point, law))
     return Status::open;

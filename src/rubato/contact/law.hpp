@@ -24,6 +24,8 @@ namespace rubato::contact {
 
 enum class Status : std::uint8_t { open, stick, slip };
 
+std::string_view to_string(Status status);
+
 /// The variables of a point, in this order: g, Δs₁, Δs₂, λ, Λ₁, Λ₂.
 struct PointState {
   double gap = 0;                                 ///< > 0 open [length]

@@ -204,6 +204,36 @@ private:
     copy_whole(folder_ / med_file, folder_ / med_copy_);
   }
 
+  ordered_json to_json(const Failure& failure) const {
+    const auto& report = failure.report;
+    ordered_json json{{"begin", failure.begin},
+                      {"end", failure.end},
+                      {"cut_level", failure.cut_level},
+                      {"outcome", step::to_string(report.outcome)},
+                      {"level", step::level_of(report.outcome)},
+                      {"iterations", report.iterations},
+                      {"residual", finite(report.residual)},
+                      {"tolerance", report.tolerance},
+                      {"worst_nodes", ordered_json::array()},
+                      {"status_changes", report.status_changes},
+                      {"restless", ordered_json::array()},
+                      {"advice", failure.advice}};
+    for (const auto& worst : report.worst)
+      json["worst_nodes"].push_back(
+          {{"node", model::node_label(model_.mesh, worst.node)}, {"residual", finite(worst.residual)}});
+    for (const auto& point : report.restless)
+      json["restless"].push_back({{"zone", model_.zones[static_cast<std::size_t>(point.zone)].settings.name},
+                                  {"node", model::node_label(model_.mesh, point.node)},
+                                  {"before", contact::to_string(point.before)},
+                                  {"now", contact::to_string(point.now)}});
+    return json;
+  }
+
+  /// JSON knows no infinity.
+  static ordered_json finite(double value) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+  }
+
   /// Written beside and then renamed: whoever reads it meanwhile finds a whole one.
   void write_summary(const Ending& ending, const std::vector<CheckResult>& checks) const {
     ordered_json json{{"run", model_.study.name},
@@ -219,8 +249,10 @@ private:
                       {"unknowns", model_.free_dofs.size()},
                       {"checks", ordered_json::array()},
                       {"study", ordered_json::parse(deck::to_json(model_.study))}};
+    if (ending.failure)
+      json["failure"] = to_json(*ending.failure);
     for (const auto& check : checks)
-      json["checks"].push_back(to_json(check));
+      json["checks"].push_back(results::to_json(check));
     const auto path = folder_ / summary_file;
     auto beside = path;
     beside += ".new";

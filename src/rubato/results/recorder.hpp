@@ -38,6 +38,15 @@ struct Attempt {
   double seconds = 0; ///< processor time
 };
 
+/// The attempt that no step led on from.
+struct Failure {
+  double begin = 0;
+  double end = 0;
+  int cut_level = 0;
+  step::StepReport report;
+  std::vector<std::string> advice; ///< what may help, each a few words
+};
+
 /// How a run ended.
 struct Ending {
   RunStatus status = RunStatus::running;
@@ -47,6 +56,7 @@ struct Ending {
   int steps = 0;
   int iterations = 0;
   int cuts = 0;
+  std::optional<Failure> failure = {};
 };
 
 /// How far the files of a run have come.

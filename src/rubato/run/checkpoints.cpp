@@ -59,6 +59,7 @@ std::optional<RunResult> finished_run(const deck::Study& study, const Course& co
   result.steps = spent.steps;
   result.iterations = spent.iterations;
   result.cuts = spent.cuts;
+  result.kept = true;
   result.setup_seconds = spent.setup_seconds;
   result.loop_seconds = spent.loop_seconds;
   result.checks = results::evaluate_checks(study.checks, stored.probes, course.folder);
@@ -75,7 +76,7 @@ bool Keeper::is_due(int count, double t, double step) const {
          results::is_named_instant(settings_.at, t, step);
 }
 
-void Keeper::keep(const std::function<results::Checkpoint()>& make) const {
+bool Keeper::keep(const std::function<results::Checkpoint()>& make) const {
   try {
     auto checkpoint = make();
     checkpoint.study = study_;
@@ -84,8 +85,10 @@ void Keeper::keep(const std::function<results::Checkpoint()>& make) const {
     const auto med_copy = checkpoint.recorder.med_copy;
     results::write_checkpoint(course_.folder / results::checkpoint_file, std::move(checkpoint));
     results::remove_med_copies(course_.folder, med_copy);
+    return true;
   } catch (const std::exception& error) {
     watch_.warn(fmt::format("no checkpoint was written: {}", error.what()));
+    return false;
   }
 }
 

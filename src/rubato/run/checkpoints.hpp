@@ -41,8 +41,8 @@ public:
   bool keeps_end() const { return settings_.last; }
 
   /// Writes a checkpoint, completed with what tells runs apart. When that fails whoever watches is warned,
-  /// and the run goes on: the former one is still there.
-  void keep(const std::function<results::Checkpoint()>& make) const;
+  /// and the run goes on: the former one is still there. Tells whether it is written.
+  bool keep(const std::function<results::Checkpoint()>& make) const;
 
 private:
   const deck::CheckpointOutput& settings_;

@@ -54,9 +54,9 @@ public:
     loop_start_ = processor_seconds();
     for (int i = next_record(); i <= records_ && result_.status == Status::complete; ++i)
       go_to(i);
-    if (result_.status == Status::complete && keeper_.keeps_end())
-      keep_checkpoint();
     result_.loop_seconds = loop_seconds();
+    if (result_.status == Status::complete && keeper_.keeps_end())
+      result_.kept = keep_checkpoint();
     result_.steps = static_cast<int>(motion_.steps());
     energy_.tell();
     result_.energy = energy_.record();
@@ -97,8 +97,8 @@ private:
 
   double loop_seconds() const { return former_loop_seconds_ + processor_seconds() - loop_start_; }
 
-  void keep_checkpoint() {
-    keeper_.keep([&] {
+  bool keep_checkpoint() {
+    return keeper_.keep([&] {
       results::Checkpoint checkpoint;
       checkpoint.spent = {.setup_seconds = result_.setup_seconds,
                           .loop_seconds = loop_seconds(),
@@ -188,7 +188,7 @@ private:
     result_.status = Status::interrupted;
     result_.message = fmt::format("interrupted at t = {:g}", now_.t);
     if (keeper_.keeps_end())
-      keep_checkpoint();
+      result_.kept = keep_checkpoint();
   }
 
   const model::Model& model_;

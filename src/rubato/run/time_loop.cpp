@@ -4,6 +4,7 @@
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/checkpoints.hpp"
 #include "rubato/run/explicit_loop.hpp"
+#include "rubato/run/failure.hpp"
 #include "rubato/run/loop_parts.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/energy.hpp"
@@ -90,15 +91,15 @@ public:
       else
         try_step();
     }
-    if (result_.status != Status::not_converged && keeper_.keeps_end())
-      keep_checkpoint();
     result_.loop_seconds = loop_seconds();
+    if (result_.status != Status::not_converged && keeper_.keeps_end())
+      result_.kept = keep_checkpoint();
     energy_.tell();
     result_.energy = energy_.record();
     result_.end = committed_;
     result_.checks =
         recorder_->finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
-                           result_.steps, result_.iterations, result_.cuts});
+                           result_.steps, result_.iterations, result_.cuts, failure_});
     return std::move(result_);
   }
 
@@ -126,8 +127,8 @@ private:
 
   double loop_seconds() const { return former_loop_seconds_ + processor_seconds() - loop_start_; }
 
-  void keep_checkpoint() {
-    keeper_.keep([&] {
+  bool keep_checkpoint() {
+    return keeper_.keep([&] {
       results::Checkpoint checkpoint;
       checkpoint.spent = {.setup_seconds = result_.setup_seconds,
                           .loop_seconds = loop_seconds(),
@@ -191,7 +192,7 @@ private:
   void reject(const results::Attempt& attempt, const step::StepReport& report) {
     const bool goes_on = control_.cut();
     if (!goes_on && keeper_.keeps_end())
-      keep_checkpoint();
+      result_.kept = keep_checkpoint();
     recorder_->failed(attempt, report);
     result_.iterations += report.iterations;
     if (goes_on) {
@@ -199,7 +200,8 @@ private:
       return;
     }
     result_.status = Status::not_converged;
-    result_.message = explain(model_, report, attempt.begin, attempt.end);
+    failure_ = {attempt.begin, attempt.end, attempt.cut_level, report, advice(model_, scheme_, report)};
+    result_.message = explain(model_, *failure_);
   }
 
   const model::Model& model_;
@@ -216,6 +218,7 @@ private:
   EnergyWatch energy_;
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;
+  std::optional<results::Failure> failure_;
   RunResult result_;
 };
 
@@ -252,21 +255,6 @@ RunResult run_study(const deck::Study& study, const std::filesystem::path& folde
   if (deck::is_explicit(study.time.scheme))
     return run_explicit(model, course, watch, start);
   return Loop(model, course, watch, previous).run(start);
-}
-
-std::string explain(const model::Model& model, const step::StepReport& report, double begin, double end) {
-  auto text = fmt::format("no convergence from t = {:g} to {:g} ({}, {} iterations)", begin, end,
-                          step::to_string(report.outcome), report.iterations);
-  if (report.worst_node >= 0)
-    text += fmt::format("; residual {:.2e} (wanted {:.0e}), largest at node {}", report.residual,
-                        report.tolerance, model::node_label(model.mesh, report.worst_node));
-  if (!report.restless.empty()) {
-    const auto& point = report.restless.front();
-    text += fmt::format("; {} contact points kept changing their status, among them {} of zone '{}'",
-                        report.status_changes, model::node_label(model.mesh, point.node),
-                        model.zones[static_cast<std::size_t>(point.zone)].settings.name);
-  }
-  return text;
 }
 
 } // namespace rubato::run

@@ -46,6 +46,7 @@ struct RunResult {
   int steps = 0;
   int iterations = 0;
   int cuts = 0;
+  bool kept = false;        ///< a checkpoint holds its end
   double setup_seconds = 0; ///< processor time
   double loop_seconds = 0;
   std::vector<results::CheckResult> checks;
@@ -64,8 +65,5 @@ enum class Begin { anew, resumed };
 /// when it is resumed.
 RunResult run_study(const deck::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous = nullptr, Begin begin = Begin::anew);
-
-/// Why a step failed, with the node and what to try.
-std::string explain(const model::Model& model, const step::StepReport& report, double begin, double end);
 
 } // namespace rubato::run

@@ -63,6 +63,8 @@ StepReport Condensed::run(State& trial, const Held& held) {
   report_.tolerance = model_.study.newton.residual;
   if (!started_) {
     start_from(trial);
+    if (!equilibrium_.residual().allFinite())
+      return ended(Outcome::not_finite);
     if (side_.variant().guess_contact)
       guess_contact(trial, held);
   }
@@ -78,6 +80,8 @@ StepReport Condensed::run(State& trial, const Held& held) {
         side_.finish(held, now(), trial);
         return ended(Outcome::converged);
       }
+      if (!equilibrium_.residual().allFinite())
+        return ended(Outcome::not_finite);
       start_from(trial);
     }
     if (iteration == model_.study.newton.max_iterations)
@@ -91,7 +95,17 @@ StepReport Condensed::run(State& trial, const Held& held) {
 
 StepReport Condensed::ended(Outcome outcome) {
   report_.outcome = outcome;
+  if (!report_.converged())
+    report_.worst = equilibrium_.residual().allFinite() ? worst_on_surface() : equilibrium_.worst();
   return report_;
+}
+
+std::vector<WorstNode> Condensed::worst_on_surface() const {
+  std::vector<mesh::NodeIndex> nodes;
+  for (const int dof : system_.compliance->dof_of_position())
+    nodes.push_back(model_.node_of(dof));
+  const VectorXd left = scheme_.forces.now * (points().force() - applied_);
+  return worst_nodes(left, nodes, surface_scale());
 }
 
 /// Takes a motion as the base that everything is counted from.
@@ -151,13 +165,16 @@ bool Condensed::settled(const Held& held) {
 }
 
 /// Until the bulk has been solved for, forces are measured by what they were measured by in the last step.
+double Condensed::surface_scale() const {
+  return std::max(scale_, scheme_.forces.now * points().force().lpNorm<Eigen::Infinity>());
+}
+
 void Condensed::measure_surface() {
   const auto& force = points().force();
   Index worst = 0;
   const double largest =
       force.size() > 0 ? scheme_.forces.now * (force - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
-  const double scale = std::max(scale_, scheme_.forces.now * force.lpNorm<Eigen::Infinity>());
-  report_.residual = largest == 0 ? 0 : largest / scale;
+  report_.residual = largest == 0 ? 0 : largest / surface_scale();
   if (force.size() > 0)
     report_.worst_node =
         model_.node_of(system_.compliance->dof_of_position()[static_cast<std::size_t>(worst)]);

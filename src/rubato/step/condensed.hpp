@@ -56,6 +56,8 @@ private:
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   bool settled(const Held& held);
   void measure_surface();
+  double surface_scale() const;
+  std::vector<WorstNode> worst_on_surface() const;
   bool iterate(State& trial, const Held& held);
   void move_surface(const Eigen::VectorXd& force, State& trial);
   void correct_multipliers(const Held& held, const PointSystem::Change& change, const Eigen::VectorXd& moved,

@@ -86,7 +86,8 @@ void ContactSide::collect_restless(const Held& held, const ContactIterate& befor
     for (std::size_t i = 0; held[z].status.empty() && i < now.status[z].size(); ++i)
       if (now.status[z][i] != before.status[z][i]) {
         ++report.status_changes;
-        report.restless.push_back({static_cast<int>(z), model_.zones[z].points[i].nodes.front()});
+        report.restless.push_back({static_cast<int>(z), model_.zones[z].points[i].nodes.front(),
+                                   before.status[z][i], now.status[z][i]});
       }
 }
 

@@ -80,6 +80,14 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
       residual_.size() > 0 ? model_.node_of(model_.free_dofs[static_cast<std::size_t>(worst)]) : -1;
 }
 
+std::vector<WorstNode> Equilibrium::worst() const {
+  std::vector<mesh::NodeIndex> nodes;
+  nodes.reserve(model_.free_dofs.size());
+  for (const int dof : model_.free_dofs)
+    nodes.push_back(model_.node_of(dof));
+  return worst_nodes(residual_, nodes, scale_);
+}
+
 void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.t = t_;
   trial.bulk = bulk_;

@@ -34,6 +34,8 @@ public:
   /// over the largest of reactions and applied forces (inertia, history and the forces of nodal methods among
   /// them), and of the momentum's rate.
   void measure(const time::Motion& motion, const ContactForce& contact, StepReport& report);
+  /// The nodes where the residual is largest.
+  std::vector<WorstNode> worst() const;
   /// What the last measure held the residual against [force].
   double scale() const { return scale_; }
   /// Stores in `trial` what the next step and the results need.

@@ -219,7 +219,8 @@ private:
       for (std::size_t i = 0; i < wanted.size(); ++i)
         if (wanted[i] != held_[z].status[i]) {
           ++report_.status_changes;
-          report_.restless.push_back({static_cast<int>(z), model_.zones[z].points[i].nodes.front()});
+          report_.restless.push_back(
+              {static_cast<int>(z), model_.zones[z].points[i].nodes.front(), held_[z].status[i], wanted[i]});
         }
       held_[z].status = wanted;
       trial_.zones[z].status = std::move(wanted);

@@ -49,6 +49,8 @@ StepReport Newton::run(State& trial, const Held& held) {
 
 StepReport Newton::ended(Outcome outcome) {
   report_.outcome = outcome;
+  if (!report_.converged())
+    report_.worst = equilibrium_.worst();
   return report_;
 }
 

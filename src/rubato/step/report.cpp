@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/report.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 namespace rubato::step {
 
 std::string_view to_string(Outcome outcome) {
@@ -23,6 +27,19 @@ std::string_view to_string(Outcome outcome) {
   return "";
 }
 
+std::string_view level_of(Outcome outcome) {
+  switch (outcome) {
+  case Outcome::geometry_unsettled:
+    return to_string(LoopLevel::geometry);
+  case Outcome::friction_unsettled:
+    return to_string(LoopLevel::friction);
+  case Outcome::status_unsettled:
+    return to_string(LoopLevel::status);
+  default:
+    return "newton";
+  }
+}
+
 std::string_view to_string(LoopLevel level) {
   switch (level) {
   case LoopLevel::geometry:
@@ -33,6 +50,24 @@ std::string_view to_string(LoopLevel level) {
     return "status";
   }
   return "";
+}
+
+std::vector<WorstNode> worst_nodes(const Eigen::VectorXd& residual, std::span<const mesh::NodeIndex> nodes,
+                                   double scale) {
+  constexpr std::size_t named = 5;
+  std::map<mesh::NodeIndex, double> largest;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double entry = std::abs(residual[static_cast<Eigen::Index>(i)]);
+    auto& here = largest[nodes[i]];
+    here = std::max(here, std::isfinite(entry) ? entry / scale : INFINITY);
+  }
+  std::vector<WorstNode> worst;
+  for (const auto& [node, value] : largest)
+    if (value > 0)
+      worst.push_back({node, value});
+  std::ranges::stable_sort(worst, std::ranges::greater(), &WorstNode::residual);
+  worst.resize(std::min(worst.size(), named));
+  return worst;
 }
 
 } // namespace rubato::step

@@ -235,6 +235,42 @@ TEST_F(RunFolder, NamesTheNodeWhereAStepFailed) {
   EXPECT_TRUE(first.at("worst_node").get<std::string>().starts_with("N"));
 }
 
+TEST_F(RunFolder, HoldsTheFailureAsData) {
+  const auto result = run(two_blocks + "newton: {residual: 1e-300, max_iterations: 2}\n");
+  const auto failure = summary().at("failure");
+  EXPECT_EQ(failure.at("begin"), 0);
+  EXPECT_EQ(failure.at("end"), 1e-4 / 4096);
+  EXPECT_EQ(failure.at("cut_level"), 12);
+  EXPECT_EQ(failure.at("level"), "newton");
+  EXPECT_EQ(failure.at("outcome"), "too many iterations");
+  EXPECT_EQ(failure.at("tolerance"), 1e-300);
+  const auto& worst = failure.at("worst_nodes");
+  ASSERT_FALSE(worst.empty());
+  EXPECT_LE(worst.size(), 5U);
+  EXPECT_TRUE(worst.at(0).at("node").get<std::string>().starts_with("N"));
+  EXPECT_GT(worst.at(0).at("residual"), 0);
+  EXPECT_GE(worst.at(0).at("residual"), worst.back().at("residual"));
+  EXPECT_FALSE(failure.at("advice").empty());
+  EXPECT_NE(result.message.find("what may help: "), std::string::npos) << result.message;
+}
+
+TEST_F(RunFolder, HoldsNoFailureWhenThereWasNone) {
+  run(two_blocks);
+  EXPECT_FALSE(summary().contains("failure"));
+}
+
+TEST_F(RunFolder, SaysWhereAValueIsNotFinite) {
+  const auto deck = with(two_blocks, "{on: tip, y: -1e7}", "{on: tip, y: -1e300, function: burst}");
+  const auto result =
+      run(deck + "functions: {burst: {times: [0, 1e-4, 2e-4], values: [0, 0, 1e300]}}\n");
+  EXPECT_EQ(result.status, run::Status::not_converged);
+  const auto failure = summary().at("failure");
+  EXPECT_EQ(failure.at("outcome"), "a value is not finite");
+  EXPECT_TRUE(failure.at("worst_nodes").at(0).at("residual").is_null());
+  EXPECT_NE(failure.at("worst_nodes").at(0).at("node").get<std::string>().find("(1, 0.2)"), std::string::npos)
+      << failure.dump();
+}
+
 TEST_F(RunFolder, IsNotTakenForOneWithoutASoundSummary) {
   const auto fault = [&](const std::string& text) {
     std::ofstream(folder_ / "run.json") << text;
