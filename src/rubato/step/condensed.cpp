@@ -129,8 +129,10 @@ void Condensed::guess_contact(State& trial, const Held& held) {
                                 round == 0 ? GuessForces::of_last_step : GuessForces::kept, points);
     if (!same)
       guess.forget();
-    else if (round > 0 && guess.misfit(points, moved_) <= settled_guess)
+    else if (round > 0 && guess.misfit(points, moved_) <= settled_guess) {
+      measured_ = true;
       return;
+    }
     guess.improve(points, free_);
     take_guess(model_, points, trial);
     move_surface(force_on_surface(points, free_.size()), trial);
@@ -138,8 +140,11 @@ void Condensed::guess_contact(State& trial, const Held& held) {
 }
 
 void Condensed::evaluate_contact(const State& trial, const Held& held, int iteration) {
-  std::swap(previous(), now());
-  side_.measure(trial, held, now());
+  if (!measured_) {
+    std::swap(previous(), now());
+    side_.measure(trial, held, now());
+  }
+  measured_ = false;
   if (iteration > 0)
     side_.renew_status(held, now());
   points().clear();

@@ -77,6 +77,7 @@ private:
   double scale_; ///< of forces, what the residual is measured by
 
   bool started_ = false;
+  bool measured_ = false; ///< whether now() is at the iterate already
   time::Motion base_;
   Eigen::VectorXd half_way_; ///< L⁻¹(−R₀): the free motion, solved down to the surface
   Eigen::VectorXd free_;     ///< d_free on the surface

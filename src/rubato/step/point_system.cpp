@@ -216,16 +216,34 @@ PointSystem::Change PointSystem::no_change() const {
   return {VectorXd::Zero(forces_), VectorXd::Zero(places_)};
 }
 
+/// Cᵀ (δz, δξ) of a point at one of its displacements.
+double PointSystem::force_on(const ActivePoint& point, std::size_t q, const Change& change) {
+  const double* of_q = point.spread.data() + static_cast<Index>(q) * point.spread.rows();
+  const double* force = change.force.data() + point.first();
+  const double* places = change.places.data() + point.first_slope;
+  double sum = 0;
+  for (int a = 0; a < point.components(); ++a)
+    sum += of_q[a] * force[a];
+  for (int a = 0; a < point.slopes(); ++a)
+    sum += of_q[point.components() + a] * places[a];
+  return sum;
+}
+
+/// P δq of a point, added to δξ.
+void PointSystem::add_places(const ActivePoint& point, const VectorXd& d, double* places) {
+  const Index rows = point.by_q.rows();
+  const double* slopes = point.by_q.data() + rows - point.slopes();
+  for (std::size_t q = 0; q < point.rows.places.size(); ++q)
+    for (int a = 0; a < point.slopes(); ++a)
+      places[a] += slopes[static_cast<Index>(q) * rows + a] * d[point.rows.places[q]];
+}
+
 /// S Cᵀ (δz, δξ), one a place.
 VectorXd PointSystem::motion(const Change& change) const {
   VectorXd force = VectorXd::Zero(surface_.size());
   for (const auto& point : points_)
-    for (std::size_t q = 0; q < point.rows.places.size(); ++q) {
-      const auto of_q = point.spread.col(static_cast<Index>(q));
-      force[point.rows.places[q]] +=
-          of_q.head(point.components()).dot(change.force.segment(point.first(), point.components())) +
-          of_q.tail(point.slopes()).dot(change.places.segment(point.first_slope, point.slopes()));
-    }
+    for (std::size_t q = 0; q < point.rows.places.size(); ++q)
+      force[point.rows.places[q]] += force_on(point, q, change);
   VectorXd moved;
   surface_.multiply(force, moved);
   return moved;
@@ -233,17 +251,20 @@ VectorXd PointSystem::motion(const Change& change) const {
 
 PointSystem::Change PointSystem::residual(const VectorXd& c, const Change& change) const {
   const VectorXd d = c - force_weight_ * motion(change);
-  auto left = no_change();
+  Change left{VectorXd(forces_), -change.places};
   for (const auto& point : points_) {
-    auto forces = left.force.segment(point.first(), point.components());
-    auto places = left.places.segment(point.first_slope, point.slopes());
-    forces = point.right - point.by_force * change.force.segment(point.first(), point.components());
-    places = -change.places.segment(point.first_slope, point.slopes());
-    for (std::size_t q = 0; q < point.rows.places.size(); ++q) {
-      const double moved = d[point.rows.places[q]];
-      forces -= moved * point.rows.left.col(static_cast<Index>(q));
-      places += moved * point.by_q.col(static_cast<Index>(q)).tail(point.slopes());
+    const int count = point.components();
+    double* forces = left.force.data() + point.first();
+    for (int a = 0; a < count; ++a) {
+      forces[a] = point.right[a];
+      for (int b = 0; b < count; ++b)
+        forces[a] -= point.by_force(a, b) * change.force[point.first() + b];
     }
+    const double* seen = point.rows.left.data();
+    for (std::size_t q = 0; q < point.rows.places.size(); ++q, seen += count)
+      for (int a = 0; a < count; ++a)
+        forces[a] -= seen[a] * d[point.rows.places[q]];
+    add_places(point, d, left.places.data() + point.first_slope);
   }
   return left;
 }
@@ -253,21 +274,15 @@ VectorXd PointSystem::places_after(const Change& change) const {
   const VectorXd d = -force_weight_ * motion(change);
   VectorXd places = change.places;
   for (const auto& point : points_)
-    for (std::size_t q = 0; q < point.rows.places.size(); ++q)
-      places.segment(point.first_slope, point.slopes()) +=
-          d[point.rows.places[q]] * point.by_q.col(static_cast<Index>(q)).tail(point.slopes());
+    add_places(point, d, places.data() + point.first_slope);
   return places;
 }
 
 VectorXd PointSystem::force_after(const Change& change) const {
   VectorXd force = force_;
   for (const auto& point : points_)
-    for (std::size_t q = 0; q < point.positions.size(); ++q) {
-      const auto of_q = point.spread.col(static_cast<Index>(q));
-      force[point.positions[q]] +=
-          of_q.head(point.components()).dot(change.force.segment(point.first(), point.components())) +
-          of_q.tail(point.slopes()).dot(change.places.segment(point.first_slope, point.slopes()));
-    }
+    for (std::size_t q = 0; q < point.positions.size(); ++q)
+      force[point.positions[q]] += force_on(point, q, change);
   return force;
 }
 

@@ -75,6 +75,8 @@ private:
   bool factor_forces();
   std::optional<Change> refined(const Eigen::VectorXd& c);
   std::optional<Change> solved_whole(const Eigen::VectorXd& c);
+  static double force_on(const ActivePoint& point, std::size_t q, const Change& change);
+  static void add_places(const ActivePoint& point, const Eigen::VectorXd& d, double* places);
   Eigen::VectorXd motion(const Change& change) const;
   Change residual(const Eigen::VectorXd& c, const Change& change) const;
   Eigen::VectorXd places_after(const Change& change) const;
