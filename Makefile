@@ -54,8 +54,9 @@ debug-test: deps ## the tests under the address and undefined-behaviour sanitize
 	@cmake --build --preset debug -j$(JOBS)
 	ctest --preset debug -j$(JOBS)
 
-verify: build ## the slow studies of docs/verification, and their figures
+verify: build ## the slow studies of docs/verification, their figures, and 50 runs killed at any moment
 	@cmake --build --preset release --target verify
+	@RUBATO_KILLS=50 build/release/tests/restart/restart --gtest_brief=1 --gtest_filter='*KilledRun*'
 	@$(MAKE) --no-print-directory figures
 
 figures: ## docs/verification/*.svg from the runs that verify left (python3-matplotlib)

@@ -13,9 +13,9 @@ constexpr double worth_a_warning = 1e-3;
 std::string causes_of(const step::EnergyRecord& record) {
   if (record.by_impact == 0 && record.by_scheme == 0)
     return "contact is followed too coarsely in time";
-  const auto impact = fmt::format("contact pressures gave {:.3g} more than they took", record.by_impact);
-  const auto scheme = fmt::format(
-      "the time scheme gave {:.3g}, as it does where loads jump or steps are long", record.by_scheme);
+  auto impact = fmt::format("contact pressures gave {:.3g} more than they took", record.by_impact);
+  auto scheme = fmt::format("the time scheme gave {:.3g}, as it does where loads jump or steps are long",
+                            record.by_scheme);
   if (record.by_impact <= 0)
     return scheme;
   if (record.by_scheme <= 0)
