@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 namespace rubato::linalg {
 namespace {
@@ -62,9 +63,15 @@ double largest_eigenvalue(const SymmetricBlockMatrix& matrix, const VectorXd& di
     before.swap(now);
     now = next / coupling;
   }
+  if (!(scale > 0))
+    return 0;
+  // Eigen takes entries for zero by their size, so they must be of order one.
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
-  ritz.computeFromTridiagonal(alpha.head(steps), beta.head(steps - 1), Eigen::EigenvaluesOnly);
-  return ritz.eigenvalues()[steps - 1] / (1 - relative_error);
+  ritz.computeFromTridiagonal(alpha.head(steps) / scale, beta.head(steps - 1) / scale,
+                              Eigen::EigenvaluesOnly);
+  if (ritz.info() != Eigen::Success)
+    throw std::runtime_error("the largest eigenvalue of the explicit steps' matrix was not found");
+  return scale * ritz.eigenvalues()[steps - 1] / (1 - relative_error);
 }
 
 } // namespace rubato::linalg

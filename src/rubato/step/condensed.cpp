@@ -21,6 +21,12 @@ constexpr int guess_rounds = 10;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
 constexpr double settled_guess = 1e-3;
 
+/// Which of their points stick and which slip is often not unique: the last step's statuses are the better
+/// start then, and the one that other codes take.
+bool has_friction_springs(const contact::Zone& zone) {
+  return zone.settings.friction > 0 && zone.settings.friction_method == deck::FrictionMethod::nodal_penalty;
+}
+
 bool owns_its_multipliers(const contact::Zone& zone) {
   return std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
 }
@@ -65,7 +71,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
     start_from(trial);
     if (!equilibrium_.residual().allFinite())
       return ended(Outcome::not_finite);
-    if (side_.variant().guess_contact)
+    if (side_.variant().guess_contact && std::ranges::none_of(model_.zones, has_friction_springs))
       guess_contact(trial, held);
   }
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {

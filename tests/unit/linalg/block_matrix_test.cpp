@@ -102,6 +102,21 @@ TEST(LargestEigenvalue, BoundsTheDenseOneWithinAPercent) {
   EXPECT_LE(found, 1.0102 * dense);
 }
 
+TEST(LargestEigenvalue, IsFoundInAnyUnits) {
+  for (int length = 1; length <= 6; ++length) {
+    const auto matrix = test::elastic_block(length, 2, 1);
+    const VectorXd diagonal = random_vector(matrix.rows()).array().abs() + 0.5;
+    const MatrixXd scaled =
+        diagonal.cwiseSqrt().asDiagonal() * MatrixXd(matrix) * diagonal.cwiseSqrt().asDiagonal();
+    const double dense = Eigen::SelfAdjointEigenSolver<MatrixXd>(scaled).eigenvalues().maxCoeff();
+    for (const double unit : {1e-14, 1e-7, 1.0, 1e7, 1e14}) {
+      const double found = largest_eigenvalue(SymmetricBlockMatrix(unit * matrix, 3), diagonal);
+      EXPECT_GE(found, unit * dense) << length << ' ' << unit;
+      EXPECT_LE(found, 1.0102 * unit * dense) << length << ' ' << unit;
+    }
+  }
+}
+
 TEST(LargestEigenvalue, LeavesHeldUnknownsOut) {
   const auto matrix = test::elastic_block(2, 2, 2);
   VectorXd diagonal = VectorXd::Zero(matrix.rows());
