@@ -88,7 +88,9 @@ TEST_F(Run, EndsWithThreeWithoutConvergenceAndKeepsWhatWasReached) {
   const auto outcome = run(two_blocks + hopeless);
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.err.find("error: run: no convergence from t = 0 to "), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("the results up to there are in out/run, --resume goes on from there\n"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("the results up to there are in out/run, --resume goes on from there\n"),
+            std::string::npos)
+      << outcome.err;
   const auto json = summary(folder_ / "out/run");
   EXPECT_EQ(json.at("status"), "not_converged");
   EXPECT_TRUE(json.at("reason").get<std::string>().starts_with("no convergence"));

@@ -261,8 +261,7 @@ TEST_F(RunFolder, HoldsNoFailureWhenThereWasNone) {
 
 TEST_F(RunFolder, SaysWhereAValueIsNotFinite) {
   const auto deck = with(two_blocks, "{on: tip, y: -1e7}", "{on: tip, y: -1e300, function: burst}");
-  const auto result =
-      run(deck + "functions: {burst: {times: [0, 1e-4, 2e-4], values: [0, 0, 1e300]}}\n");
+  const auto result = run(deck + "functions: {burst: {times: [0, 1e-4, 2e-4], values: [0, 0, 1e300]}}\n");
   EXPECT_EQ(result.status, run::Status::not_converged);
   const auto failure = summary().at("failure");
   EXPECT_EQ(failure.at("outcome"), "a value is not finite");
