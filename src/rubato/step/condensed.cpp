@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/condensed.hpp"
 
-#include "rubato/step/linear_step.hpp"
+#include "rubato/step/cycle_watch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +74,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
     if (side_.variant().guess_contact && std::ranges::none_of(model_.zones, has_friction_springs))
       guess_contact(trial, held);
   }
+  CycleWatch cycle;
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
     if (!points().force().allFinite())
@@ -90,6 +91,8 @@ StepReport Condensed::run(State& trial, const Held& held) {
         return ended(Outcome::not_finite);
       start_from(trial);
     }
+    if (iteration > 0 && report_.status_changes > 0 && cycle.has_met(now(), points().force().norm()))
+      return ended(Outcome::cycling);
     if (iteration == model_.study.newton.max_iterations)
       break;
     if (!iterate(trial, held))

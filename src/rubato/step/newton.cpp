@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/newton.hpp"
 
+#include "rubato/step/cycle_watch.hpp"
 #include "rubato/step/linear_step.hpp"
 #include "rubato/step/projected_cg.hpp"
 
@@ -27,6 +28,7 @@ Newton::Newton(const Model& model, const time::Scheme& scheme, EffectiveSystem& 
 StepReport Newton::run(State& trial, const Held& held) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
+  CycleWatch cycle;
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
     equilibrium_.evaluate(trial.motion, force_);
@@ -38,6 +40,8 @@ StepReport Newton::run(State& trial, const Held& held) {
       side_.finish(held, now_, trial);
       return ended(Outcome::converged);
     }
+    if (iteration > 0 && report_.status_changes > 0 && cycle.has_met(now_, force_.all.norm()))
+      return ended(Outcome::cycling);
     if (iteration == model_.study.newton.max_iterations)
       break;
     if (!solve_and_correct(trial))

@@ -13,6 +13,8 @@ std::string_view to_string(Outcome outcome) {
     return "converged";
   case Outcome::too_many_iterations:
     return "too many iterations";
+  case Outcome::cycling:
+    return "contact goes round in a cycle";
   case Outcome::singular_matrix:
     return "singular matrix";
   case Outcome::not_finite:
@@ -34,6 +36,7 @@ std::string_view level_of(Outcome outcome) {
   case Outcome::friction_unsettled:
     return to_string(LoopLevel::friction);
   case Outcome::status_unsettled:
+  case Outcome::cycling:
     return to_string(LoopLevel::status);
   default:
     return "newton";

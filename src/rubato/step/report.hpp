@@ -16,6 +16,7 @@ namespace rubato::step {
 enum class Outcome {
   converged,
   too_many_iterations,
+  cycling, ///< statuses and forces came back to those of an earlier iterate
   singular_matrix,
   not_finite,
   geometry_unsettled, ///< the loop of that level came to its last round

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/cycle_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::step {
+namespace {
+
+/// Relative difference of forces that are the same.
+constexpr double rounding = 1e-9;
+
+} // namespace
+
+bool CycleWatch::has_met(const ContactIterate& iterate, double size_of_forces) {
+  const bool known = std::ranges::any_of(met_, [&](const Met& met) {
+    return std::abs(met.size - size_of_forces) <= rounding * size_of_forces && met.status == iterate.status;
+  });
+  if (!known)
+    met_.push_back({iterate.status, size_of_forces});
+  return known;
+}
+
+} // namespace rubato::step
