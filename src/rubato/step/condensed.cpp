@@ -4,7 +4,6 @@
 #include "rubato/step/cycle_watch.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace rubato::step {
@@ -12,7 +11,6 @@ namespace {
 
 using contact::Status;
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using model::Model;
 

@@ -2,7 +2,6 @@
 #include "rubato/step/guess_points.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rubato::step {
 namespace {
