@@ -150,7 +150,22 @@ private:
     if (model_.study.solver == deck::Solver::condensed && !system.compliance)
       throw InputError("solver: found condensed, but the effective matrix is not positive definite without "
                        "contact; expected auto or full");
+    tell_scheme();
     watch_.say(fmt::format("{}: solver {}", model_.study.name, step::solver_of(model_, system)));
+  }
+
+  void tell_scheme() {
+    const auto& settings = model_.study.time;
+    const auto name = std::ranges::find(time::all_schemes(), settings.scheme, &time::SchemeEntry::kind)->name;
+    const bool massless = settings.contact_mass == deck::ContactMass::redistributed;
+    watch_.say(fmt::format("{}: scheme {}{}", model_.study.name, name,
+                           massless ? ", contact surfaces without mass" : ""));
+    const bool exact = std::ranges::any_of(
+        model_.zones, [](const contact::Zone& zone) { return contact::is_exact(zone.settings.method); });
+    if (exact && !course_.from && time::is_undamped(scheme_))
+      watch_.warn(fmt::format("{}: {} without damping gains energy where exact contact opens and closes; "
+                              "moreau_jean doesn't, hht with alpha: -0.1 hardly",
+                              model_.study.name, name));
   }
 
   void interrupt() {
