@@ -12,10 +12,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The slip at which friction saturates, in lengths of the shortest master edge, when c_t is chosen by
-/// itself.
+/// The slip at which friction saturates, in lengths of the zone's edge, when c_t is chosen by itself.
 constexpr double saturation_slip = 2e-3;
-/// Penetration, in lengths of the shortest master edge, below which an open point stays open: rounding makes
+/// Penetration, in lengths of the zone's edge, below which an open point stays open: rounding makes
 /// that much.
 constexpr double closing_gap = 1e-11;
 
@@ -218,7 +217,7 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dof
     const double share = point.node_position >= 0 ? 1.0 : averaged_share;
     const double stiffness = resistance(point, dofs, diagonal) / std::abs(point.weight);
     const double normal = (is_exact(settings.method) ? share : normal_stiffening) * stiffness;
-    double tangential = 1 / (saturation_slip * zone.master.shortest_edge);
+    double tangential = 1 / (saturation_slip * zone.edge());
     if (settings.friction_method == FrictionMethod::penalty)
       tangential *= tangential_stiffening;
     else if (settings.friction_method == FrictionMethod::nodal_penalty)
@@ -269,7 +268,7 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
                friction,
                coefficients.normal[index],
                coefficients.tangential[index],
-               closing_gap * zone->master.shortest_edge,
+               closing_gap * zone->edge(),
                zone->space_dimension - 1,
                std::nullopt};
   if (!held_thresholds.empty())

@@ -48,7 +48,7 @@ struct ZoneCoefficients {
 };
 
 /// c: what the slave side resists, its mean effective diagonal stiffness over the point's share of the
-/// surface. c_t: the slip at which friction saturates is taken as a small part of the shortest master edge;
+/// surface. c_t: the slip at which friction saturates is taken as a small part of the zone's edge;
 /// as with c, the converged answer does not depend on it. Penalties are a multiple of c, so that bodies sink
 /// into each other by a small part of what they give way, and of c_t. `diagonal` is the effective matrix's,
 /// per dof [force/length].

@@ -124,6 +124,13 @@ Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surfac
   return zone;
 }
 
+Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Obstacle obstacle, Surface slave,
+               std::span<const NodeIndex> excluded_nodes, const ZoneGeometry& geometry) {
+  auto zone = make_zone(mesh, settings, Surface(), std::move(slave), excluded_nodes, geometry);
+  zone.obstacle = std::move(obstacle);
+  return zone;
+}
+
 std::span<const int> Zone::multiplier_variables() const {
   static constexpr std::array variables{0, 1, 2};
   const bool tangential =

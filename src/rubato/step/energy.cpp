@@ -55,16 +55,36 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   ledger_.external_work += work(moved, committed.external_force, trial.external_force);
   if (damped(trial))
     ledger_.damping += work(moved, before.viscous, now.viscous);
-  const double friction = work(moved, committed.friction_force, trial.friction_force);
+  const auto obstacles = work_of_obstacles(committed, trial);
+  const double friction = work(moved, committed.friction_force, trial.friction_force) + obstacles.tangential;
+  const double contact =
+      work(moved, committed.contact_force, trial.contact_force) + obstacles.normal + obstacles.tangential;
   const double springs = energy_of_springs(trial.zones);
   ledger_.friction += friction;
-  ledger_.impact +=
-      work(moved, committed.contact_force, trial.contact_force) - friction - (springs - ledger_.contact);
+  ledger_.impact += contact - friction - (springs - ledger_.contact);
   ledger_.contact = springs;
+  ledger_.support_work += obstacles.normal + obstacles.tangential;
   const auto supports = enter_supports(moved, committed, trial);
   ledger_.support_work += supports.work;
   ledger_.numerical += scheme_dissipation(moved, committed, trial) + supports.work - supports.with_step;
   ledger_.unbalanced += work_of_equation(moved, committed, trial) - supports.with_step;
+}
+
+/// [o]·{f} of the forces that obstacles push the bodies with, o their motion.
+EnergyAccount::Obstacles EnergyAccount::work_of_obstacles(const State& committed, const State& trial) const {
+  Obstacles work;
+  for (std::size_t z = 0; z < model_->zones.size(); ++z) {
+    const auto& obstacle = model_->zones[z].obstacle;
+    if (!obstacle || !obstacle->moves())
+      continue;
+    const Eigen::Vector3d half_way = (obstacle->offset(trial.t) - obstacle->offset(committed.t)) / 2;
+    for (const auto* state : {&committed, &trial})
+      for (const auto& outcome : state->zones[z].outcomes) {
+        work.normal += half_way.dot(outcome.normal);
+        work.tangential += half_way.dot(outcome.tangential);
+      }
+  }
+  return work;
 }
 
 /// [u]·{r} on the dofs that are held, r = M a + C v + F, and [u]·R with the step's own R.
