@@ -150,8 +150,8 @@ struct Obstacle {
   std::array<double, 3> direction{}; ///< normal out of the plane's obstacle, or axis; of any length > 0
   double radius = 0;                 ///< > 0 unless it is a plane [length]
   ObstacleSide side = ObstacleSide::outside;
-  std::array<std::optional<Amplitude>, 3> move; ///< [length]
-  Location at;
+  std::array<std::optional<Amplitude>, 3> move{}; ///< [length]
+  Location at{};
   bool operator==(const Obstacle&) const = default;
 };
 
