@@ -193,7 +193,7 @@ ExplicitPenalty::Place ExplicitPenalty::place_of(std::size_t index,
     return {.position = contact::position(point, configuration) - place.gap * place.normal,
             .normal = place.normal,
             .tangent = place.tangent,
-            .carried = obstacle->offset(configuration.t) - obstacle->offset(configuration.start_t)};
+            .carried = obstacle->way(configuration.start_t, configuration.t)};
   }
   const auto& face = master_face(index);
   const auto& projection = neighbours_.pairs()[index].projection;

@@ -43,6 +43,9 @@ struct Kinematics {
   /// the obstacle has come since the start of the step.
   Eigen::Vector3d foot = Eigen::Vector3d::Zero();
   Eigen::Vector3d carried = Eigen::Vector3d::Zero();
+  /// Of a held frame: what gap and slip are counted from.
+  double gap_origin = 0;
+  Eigen::Vector2d slip_origin = Eigen::Vector2d::Zero();
 
   Variation<2> d_projection; ///< dξ̄
   Variation<3> d_normal;

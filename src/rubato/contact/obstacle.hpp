@@ -32,6 +32,8 @@ struct Obstacle {
 
   /// o(t), how far it is from where the deck puts it.
   Eigen::Vector3d offset(double t) const;
+  /// How far it comes between two instants.
+  Eigen::Vector3d way(double from, double to) const { return offset(to) - offset(from); }
   bool moves() const;
 };
 

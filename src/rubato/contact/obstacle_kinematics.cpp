@@ -66,7 +66,7 @@ void evaluate_before(const Obstacle& obstacle, const SlavePoint& point, const Co
   k.tangents << place.tangent, place.normal.cross(place.tangent);
   k.gap = place.gap;
   k.foot = position(point, configuration) - place.gap * place.normal;
-  k.carried = obstacle.offset(configuration.t) - obstacle.offset(configuration.start_t);
+  k.carried = obstacle.way(configuration.start_t, configuration.t);
   Vector3d moved = -k.carried;
   for (std::size_t i = 0; i < point.nodes.size(); ++i)
     moved += point.shape[i] * configuration.increment(point.nodes[i]);

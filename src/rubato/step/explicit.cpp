@@ -198,7 +198,7 @@ double ExplicitMotion::work_of_obstacles(double from, double to) const {
   double sum = 0;
   for (std::size_t z = 0; z < contact_.size(); ++z)
     if (const auto& obstacle = model_->zones[z].obstacle; obstacle && obstacle->moves())
-      sum += (obstacle->offset(to) - obstacle->offset(from)).dot(contact_[z].push()) / 2;
+      sum += obstacle->way(from, to).dot(contact_[z].push()) / 2;
   return sum;
 }
 

@@ -137,6 +137,9 @@ INSTANTIATE_TEST_SUITE_P(
         Variation{"MotionAndWholeSystem", with(hht, {{"solver", "full"}})},
         Variation{"MotionByPenalty", with(hht, {{foot + "method", "penalty"}})},
         Variation{"MotionByNodalLagrange", with(hht, {{foot + "method", "nodal_lagrange"}})},
+        Variation{"MoreauJean",
+                  {{"time.scheme", "moreau_jean"}, {"time.step", "0.02"}, {foot + "restitution", "0.5"}}},
+        Variation{"MassRedistributed", with(hht, {{"time.contact_mass", "redistributed"}})},
         Variation{"GeometryInALoop", {{foot + "iterate", "{geometry: fixed_point}"}}},
         Variation{"ThreeLoops",
                   {{foot + "iterate",
@@ -220,14 +223,18 @@ TEST_P(Circle, GivesItsWorkAndTheLedgerCloses) {
 
 INSTANTIATE_TEST_SUITE_P(
     By, Circle,
-    testing::Values(Variation{"AugmentedLagrangian", {}}, Variation{"WholeSystem", {{"solver", "full"}}},
-                    Variation{"Penalty", {{"contact.tyre.method", "penalty"}}},
-                    Variation{"NodalLagrange", {{"contact.tyre.method", "nodal_lagrange"}}},
-                    Variation{"NodalPenalty", {{"contact.tyre.method", "nodal_penalty"}}},
-                    Variation{"Hht", {{"time.scheme", "hht"}, {"time.alpha", "-0.1"}, {"time.step", "0.02"}}},
-                    Variation{"Newmark", {{"time.scheme", "newmark"}, {"time.step", "0.02"}}},
-                    Variation{"GeneralizedAlpha",
-                              {{"time.scheme", "generalized_alpha"}, {"time.step", "0.02"}}}),
+    testing::Values(
+        Variation{"AugmentedLagrangian", {}}, Variation{"WholeSystem", {{"solver", "full"}}},
+        Variation{"Penalty", {{"contact.tyre.method", "penalty"}}},
+        Variation{"NodalLagrange", {{"contact.tyre.method", "nodal_lagrange"}}},
+        Variation{"NodalPenalty", {{"contact.tyre.method", "nodal_penalty"}}},
+        Variation{"Hht", {{"time.scheme", "hht"}, {"time.alpha", "-0.1"}, {"time.step", "0.02"}}},
+        Variation{"Newmark", {{"time.scheme", "newmark"}, {"time.step", "0.02"}}},
+        Variation{"MoreauJean", {{"time.scheme", "moreau_jean"}, {"time.step", "0.02"}}},
+        Variation{
+            "MassRedistributed",
+            {{"time.scheme", "newmark"}, {"time.contact_mass", "redistributed"}, {"time.step", "0.02"}}},
+        Variation{"GeneralizedAlpha", {{"time.scheme", "generalized_alpha"}, {"time.step", "0.02"}}}),
     [](const auto& chosen) { return chosen.param.name; });
 
 TEST(Circle, IsTheSameForEverySolverAndLoop) {
