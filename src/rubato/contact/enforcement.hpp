@@ -48,7 +48,7 @@ struct ZoneCoefficients {
 };
 
 /// c: what the slave side resists, its mean effective diagonal stiffness over the point's share of the
-/// surface. c_t: the slip at which friction saturates is taken as a small part of the shortest master edge;
+/// surface. c_t: the slip at which friction saturates is taken as a small part of the zone's edge;
 /// as with c, the converged answer does not depend on it. Penalties are a multiple of c, so that bodies sink
 /// into each other by a small part of what they give way, and of c_t. `diagonal` is the effective matrix's,
 /// per dof [force/length].
@@ -97,7 +97,8 @@ struct VelocityLaw {
 ///   gap = h θ (v₁·n − e ⟨−v₀·n⟩),   slip_a = h θ v₁·τ_a;
 /// where v₀ parts the surfaces, or where they have no mass, gap = Δu·n: then pressures do no work in the
 /// step, and without mass slip_a = Δu·τ_a: friction takes energy in every step. All other points have no
-/// kinematics. `velocity`: one a dof.
+/// kinematics. `velocity`: one a dof; an obstacle has its mean velocity of the step, at the start and at the
+/// end.
 std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
                                              const Eigen::VectorXd& velocity, const VelocityLaw& law);
 

@@ -131,7 +131,7 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   read_functions(map.find("functions"), study.functions);
   read_supports(map.find("supports"), context, study.functions, study.supports);
   read_loads(map.find("loads"), context, study.functions, study.loads);
-  read_contact(map.find("contact"), study.contact);
+  read_contact(map.find("contact"), context, study.functions, study.contact);
   if (context.scheme && is_explicit(*context.scheme))
     check_explicit_contact(study, faults);
   else if (context.scheme)
