@@ -98,7 +98,7 @@ TEST(BadDecks, AreToldWhichBodyAStaticRunDoesNotHold) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err, "error: deck.yaml:23:7: the body of node N1 (0, 0) is not held: it can move as a "
                          "rigid body, and a static "
-                         "run has no inertia; expected supports, or contact with something that is held\n");
+                         "run has no inertia; expected supports, springs, or contact with something that is held\n");
 }
 
 TEST(BadDecks, AreToldAllTheirFaultsAtOnce) {

@@ -116,6 +116,27 @@ Json echo(const Load& load, int dimension) {
   return {{word(load_words, load.kind), map}};
 }
 
+Json echo(const Springs& springs, int dimension) {
+  Json map{{"on", springs.on.text}};
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
+    if (springs.stiffness[axis] > 0)
+      map[std::string(axis_words[axis])] = springs.stiffness[axis];
+  return map;
+}
+
+void put_components(Json& map, const char* key, const std::array<std::optional<double>, 3>& components) {
+  for (std::size_t axis = 0; axis < axis_words.size(); ++axis)
+    if (components[axis])
+      map[key][std::string(axis_words[axis])] = *components[axis];
+}
+
+Json echo(const InitialMotion& initial) {
+  Json map{{"on", initial.on.text}};
+  put_components(map, "displacement", initial.displacement);
+  put_components(map, "velocity", initial.velocity);
+  return map;
+}
+
 Json echo(const Level& level) {
   if (level.by == Iteration::newton)
     return word(iteration_words, level.by);
@@ -287,7 +308,9 @@ std::string to_json(const Study& study) {
   for (const auto& [name, function] : study.functions)
     deck["functions"][name] = echo(function);
   deck["supports"] = echo_list(study.supports);
+  deck["springs"] = echo_list(study.springs, dimension);
   deck["loads"] = echo_list(study.loads, dimension);
+  deck["initial"] = echo_list(study.initial);
   deck["contact"] = echo_by_name(study.contact, study.physics);
   deck["time"] = echo(study.time);
   deck["solver"] = word_of(solver_words, study.solver);

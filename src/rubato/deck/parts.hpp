@@ -35,6 +35,11 @@ void read_supports(const Found& value, const Context& context,
 void read_loads(const Found& value, const Context& context, const std::map<std::string, Function>& functions,
                 std::vector<Load>& loads);
 
+void read_springs(const Found& value, const Context& context, std::vector<Springs>& springs);
+/// Faults when the run begins in a way of its own: `time` must be read already.
+void read_initial(const Found& value, const Context& context, const TimeStepping& time,
+                  std::vector<InitialMotion>& initial);
+
 /// The value of an axis, "x", "y" or "z"; a fault when the physics doesn't have it.
 Found find_axis(MapReader& map, std::size_t axis, const Context& context);
 

@@ -33,7 +33,7 @@ Material read_material(const NamedValue& entry, const Context& context) {
   const auto cells = map.find("cells");
   if (read(cells, material.cells) && material.cells.empty())
     cells->fault("found an empty list, expected 'all' or groups of cells");
-  material.everywhere = !cells || (material.cells.size() == 1 && material.cells[0].text == "all");
+  material.everywhere = !cells || (material.cells.size() == 1 && material.cells[0].text == everywhere);
   if (material.everywhere)
     material.cells.clear();
   map.finish();

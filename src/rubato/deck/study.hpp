@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -111,6 +112,26 @@ struct Load {
   Location at;
   bool operator==(const Load&) const = default;
 };
+
+/// Springs between the nodes of a group and the ground, without force where the nodes are undeformed.
+struct Springs {
+  Name on;
+  std::array<double, 3> stiffness{}; ///< of each node's spring along an axis [force/length], 0: none
+  Location at;
+  bool operator==(const Springs&) const = default;
+};
+
+/// Where nodes are and how they move when the run begins. What isn't given is 0, or the support's.
+struct InitialMotion {
+  Name on;                                           ///< a group, a node, or "all"
+  std::array<std::optional<double>, 3> displacement; ///< [length]
+  std::array<std::optional<double>, 3> velocity;     ///< [length/time]
+  Location at;
+  bool operator==(const InitialMotion&) const = default;
+};
+
+/// `on: all`, `cells: all`.
+inline constexpr std::string_view everywhere = "all";
 
 // ---- contact ---------------------------------------------------------------------------------------------
 
@@ -323,7 +344,9 @@ struct Study {
   double thickness = 1; ///< plane stress and plane strain
   std::vector<Material> materials;
   std::vector<Support> supports;
+  std::vector<Springs> springs;
   std::vector<Load> loads;
+  std::vector<InitialMotion> initial;
   std::map<std::string, Function> functions;
   std::vector<ContactZone> contact;
   TimeStepping time;

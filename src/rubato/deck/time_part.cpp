@@ -178,8 +178,7 @@ void read_start(const Found& value, TimeStepping& time) {
     value->fault("the scheme static has no first acceleration, expected consistent or {from: run}");
   }
   if (is_explicit(time.scheme) && time.start != StartKind::consistent)
-    value->fault(
-        "the scheme central_difference starts at rest from the true equilibrium, expected consistent");
+    value->fault("the scheme central_difference starts from the true equilibrium, expected consistent");
 }
 
 void read_contact_mass(const Found& value, TimeStepping& time) {

@@ -6,6 +6,8 @@
 #include "rubato/fem/assembly.hpp"
 #include "rubato/model/model.hpp"
 
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace rubato::model {
@@ -20,6 +22,14 @@ void check_shapes(const deck::Study& study, const mesh::Mesh& mesh, std::span<co
 /// Prescribed displacements, ascending by dof.
 std::vector<Constraint> make_constraints(const deck::Study& study, const mesh::Mesh& mesh,
                                          const fem::DofMap& dofs, std::vector<Fault>& faults);
+
+/// Springs to the ground.
+std::vector<Spring> make_springs(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+                                 std::vector<Fault>& faults);
+
+/// How the run begins; faults where two entries, or an entry and a support, say different things of one dof.
+InitialMotion make_initial_motion(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+                                  std::span<const Constraint> constraints, std::vector<Fault>& faults);
 
 /// Loads as nodal forces.
 std::vector<Force> make_forces(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
@@ -46,6 +56,12 @@ const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, s
 /// The nodes of a group or a numbered node; empty and a fault when there is none.
 std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const deck::Name& name,
                                             std::vector<Fault>& faults);
+
+/// Those of them that deforming cells have; empty and a fault when there is none. `use` completes "expected a
+/// part of a body …".
+std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const fem::DofMap& dofs,
+                                                 const deck::Name& name, std::string_view use,
+                                                 std::vector<Fault>& faults);
 
 /// The function of that name; nothing when the name is empty.
 std::optional<deck::Function> function_named(const deck::Study& study, const deck::Name& name);

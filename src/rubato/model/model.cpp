@@ -53,6 +53,8 @@ void assemble_matrices(Model& model, const std::vector<deck::Material>& material
   const auto& bulk = model.bulk;
   const fem::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
   model.stiffness = fem::assemble_stiffness(model.mesh, bulk, pattern);
+  for (const auto& spring : model.springs)
+    model.stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
   const auto scheme = model.study.time.scheme;
   if (scheme == deck::SchemeKind::static_steps)
     return;
@@ -117,6 +119,8 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
     stop_on(faults);
   model.dofs = fem::number_dofs(model.mesh, model.bulk.cells, fem::component_count(study.physics));
   model.constraints = make_constraints(study, model.mesh, model.dofs, faults);
+  model.springs = make_springs(study, model.mesh, model.dofs, faults);
+  model.initial = make_initial_motion(study, model.mesh, model.dofs, model.constraints, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
   model.zones = make_zones(study, model.mesh, model.dofs, faults);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults);

@@ -34,22 +34,37 @@ struct Constraint {
   std::optional<deck::Function> function;
 };
 
+/// A spring from a dof to the ground, slack at displacement 0.
+struct Spring {
+  int dof = 0;
+  double stiffness = 0; ///< [force/length] > 0
+};
+
+/// Displacements and velocities the deck gives the bodies at the first instant, one a dof; supports count
+/// before them.
+struct InitialMotion {
+  Eigen::VectorXd displacement; ///< [length]
+  Eigen::VectorXd velocity;     ///< [length/time]
+};
+
 struct Model {
   deck::Study study;
   mesh::Mesh mesh;
   fem::Bulk bulk; ///< the cells that deform and their materials
   fem::DofMap dofs;
-  SparseMatrix stiffness;
-  SparseMatrix mass; ///< empty (no entries) in a static or explicit run
-  std::vector<mesh::NodeIndex>
-      massless_nodes;          ///< ascending; on contact surfaces when their mass is redistributed
+  SparseMatrix stiffness; ///< of the cells and of the springs
+  SparseMatrix mass;      ///< empty (no entries) in a static or explicit run
+  /// Ascending; on contact surfaces when their mass is redistributed.
+  std::vector<mesh::NodeIndex> massless_nodes;
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
   SparseMatrix damping;        ///< no entries without Rayleigh coefficients
   Products products;           ///< with stiffness and mass, in an implicit run
   std::vector<Force> forces;
   std::vector<Constraint> constraints; ///< ascending dofs, one each
-  std::vector<int> free_dofs;          ///< ascending
-  std::vector<int> free_index;         ///< of a dof in free_dofs, −1 when it is constrained
+  std::vector<Spring> springs;
+  InitialMotion initial;
+  std::vector<int> free_dofs;  ///< ascending
+  std::vector<int> free_index; ///< of a dof in free_dofs, −1 when it is constrained
   std::vector<contact::Zone> zones;
   std::vector<mesh::NodeIndex> probe_nodes; ///< one a probe of the study
   std::vector<int> multiplier_offsets;      ///< first multiplier of each zone

@@ -42,6 +42,20 @@ std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const deck::
   return nodes;
 }
 
+std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const fem::DofMap& dofs,
+                                                 const deck::Name& name, std::string_view use,
+                                                 std::vector<Fault>& faults) {
+  auto nodes = nodes_or_fault(mesh, name, faults);
+  if (nodes.empty())
+    return nodes;
+  std::erase_if(nodes, [&](auto node) { return !dofs.has(node); });
+  if (nodes.empty())
+    faults.push_back({name.at, fmt::format("found '{}', none of whose nodes belongs to a cell that deforms, "
+                                           "expected a part of a body {}",
+                                           name.text, use)});
+  return nodes;
+}
+
 std::optional<deck::Function> function_named(const deck::Study& study, const deck::Name& name) {
   if (name.text.empty())
     return std::nullopt;

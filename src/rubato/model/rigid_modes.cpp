@@ -59,7 +59,7 @@ private:
   std::vector<NodeIndex> first_node_;
 };
 
-/// Rows of what supports and contact forbid, columns the rigid motions of all bodies.
+/// Rows of what supports, springs and contact resist, columns the rigid motions of all bodies.
 class Holds {
 public:
   explicit Holds(const Model& model)
@@ -78,12 +78,10 @@ public:
   }
 
   void add_supports() {
-    for (const auto& constraint : model_.constraints) {
-      const auto node = model_.dofs.nodes[static_cast<std::size_t>(constraint.dof / model_.dofs.components)];
-      Vector3d direction = Vector3d::Zero();
-      direction[constraint.dof % model_.dofs.components] = 1;
-      rows_.push_back(row(node, direction));
-    }
+    for (const auto& constraint : model_.constraints)
+      add_dof(constraint.dof);
+    for (const auto& spring : model_.springs)
+      add_dof(spring.dof);
   }
 
   void add_contact() {
@@ -117,6 +115,13 @@ public:
 
 private:
   Index columns() const { return static_cast<Index>(bodies_.count()) * modes_; }
+
+  void add_dof(int dof) {
+    const auto node = model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)];
+    Vector3d direction = Vector3d::Zero();
+    direction[dof % model_.dofs.components] = 1;
+    rows_.push_back(row(node, direction));
+  }
 
   /// Component along `direction` of a node's motion in every mode of its body.
   RowVectorXd row(NodeIndex node, const Vector3d& direction) {
@@ -172,7 +177,7 @@ void check_supported(const Model& model, std::vector<Fault>& faults) {
       {model.study.time.at,
        fmt::format(
            "the body of node {} is not held: it can move as a rigid body, and a static run has no inertia; "
-           "expected supports, or contact with something that is held",
+           "expected supports, springs, or contact with something that is held",
            node_label(model.mesh, holds.first_node(loose)))});
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 namespace rubato::model {
@@ -18,18 +17,10 @@ public:
       : study_(study), mesh_(mesh), dofs_(dofs), faults_(faults) {}
 
   void add(const deck::Support& support) {
-    const auto nodes = nodes_or_fault(mesh_, support.on, faults_);
-    if (!nodes.empty() && std::ranges::none_of(nodes, [&](auto node) { return dofs_.has(node); }))
-      faults_.push_back(
-          {support.on.at,
-           fmt::format("found '{}', none of whose nodes belongs to a cell that deforms, expected "
-                       "a part of a body to hold",
-                       support.on.text)});
-    for (const auto node : nodes)
-      if (dofs_.has(node))
-        for (int i = 0; i < dofs_.components; ++i)
-          if (const auto& amplitude = support.components[static_cast<std::size_t>(i)])
-            prescribe(support, node, i, *amplitude);
+    for (const auto node : body_nodes_or_fault(mesh_, dofs_, support.on, "to hold", faults_))
+      for (int i = 0; i < dofs_.components; ++i)
+        if (const auto& amplitude = support.components[static_cast<std::size_t>(i)])
+          prescribe(support, node, i, *amplitude);
   }
 
   std::vector<Constraint> constraints() const {

@@ -74,11 +74,12 @@ double Spectrum::stable_step() const {
 ExplicitMotion::ExplicitMotion(const Model& model)
     : model_(&model), stiffness_(model.stiffness, model.dofs.components),
       inverse_mass_(inverse_masses(model)), surface_(surface_dofs(model)), t_(model.study.time.begin),
-      u_(VectorXd::Zero(inverse_mass_.size())), v_(u_), unbalance_(u_), contact_force_(u_) {
+      u_(model.initial.displacement), v_(model.initial.velocity),
+      unbalance_(VectorXd::Zero(inverse_mass_.size())), contact_force_(unbalance_) {
   spectrum_.stiffness = linalg::largest_eigenvalue(stiffness_, inverse_mass_);
   if (model.damping.nonZeros() > 0) {
     damping_.emplace(model.damping, model.dofs.components);
-    damping_force_ = u_;
+    damping_force_ = unbalance_;
     spectrum_.damping = linalg::largest_eigenvalue(*damping_, inverse_mass_);
   }
   for (const auto& zone : model.zones)

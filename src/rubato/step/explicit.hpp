@@ -38,8 +38,8 @@ struct Spectrum {
 
 class ExplicitMotion {
 public:
-  /// At rest under the loads and imposed displacements of the study's first instant. The model must outlive
-  /// this. Throws InputError when a free unknown has no mass.
+  /// In the model's initial motion, under the loads and imposed displacements of the study's first instant.
+  /// The model must outlive this. Throws InputError when a free unknown has no mass.
   explicit ExplicitMotion(const model::Model& model);
 
   double t() const { return t_; }

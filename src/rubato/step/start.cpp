@@ -80,7 +80,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   const auto size = static_cast<Index>(model.dofs.dof_count);
   State state;
   state.t = t;
-  state.motion = {VectorXd::Zero(size), VectorXd::Zero(size), VectorXd::Zero(size)};
+  state.motion = {model.initial.displacement, model.initial.velocity, VectorXd::Zero(size)};
   apply_imposed(model, t, state.motion.u);
   state.unbalance = model.stiffness * state.motion.u - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);

@@ -11,7 +11,7 @@ namespace rubato::step {
 /// K u, C v, M v and M a of a motion.
 BulkForces bulk_forces(const model::Model& model, const time::Motion& motion);
 
-/// Displacements and velocities 0, imposed displacements applied, M a = external − internal force.
+/// The model's initial motion, imposed displacements applied, M a = external − internal − damping force.
 /// `loaded_history` false takes the first history bracket as zero (Code_Aster's start). Throws InputError
 /// when the mass matrix is singular.
 State initial_state(const model::Model& model, const time::Scheme& scheme, double t, bool loaded_history);

@@ -58,6 +58,10 @@ const Mistake key_mistakes[] = {
     {"value: 0.2, ", "", "{function: ramp", "supports.1.y: 'value' is missing"},
     {"      divisions: [20, 2]\n", "", "name: upper", "mesh.generate.0: 'divisions' is missing"},
     {", tolerance: 1e-3", "", "{probe", "checks.0: 'tolerance' is missing"},
+    {"on: End, x: 1e4", "x: 1e4", "{x: 1e4", "springs.0: 'on' is missing"},
+    {"on: lower, velocity", "velocity", "{velocity", "initial.0: 'on' is missing"},
+    {"displacement: {y: 1e-3}", "displcement: {y: 1e-3}", "displcement",
+     "unknown key 'initial.1.displcement'; did you mean 'displacement'?"},
 };
 
 const Mistake type_mistakes[] = {
@@ -153,6 +157,7 @@ const Mistake range_mistakes[] = {
      "checkpoint.at.0: found 0.2, expected an instant of the run, 0.001 to 0.013"},
     {"at: 0.012", "at: 12", "12, reference",
      "checks.0.at: found 12, expected an instant of the run, 0.001 to 0.013"},
+    {"x: 1e4", "x: -1e4", "-1e4", "springs.0.x: found '-1e4', expected a number > 0"},
     {"tolerance: 1e-3", "tolerance: 0", "0, kind", "checks.0.tolerance: found '0', expected a number > 0"},
 };
 
@@ -169,8 +174,15 @@ const Mistake sense_mistakes[] = {
      "time.instants: found 0.001, expected instants after the begin, 0.001"},
     {"step: 1e-3\n  end: 0.013", "instants: [0.005, 0.013, 0.012]", "0.012]",
      "time.instants: found 0.012 after 0.013, expected numbers that ascend"},
-    {"scheme: hht\n  alpha: -0.3", "scheme: static", "at_rest",
-     "time.start: the scheme static has no first acceleration, expected consistent or {from: run}"},
+    {"start: consistent", "start: at_rest_unloaded", "- {on: lower, velocity",
+     "initial: start: at_rest_unloaded begins at rest, expected start: consistent"},
+    {"scheme: hht\n  alpha: -0.3", "scheme: static", "- {on: lower, velocity",
+     "initial: the scheme static finds equilibrium wherever it begins"},
+    {", x: 1e4, y: 2e4", "", "{on: End}", "springs.0: has no stiffness, expected at least one of x, y, z"},
+    {"{x: -10, y: 1}", "{}", "{}", "initial.0.velocity: has no component, expected at least one of x, y, z"},
+    {"{x: -10, y: 1}", "{z: 1}", "1}}", "initial.0.velocity.z: plane_stress has no z, expected x or y"},
+    {", velocity: {x: -10, y: 1}", "", "{on: lower}",
+     "initial.0: says nothing, expected 'displacement' or 'velocity'"},
     {"alpha: -0.3", "alpha: -0.3\n  record: 1e-4", "1e-4\n  begin",
      "time.record: the scheme hht takes no record, central_difference takes it; a run removes it by "
      "'record: ~'"},
@@ -339,7 +351,7 @@ TEST(DeckFaults, AnExplicitSchemeHasStepsOfItsOwn) {
   EXPECT_EQ(faults_of_explicit("end: 1, on_failure: {cut: 2}"),
             Sentences{"time.on_failure: the scheme central_difference has no steps that fail"});
   EXPECT_EQ(faults_of_explicit("end: 1, start: at_rest_unloaded"),
-            Sentences{"time.start: the scheme central_difference starts at rest from the true equilibrium, "
+            Sentences{"time.start: the scheme central_difference starts from the true equilibrium, "
                       "expected consistent"});
   EXPECT_EQ(faults_of_explicit("end: 1, alpha: -0.1").size(), 1U);
   EXPECT_EQ(faults_of(replaced(smallest_deck, "newmark", "newmark, record: 1e-4")),
@@ -358,6 +370,22 @@ TEST(DeckFaults, AnExplicitSchemeTakesContactByPenaltyOnly) {
                                   "expected penalty for both"});
   EXPECT_EQ(faults(", method: nodal_penalty").size(), 1U);
   EXPECT_EQ(faults(", method: penalty, friction_method: augmented_lagrangian").size(), 1U);
+}
+
+TEST(DeckFaults, AStaticRunHasNoFirstAccelerationToLeaveOut) {
+  const auto deck = replaced(smallest_deck, "newmark,", "static, start: at_rest_unloaded,");
+  EXPECT_EQ(faults_of(deck), Sentences{place_of(deck, "at_rest") +
+                                       ": time.start: the scheme static has no first acceleration, expected "
+                                       "consistent or {from: run}"});
+}
+
+TEST(DeckFaults, ARunThatGoesOnFromAnotherHasItsMotion) {
+  const auto deck = smallest_deck + "initial: [{on: all, velocity: {x: 1}}]\n"
+                                    "runs: {first: {}, second: {time: {start: {from: first}}}}\n";
+  EXPECT_EQ(faults_of(deck), Sentences{place_of(deck, "[{on: all") +
+                                       ": initial: the run starts from the end of another one, whose motion "
+                                       "it has (run second)"});
+  EXPECT_EQ(faults_of(replaced(deck, "second: {", "second: {initial: ~, ")), Sentences{});
 }
 
 TEST(DeckFaults, ASolverMustSuitTheSchemeAndTheMethod) {

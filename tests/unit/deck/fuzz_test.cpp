@@ -119,7 +119,7 @@ Setting drawn_setting(Draw& draw) {
 const std::string deck_with_runs = test::full_deck + R"(runs:
   evol1: &a {}
   evol2: {contact: {interface: {friction: 0.5}}, time: {scheme: newmark, alpha: ~}}
-  evol3: {<<: *a, time: {start: {from: evol1}}}
+  evol3: {<<: *a, initial: ~, time: {start: {from: evol1}}}
 )";
 
 /// What is read can be echoed and read again, unless it needs another run beside it.

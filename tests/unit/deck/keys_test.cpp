@@ -133,6 +133,23 @@ TEST(DeckKeys, MaterialsKeepTheOrderOfTheFile) {
   EXPECT_EQ(materials[1].name, "brass");
 }
 
+TEST(DeckKeys, Springs) {
+  const auto springs = parse_one(full_deck).springs;
+  ASSERT_EQ(springs.size(), 1U);
+  EXPECT_EQ(springs[0].on.text, "End");
+  EXPECT_EQ(springs[0].stiffness, (std::array{1e4, 2e4, 0.0}));
+}
+
+TEST(DeckKeys, InitialMotion) {
+  const auto initial = parse_one(full_deck).initial;
+  ASSERT_EQ(initial.size(), 2U);
+  EXPECT_EQ(initial[0].on.text, "lower");
+  EXPECT_FALSE(initial[0].displacement[0] || initial[0].velocity[2]);
+  EXPECT_EQ(initial[0].velocity[0], -10);
+  EXPECT_EQ(initial[1].displacement[1], 1e-3);
+  EXPECT_EQ(initial[1].velocity[1], 2);
+}
+
 TEST(DeckKeys, Supports) {
   const auto supports = parse_one(full_deck).supports;
   ASSERT_EQ(supports.size(), 2U);
@@ -220,7 +237,9 @@ TEST(DeckKeys, TimeSteps) {
   EXPECT_EQ(time.begin, 0.001);
   EXPECT_EQ(time.step, 1e-3);
   EXPECT_EQ(time.end, 0.013);
-  EXPECT_EQ(time.start, StartKind::at_rest_unloaded);
+  EXPECT_EQ(time.start, StartKind::consistent);
+  EXPECT_EQ(parse_one(replaced(smallest_deck, "newmark", "newmark, start: at_rest_unloaded")).time.start,
+            StartKind::at_rest_unloaded);
   EXPECT_EQ(time.cut_parts, 4);
   EXPECT_EQ(time.cut_levels, 6);
 }

@@ -201,7 +201,7 @@ TEST(DeckSettings, FaultsStandAtTheSetting) {
   EXPECT_EQ(only({"checks.x", "0"}),
             "--set checks.x: found 'x' as place in a list, expected 0, the list has one entry");
   EXPECT_EQ(only({"time.start.from", "a"}),
-            "--set time.start.from: found 'at_rest_unloaded' at 'start', which has no 'from'");
+            "--set time.start.from: found 'consistent' at 'start', which has no 'from'");
   EXPECT_EQ(only({"runs.evol.time.step", "1"}, smallest_deck + "runs: {evol1: {}}"),
             "--set runs.evol.time.step: no run is called 'evol'; did you mean 'evol1'?");
   EXPECT_EQ(only({"runs.run", "1"}), "--set runs.run: expected a key of one run, as in runs.NAME.time.step");

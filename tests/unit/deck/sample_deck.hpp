@@ -56,6 +56,11 @@ loads:
   - surface_force: {on: Above, x: 2, y: 3}
   - pressure: {on: Above, value: 4, function: hold}
   - gravity: {y: -9.81, on: upper}
+springs:
+  - {on: End, x: 1e4, y: 2e4}
+initial:
+  - {on: lower, velocity: {x: -10, y: 1}}
+  - {on: Force, displacement: {y: 1e-3}, velocity: {y: 2}}
 functions:
   ramp: {times: [0, 1, 2], values: [0, 1, 0.5], outside: linear}
   hold: {times: [0], values: [1], outside: zero}
@@ -80,7 +85,7 @@ time:
   begin: 0.001
   step: 1e-3
   end: 0.013
-  start: at_rest_unloaded
+  start: consistent
   on_failure: {cut: 4, levels: 6}
 newton: {max_iterations: 25, residual: 1e-9}
 probes:

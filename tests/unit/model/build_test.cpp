@@ -126,6 +126,29 @@ TEST(Model, DampsByEachMaterialsOwnCoefficients) {
   EXPECT_EQ(model_of(box_deck).damping.nonZeros(), 0);
 }
 
+TEST(Model, AddsItsSpringsToTheStiffness) {
+  const auto free = model_of(box_deck);
+  const auto sprung = model_of(box_deck + "springs: [{on: end, x: 3, z: 5}, {on: ridge, z: 2}]\n");
+  const SparseMatrix added = sprung.stiffness - free.stiffness;
+  EXPECT_NEAR(added.sum(), 6 * (3 + 5) + 2 * 2, 1e-3); // rounding of a stiffness of 1e11
+  for (const auto& spring : sprung.springs)
+    EXPECT_EQ(sprung.mesh.points[static_cast<std::size_t>(sprung.node_of(spring.dof))].x(), 2.0);
+}
+
+TEST(Model, BeginsAsTheDeckSaysAndElsewhereAtRest) {
+  const auto free = with(two_blocks, "{left: held, top: lower_face}", "{top: lower_face}");
+  const auto model =
+      model_of(with(free, "contact:\n",
+                    "initial:\n"
+                    "  - {on: lower, velocity: {y: 3}}\n"
+                    "  - {on: tip, displacement: {x: 1e-3, y: 0}, velocity: {x: 2}}\ncontact:\n"));
+  const auto tip = model.probe_nodes.at(0);
+  EXPECT_EQ(model.initial.displacement[model.dofs.dof(tip, 0)], 1e-3);
+  EXPECT_EQ(model.initial.velocity[model.dofs.dof(tip, 0)], 2);
+  EXPECT_EQ(model.initial.displacement.sum(), 1e-3);
+  EXPECT_EQ(model.initial.velocity.sum(), 2 + 15 * 3);
+}
+
 TEST(Model, NumbersTheMultipliersOfItsZonesOneAfterAnother) {
   const auto model =
       model_of(with(two_blocks, "exclude_nodes: [held]}",

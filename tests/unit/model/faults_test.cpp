@@ -61,6 +61,45 @@ TEST(BadModel, IsToldWhenSupportsContradictEachOther) {
   EXPECT_TRUE(faults_of(with(two_blocks, "fix: [x, y]}", "fix: [x, y]}\n  - {on: held, x: 0}")).empty());
 }
 
+std::vector<Fault> faults_of_start(const std::string& entries) {
+  return faults_of(with(two_blocks, "contact:\n", "initial:\n" + entries + "contact:\n"));
+}
+
+TEST(BadModel, IsToldWhenItBeginsOtherwiseThanItsSupports) {
+  const auto faults = faults_of_start("  - {on: all, velocity: {x: 1, y: 0}}\n"
+                                      "  - {on: held, displacement: {y: 0.5}}\n");
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faults[0].at.line, 22);
+  EXPECT_EQ(faults[0].text, "node N1 (0, 0) begins with the velocity 1 in x, but its support moves at 0");
+  EXPECT_EQ(faults[1].at.line, 23);
+  EXPECT_NE(faults[1].text.find("begins with the displacement 0.5 in y, but its support puts it at 0"),
+            std::string::npos);
+}
+
+TEST(BadModel, MayBeginWithTheVelocityOfASupportThatMoves) {
+  auto deck = with(two_blocks, "  - {on: held, fix: [x, y]}",
+                   "  - {on: held, fix: y, x: {value: 0.1, function: ramp}}");
+  deck = with(deck, "contact:\n",
+              "functions: {ramp: {times: [0, 1], values: [2, 3]}}\n"
+              "initial: [{on: all, displacement: {x: 0.2}, velocity: {x: 0.1}}]\ncontact:\n");
+  EXPECT_TRUE(faults_of(deck).empty());
+  EXPECT_EQ(faults_of(with(deck, "velocity: {x: 0.1}", "velocity: {x: 0.2}")).size(), 1U);
+}
+
+TEST(BadModel, IsToldWhenTwoEntriesBeginDifferently) {
+  EXPECT_TRUE(faults_of_start("  - {on: tip, velocity: {x: 1}}\n  - {on: tip, velocity: {x: 1}}\n").empty());
+  const auto faults = faults_of_start("  - {on: tip, velocity: {x: 1}}\n  - {on: tip, velocity: {x: 2}}\n");
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].text.find("begins with the velocity 2 in x, but another entry has 1"),
+            std::string::npos);
+}
+
+TEST(BadModel, IsToldWhenSpringsOrMotionsAreOnNothing) {
+  EXPECT_NE(faults_of_start("  - {on: tipp, velocity: {x: 1}}\n").at(0).text.find("did you mean 'tip'?"),
+            std::string::npos);
+  EXPECT_EQ(faults_of(with(two_blocks, "contact:\n", "springs: [{on: rof, x: 1}]\ncontact:\n")).size(), 1U);
+}
+
 TEST(BadModel, IsToldWhenGaussPointsAreTooFewForTheMultipliers) {
   const auto faults = faults_of(with(two_blocks, "friction: 0.2", "friction: 0.2, integration: {gauss: 1}"));
   ASSERT_EQ(faults.size(), 1U);

@@ -35,6 +35,12 @@ TEST(StaticBody, SlidesAwayWithoutFrictionUnlessHeldAlongTheSurface) {
   EXPECT_TRUE(is_held(with(smooth, "fix: [x, y]}", "fix: [x, y]}\n  - {on: tip, fix: x}")));
 }
 
+TEST(StaticBody, MayHangOnSprings) {
+  const auto smooth = with(resting, ", friction: 0.2", "");
+  EXPECT_TRUE(is_held(with(smooth, "contact:\n", "springs: [{on: tip, x: 1}]\ncontact:\n")));
+  EXPECT_FALSE(is_held(with(smooth, "contact:\n", "springs: [{on: tip, y: 1}]\ncontact:\n")));
+}
+
 TEST(StaticBody, WithoutSupportsIsNamedByANodeOfIts) {
   auto apart =
       with(resting, "rectangle: {from: [0, 0], to: [1, 0.2]}", "rectangle: {from: [0, 5], to: [1, 5.2]}");

@@ -47,6 +47,20 @@ double end_of(const model::Model& model, const VectorXd& values) {
   return value;
 }
 
+/// The square of bar(1), let go at a stretch and a speed: u = u₀ cos ωt + v₀/ω sin ωt.
+TEST(ExplicitOscillator, BeginsWithTheMotionOfTheDeck) {
+  const auto model =
+      model_of(bar(1), {{"loads", ""}, {"initial", "[{on: end, displacement: {x: 0.5}, velocity: {x: 3}}]"}});
+  const double omega = std::sqrt(2.0);
+  ExplicitMotion motion(model);
+  EXPECT_NEAR(motion.energy().start, 0.5 * 0.5 * 9 + 0.5 * 0.25, 1e-12);
+  EXPECT_EQ(end_of(model, motion.state().motion.v), 3);
+  motion.advance(2, 2000);
+  EXPECT_NEAR(end_of(model, motion.state().motion.u),
+              0.5 * std::cos(2 * omega) + 3 / omega * std::sin(2 * omega), 2e-6);
+  EXPECT_LE(std::abs(motion.energy().balance()), 1e-12 * motion.energy().largest());
+}
+
 /// One square is an oscillator of ω² = k/m = 1/(1/2), two dofs of x moving alike.
 TEST(ExplicitOscillator, IsExactToSecondOrder) {
   const auto model = model_of(bar(1));

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// How a run begins: loads that are there from the first instant, and runs that go on from others.
+#include "rubato/step/energy.hpp"
+
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
 #include "unit/step/decks.hpp"
 #include "unit/step/walk.hpp"
+#include <cmath>
+#include <string>
 
 namespace rubato::step {
 namespace {
@@ -43,6 +47,45 @@ TEST(InitialState, HasTheAccelerationOfItsLoad) {
     EXPECT_NEAR(balance[dof], 0, 1e-9 * load);
   for (const auto& constraint : model.constraints)
     EXPECT_EQ(walk.state.motion.a[constraint.dof], 0);
+}
+
+/// One square between springs, of mass 2 and stiffness 8 in all, that cannot deform along x: an oscillator.
+const std::string slider = R"(
+mesh: {generate: [{name: body, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [1, 1]}]}
+physics: plane_stress
+materials: {stone: {young: 1e3, poisson: 0, density: 2, rayleigh: {mass: 0.25}}}
+supports: [{on: body, fix: y}]
+springs: [{on: body, x: 2}]
+initial: [{on: all, displacement: {x: 0.5}, velocity: {x: 3}}]
+time: {scheme: newmark, step: 1e-3, end: 1}
+)";
+
+/// 2 a + ¼ · 2 v + 8 u = 0.
+TEST(InitialMotion, HasTheAccelerationOfItsSpringsAndItsDamping) {
+  const Walk walk(slider);
+  for (const auto node : walk.model.dofs.nodes) {
+    const auto dof = walk.model.dofs.dof(node, 0);
+    EXPECT_EQ(walk.state.motion.u[dof], 0.5);
+    EXPECT_EQ(walk.state.motion.v[dof], 3);
+    EXPECT_NEAR(walk.state.motion.a[dof], -(0.25 * 3 + 4 * 0.5), 1e-12);
+  }
+}
+
+TEST(InitialMotion, SwingsAsTheOscillatorItIs) {
+  Walk walk(slider, {{"materials.stone.rayleigh", ""}});
+  EnergyAccount account(walk.model, walk.scheme, walk.state);
+  EXPECT_NEAR(account.ledger().start, 0.5 * 2 * 9 + 0.5 * 8 * 0.25, 1e-12);
+  ASSERT_TRUE(walk.to_end());
+  const double t = 1;
+  EXPECT_NEAR(walk.displacement(walk.node_at(1, 1), 0), 0.5 * std::cos(2 * t) + 1.5 * std::sin(2 * t), 2e-6);
+}
+
+TEST(InitialMotion, LeavesWhatSupportsImposeToThem) {
+  const Walk walk(slider, {{"supports", "[{on: body, y: 0.1}]"}});
+  for (const auto node : walk.model.dofs.nodes) {
+    EXPECT_EQ(walk.state.motion.u[walk.model.dofs.dof(node, 1)], 0.1);
+    EXPECT_EQ(walk.state.motion.v[walk.model.dofs.dof(node, 1)], 0);
+  }
 }
 
 TEST(StaticSteps, FindTheEquilibriumInOneSolveWhenNothingTouches) {

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/load/function.hpp"
+#include "rubato/model/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rubato::model {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr std::string_view axes = "xyz";
+/// Numbers nearer than this part of them are the same.
+constexpr double rounding = 1e-9;
+/// Part of the run over which the velocity of a moving support at its beginning is taken.
+constexpr double shortly = 1e-6;
+
+bool same(double a, double b) {
+  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
+
+class Collector {
+public:
+  Collector(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+            std::span<const Constraint> constraints, std::vector<Fault>& faults)
+      : time_(study.time), mesh_(mesh), dofs_(dofs), faults_(faults) {
+    for (const auto& constraint : constraints)
+      supports_[constraint.dof] = &constraint;
+    motion_.displacement = VectorXd::Zero(dofs.dof_count);
+    motion_.velocity = motion_.displacement;
+  }
+
+  void add(const deck::InitialMotion& initial) {
+    told_ = false;
+    for (const auto node : nodes_of(initial.on))
+      for (int i = 0; i < dofs_.components; ++i) {
+        const auto axis = static_cast<std::size_t>(i);
+        if (const auto& value = initial.displacement[axis])
+          set_displacement(initial, node, i, *value);
+        if (const auto& value = initial.velocity[axis])
+          set_velocity(initial, node, i, *value);
+      }
+  }
+
+  InitialMotion take() { return std::move(motion_); }
+
+private:
+  std::vector<mesh::NodeIndex> nodes_of(const deck::Name& name) {
+    if (name.text == deck::everywhere)
+      return {dofs_.nodes.begin(), dofs_.nodes.end()};
+    return body_nodes_or_fault(mesh_, dofs_, name, "to set in motion", faults_);
+  }
+
+  void set_displacement(const deck::InitialMotion& initial, mesh::NodeIndex node, int component,
+                        double value) {
+    const int dof = dofs_.dof(node, component);
+    if (const auto support = supports_.find(dof); support != supports_.end()) {
+      const double held = displacement_of(*support->second, time_.begin);
+      if (!same(value, held))
+        tell(initial, node, component, "displacement", value,
+             fmt::format("its support puts it at {:g}", held));
+    }
+    set(initial, node, component, "displacement", value, displaced_, motion_.displacement);
+  }
+
+  void set_velocity(const deck::InitialMotion& initial, mesh::NodeIndex node, int component, double value) {
+    const int dof = dofs_.dof(node, component);
+    if (const auto support = supports_.find(dof); support != supports_.end()) {
+      const double held = velocity_of(*support->second);
+      if (std::abs(value - held) > shortly * std::max(std::abs(value), std::abs(held)))
+        tell(initial, node, component, "velocity", value, fmt::format("its support moves at {:g}", held));
+    }
+    set(initial, node, component, "velocity", value, moved_, motion_.velocity);
+  }
+
+  /// What two entries say of one dof must be the same.
+  void set(const deck::InitialMotion& initial, mesh::NodeIndex node, int component, std::string_view what,
+           double value, std::map<int, double>& known, VectorXd& values) {
+    const int dof = dofs_.dof(node, component);
+    const auto [there, fresh] = known.emplace(dof, value);
+    if (!fresh && there->second != value)
+      tell(initial, node, component, what, value, fmt::format("another entry has {:g}", there->second));
+    values[dof] = value;
+  }
+
+  /// One node of an entry is enough.
+  void tell(const deck::InitialMotion& initial, mesh::NodeIndex node, int component, std::string_view what,
+            double value, const std::string& contradiction) {
+    if (told_)
+      return;
+    told_ = true;
+    faults_.push_back(
+        {initial.at, fmt::format("node {} begins with the {} {:g} in {}, but {}", node_label(mesh_, node),
+                                 what, value, axes[static_cast<std::size_t>(component)], contradiction)});
+  }
+
+  static double displacement_of(const Constraint& support, double t) {
+    return support.function ? support.value * load::value_at(*support.function, t) : support.value;
+  }
+
+  double velocity_of(const Constraint& support) const {
+    const double h = shortly * (time_.end - time_.begin);
+    return (displacement_of(support, time_.begin + h) - displacement_of(support, time_.begin)) / h;
+  }
+
+  const deck::TimeStepping& time_;
+  const mesh::Mesh& mesh_;
+  const fem::DofMap& dofs_;
+  std::vector<Fault>& faults_;
+  std::map<int, const Constraint*> supports_;
+  std::map<int, double> displaced_;
+  std::map<int, double> moved_;
+  InitialMotion motion_;
+  bool told_ = false;
+};
+
+} // namespace
+
+InitialMotion make_initial_motion(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+                                  std::span<const Constraint> constraints, std::vector<Fault>& faults) {
+  Collector collector(study, mesh, dofs, constraints, faults);
+  for (const auto& initial : study.initial)
+    collector.add(initial);
+  return collector.take();
+}
+
+} // namespace rubato::model
