@@ -7,8 +7,9 @@
 #include <Eigen/QR>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
 #include <vector>
 
 namespace rubato::model {
@@ -18,6 +19,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using fem::SparseMatrix;
+
+/// Rounds of Newton's method, which is quadratic from the factor that keeps the mass.
+constexpr int newton_rounds = 20;
+/// Moments that count as kept, relative.
+constexpr double kept_moments = 1e-14;
+/// Factor of a node beyond which moments are not worth it: 4 in its mass.
+constexpr double most_change = 2;
 
 /// One entry of m: two numbered nodes and what stands between them.
 struct Entry {
@@ -55,64 +63,120 @@ std::vector<int> bodies_of(const SparseMatrix& mass, int components, int nodes) 
   return body;
 }
 
-/// 1, x, y, z of the numbered nodes of a body, counted from its middle in units of its size.
-class Monomials {
-public:
-  Monomials(const mesh::Mesh& mesh, const fem::DofMap& dofs, const std::vector<int>& body, int which)
-      : values_(MatrixXd::Zero(static_cast<Index>(dofs.nodes.size()), mesh.dimension + 1)) {
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-    Eigen::Vector3d high = -low;
-    const auto at = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(dofs.nodes[i])]; };
-    for (std::size_t i = 0; i < body.size(); ++i)
-      if (body[i] == which)
-        for (int axis = 0; axis < 3; ++axis) {
-          low[axis] = std::min(low[axis], at(i)[axis]);
-          high[axis] = std::max(high[axis], at(i)[axis]);
-        }
-    const double size = (high - low).maxCoeff();
-    for (std::size_t i = 0; i < body.size(); ++i) {
-      if (body[i] != which)
-        continue;
-      const auto row = static_cast<Index>(i);
-      values_(row, 0) = 1;
-      for (int axis = 0; axis < mesh.dimension; ++axis)
-        values_(row, 1 + axis) = (at(i)[axis] - 0.5 * (low[axis] + high[axis])) / size;
-    }
-  }
-
-  Index products() const { return values_.cols() * (values_.cols() + 1) / 2; }
-
-  /// ½ (p_i q_j + q_i p_j) of every pair p, q.
-  VectorXd between(int i, int j) const {
-    VectorXd all(products());
-    Index next = 0;
-    for (Index p = 0; p < values_.cols(); ++p)
-      for (Index q = p; q < values_.cols(); ++q)
-        all[next++] = 0.5 * (values_(i, p) * values_(j, q) + values_(i, q) * values_(j, p));
-    return all;
-  }
-
-private:
-  MatrixXd values_;
+/// A body that loses the mass of its surface.
+struct Body {
+  std::vector<int> nodes; ///< numbered ones
+  SparseMatrix before;    ///< m of those nodes
+  SparseMatrix inside;    ///< the same without what its massless nodes have
+  MatrixXd positions;     ///< 1, x, y, z of each node, from the middle of the body in units of its size
 };
 
-/// λ: how the density of a body must change to carry what its massless nodes had.
-VectorXd density_change(const SparseMatrix& mass, int components, const std::vector<int>& body, int which,
-                        const std::vector<char>& massless, const Monomials& monomials) {
-  MatrixXd carried = MatrixXd::Zero(monomials.products(), monomials.products());
-  VectorXd lost = VectorXd::Zero(monomials.products());
-  for_each_entry(mass, components, [&](const Entry& entry) {
-    if (body[static_cast<std::size_t>(entry.row)] != which)
+MatrixXd positions_of(const mesh::Mesh& mesh, const fem::DofMap& dofs, const std::vector<int>& nodes) {
+  MatrixXd x(static_cast<Index>(nodes.size()), mesh.dimension);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    x.row(static_cast<Index>(i)) =
+        mesh.points[static_cast<std::size_t>(dofs.nodes[static_cast<std::size_t>(nodes[i])])].head(
+            mesh.dimension);
+  const Eigen::RowVectorXd low = x.colwise().minCoeff();
+  const Eigen::RowVectorXd high = x.colwise().maxCoeff();
+  MatrixXd positions(x.rows(), mesh.dimension + 1);
+  positions.col(0).setOnes();
+  positions.rightCols(mesh.dimension) = (x.rowwise() - 0.5 * (low + high)) / (high - low).maxCoeff();
+  return positions;
+}
+
+Body take_body(const mesh::Mesh& mesh, const fem::DofMap& dofs, const SparseMatrix& mass,
+               std::vector<int> nodes, const std::vector<char>& massless) {
+  std::vector<int> place(dofs.nodes.size(), -1);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    place[static_cast<std::size_t>(nodes[i])] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double, int>> all;
+  std::vector<Eigen::Triplet<double, int>> inside;
+  for_each_entry(mass, dofs.components, [&](const Entry& entry) {
+    const auto row = static_cast<std::size_t>(entry.row);
+    const auto column = static_cast<std::size_t>(entry.column);
+    if (place[row] < 0)
       return;
-    const VectorXd products = monomials.between(entry.row, entry.column);
-    if (massless[static_cast<std::size_t>(entry.row)] != 0 ||
-        massless[static_cast<std::size_t>(entry.column)] != 0)
-      lost += entry.value * products;
-    else
-      carried += entry.value * products * products.transpose();
+    all.emplace_back(place[row], place[column], entry.value);
+    if (massless[row] == 0 && massless[column] == 0)
+      inside.push_back(all.back());
   });
-  // A body that is flat in one direction carries fewer moments than there are equations for them.
-  return carried.completeOrthogonalDecomposition().solve(lost);
+  const auto size = static_cast<Index>(nodes.size());
+  Body body;
+  body.before.resize(size, size);
+  body.before.setFromTriplets(all.begin(), all.end());
+  body.inside.resize(size, size);
+  body.inside.setFromTriplets(inside.begin(), inside.end());
+  body.positions = positions_of(mesh, dofs, nodes);
+  body.nodes = std::move(nodes);
+  return body;
+}
+
+/// Products of `count` columns with each other, one column a pair.
+MatrixXd products_of(const MatrixXd& columns, Index count) {
+  MatrixXd products(columns.rows(), count * (count + 1) / 2);
+  Index next = 0;
+  for (Index p = 0; p < count; ++p)
+    for (Index q = p; q < count; ++q)
+      products.col(next++) = columns.col(p).cwiseProduct(columns.col(q));
+  return products;
+}
+
+/// Σ m_ij p_i q_j of every pair of the first `count` columns of `columns`.
+VectorXd moments_of(const SparseMatrix& mass, const MatrixXd& columns, Index count) {
+  VectorXd moments(count * (count + 1) / 2);
+  Index next = 0;
+  for (Index p = 0; p < count; ++p) {
+    const VectorXd weighed = mass * columns.col(p);
+    for (Index q = p; q < count; ++q)
+      moments[next++] = weighed.dot(columns.col(q));
+  }
+  return moments;
+}
+
+/// Factors d with which d_i m_ij d_j has the moments of the first `count` columns of 1, x, y, z: the product
+/// of a polynomial's values, found by Newton's method from the factor that keeps the mass. Nothing comes back
+/// when there are none that are positive and moderate.
+std::optional<VectorXd> factors_of(const Body& body, Index count) {
+  const auto& x = body.positions;
+  const VectorXd wanted = moments_of(body.before, x, count);
+  const double carried = x.col(0).dot(body.inside * x.col(0));
+  if (!(carried > 0))
+    return std::nullopt;
+  const MatrixXd basis = products_of(x, count);
+  VectorXd factors = VectorXd::Constant(x.rows(), std::sqrt(wanted[0] / carried));
+  for (int round = 0; round < newton_rounds; ++round) {
+    const MatrixXd scaled = factors.asDiagonal() * x.leftCols(count);
+    const VectorXd missing = wanted - moments_of(body.inside, scaled, count);
+    if (missing.norm() <= kept_moments * wanted.norm()) {
+      const bool moderate = factors.minCoeff() > 1 / most_change && factors.maxCoeff() < most_change;
+      return count == 1 || moderate ? std::optional(factors) : std::nullopt;
+    }
+    const MatrixXd weighed = body.inside * scaled;
+    MatrixXd slope(wanted.size(), basis.cols());
+    Index row = 0;
+    for (Index p = 0; p < count; ++p)
+      for (Index q = p; q < count; ++q) {
+        const VectorXd gradient =
+            x.col(p).cwiseProduct(weighed.col(q)) + x.col(q).cwiseProduct(weighed.col(p));
+        slope.row(row++) = gradient.transpose() * basis;
+      }
+    factors += basis * slope.completeOrthogonalDecomposition().solve(missing);
+  }
+  return std::nullopt;
+}
+
+void scale(const Body& body, const VectorXd& factors, const std::vector<char>& massless, int components,
+           SparseMatrix& mass) {
+  std::vector<double> factor(massless.size(), 0);
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    if (const auto node = static_cast<std::size_t>(body.nodes[i]); massless[node] == 0)
+      factor[node] = factors[static_cast<Index>(i)];
+  for (const int node : body.nodes)
+    for (int i = 0; i < components; ++i)
+      for (SparseMatrix::InnerIterator entry(mass, node * components + i); entry; ++entry)
+        entry.valueRef() *= factor[static_cast<std::size_t>(node)] *
+                            factor[static_cast<std::size_t>(entry.row() / components)];
 }
 
 } // namespace
@@ -120,36 +184,29 @@ VectorXd density_change(const SparseMatrix& mass, int components, const std::vec
 void redistribute_mass(const mesh::Mesh& mesh, const fem::DofMap& dofs,
                        std::span<const mesh::NodeIndex> massless, SparseMatrix& mass) {
   const int components = dofs.components;
-  const auto body = bodies_of(mass, components, static_cast<int>(dofs.nodes.size()));
+  const auto body_of = bodies_of(mass, components, static_cast<int>(dofs.nodes.size()));
   std::vector<char> is_massless(dofs.nodes.size(), 0);
-  std::vector<int> bodies;
+  std::map<int, std::vector<int>> bodies;
   for (const auto node : massless) {
     const auto number = static_cast<std::size_t>(dofs.dof(node, 0) / components);
     is_massless[number] = 1;
-    bodies.push_back(body[number]);
+    bodies[body_of[number]];
   }
-  std::ranges::sort(bodies);
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  for (const int which : bodies) {
-    const Monomials monomials(mesh, dofs, body, which);
-    const VectorXd change = density_change(mass, components, body, which, is_massless, monomials);
-    for (std::size_t i = 0; i < body.size(); ++i)
-      if (body[i] == which && is_massless[i] == 0 &&
-          1 + change.dot(monomials.between(static_cast<int>(i), static_cast<int>(i))) <= 0)
-        throw InputError(fmt::format("contact_mass: the inside of the body around {} cannot carry the mass "
-                                     "of its contact surface, it has "
-                                     "too few layers of cells; expected a finer mesh or consistent",
-                                     node_label(mesh, dofs.nodes[i])));
-    for (Index column = 0; column < mass.outerSize(); ++column)
-      for (SparseMatrix::InnerIterator entry(mass, column); entry; ++entry) {
-        const int row_node = static_cast<int>(entry.row()) / components;
-        const int column_node = static_cast<int>(column) / components;
-        if (body[static_cast<std::size_t>(row_node)] != which)
-          continue;
-        const bool off = is_massless[static_cast<std::size_t>(row_node)] != 0 ||
-                         is_massless[static_cast<std::size_t>(column_node)] != 0;
-        entry.valueRef() *= off ? 0.0 : 1 + change.dot(monomials.between(row_node, column_node));
-      }
+  for (std::size_t i = 0; i < body_of.size(); ++i)
+    if (const auto found = bodies.find(body_of[i]); found != bodies.end())
+      found->second.push_back(static_cast<int>(i));
+  for (auto& [which, nodes] : bodies) {
+    const auto body = take_body(mesh, dofs, mass, nodes, is_massless);
+    // Thin bodies have no places for moments of their depth: they keep their mass alone.
+    auto factors = factors_of(body, mesh.dimension + 1);
+    if (!factors)
+      factors = factors_of(body, 1);
+    if (!factors)
+      throw InputError(
+          fmt::format("contact_mass: the body around {} has no nodes but on its contact surface, nothing "
+                      "could carry their mass; expected more cells or consistent",
+                      node_label(mesh, dofs.nodes[static_cast<std::size_t>(nodes.front())])));
+    scale(body, *factors, is_massless, components, mass);
   }
 }
 

@@ -17,10 +17,11 @@
 namespace rubato::model {
 
 /// Zeroes the rows and columns of `massless` nodes in a consistent mass matrix m ⊗ 1 and gives what they had
-/// to the rest of the same body: every other entry of m is multiplied with 1 + ½ Σ λ_pq (p_i q_j + q_i p_j),
-/// p and q out of 1, x, y, z, the smallest change (measured with m) with which each body keeps its mass, its
-/// centre and its moments of inertia: Σ m_ij p_i q_j of all p and q. Throws InputError when a body has too
-/// little left to carry them: every other node of it must get a positive density.
+/// to the rest of the same body: m_ij → d_i m_ij d_j, which stays positive definite, d the values of a
+/// polynomial of second degree at the nodes with which the body keeps its mass, its centre and its moments of
+/// inertia (Σ m_ij p_i q_j, p and q of 1, x, y, z). A body whose inside is too thin for that, so that some d
+/// would be below 1/2 or beyond 2, keeps its mass and d is a constant. Throws InputError for a body without
+/// inside.
 void redistribute_mass(const mesh::Mesh& mesh, const fem::DofMap& dofs,
                        std::span<const mesh::NodeIndex> massless, fem::SparseMatrix& mass);
 
