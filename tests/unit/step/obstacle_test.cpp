@@ -293,7 +293,30 @@ newton: {residual: 1e-11}
             1e-9 * steps.u.back().lpNorm<Eigen::Infinity>());
 }
 
-/// A square plug blown up inside a bore touches it at its corners; the forces keep it in the middle.
+/// A rigid ball of radius 1 on a half space: the largest pressure belongs to the force as H. Hertz says (K.
+/// L. Johnson, Contact Mechanics, 1985, eq. 4.24), p₀ = (6 F E*²/(π³ R²))^⅓, however deep the body is. Four
+/// cells on the radius of contact.
+TEST(Ball, PressesAsHertzSays) {
+  Walk walk(R"(
+mesh:
+  generate:
+    - {name: half_space, rectangle: {from: [0, -0.4], to: [0.4, 0]}, divisions: [40, 40],
+       sides: {top: top, bottom: ground, left: axis}}
+  convert: full_quadratic
+physics: axisymmetric
+materials: {rubber: {young: 1e6, poisson: 0.3}}
+supports: [{on: ground, fix: y}, {on: axis, fix: x}]
+contact: {ball: {slave: top, obstacle: {sphere: {point: [0, 0.998], radius: 1}}}}
+time: {scheme: static, step: 1, end: 1}
+)");
+  ASSERT_TRUE(walk.to_end());
+  const double force = -walk.resultants().force[1];
+  const double stiffness = 1e6 / (1 - 0.3 * 0.3);
+  const double largest = std::cbrt(6 * force * stiffness * stiffness / std::pow(M_PI, 3));
+  EXPECT_NEAR(walk.resultants().largest_pressure, largest, 0.015 * largest);
+}
+
+/// A square plug that is too large for a bore touches it at its corners; the forces keep it in the middle.
 TEST(Bore, HoldsAPlugFromInside) {
   Walk walk(R"(
 mesh:
