@@ -31,6 +31,11 @@ int list() {
        {std::tuple{"newton", "ALGO_RESO_*='NEWTON'", "part of every Newton iteration"},
         {"fixed_point", "ALGO_RESO_*='POINT_FIXE'", "a loop of its own around them"}})
     fmt::print("  {:<31} {:<36} {}\n", name, code_aster, summary);
+  fmt::print("\nRigid obstacles (contact.ZONE.obstacle)\n");
+  for (const auto& [name, summary] : {std::pair{"plane", "point, normal"},
+                                      {"cylinder", "point, axis, radius; a circle in 2D; outside or inside"},
+                                      {"sphere", "point, radius; outside or inside"}})
+    fmt::print("  {:<31} {}\n", name, summary);
   fmt::print("\nPhysics (physics)\n");
   for (const auto& [name, summary] : {std::pair{"solid", "3D"},
                                       {"plane_stress", "2D, with thickness"},

@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
               "22:14: contact.interface: 'master' or 'obstacle' is missing"},
         Fault{"ObstacleWithoutDirection", "master: upper_face",
               "obstacle: {plane: {point: [0, 0], normal: [0, 0]}}",
-              "22:61: contact.interface.obstacle.plane.normal: found a vector of length 0, expected one that "
+              "22:57: contact.interface.obstacle.plane.normal: found a vector of length 0, expected one that "
               "points somewhere"},
         Fault{"UnknownObstacle", "master: upper_face", "obstacle: {cylindre: {point: [0, 0], radius: 1}}",
               "22:26: unknown key 'contact.interface.obstacle.cylindre'; did you mean 'cylinder'?"},

@@ -74,6 +74,26 @@ TEST(StaticBody, InSpaceNeedsSixHolds) {
   EXPECT_FALSE(is_held(with(box, "on: held, fix: [x, y, z]", "on: ridge, fix: [x, y, z]")));
 }
 
+/// A plane holds across itself and, with friction, along itself; a bore holds a shaft that may still turn.
+TEST(StaticBody, MayRestOnAnObstacle) {
+  const auto deck = [](const std::string& obstacle, const std::string& friction) {
+    return "mesh: {generate: [{name: body, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [2, 2], sides: "
+           "{left: skin, right: skin, top: skin, bottom: skin}}]}\n"
+           "physics: plane_strain\n"
+           "materials: {steel: {young: 1000, poisson: 0.25}}\n"
+           "contact: {rest: {slave: skin, friction: " +
+           friction + ", obstacle: " + obstacle +
+           "}}\n"
+           "time: {scheme: static, step: 1, end: 1}\n";
+  };
+  const std::string plane = "{plane: {point: [0, 0], normal: [0, 1]}}";
+  const std::string bore = "{cylinder: {point: [0.5, 0.5], radius: 0.7, side: inside}}";
+  EXPECT_TRUE(is_held(deck(plane, "0.1")));
+  EXPECT_FALSE(is_held(deck(plane, "0")));
+  EXPECT_TRUE(is_held(deck(bore, "0.1")));
+  EXPECT_FALSE(is_held(deck(bore, "0")));
+}
+
 TEST(DynamicBody, NeedsNoHolds) {
   EXPECT_EQ(
       fault_of([] { model_of(with(test::box_deck, "supports:\n  - {on: held, fix: [x, y, z]}\n", "")); }),

@@ -137,8 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
         Variation{"MotionAndWholeSystem", with(hht, {{"solver", "full"}})},
         Variation{"MotionByPenalty", with(hht, {{foot + "method", "penalty"}})},
         Variation{"MotionByNodalLagrange", with(hht, {{foot + "method", "nodal_lagrange"}})},
-        Variation{"MoreauJean",
-                  {{"time.scheme", "moreau_jean"}, {"time.step", "0.02"}, {foot + "restitution", "0.5"}}},
+        Variation{"MoreauJean", {{"time.scheme", "moreau_jean"}, {"time.theta", "1"}, {"time.step", "0.02"}}},
         Variation{"MassRedistributed", with(hht, {{"time.contact_mass", "redistributed"}})},
         Variation{"GeometryInALoop", {{foot + "iterate", "{geometry: fixed_point}"}}},
         Variation{"ThreeLoops",
@@ -192,6 +191,21 @@ TEST(PlaneByCentralDifferences, EntersItsWorkToRounding) {
   EXPECT_GT(ledger.support_work, 0.01 * ledger.largest());
 }
 
+/// A plane that rises at 1 under a block at rest meets it with that velocity: with restitution e the block's
+/// foot leaves it by e, at 1 + e.
+TEST(RisingPlane, ThrowsABlockBackWithItsRestitution) {
+  for (const std::string restitution : {"0", "0.5", "1"}) {
+    Walk walk(on_plane(), {{"time", "{scheme: moreau_jean, step: 1e-3, end: 1e-3}"},
+                           {"supports", "[{on: top, x: 0}]"},
+                           {foot + "friction", "0"},
+                           {foot + "restitution", restitution},
+                           {foot + "obstacle.move", "{x: ~, y: {value: 1, function: ramp}}"}});
+    ASSERT_TRUE(walk.to_end());
+    for (const auto node : walk.model.zones.front().slave.nodes)
+      EXPECT_NEAR(walk.state.motion.v[walk.model.dofs.dof(node, 1)], 1 + std::stod(restitution), 1e-9);
+  }
+}
+
 /// A circle pressed into a block and drawn along it.
 const std::string indented = R"(
 mesh:
@@ -230,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
         Variation{"NodalPenalty", {{"contact.tyre.method", "nodal_penalty"}}},
         Variation{"Hht", {{"time.scheme", "hht"}, {"time.alpha", "-0.1"}, {"time.step", "0.02"}}},
         Variation{"Newmark", {{"time.scheme", "newmark"}, {"time.step", "0.02"}}},
-        Variation{"MoreauJean", {{"time.scheme", "moreau_jean"}, {"time.step", "0.02"}}},
+        Variation{"MoreauJean", {{"time.scheme", "moreau_jean"}, {"time.theta", "1"}, {"time.step", "0.02"}}},
         Variation{
             "MassRedistributed",
             {{"time.scheme", "newmark"}, {"time.contact_mass", "redistributed"}, {"time.step", "0.02"}}},
@@ -279,7 +293,30 @@ newton: {residual: 1e-11}
             1e-9 * steps.u.back().lpNorm<Eigen::Infinity>());
 }
 
-/// A square plug blown up inside a bore touches it at its corners; the forces keep it in the middle.
+/// A rigid ball of radius 1 on a half space: the largest pressure belongs to the force as H. Hertz says (K.
+/// L. Johnson, Contact Mechanics, 1985, eq. 4.24), p₀ = (6 F E*²/(π³ R²))^⅓, however deep the body is. Four
+/// cells on the radius of contact.
+TEST(Ball, PressesAsHertzSays) {
+  Walk walk(R"(
+mesh:
+  generate:
+    - {name: half_space, rectangle: {from: [0, -0.4], to: [0.4, 0]}, divisions: [40, 40],
+       sides: {top: top, bottom: ground, left: axis}}
+  convert: full_quadratic
+physics: axisymmetric
+materials: {rubber: {young: 1e6, poisson: 0.3}}
+supports: [{on: ground, fix: y}, {on: axis, fix: x}]
+contact: {ball: {slave: top, obstacle: {sphere: {point: [0, 0.998], radius: 1}}}}
+time: {scheme: static, step: 1, end: 1}
+)");
+  ASSERT_TRUE(walk.to_end());
+  const double force = -walk.resultants().force[1];
+  const double stiffness = 1e6 / (1 - 0.3 * 0.3);
+  const double largest = std::cbrt(6 * force * stiffness * stiffness / std::pow(M_PI, 3));
+  EXPECT_NEAR(walk.resultants().largest_pressure, largest, 0.015 * largest);
+}
+
+/// A square plug that is too large for a bore touches it at its corners; the forces keep it in the middle.
 TEST(Bore, HoldsAPlugFromInside) {
   Walk walk(R"(
 mesh:
