@@ -121,10 +121,11 @@ public:
     write_summary(running, {});
   }
 
+  /// What needs most room comes first: when the disk is full, no table has begun.
   void start(const step::State& state) {
-    write_probes(state);
     if (wants_fields(state.t, 0, false))
       write_fields(state);
+    write_probes(state);
   }
 
   void step(const step::State& before, const step::State& now, const Attempt& attempt,
