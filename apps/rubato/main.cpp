@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/error.hpp"
 #include "rubato/linalg/blas_threads.hpp"
+#include "rubato/linalg/memory.hpp"
 #include "rubato/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -8,7 +9,12 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
+#include <new>
+#include <sys/resource.h>
 
 namespace {
 
@@ -127,6 +133,19 @@ int parse_and_work(int argc, char** argv) {
   return arguments.work();
 }
 
+/// What the memory was, and what else could be done. By now what the run had is given back.
+std::string out_of_memory() {
+  constexpr double gigabyte = 1e9;
+  constexpr double kibibyte = 1024;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return fmt::format(
+      "the memory does not suffice: {:.2g} GB were taken, {:.2g} GB can be had now; a coarser mesh, "
+      "cells of lower order or a machine with more memory may help (ulimit -v limits it too)",
+      static_cast<double>(usage.ru_maxrss) * kibibyte / gigabyte,
+      static_cast<double>(linalg::available_memory()) / gigabyte);
+}
+
 int report(const InputError& error) {
   for (const auto& fault : error.faults()) {
     const auto place = to_string(fault.at);
@@ -135,16 +154,29 @@ int report(const InputError& error) {
   return app::bad_input;
 }
 
+/// Ends the program without asking the libraries: one that could not write a file may break down over it.
+[[noreturn]] void leave(int code) {
+  std::fflush(nullptr);
+  std::_Exit(code);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is told of, as a full disk is
   rubato::linalg::start_with_one_blas_thread_by_default();
   try {
-    return parse_and_work(argc, argv);
+    const int code = parse_and_work(argc, argv);
+    if (code == app::other_failure)
+      leave(code);
+    return code;
   } catch (const InputError& error) {
     return report(error);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: {}\n", out_of_memory());
+    leave(app::other_failure);
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());
-    return app::other_failure;
+    leave(app::other_failure);
   }
 }

@@ -96,8 +96,38 @@ TEST_F(BadMeshFile, IsToldWhenItIsHdf5ButNotMed) {
 
 TEST_F(BadMeshFile, IsToldByNumberWhichCellIsTangled) {
   write(two_squares(true));
-  EXPECT_EQ(refusal(), "error: deck.yaml:1:14: mesh file 'blocks.med': cell 12 (QUAD4) is inverted or "
-                       "degenerate: its Jacobian determinant falls to -0.144, it must be positive\n");
+  EXPECT_EQ(refusal(),
+            "error: deck.yaml:1:14: mesh file 'blocks.med': cell 12 (QUAD4) at (1.5, 0.5) is "
+            "inverted or degenerate: its Jacobian determinant falls to -0.144, it must be positive\n");
+}
+
+TEST_F(BadMeshFile, IsToldByNumberWhichNodeIsNowhere) {
+  auto mesh = two_squares();
+  mesh.points[4][1] = std::numeric_limits<double>::quiet_NaN();
+  write(mesh);
+  EXPECT_EQ(refusal(),
+            "error: deck.yaml:1:14: mesh file 'blocks.med': node N5 (1, nan) has a coordinate that is "
+            "not finite\n");
+}
+
+TEST_F(BadMeshFile, IsToldWhichCellHasAStiffnessBeyondAllNumbers) {
+  write(two_squares());
+  EXPECT_EQ(
+      refusal({"materials.steel.young=1e308", "thickness=100"}),
+      "error: cell 11 (QUAD4) at (0.5, 0.5): its stiffness is not finite (young 1e+308, poisson 0.3, density "
+      "7800)\n");
+}
+
+TEST_F(BadMeshFile, IsToldWhenItCannotBeRead) {
+  std::filesystem::create_directory(folder_ / "blocks.med");
+  EXPECT_EQ(refusal(),
+            "error: deck.yaml:1:14: mesh file 'blocks.med' is a directory, a MED file was expected\n");
+  std::filesystem::remove(folder_ / "blocks.med");
+  write(two_squares());
+  std::filesystem::permissions(folder_ / "blocks.med", std::filesystem::perms::none);
+  if (geteuid() == 0)
+    GTEST_SKIP() << "permissions do not bind this user";
+  EXPECT_EQ(refusal(), "error: deck.yaml:1:14: mesh file 'blocks.med' cannot be read: permission denied\n");
 }
 
 TEST_F(BadMeshFile, IsToldWhenItHasNoCellsOfThePhysics) {

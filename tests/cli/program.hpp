@@ -11,6 +11,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -32,17 +33,27 @@ struct Outcome {
   std::string err;
 };
 
+/// What the system allows a program; 0: whatever it allows.
+struct Limits {
+  rlim_t file_size = 0; ///< bytes of each file
+  rlim_t memory = 0;    ///< bytes of address space
+};
+
 /// The running program. Whatever is still running when it goes is killed.
 class Program {
 public:
   /// `folder` is the program's current folder.
-  Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+  Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+          Limits limits = {}) {
     write_text(streams_ / "known_leaks", "leak:libhdf5\n");
     id_ = fork();
     if (id_ < 0)
       throw std::runtime_error("no process");
-    if (id_ == 0)
+    if (id_ == 0) {
+      limit(RLIMIT_FSIZE, limits.file_size);
+      limit(RLIMIT_AS, limits.memory);
       become(arguments, folder);
+    }
   }
   ~Program() {
     if (id_ > 0) {
@@ -88,6 +99,12 @@ private:
     _exit(127);
   }
 
+  static void limit(int resource, rlim_t bytes) {
+    const rlimit allowed{bytes, bytes};
+    if (bytes > 0)
+      setrlimit(static_cast<__rlimit_resource>(resource), &allowed);
+  }
+
   static void redirect(int stream, const std::filesystem::path& path) {
     const int file = open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
     dup2(file, stream);
@@ -98,8 +115,9 @@ private:
   pid_t id_ = -1;
 };
 
-inline Outcome run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
-  return Program(arguments, folder).wait();
+inline Outcome run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                           Limits limits = {}) {
+  return Program(arguments, folder, limits).wait();
 }
 
 } // namespace rubato::test

@@ -95,6 +95,24 @@ TEST_F(ResumedRun, OfAStoppedRunHasNoSeam) {
   expect_same("whole", "out");
 }
 
+TEST_F(ResumedRun, OfARunInterruptedTwiceGoesOnFromItsLastCheckpoint) {
+  const auto deck = with(with(test::rubbing_beams, "end: 0.03}", "end: 3}"), "at: [0.0115]", "every: 1");
+  test::write_text(folder_ / "deck.yaml", deck);
+  test::Program program({"run", "deck.yaml", "-o", "out", "-q", "--only", "exact"}, folder_.path());
+  const auto checkpoint = folder_ / "out/exact/checkpoint.h5";
+  while (program.is_running() && !std::filesystem::exists(checkpoint))
+    std::this_thread::sleep_for(1ms);
+  program.send(SIGINT);
+  program.send(SIGTERM); // at once, wherever it is
+  const auto code = program.wait().exit_code;
+  EXPECT_TRUE(code == -SIGINT || code == -SIGTERM || code == 4) << code;
+  ASSERT_TRUE(std::filesystem::exists(checkpoint));
+  ASSERT_EQ(run(deck, "out", {"--only", "exact", "--resume", "--set", "runs.exact.time.end=0.05"}).exit_code,
+            0);
+  ASSERT_EQ(run(deck, "whole", {"--only", "exact", "--set", "runs.exact.time.end=0.05"}).exit_code, 0);
+  expect_same("whole", "out");
+}
+
 TEST_F(ResumedRun, OfARunAtItsEndIsNotRunAgain) {
   ASSERT_EQ(run(test::rubbing_beams, "out", {"--only", "exact"}).exit_code, 0);
   const auto before = std::filesystem::last_write_time(folder_ / "out/exact/run.json");

@@ -60,12 +60,13 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 6> entries{{{"v3", rubato::verification::write_contact_patch},
+constexpr std::array<Entry, 7> entries{{{"v3", rubato::verification::write_contact_patch},
                                         {"v11", rubato::verification::write_free_beam},
                                         {"sdnl140", rubato::verification::write_sdnl140},
                                         {"convergence", rubato::verification::write_convergence},
                                         {"explicit", rubato::verification::write_explicit},
-                                        {"defaults", rubato::verification::write_defaults}}};
+                                        {"defaults", rubato::verification::write_defaults},
+                                        {"robustness", rubato::verification::write_robustness}}};
 
 constexpr std::string_view modelings_prefix = "sdnl140_";
 
@@ -74,8 +75,9 @@ constexpr std::string_view modelings_prefix = "sdnl140_";
 int main(int argc, char** argv) {
   const std::vector<std::string_view> words(argv + 1, argv + argc);
   if (words.empty()) {
-    std::fputs("usage: verify FOLDER [v3 v11 sdnl140 sdnl140_<letters> convergence explicit defaults]\n",
-               stderr);
+    std::fputs(
+        "usage: verify FOLDER [v3 v11 sdnl140 sdnl140_<letters> convergence explicit defaults robustness]\n",
+        stderr);
     return 2;
   }
   try {

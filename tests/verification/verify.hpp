@@ -42,6 +42,9 @@ void write_free_beam(const std::filesystem::path& folder);
 void write_convergence(const std::filesystem::path& folder);
 /// Explicit runs of modeling F against the converged answer and against implicit ones.
 void write_explicit(const std::filesystem::path& folder);
+/// Hundreds of random variants of the two beams, as robustness.hpp draws them; the decks of those that fail
+/// stay in the build folder.
+void write_robustness(const std::filesystem::path& folder);
 /// Modeling C with nothing chosen by the user, at smaller steps and on finer meshes.
 void write_defaults(const std::filesystem::path& folder);
 

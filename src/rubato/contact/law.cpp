@@ -20,6 +20,12 @@ constexpr int semi = 4;
 
 using Row = Eigen::Matrix<double, 1, 6>;
 
+/// Springs begin where a point counts as closed: a force that jumped there would leave no status that agrees
+/// with its own gap.
+double force_of_spring(const PointState& point, const PointLaw& law) {
+  return -law.normal * (point.gap + law.gap_tolerance);
+}
+
 /// P with its derivatives, zero while it is held.
 struct Threshold {
   double value = 0;
@@ -34,7 +40,7 @@ Threshold threshold_of(const PointState& point, const PointLaw& law) {
     threshold.value = point.pressure;
     threshold.derivative[pressure] = 1;
   } else {
-    threshold.value = -law.normal * point.gap;
+    threshold.value = force_of_spring(point, law);
     threshold.derivative[gap] = -law.normal;
   }
   return threshold;
@@ -66,7 +72,7 @@ void open_contact(const PointState& point, const PointLaw& law, PointResponse& r
 
 void close_contact(const PointState& point, const PointLaw& law, PointResponse& response) {
   const double stiffness = law.method == ContactMethod::nodal_pcg ? 0.0 : law.normal;
-  response.traction[0] = -stiffness * point.gap;
+  response.traction[0] = is_exact(law.method) ? -stiffness * point.gap : force_of_spring(point, law);
   response.d_traction(0, gap) = -stiffness;
   if (!is_exact(law.method))
     return;
@@ -132,10 +138,10 @@ bool rubs(const PointState& point, Status status, const PointLaw& law) {
 bool touches(const PointState& point, const PointLaw& law) {
   if (law.method == ContactMethod::nodal_pcg)
     return point.pressure > 0;
-  const double held = -law.normal * point.gap;
-  const double pushed = held - law.normal * law.gap_tolerance;
+  const double pushed = force_of_spring(point, law);
   if (!is_exact(law.method))
     return pushed > 0;
+  const double held = -law.normal * point.gap;
   return point.pressure > 0 ? point.pressure + held > 0 : point.pressure + pushed > 0;
 }
 

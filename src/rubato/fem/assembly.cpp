@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/fem/assembly.hpp"
 
+#include "rubato/error.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
 
 namespace rubato::fem {
 namespace {
@@ -40,6 +45,17 @@ CellsOfNodes cells_around_nodes(const mesh::Mesh& mesh, std::span<const CellInde
 
 double factor_of(std::span<const double> factors, const Bulk& bulk, std::size_t i) {
   return factors.empty() ? 1. : factors[at(bulk.law_of_cell[i])];
+}
+
+/// The reason is a material or a size beyond what numbers hold: it is told where it comes from.
+template <class Values>
+void require_finite(const Values& element, const mesh::Mesh& mesh, const Bulk& bulk, std::size_t i,
+                    std::string_view what) {
+  if (element.allFinite())
+    return;
+  const auto& law = bulk.law(i);
+  throw InputError(fmt::format("{}: its {} is not finite (young {:g}, poisson {:g}, density {:g})",
+                               cell_label(mesh, bulk.cells[i]), what, law.young, law.poisson, law.density));
 }
 
 } // namespace
@@ -136,6 +152,7 @@ SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const 
     stiffness(block->type, CellPoints(mesh, nodes), bulk.law(i), bulk.section, element);
     if (!factors.empty())
       element *= factor_of(factors, bulk, i);
+    require_finite(element, mesh, bulk, i, "stiffness");
     pattern.add(nodes, element, matrix);
   }
   return matrix;
@@ -151,6 +168,7 @@ SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const Block
     element.resize(static_cast<Eigen::Index>(nodes.size()), static_cast<Eigen::Index>(nodes.size()));
     mass(block->type, CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, element);
     element *= factor_of(factors, bulk, i);
+    require_finite(element, mesh, bulk, i, "mass");
     pattern.add_to_diagonals(nodes, element, matrix);
   }
   return matrix;
@@ -166,6 +184,7 @@ Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofM
     element.resize(static_cast<Eigen::Index>(nodes.size()));
     lumped_mass(block->type, CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, element);
     element *= factor_of(factors, bulk, i);
+    require_finite(element, mesh, bulk, i, "mass");
     for (std::size_t n = 0; n < nodes.size(); ++n)
       total.segment(dofs.first_dof[at(nodes[n])], dofs.components).array() +=
           element[static_cast<Eigen::Index>(n)];

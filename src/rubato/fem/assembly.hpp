@@ -46,7 +46,8 @@ private:
 };
 
 /// ∫ Bᵀ D B of the whole, times `factors[law]` for the cells of each law when factors are given (Rayleigh
-/// damping). Cells must be sound (cell_faults).
+/// damping). Cells must be sound (cell_faults). Throws InputError, with the cell, when its matrix is not
+/// finite.
 SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                                 std::span<const double> factors = {});
 

@@ -11,12 +11,26 @@
 namespace rubato::fem {
 namespace {
 
-std::string name_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
+/// The mean of its nodes.
+std::string middle_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  const auto nodes = mesh.nodes_of(cell);
+  for (const auto node : nodes)
+    middle += mesh.points[static_cast<std::size_t>(node)] / static_cast<double>(nodes.size());
+  return mesh.dimension == 2 ? fmt::format("({:.6g}, {:.6g})", middle[0], middle[1])
+                             : fmt::format("({:.6g}, {:.6g}, {:.6g})", middle[0], middle[1], middle[2]);
+}
+
+} // namespace
+
+std::string cell_label(const mesh::Mesh& mesh, mesh::CellIndex cell) {
   const auto [block, index] = mesh.place_of(cell);
   const auto i = static_cast<std::size_t>(index);
   const auto number = i < block->numbers.size() ? block->numbers[i] : cell + 1;
-  return fmt::format("cell {} ({})", number, mesh::topology(block->type).name);
+  return fmt::format("cell {} ({}) at {}", number, mesh::topology(block->type).name, middle_of(mesh, cell));
 }
+
+namespace {
 
 /// Empty when the cell is sound.
 std::string fault_of(const mesh::Mesh& mesh, mesh::CellIndex cell_index, deck::Physics physics) {
@@ -45,7 +59,7 @@ std::vector<Fault> cell_faults(const mesh::Mesh& mesh, std::span<const mesh::Cel
   std::vector<Fault> faults;
   for (const auto cell : cells)
     if (const auto text = fault_of(mesh, cell, physics); !text.empty())
-      faults.emplace_back().text = name_of(mesh, cell) + " " + text;
+      faults.emplace_back().text = cell_label(mesh, cell) + " " + text;
   return faults;
 }
 

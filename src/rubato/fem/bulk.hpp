@@ -39,6 +39,9 @@ private:
   std::size_t count_;
 };
 
+/// "cell 12 (QUAD4) at (1.5, 0.5)": its number in the file, its type and the mean of its nodes.
+std::string cell_label(const mesh::Mesh& mesh, mesh::CellIndex cell);
+
 /// One fault for each cell that cannot be computed with, naming it by its number in the file and its type:
 /// wrong dimension for the physics, Jacobian not positive (inverted or degenerate), or, when axisymmetric,
 /// reaching below the axis x = 0. Empty when all is well.

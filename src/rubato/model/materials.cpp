@@ -115,11 +115,24 @@ fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vecto
   return bulk;
 }
 
+/// Nodes that are nowhere. True when there are some: whatever they carry has no shape.
+template <class Tell> bool tell_lost_nodes(const mesh::Mesh& mesh, const Tell& tell) {
+  std::size_t count = 0;
+  for (mesh::NodeIndex node = 0; node < mesh.node_count(); ++node)
+    if (!mesh.points[static_cast<std::size_t>(node)].allFinite() && ++count <= listed_faults)
+      tell(fmt::format("node {} has a coordinate that is not finite", node_label(mesh, node)));
+  if (count > listed_faults)
+    tell(fmt::format("and {} more nodes like these", count - listed_faults));
+  return count > 0;
+}
+
 void check_shapes(const deck::Study& study, const mesh::Mesh& mesh, std::span<const CellIndex> cells,
                   std::vector<Fault>& faults) {
   const auto& file = study.mesh.file;
   const auto where = file.text.empty() ? "" : fmt::format("mesh file '{}': ", file.text);
   const auto tell = [&](const std::string& text) { faults.push_back(Fault{file.at, text}); };
+  if (tell_lost_nodes(mesh, [&](const std::string& text) { tell(where + text); }))
+    return;
   const auto bad = fem::cell_faults(mesh, cells, study.physics);
   for (const auto& fault : std::span(bad).first(std::min(bad.size(), listed_faults)))
     tell(where + fault.text);

@@ -103,6 +103,33 @@ private:
   Hdf5File* file_;
 };
 
+/// Counts what Writer would write.
+class Sizer {
+public:
+  /// With what HDF5 tells about each array.
+  std::uintmax_t bytes() const { return of_file + bytes_; }
+
+  void text(const std::string&, const std::string& value) { add(value.size()); }
+  void number(const std::string&, double&) { add(sizeof(double)); }
+  template <Whole T> void whole(const std::string&, T&) { add(sizeof(std::int64_t)); }
+  template <class Vector> void numbers(const std::string&, Vector& values) {
+    add(static_cast<std::size_t>(values.size()) * sizeof(double));
+  }
+  template <Whole T> void wholes(const std::string&, std::vector<T>& values) {
+    add(values.size() * sizeof(std::int64_t));
+  }
+  template <class Record> void table(const std::string&, std::vector<Record>& records) {
+    add(records.size() * numbers_in<Record>() * sizeof(double));
+  }
+  template <class Part> void parts(const std::string&, std::vector<Part>&) { add(sizeof(std::int64_t)); }
+
+private:
+  static constexpr std::uintmax_t of_file = 8192;
+  static constexpr std::uintmax_t of_array = 512;
+  void add(std::size_t bytes) { bytes_ += of_array + bytes; }
+  std::uintmax_t bytes_ = 0;
+};
+
 class Reader {
 public:
   explicit Reader(const Hdf5File& file) : file_(&file) {}
@@ -271,7 +298,10 @@ std::uint32_t crc_of(const std::vector<mesh::Group>& groups, std::uint32_t sum) 
 } // namespace
 
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint) {
+  Sizer sizer;
+  exchange(sizer, checkpoint);
   write_whole(path, [&](const std::filesystem::path& beside) {
+    require_room(beside, sizer.bytes()); // HDF5 does not survive a full disk
     Hdf5File file(beside, Hdf5File::Access::create, seal_size);
     Writer writer(file);
     exchange(writer, checkpoint);

@@ -90,7 +90,7 @@ void append(const med::File& file, const Instant& instant, const NodalField& fie
 
 /// What an instant needs at most: its values, and what MED and HDF5 tell about each field.
 std::uintmax_t room_for(std::span<const NodalField> fields) {
-  constexpr std::uintmax_t of_field = 16384;
+  constexpr std::uintmax_t of_field = 6144;
   std::uintmax_t bytes = 0;
   for (const auto& field : fields)
     bytes += of_field + field.values.size_bytes();

@@ -44,6 +44,7 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
   if (!std::filesystem::exists(from))
     throw InputError(fmt::format("{}: does not exist, but the checkpoint counts on it", from.string()));
   write_whole(to, [&](const std::filesystem::path& beside) {
+    require_room(beside, std::filesystem::file_size(from));
     std::filesystem::copy_file(from, beside, std::filesystem::copy_options::overwrite_existing);
   });
 }
@@ -120,10 +121,11 @@ public:
     write_summary(running, {});
   }
 
+  /// What needs most room comes first: when the disk is full, no table has begun.
   void start(const step::State& state) {
-    write_probes(state);
     if (wants_fields(state.t, 0, false))
       write_fields(state);
+    write_probes(state);
   }
 
   void step(const step::State& before, const step::State& now, const Attempt& attempt,
@@ -241,8 +243,9 @@ private:
   void keep_med_copy() {
     if (!model_.study.fields.med || !med_copy_.empty())
       return;
-    med_copy_ = med_copy_file(steps_done_);
-    copy_whole(folder_ / med_file, folder_ / med_copy_);
+    const auto copy = med_copy_file(steps_done_);
+    copy_whole(folder_ / med_file, folder_ / copy);
+    med_copy_ = copy;
   }
 
   ordered_json to_json(const Failure& failure) const {
@@ -259,6 +262,8 @@ private:
                       {"status_changes", report.status_changes},
                       {"restless", ordered_json::array()},
                       {"advice", failure.advice}};
+    if (!failure.not_finite.empty())
+      json["not_finite"] = failure.not_finite;
     for (const auto& worst : report.worst)
       json["worst_nodes"].push_back(
           {{"node", model::node_label(model_.mesh, worst.node)}, {"residual", finite(worst.residual)}});

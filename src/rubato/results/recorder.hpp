@@ -44,6 +44,7 @@ struct Failure {
   double end = 0;
   int cut_level = 0;
   step::StepReport report;
+  std::string not_finite;          ///< the first thing that was not finite, in words; empty when all was
   std::vector<std::string> advice; ///< what may help, each a few words
 };
 

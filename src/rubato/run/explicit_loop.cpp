@@ -4,6 +4,7 @@
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/loop_parts.hpp"
 #include "rubato/step/explicit.hpp"
+#include "rubato/step/finiteness.hpp"
 #include "rubato/writing.hpp"
 
 #include <fmt/format.h>
@@ -149,7 +150,7 @@ private:
       if (attempt.accepted)
         accept(std::move(next), attempt, report, record == records_);
       else
-        give_up(attempt, report);
+        give_up(next, attempt, report);
     } catch (const WriteError& error) {
       motion_.restore(start.motion);
       limit_ = start.limit;
@@ -185,11 +186,15 @@ private:
       keep_checkpoint();
   }
 
-  void give_up(const results::Attempt& attempt, const step::StepReport& report) {
+  void give_up(const step::State& reached, const results::Attempt& attempt, const step::StepReport& report) {
     recorder_->failed(attempt, report);
+    failure_ = {attempt.begin, attempt.end, 0, report, {}, {"a shorter time.step", "a smaller time.safety"}};
+    failure_->not_finite = step::first_not_finite(model_, attempt.end, reached, report);
     result_.status = Status::not_converged;
-    result_.message = fmt::format("displacements grew beyond all bounds between t = {:g} and {:g}",
-                                  attempt.begin, attempt.end);
+    result_.message =
+        fmt::format("displacements grew beyond all bounds between t = {:g} and {:g}; the first that is "
+                    "not finite: {}",
+                    attempt.begin, attempt.end, failure_->not_finite);
   }
 
   void interrupt() {
@@ -209,7 +214,7 @@ private:
   void finish() {
     try {
       result_.checks = recorder_->finish({result_.status, result_.message, result_.setup_seconds,
-                                          result_.loop_seconds, result_.steps, 0, 0});
+                                          result_.loop_seconds, result_.steps, 0, 0, failure_});
     } catch (const WriteError&) {
       if (!broken_off_)
         throw;
@@ -231,6 +236,7 @@ private:
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;
   bool broken_off_ = false;
+  std::optional<results::Failure> failure_;
   RunResult result_;
 };
 

@@ -90,7 +90,9 @@ std::string explain(const model::Model& model, const results::Failure& failure) 
   const auto& report = failure.report;
   auto text = fmt::format("no convergence from t = {:g} to {:g} ({}, {} iterations)", failure.begin,
                           failure.end, step::to_string(report.outcome), report.iterations);
-  if (!report.worst.empty())
+  if (!failure.not_finite.empty())
+    text += fmt::format("; the first that is not finite: {}", failure.not_finite);
+  else if (!report.worst.empty())
     text += fmt::format("; residual {} (wanted {:.0e})", worst_of(model, report), report.tolerance);
   if (!report.restless.empty())
     text += "; " + restless_of(model, report);

@@ -8,6 +8,7 @@
 #include "rubato/run/loop_parts.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/energy.hpp"
+#include "rubato/step/finiteness.hpp"
 #include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
 #include "rubato/writing.hpp"
@@ -205,7 +206,7 @@ private:
       if (attempt.accepted)
         accept(trial, attempt, report);
       else
-        reject(attempt, report);
+        reject(trial, attempt, report);
     } catch (const WriteError& error) {
       return break_off(error);
     }
@@ -231,7 +232,7 @@ private:
   }
 
   /// A run that ends here is kept as it was before the attempt: resumed with other means, it makes it again.
-  void reject(const results::Attempt& attempt, const step::StepReport& report) {
+  void reject(const step::State& trial, const results::Attempt& attempt, const step::StepReport& report) {
     const bool goes_on = control_.cut();
     if (!goes_on && keeper_.keeps_end())
       result_.kept = keep_checkpoint();
@@ -242,7 +243,9 @@ private:
       return;
     }
     result_.status = Status::not_converged;
-    failure_ = {attempt.begin, attempt.end, attempt.cut_level, report, advice(model_, scheme_, report)};
+    failure_ = {attempt.begin, attempt.end, attempt.cut_level, report, {}, advice(model_, scheme_, report)};
+    if (report.outcome == step::Outcome::not_finite)
+      failure_->not_finite = step::first_not_finite(model_, attempt.end, trial, report);
     result_.message = explain(model_, *failure_);
   }
 

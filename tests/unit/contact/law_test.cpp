@@ -70,6 +70,15 @@ TEST(PenaltyLaw, PressureIsStiffnessTimesPenetration) {
   EXPECT_DOUBLE_EQ(respond({-0.02, {0, 0}, 0, {0, 0}}, Status::slip, soft).traction[0], 1.0);
 }
 
+/// Or neither status would agree with the gap that it leads to.
+TEST(PenaltyLaw, PressureBeginsWhereThePointCloses) {
+  auto law = soft;
+  law.gap_tolerance = 1e-6;
+  EXPECT_EQ(wanted_status({.gap = -0.999e-6}, law), Status::open);
+  EXPECT_NE(wanted_status({.gap = -1.001e-6}, law), Status::open);
+  EXPECT_NEAR(respond({.gap = -1.001e-6}, Status::slip, law).traction[0], law.normal * 1e-9, 1e-12);
+}
+
 TEST(PenaltyLaw, FrictionGrowsWithSlipUpToItsLimit) {
   const PointState small{-0.02, {0.1, 0}, 0, {0, 0}};
   ASSERT_EQ(wanted_status(small, soft), Status::stick);

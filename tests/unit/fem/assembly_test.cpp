@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "support/bulk_cells.hpp"
+#include "support/faults.hpp"
 #include "support/patch_mesh.hpp"
+#include <array>
+#include <limits>
 
 namespace rubato::fem {
 namespace {
@@ -54,6 +57,18 @@ protected:
   DofMap dofs_ = number_dofs(mesh_, bulk_.cells, 2);
   BlockPattern pattern_{mesh_, bulk_.cells, dofs_};
 };
+
+TEST_F(TwoMaterials, AreToldByCellWhenTheirMatricesAreNotFinite) {
+  bulk_.laws[1].young = 1e308;
+  bulk_.laws[1].density = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(test::fault_of([&] {
+                assemble_stiffness(mesh_, bulk_, pattern_, std::array{1., 1e10});
+              }).starts_with("cell 2 (QUAD4) at ("));
+  EXPECT_NE(test::fault_of([&] { assemble_mass(mesh_, bulk_, pattern_); }).find("its mass is not finite"),
+            std::string::npos);
+  EXPECT_NE(test::fault_of([&] { lumped_mass(mesh_, bulk_, dofs_); }).find("its mass is not finite"),
+            std::string::npos);
+}
 
 TEST_F(TwoMaterials, LeaveNodesWithoutCellsUnnumbered) {
   EXPECT_EQ(dofs_.dof_count, 18);

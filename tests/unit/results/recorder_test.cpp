@@ -265,6 +265,10 @@ TEST_F(RunFolder, SaysWhereAValueIsNotFinite) {
   EXPECT_EQ(result.status, run::Status::not_converged);
   const auto failure = summary().at("failure");
   EXPECT_EQ(failure.at("outcome"), "a value is not finite");
+  EXPECT_TRUE(failure.at("not_finite").get<std::string>().starts_with("the load on node N"))
+      << failure.dump();
+  EXPECT_NE(result.message.find("; the first that is not finite: the load on node N"), std::string::npos)
+      << result.message;
   EXPECT_TRUE(failure.at("worst_nodes").at(0).at("residual").is_null());
   EXPECT_NE(failure.at("worst_nodes").at(0).at("node").get<std::string>().find("(1, 0.2)"), std::string::npos)
       << failure.dump();

@@ -145,6 +145,18 @@ void check_names(const Mesh& mesh, const std::string& name) {
                                    med::group_name_size));
 }
 
+/// What the file needs at most: its numbers, and what MED and HDF5 tell about each part.
+std::uintmax_t room_for(const Mesh& mesh) {
+  constexpr std::uintmax_t of_file = 32768;
+  constexpr std::uintmax_t of_group = 8192;
+  constexpr std::uintmax_t number = 8;
+  constexpr std::uintmax_t of_node = 5; // coordinates, own number, family
+  std::uintmax_t numbers = of_node * mesh.points.size();
+  for (const auto& block : mesh.blocks)
+    numbers += block.nodes.size() + 2 * static_cast<std::size_t>(block.cell_count());
+  return of_file + of_group * (mesh.node_groups.size() + mesh.cell_groups.size()) + number * numbers;
+}
+
 void write_content(const med::File& file, const Mesh& mesh, const std::string& name) {
   const auto of_nodes = families_of(mesh.node_groups, mesh.points.size(), +1);
   const auto of_cells = families_of(mesh.cell_groups, static_cast<std::size_t>(mesh.cell_count()), -1);
@@ -166,6 +178,7 @@ void write_content(const med::File& file, const Mesh& mesh, const std::string& n
 void write_med(const std::filesystem::path& path, const Mesh& mesh, const std::string& name) {
   check_names(mesh, name);
   write_whole(path, [&](const std::filesystem::path& beside) {
+    require_room(beside, room_for(mesh)); // MED does not survive a full disk
     med::File file(beside, med::File::Access::create, path);
     write_content(file, mesh, name);
     file.close();

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What a cut step changes, and what it must leave alone.
+#include "rubato/step/effective_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/step/decks.hpp"
+#include "unit/step/walk.hpp"
+
+namespace rubato::step {
+namespace {
+
+/// The coefficients of a whole step and of its sixteenth.
+class CutStep {
+public:
+  explicit CutStep(const std::vector<deck::Setting>& changes) : walk_(test::two_beams, changes) {}
+
+  contact::ZoneCoefficients whole() const { return of(walk_.model.study.time.step); }
+  contact::ZoneCoefficients part() const { return of(walk_.model.study.time.step / 16); }
+
+private:
+  contact::ZoneCoefficients of(double step) const {
+    return make_effective_system(walk_.model, walk_.scheme, step).zones.front();
+  }
+  test::Walk walk_;
+};
+
+TEST(CutSteps, HaveTheSpringsOfTheWholeStep) {
+  for (const char* method : {"penalty", "nodal_penalty"}) {
+    const CutStep cut({{"contact.interface.method", method}});
+    EXPECT_EQ(cut.part().normal, cut.whole().normal) << method;
+    EXPECT_EQ(cut.part().tangential, cut.whole().tangential) << method;
+  }
+  const CutStep cut({{"contact.interface.method", "nodal_lagrange"}});
+  EXPECT_EQ(cut.part().tangential, cut.whole().tangential);
+  EXPECT_GT(cut.part().normal[5], 10 * cut.whole().normal[5]);
+}
+
+TEST(CutSteps, HaveAugmentationsOfTheirOwn) {
+  const CutStep cut({});
+  EXPECT_GT(cut.part().normal[5], 10 * cut.whole().normal[5]);
+}
+
+} // namespace
+} // namespace rubato::step

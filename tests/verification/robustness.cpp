@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verification/robustness.hpp"
+
+#include "rubato/deck/read.hpp"
+#include "rubato/results/csv.hpp"
+
+#include <fmt/format.h>
+
+#include "support/scratch_folder.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <random>
+#include <span>
+
+namespace rubato::verification {
+namespace {
+
+/// The numbers of a seed are the same on every machine: the standard fixes its engines, not its
+/// distributions.
+class Dice {
+public:
+  Dice(std::uint32_t seed, int number) : engine_(seed + static_cast<std::uint32_t>(number)) {}
+
+  double uniform(double low, double high) { return low + (high - low) * part(); }
+  /// Every order of magnitude alike.
+  double magnitude(double low, double high) { return low * std::pow(high / low, part()); }
+  int whole(int low, int high) { return low + static_cast<int>(part() * (high - low + 1)); }
+  bool chance(double probability) { return part() < probability; }
+  std::string one_of(std::initializer_list<const char*> words) {
+    return std::data(words)[static_cast<std::size_t>(part() * static_cast<double>(words.size()))];
+  }
+
+private:
+  double part() { return static_cast<double>(engine_()) / 4294967296.; }
+  std::mt19937 engine_;
+};
+
+/// What is drawn for a variant, before it is a deck.
+struct Draw {
+  std::string cells;
+  bool plane = false;
+  int refine = 1;
+  int upper_cells = 20;
+  int lower_cells = 20;
+  double gap = 0; ///< < 0: overlap
+  double shift = 0;
+  double poisson = 0;
+  double load = 1;
+  double friction = 0;
+  std::string contact;
+  std::string scheme;
+  std::string time; ///< the scheme's own keys
+  bool redistributed = false;
+  double step = 0;
+  int steps = 0;
+};
+
+std::string level(Dice& dice) {
+  return dice.one_of({"newton", "fixed_point"});
+}
+
+void draw_mesh(Dice& dice, Meshes meshes, Draw& draw) {
+  draw.cells = dice.one_of({"tetra4", "hexa8", "quad4", "quad4"});
+  draw.plane = draw.cells == "quad4";
+  const bool refined = dice.chance(draw.plane ? 0.3 : 0.1);
+  draw.refine = refined && meshes == Meshes::any ? (draw.plane ? dice.whole(2, 4) : 2) : 1;
+  if (dice.chance(0.4))
+    draw.lower_cells = dice.whole(15, 27);
+  if (dice.chance(0.3))
+    draw.shift = dice.uniform(-0.03, 0.03);
+  const double place = dice.uniform(0, 1);
+  if (place < 0.2)
+    draw.gap = dice.magnitude(1e-6, 5e-3);
+  else if (place < 0.4)
+    draw.gap = -dice.magnitude(1e-7, 3e-4);
+  draw.poisson = dice.chance(0.5) ? 0.3 : 0;
+}
+
+void draw_contact(Dice& dice, Draw& draw) {
+  draw.friction = dice.chance(0.15) ? 0 : dice.uniform(0, 1.5);
+  const auto method = dice.one_of({"augmented_lagrangian", "augmented_lagrangian", "augmented_lagrangian",
+                                   "penalty", "nodal_lagrange", "nodal_penalty", "nodal_pcg"});
+  draw.contact = method;
+  if (method == "nodal_pcg")
+    draw.friction = 0;
+}
+
+std::string iterations(Dice& dice, const Draw& draw) {
+  if (draw.contact.starts_with("nodal_"))
+    return "";
+  const auto geometry = level(dice);
+  const auto friction = level(dice);
+  return fmt::format("iterate: {{geometry: {}, friction: {}, status: {}}}", geometry, friction, level(dice));
+}
+
+void draw_time(Dice& dice, Meshes meshes, Draw& draw) {
+  draw.step = dice.magnitude(1e-5, 2e-3);
+  draw.steps = meshes == Meshes::any ? dice.whole(30, 60) : dice.whole(10, 20);
+  draw.scheme =
+      dice.one_of({"hht", "hht", "hht", "newmark", "generalized_alpha", "modified_average_acceleration"});
+  if (draw.scheme == "hht" || draw.scheme == "modified_average_acceleration")
+    draw.time = fmt::format(", alpha: {:.3f}", dice.uniform(-0.3, -0.01));
+  if (draw.scheme == "generalized_alpha")
+    draw.time = fmt::format(", spectral_radius: {:.3f}", dice.uniform(0, 0.95));
+  draw.load = dice.magnitude(0.01, 10);
+}
+
+/// Schemes that contact cannot drive; Moreau's takes no springs.
+void draw_safety(Dice& dice, Draw& draw) {
+  draw.redistributed = dice.chance(0.4);
+  const bool jumps = dice.chance(0.25);
+  const bool no_springs = draw.contact == "augmented_lagrangian" || draw.contact == "nodal_pcg" ||
+                          (draw.friction == 0 && draw.contact == "nodal_lagrange");
+  if (draw.redistributed)
+    draw.time += ", contact_mass: redistributed";
+  if (!jumps || !no_springs || draw.redistributed)
+    return;
+  draw.scheme = "moreau_jean";
+  draw.time = fmt::format(", theta: {:.3f}", dice.uniform(0.5, 0.7));
+}
+
+std::string body(const Draw& draw, const std::string& name, double left, double bottom, int cells,
+                 const std::string& groups) {
+  const double top = bottom + 0.1;
+  if (draw.plane)
+    return fmt::format("    - {{name: {}, rectangle: {{from: [{:.6g}, {:.9g}], to: [{:.6g}, {:.9g}]}}, "
+                       "divisions: [{}, 2], cells: quad4, {}}}\n",
+                       name, left, bottom, left + 1, top, cells, groups);
+  return fmt::format("    - {{name: {}, box: {{from: [{:.6g}, {:.9g}, 0], to: [{:.6g}, {:.9g}, 0.1]}}, "
+                     "divisions: [{}, 2, 1], cells: {}, {}}}\n",
+                     name, left, bottom, left + 1, top, cells, draw.cells, groups);
+}
+
+std::string mesh_of(const Draw& draw) {
+  const auto* loaded = draw.plane ? "points: {right_top: loaded}" : "edges: {right_top: loaded}";
+  return fmt::format("mesh:\n  generate:\n{}{}  refine: {}\n",
+                     body(draw, "upper", 0, 0, draw.upper_cells,
+                          fmt::format("sides: {{left: upper_clamp, bottom: upper_face}}, {}", loaded)),
+                     body(draw, "lower", draw.shift, -0.1 - draw.gap, draw.lower_cells,
+                          "sides: {left: lower_clamp, top: lower_face}"),
+                     draw.refine);
+}
+
+std::string deck_of(const Draw& draw, const std::string& title, const std::string& iterate) {
+  const auto* fixed = draw.plane ? "[x, y]" : "[x, y, z]";
+  const auto* z = draw.plane ? "" : ", 0.05";
+  return fmt::format(
+      R"(title: {}
+{}physics: {}
+materials: {{steel: {{young: 200e9, poisson: {}, density: 7800}}}}
+supports: [{{on: upper_clamp, fix: {}}}, {{on: lower_clamp, fix: {}}}]
+loads: [{{{}: {{on: loaded, y: {:.6g}}}}}]
+contact:
+  interface: {{master: upper_face, slave: lower_face, friction: {:.4f}, method: {}, exclude_nodes: [lower_clamp]{}{}}}
+time: {{scheme: {}{}, step: {:.6g}, end: {:.9g}}}
+probes: {{upper: {{point: [1, 0.1{}]}}, lower: {{point: [{:.6g}, {:.6g}{}]}}}}
+checkpoint: {{last: false}}
+)",
+      title, mesh_of(draw), draw.plane ? "plane_stress" : "solid", draw.poisson, fixed, fixed,
+      draw.plane ? "nodal_force" : "line_force", -1e7 * draw.load, draw.friction, draw.contact,
+      iterate.empty() ? "" : ", ", iterate, draw.scheme, draw.time, draw.step, draw.steps * draw.step, z,
+      1 + draw.shift, -0.1 - draw.gap, z);
+}
+
+std::string words_of(const Draw& draw, const std::string& iterate) {
+  std::string words =
+      fmt::format("{} {}/{}", draw.cells, draw.upper_cells * draw.refine, draw.lower_cells * draw.refine);
+  if (draw.shift != 0)
+    words += fmt::format(", shifted {:.3f}", draw.shift);
+  if (draw.gap != 0)
+    words += fmt::format(", {} {:.1e}", draw.gap > 0 ? "gap" : "overlap", std::abs(draw.gap));
+  words += fmt::format(", ν {}, load × {:.3g}, μ {:.2f}, {}", draw.poisson, draw.load, draw.friction,
+                       draw.contact);
+  if (!iterate.empty())
+    words += fmt::format(" {}", std::string_view(iterate).substr(iterate.find('{')));
+  return words + fmt::format(", {}{}, {} × {:.2e} s", draw.scheme, draw.time, draw.steps, draw.step);
+}
+
+Variant variant(std::uint32_t seed, int number, Meshes meshes) {
+  Dice dice(seed, number);
+  Draw draw;
+  draw_mesh(dice, meshes, draw);
+  draw_contact(dice, draw);
+  const auto iterate = iterations(dice, draw);
+  draw_time(dice, meshes, draw);
+  draw_safety(dice, draw);
+  return {number,
+          draw.cells,
+          draw.scheme,
+          draw.contact,
+          words_of(draw, iterate),
+          draw.refine > 1,
+          draw.gap < 0,
+          draw.redistributed || draw.scheme == "moreau_jean",
+          draw.steps,
+          deck_of(draw, fmt::format("two beams, variant {}", number), iterate)};
+}
+
+deck::Study study_of(const Variant& variant, const std::vector<deck::Setting>& changes = {}) {
+  return deck::parse_deck(variant.deck, fmt::format("{}.yaml", variant.number), changes).runs.front();
+}
+
+/// Runs until it has tried that many times the steps it has.
+run::RunResult run_patiently(const Variant& variant, const deck::Study& study,
+                             const std::filesystem::path& folder, bool& warned) {
+  constexpr int patience = 10;
+  int attempts = 0;
+  run::Watch watch;
+  watch.progress = [&](const run::Progress&) { ++attempts; };
+  watch.warn = [&](const std::string& text) { warned = warned || text.find("energy gained") != text.npos; };
+  watch.stop = [&] { return attempts > patience * variant.steps; };
+  auto result = run::run_study(study, folder, watch);
+  if (result.status == run::Status::interrupted)
+    result.message = fmt::format("given up after {} attempts, {}", attempts, result.message);
+  return result;
+}
+
+void note_energy(const std::filesystem::path& file, Survival& survival) {
+  const auto& energy = survival.result.energy;
+  if (energy.largest == 0)
+    return;
+  const auto table = results::read_csv(file);
+  const auto impact = static_cast<std::size_t>(table.column("impact"));
+  for (const auto& row : table.rows)
+    survival.contact_gain = std::max(survival.contact_gain, -row[impact] / energy.largest);
+  survival.gain = energy.gain / energy.largest;
+  survival.balance = energy.largest_balance / energy.largest;
+}
+
+} // namespace
+
+std::vector<Variant> variants(std::uint32_t seed, int first, int count, Meshes meshes) {
+  std::vector<Variant> all;
+  for (int number = first; number < first + count; ++number)
+    all.push_back(variant(seed, number, meshes));
+  return all;
+}
+
+Survival survive(const Variant& variant) {
+  const test::ScratchFolder folder;
+  Survival survival;
+  try {
+    survival.result = run_patiently(variant, study_of(variant), folder / "run", survival.warned);
+    if (survival.result.status != run::Status::complete)
+      survival.failure = survival.result.message;
+    note_energy(folder / "run/energy.csv", survival);
+  } catch (const std::exception& error) {
+    survival.failure = error.what();
+  }
+  return survival;
+}
+
+double deviation_of_solvers(const Variant& variant) {
+  std::array<results::Table, 2> histories;
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    const test::ScratchFolder folder;
+    const auto study =
+        study_of(variant, {{"solver", i == 0 ? "condensed" : "full"}, {"newton.residual", "1e-11"}});
+    bool warned = false;
+    if (run_patiently(variant, study, folder / "run", warned).status != run::Status::complete)
+      return -1;
+    histories[i] = results::read_csv(folder / "run/probes.csv");
+  }
+  double largest = 0;
+  double difference = 0;
+  for (std::size_t row = 0; row < std::min(histories[0].rows.size(), histories[1].rows.size()); ++row)
+    for (std::size_t i = 1; i < histories[0].rows[row].size(); ++i) {
+      const double value = histories[1].rows[row][i];
+      largest = std::max(largest, std::abs(value));
+      difference = std::max(difference, std::abs(histories[0].rows[row][i] - value));
+    }
+  return difference / largest;
+}
+
+} // namespace rubato::verification

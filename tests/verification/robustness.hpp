@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Random variants of the two beams of SDNL140: steps, friction, loads, meshes, gaps, schemes and methods as
+/// nobody would choose them all, with nothing helped along. The same seed gives the same variants everywhere.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+#include "rubato/run/time_loop.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rubato::verification {
+
+struct Variant {
+  int number = 0;
+  std::string cells;  ///< "quad4"
+  std::string scheme; ///< words of the deck
+  std::string method;
+  std::string words; ///< everything that was drawn, in a line
+  bool refined = false;
+  bool overlaps = false; ///< bodies that begin inside one another bring an energy of their own
+  /// Whether contact cannot gain energy by the scheme's nature: no mass where it touches, or impulses.
+  bool safe = false;
+  int steps = 0; ///< wanted
+  std::string deck;
+};
+
+enum class Meshes { coarse, any };
+
+/// Variants `first` to `first + count − 1` of a seed. `coarse`: none is refined, and all are short.
+std::vector<Variant> variants(std::uint32_t seed, int first, int count, Meshes meshes = Meshes::any);
+
+struct Survival {
+  run::RunResult result;
+  std::string failure;     ///< why it did not come to its end, or empty
+  double gain = 0;         ///< largest energy from nowhere, over the largest energy
+  double contact_gain = 0; ///< largest that contact pressures gave more than they took, likewise
+  bool warned = false;     ///< of a gain that was not soon given up again
+  double balance = 0;      ///< largest, over the largest energy
+  bool finished() const { return failure.empty(); }
+  /// More than 1 % of the largest energy of the whole run, and not soon given up again.
+  bool keeps_gain() const { return warned && std::max(gain, contact_gain) > 0.01; }
+};
+
+/// Runs a variant in a folder that is gone afterwards. It is given up when it has tried far more steps than
+/// it has.
+Survival survive(const Variant& variant);
+
+/// Largest difference of the tips' histories condensed and whole, over their largest displacement; both with
+/// a sharper residual. Negative when one of them did not come to its end.
+double deviation_of_solvers(const Variant& variant);
+
+} // namespace rubato::verification
