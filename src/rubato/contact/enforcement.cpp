@@ -31,6 +31,9 @@ constexpr double tangential_stiffening = 10;
 /// they stuck in every other iteration.
 constexpr double spring_share = 0.1;
 
+/// Gap, in lengths of the shortest master edge, below which a point touches at the start of a step.
+constexpr double touching_gap = 1e-9;
+
 /// Positions of the six point variables among local unknowns: displacement ones first, then λ and Λ.
 struct LocalResponse {
   VectorXd force; ///< internal side, by q
@@ -183,6 +186,15 @@ void measure_again(const Zone& zone, const VectorXd& multipliers, const Configur
   }
 }
 
+/// Σ N_i v_i over the point's nodes: of the slave point relative to the place it faces.
+Vector3d interpolated(const Kinematics& k, const fem::DofMap& dofs, const VectorXd& values) {
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t node = 0; node < k.nodes.size(); ++node)
+    sum.head(k.components) +=
+        k.shape[static_cast<Index>(node)] * values.segment(dofs.dof(k.nodes[node], 0), k.components);
+  return sum;
+}
+
 /// Mean over the directions of the point's own stiffness, each node counted with its share.
 double resistance(const SlavePoint& point, const fem::DofMap& dofs,
                   const Eigen::Ref<const VectorXd>& diagonal) {
@@ -261,6 +273,28 @@ void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zon
                              std::vector<PointEvaluation>& into) {
   into = held;
   measure_again(zone, multipliers, configuration, into);
+}
+
+std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
+                                             const VectorXd& velocity, double step, double theta) {
+  const auto& zone = neighbours.zone();
+  std::vector<PointEvaluation> points;
+  evaluate(neighbours, VectorXd::Zero(zone.multiplier_count()), start, points);
+  for (auto& point : points)
+    if (point.variables.gap > touching_gap * zone.master.shortest_edge)
+      point.kinematics.reset();
+  points = with_held_frames(std::move(points));
+  for (auto& point : points) {
+    if (!point.kinematics)
+      continue;
+    auto& k = *point.kinematics;
+    const Vector3d relative = interpolated(k, *start.dofs, velocity);
+    const double normal = k.normal.dot(relative);
+    k.gap_origin =
+        k.gap + step * ((1 - theta) * normal + theta * zone.settings.restitution * std::max(0.0, -normal));
+    k.slip_origin = step * (1 - theta) * (k.tangents.transpose() * relative);
+  }
+  return points;
 }
 
 PointLaw ZoneLaw::of_point(std::size_t index) const {

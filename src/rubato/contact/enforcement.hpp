@@ -84,6 +84,14 @@ void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zon
                              const Eigen::VectorXd& multipliers, const Configuration& configuration,
                              std::vector<PointEvaluation>& into);
 
+/// Held frames of the points that touch at the start of a step of length `step`, in which gap and slip stand
+/// for velocities: with v the relative velocity at the start, at the end of the step
+///   gap = h θ (v₁·n − e ⟨−v·n⟩),   slip_a = h θ v₁·τ_a       where u₁ = u₀ + h (θ v₁ + (1−θ) v)
+/// so that the same laws that close gaps and hold slips stop what approaches (Moreau's law with Newton's
+/// restitution e). All other points have no kinematics. `velocity`: one a dof.
+std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
+                                             const Eigen::VectorXd& velocity, double step, double theta);
+
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 
 /// Contributions of contact to the discrete equations. Forces stand on the internal side (minus what acts on

@@ -417,6 +417,8 @@ Kinematics held_between(const Kinematics& a, const Kinematics& b) {
   k.tangents.col(1) = k.normal.cross(Vector3d(k.tangents.col(0)));
   k.gap = 0.5 * (a.gap + b.gap);
   k.slip = 0.5 * (a.slip + b.slip);
+  k.gap_origin = 0.5 * (a.gap_origin + b.gap_origin);
+  k.slip_origin = 0.5 * (a.slip_origin + b.slip_origin);
   return with_held_frame(std::move(k));
 }
 
@@ -428,9 +430,9 @@ void measure_in_held_frame(Kinematics& k, const Configuration& configuration) {
     apart += shape * configuration.position(k.nodes[node]);
     moved += shape * configuration.increment(k.nodes[node]);
   }
-  k.gap = k.normal.dot(apart);
+  k.gap = k.normal.dot(apart) - k.gap_origin;
   for (int a = 0; a < k.parametric_dimension; ++a)
-    k.slip[a] = k.tangents.col(a).dot(moved);
+    k.slip[a] = k.tangents.col(a).dot(moved) - k.slip_origin[a];
 }
 
 } // namespace rubato::contact

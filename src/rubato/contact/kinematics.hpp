@@ -39,6 +39,9 @@ struct Kinematics {
   Eigen::Matrix<double, 3, 2> tangents; ///< τ₁, τ₂; in 2D only τ₁ counts
   double gap = 0;
   Eigen::Vector2d slip = Eigen::Vector2d::Zero();
+  /// Of a held frame: what gap and slip are counted from.
+  double gap_origin = 0;
+  Eigen::Vector2d slip_origin = Eigen::Vector2d::Zero();
 
   Variation<2> d_projection; ///< dξ̄
   Variation<3> d_normal;

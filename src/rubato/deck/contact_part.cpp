@@ -134,6 +134,7 @@ ContactZone read_zone(const NamedValue& entry) {
   read_coefficients(map.find("coefficients"), zone);
   read_iterations(map.find("iterate"), zone);
   read(map.find("history_force"), zone.history_force);
+  read(map.find("restitution"), zone.restitution, from_to(0, 1));
   map.finish();
   return zone;
 }

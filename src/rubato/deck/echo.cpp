@@ -157,6 +157,7 @@ Json echo(const ContactZone& zone) {
   map["iterate"] = {
       {"geometry", echo(zone.geometry)}, {"friction", echo(zone.threshold)}, {"status", echo(zone.status)}};
   map["history_force"] = zone.history_force;
+  map["restitution"] = zone.restitution;
   return map;
 }
 
@@ -174,6 +175,9 @@ void put_scheme(Json& map, const TimeStepping& time) {
   case SchemeKind::generalized_alpha:
     map["spectral_radius"] = time.spectral_radius;
     break;
+  case SchemeKind::moreau_jean:
+    map["theta"] = time.theta;
+    break;
   case SchemeKind::central_difference:
     map["safety"] = time.safety;
     map["record"] = time.record;
@@ -186,6 +190,7 @@ void put_scheme(Json& map, const TimeStepping& time) {
 Json echo(const TimeStepping& time) {
   auto map = Json::object();
   put_scheme(map, time);
+  map["contact_mass"] = word(contact_mass_words, time.contact_mass);
   map["begin"] = time.begin;
   if (time.instants.empty()) {
     map["step"] =

@@ -78,6 +78,28 @@ void check_explicit_contact(const Study& study, Faults& faults) {
                              word_of(scheme_words, study.time.scheme)));
 }
 
+/// Velocities that jump ask for impulses, which springs have none of; and only they know of restitution.
+void check_velocity_contact(const Study& study, Faults& faults) {
+  const bool jumps = study.time.scheme == SchemeKind::moreau_jean;
+  for (const auto& zone : study.contact) {
+    if (zone.restitution > 0 && !jumps)
+      faults.add(zone.at,
+                 fmt::format("contact.{}: found a restitution, which the scheme moreau_jean takes; {} "
+                             "computes the rebound from the bodies' own motion",
+                             zone.name, word_of(scheme_words, study.time.scheme)));
+    const bool springs = zone.method == ContactMethod::penalty ||
+                         zone.method == ContactMethod::nodal_penalty ||
+                         (zone.friction > 0 && zone.friction_method != FrictionMethod::augmented_lagrangian);
+    if (jumps && springs)
+      faults.add(zone.at,
+                 fmt::format("contact.{}: found the method {} with friction by {}, but the scheme {} stops "
+                             "bodies by impulses, expected augmented_lagrangian for both",
+                             zone.name, word_of(contact_method_words, zone.method),
+                             word_of(friction_method_words, zone.friction_method),
+                             word_of(scheme_words, study.time.scheme)));
+  }
+}
+
 void read_solver(const Found& value, Study& study) {
   if (!read(value, study.solver, solver_words))
     return;
@@ -108,6 +130,8 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   read_contact(map.find("contact"), study.contact);
   if (context.scheme && is_explicit(*context.scheme))
     check_explicit_contact(study, faults);
+  else if (context.scheme)
+    check_velocity_contact(study, faults);
   read_newton(map.find("newton"), study.newton);
   read_solver(map.find("solver"), study);
   read_probes(map.find("probes"), context, study.probes);

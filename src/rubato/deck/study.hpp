@@ -182,6 +182,7 @@ struct ContactZone {
   Level status{Iteration::newton, 0, 30};
   /// Whether contact forces at the start of a step enter its equilibrium with the scheme's weight.
   bool history_force = true;
+  double restitution = 0; ///< moreau_jean: part of the approach velocity that comes back, in 0…1
   Location at;
   bool operator==(const ContactZone&) const = default;
 };
@@ -200,6 +201,7 @@ enum class SchemeKind {
   hht,
   modified_average_acceleration,
   generalized_alpha,
+  moreau_jean, ///< velocities jump where bodies hit
   static_steps,
   central_difference
 };
@@ -208,6 +210,12 @@ enum class SchemeKind {
 constexpr bool is_explicit(SchemeKind scheme) {
   return scheme == SchemeKind::central_difference;
 }
+
+/// What the slave surfaces weigh.
+enum class ContactMass {
+  consistent,   ///< what the elements give them
+  redistributed ///< nothing: the inside of their bodies carries it
+};
 
 enum class StartKind {
   consistent,       ///< a0 from equilibrium, history bracket evaluated at the start (default)
@@ -221,6 +229,8 @@ struct TimeStepping {
   std::optional<double> beta;   ///< newmark only
   std::optional<double> gamma;  ///< newmark only
   double spectral_radius = 0.5; ///< generalized_alpha: ρ_∞ in 0…1
+  double theta = 0.5;           ///< moreau_jean: in 1/2…1
+  ContactMass contact_mass = ContactMass::consistent;
   double begin = 0;
   /// > 0 unless instants are listed. central_difference: 0 stands for the stable step times `safety`.
   double step = 0;

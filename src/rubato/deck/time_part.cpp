@@ -18,10 +18,11 @@ struct SchemeKey {
   std::string_view key;
   std::string_view takers;
 };
-constexpr std::array<SchemeKey, 6> scheme_keys{{{"alpha", "hht and modified_average_acceleration take it"},
+constexpr std::array<SchemeKey, 7> scheme_keys{{{"alpha", "hht and modified_average_acceleration take it"},
                                                 {"beta", "newmark takes it"},
                                                 {"gamma", "newmark takes it"},
                                                 {"spectral_radius", "generalized_alpha takes it"},
+                                                {"theta", "moreau_jean takes it"},
                                                 {"safety", "central_difference takes it"},
                                                 {"record", "central_difference takes it"}}};
 /// Results an explicit run keeps when the deck doesn't say how many: its steps are too many to keep each.
@@ -36,6 +37,8 @@ bool takes(SchemeKind scheme, std::string_view key) {
     return key == "alpha";
   case SchemeKind::generalized_alpha:
     return key == "spectral_radius";
+  case SchemeKind::moreau_jean:
+    return key == "theta";
   case SchemeKind::central_difference:
     return key == "safety" || key == "record";
   case SchemeKind::static_steps:
@@ -69,6 +72,9 @@ void read_scheme(MapReader& map, Context& context, TimeStepping& time) {
     break;
   case SchemeKind::generalized_alpha:
     read(map.find("spectral_radius"), time.spectral_radius, from_to(0, 1));
+    break;
+  case SchemeKind::moreau_jean:
+    read(map.find("theta"), time.theta, from_to(0.5, 1));
     break;
   case SchemeKind::central_difference:
     read(map.find("safety"), time.safety, Range{.low = 0, .high = 1, .low_allowed = false});
@@ -172,6 +178,15 @@ void read_start(const Found& value, TimeStepping& time) {
     value->fault("the scheme central_difference starts from the true equilibrium, expected consistent");
 }
 
+void read_contact_mass(const Found& value, TimeStepping& time) {
+  if (!read(value, time.contact_mass, contact_mass_words) || time.contact_mass == ContactMass::consistent)
+    return;
+  if (time.scheme == SchemeKind::static_steps)
+    value->fault("the scheme static has no masses, expected consistent");
+  if (is_explicit(time.scheme))
+    value->fault("the scheme central_difference divides by the mass of every node, expected consistent");
+}
+
 void read_failure(const Found& value, TimeStepping& time) {
   if (!value)
     return;
@@ -189,6 +204,7 @@ void read_time(const Found& value, Context& context, TimeStepping& time) {
   time.at = value->at();
   MapReader map(*value);
   read_scheme(map, context, time);
+  read_contact_mass(map.find("contact_mass"), time);
   read_course(map, time);
   read_start(map.find("start"), time);
   if (is_explicit(time.scheme))

@@ -64,13 +64,17 @@ inline constexpr std::array<Word<Iteration>, 2> iteration_words{
 inline constexpr std::array<Word<Solver>, 3> solver_words{
     {{"auto", Solver::automatic}, {"condensed", Solver::condensed}, {"full", Solver::full}}};
 
-inline constexpr std::array<Word<SchemeKind>, 6> scheme_words{
+inline constexpr std::array<Word<SchemeKind>, 7> scheme_words{
     {{"newmark", SchemeKind::newmark},
      {"hht", SchemeKind::hht},
      {"modified_average_acceleration", SchemeKind::modified_average_acceleration},
      {"generalized_alpha", SchemeKind::generalized_alpha},
+     {"moreau_jean", SchemeKind::moreau_jean},
      {"static", SchemeKind::static_steps},
      {"central_difference", SchemeKind::central_difference}}};
+
+inline constexpr std::array<Word<ContactMass>, 2> contact_mass_words{
+    {{"consistent", ContactMass::consistent}, {"redistributed", ContactMass::redistributed}}};
 
 /// `time.step` of an explicit run that chooses it by itself.
 inline constexpr std::string_view automatic_step = "auto";

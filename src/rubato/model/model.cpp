@@ -8,6 +8,7 @@
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/refine.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/contact_mass.hpp"
 
 #include <fmt/format.h>
 
@@ -38,6 +39,16 @@ void number_unknowns(Model& model) {
   }
 }
 
+/// One side without mass is enough for pressures to be continuous: the slave's.
+void free_contact_of_mass(Model& model) {
+  auto& nodes = model.massless_nodes;
+  for (const auto& zone : model.zones)
+    nodes.insert(nodes.end(), zone.slave.nodes.begin(), zone.slave.nodes.end());
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  redistribute_mass(model.mesh, model.dofs, nodes, model.mass);
+}
+
 void assemble_matrices(Model& model, const std::vector<deck::Material>& materials) {
   const auto& bulk = model.bulk;
   const fem::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
@@ -52,6 +63,8 @@ void assemble_matrices(Model& model, const std::vector<deck::Material>& material
     model.lumped_mass = fem::lumped_mass(model.mesh, bulk, model.dofs);
   else
     model.mass = fem::assemble_mass(model.mesh, bulk, pattern);
+  if (model.study.time.contact_mass == deck::ContactMass::redistributed)
+    free_contact_of_mass(model);
   std::vector<double> by_stiffness;
   std::vector<double> by_mass;
   bool damped = false;

@@ -52,8 +52,10 @@ struct Model {
   mesh::Mesh mesh;
   fem::Bulk bulk; ///< the cells that deform and their materials
   fem::DofMap dofs;
-  SparseMatrix stiffness;      ///< of the cells and of the springs
-  SparseMatrix mass;           ///< empty (no entries) in a static or explicit run
+  SparseMatrix stiffness; ///< of the cells and of the springs
+  SparseMatrix mass;      ///< empty (no entries) in a static or explicit run
+  std::vector<mesh::NodeIndex>
+      massless_nodes;          ///< ascending; on contact surfaces when their mass is redistributed
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
   SparseMatrix damping;        ///< no entries without Rayleigh coefficients
   Products products;           ///< with stiffness and mass, in an implicit run

@@ -76,7 +76,7 @@ public:
 private:
   /// Also counts what earlier attempts have cost.
   StepReport solve(const Variant& variant, State& trial) {
-    const ContactSide side(model_, system_, committed_, variant);
+    const ContactSide side(model_, scheme_, system_, committed_, variant);
     auto report =
         can_condense(model_, system_) ? solve_by<Condensed>(side, trial) : solve_by<Newton>(side, trial);
     report.iterations = spent_ += report.iterations;

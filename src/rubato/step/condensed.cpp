@@ -32,7 +32,7 @@ bool owns_its_multipliers(const contact::Zone& zone) {
 /// Nothing of an attempt before is seen but the storage it left.
 CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme) {
   if (!system.scratch)
-    system.scratch = std::make_shared<CondensedScratch>(*system.compliance, scheme.forces.now);
+    system.scratch = std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight());
   system.scratch->forget();
   return *system.scratch;
 }
@@ -111,7 +111,7 @@ std::vector<WorstNode> Condensed::worst_on_surface() const {
   std::vector<mesh::NodeIndex> nodes;
   for (const int dof : system_.compliance->dof_of_position())
     nodes.push_back(model_.node_of(dof));
-  const VectorXd left = scheme_.forces.now * (points().force() - applied_);
+  const VectorXd left = scheme_.contact_weight() * (points().force() - applied_);
   return worst_nodes(left, nodes, surface_scale());
 }
 
@@ -173,14 +173,14 @@ bool Condensed::settled(const Held& held) {
 
 /// Until the bulk has been solved for, forces are measured by what they were measured by in the last step.
 double Condensed::surface_scale() const {
-  return std::max(scale_, scheme_.forces.now * points().force().lpNorm<Eigen::Infinity>());
+  return std::max(scale_, scheme_.contact_weight() * points().force().lpNorm<Eigen::Infinity>());
 }
 
 void Condensed::measure_surface() {
   const auto& force = points().force();
   Index worst = 0;
   const double largest =
-      force.size() > 0 ? scheme_.forces.now * (force - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
+      force.size() > 0 ? scheme_.contact_weight() * (force - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
   report_.residual = largest == 0 ? 0 : largest / surface_scale();
   if (force.size() > 0)
     report_.worst_node =
@@ -201,7 +201,7 @@ bool Condensed::iterate(State& trial, const Held& held) {
 void Condensed::move_surface(const VectorXd& force, State& trial) {
   applied_ = force;
   moved_ = free_;
-  system_.compliance->add(-scheme_.forces.now, force, moved_);
+  system_.compliance->add(-scheme_.contact_weight(), force, moved_);
   const auto& dofs = system_.compliance->dof_of_position();
   for (std::size_t i = 0; i < dofs.size(); ++i)
     trial.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];
@@ -231,7 +231,7 @@ void Condensed::correct_multipliers(const Held& held, const PointSystem::Change&
 void Condensed::move_bulk(State& trial) {
   const auto& factor = system_.compliance->factor();
   VectorXd half_way = half_way_;
-  factor.load_surface(-scheme_.forces.now * applied_, half_way);
+  factor.load_surface(-scheme_.contact_weight() * applied_, half_way);
   VectorXd d = VectorXd::Zero(base_.u.size());
   d(model_.free_dofs) = factor.backward(half_way);
   trial.motion = base_;

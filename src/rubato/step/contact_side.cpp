@@ -37,11 +37,17 @@ void keep_given_status(const contact::Zone& zone, const std::vector<PointEvaluat
 
 } // namespace
 
-ContactSide::ContactSide(const Model& model, EffectiveSystem& system, const State& committed,
-                         const Variant& variant)
+ContactSide::ContactSide(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                         const State& committed, const Variant& variant)
     : model_(model), system_(system), committed_(committed), variant_(variant), coefficients_(system.zones) {
   for (std::size_t z = 0; z < coefficients_.size(); ++z)
     vary(model.zones[z], variant, coefficients_[z]);
+  if (!scheme.impulsive)
+    return;
+  const contact::Configuration start{&model.mesh, &model.dofs, &committed.motion.u, &committed.motion.u};
+  for (auto& neighbours : system.neighbours)
+    frames_.push_back(
+        contact::velocity_frames(neighbours, start, committed.motion.v, system.step, scheme.beta));
 }
 
 contact::ZoneLaw ContactSide::law_of(std::size_t zone, const Held& held) const {
@@ -63,7 +69,9 @@ void ContactSide::measure(const State& trial, const Held& held, ContactIterate& 
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto& zone = model_.zones[z];
     const auto& multipliers = trial.zones[z].multipliers;
-    if (held[z].frames.empty())
+    if (!frames_.empty())
+      contact::evaluate_in_held_frames(frames_[z], zone, multipliers, configuration, into.points[z]);
+    else if (held[z].frames.empty())
       contact::evaluate(system_.neighbours[z], multipliers, configuration, into.points[z]);
     else
       contact::evaluate_in_held_frames(held[z].frames, zone, multipliers, configuration, into.points[z]);
@@ -102,6 +110,20 @@ void ContactSide::finish(const Held& held, const ContactIterate& iterate, State&
     trial.zones[z].outcomes = contact::outcomes(law_of(z, held), iterate.points[z], iterate.status[z]);
     contact::add_friction_force(iterate.points[z], trial.zones[z].outcomes, model_.dofs,
                                 trial.friction_force);
+  }
+  if (!frames_.empty())
+    measure_places(trial);
+}
+
+/// Results tell where points are, not how fast they part.
+void ContactSide::measure_places(State& trial) const {
+  const contact::Configuration end{&model_.mesh, &model_.dofs, &trial.motion.u, &committed_.motion.u};
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    const auto points = contact::evaluate(model_.zones[z], trial.zones[z].multipliers, end);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      trial.zones[z].outcomes[i].gap = points[i].variables.gap;
+      trial.zones[z].outcomes[i].slip = points[i].variables.slip;
+    }
   }
 }
 

@@ -38,8 +38,8 @@ struct ContactIterate {
 class ContactSide {
 public:
   /// Everything must outlive this.
-  ContactSide(const model::Model& model, EffectiveSystem& system, const State& committed,
-              const Variant& variant);
+  ContactSide(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+              const State& committed, const Variant& variant);
 
   /// Contact at `trial` as `held` has it, with the statuses of `trial` where a point can have them.
   ContactIterate at(const State& trial, const Held& held) const;
@@ -61,6 +61,7 @@ public:
   void finish(const Held& held, const ContactIterate& iterate, State& trial) const;
 
 private:
+  void measure_places(State& trial) const;
   bool geometry_settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const;
   bool gaps_closed(const ContactIterate& now) const;
 
@@ -69,6 +70,8 @@ private:
   const State& committed_;
   Variant variant_;
   std::vector<contact::ZoneCoefficients> coefficients_;
+  std::vector<std::vector<contact::PointEvaluation>>
+      frames_; ///< of every zone, where contact is a law of velocities; else none
 };
 
 } // namespace rubato::step

@@ -55,16 +55,22 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   ledger_.external_work += work(moved, committed.external_force, trial.external_force);
   if (damped(trial))
     ledger_.damping += work(moved, before.viscous, now.viscous);
-  const double friction = work(moved, committed.friction_force, trial.friction_force);
-  const double springs = energy_of_springs(trial.zones);
+  const double friction = work_of_contact(moved, committed.friction_force, trial.friction_force);
+  const double springs = scheme_->impulsive ? 0.0 : energy_of_springs(trial.zones);
   ledger_.friction += friction;
-  ledger_.impact +=
-      work(moved, committed.contact_force, trial.contact_force) - friction - (springs - ledger_.contact);
+  ledger_.impact += work_of_contact(moved, committed.contact_force, trial.contact_force) - friction -
+                    (springs - ledger_.contact);
   ledger_.contact = springs;
   const auto supports = enter_supports(moved, committed, trial);
   ledger_.support_work += supports.work;
   ledger_.numerical += scheme_dissipation(moved, committed, trial) + supports.work - supports.with_step;
   ledger_.unbalanced += work_of_equation(moved, committed, trial) - supports.with_step;
+}
+
+/// [u]·{f}, or [u]·f₁ where f₁ is the mean over the step.
+double EnergyAccount::work_of_contact(const VectorXd& moved, const VectorXd& before,
+                                      const VectorXd& now) const {
+  return scheme_->impulsive ? moved.dot(now) : work(moved, before, now);
 }
 
 /// [u]·{r} on the dofs that are held, r = M a + C v + F, and [u]·R with the step's own R.
@@ -83,7 +89,8 @@ EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, con
     const int dof = constraint.dof;
     if (moved[dof] == 0)
       continue;
-    const double mean = 0.5 * (reaction(committed, dof) + reaction(trial, dof));
+    const double mean =
+        scheme_->impulsive ? trial.reaction[dof] : 0.5 * (reaction(committed, dof) + reaction(trial, dof));
     supports.work += moved[dof] * mean;
     supports.with_step += moved[dof] * trial.reaction[dof];
   }
@@ -95,7 +102,8 @@ double EnergyAccount::work_of_equation(const VectorXd& moved, const State& commi
                                        const State& trial) const {
   const auto& before = committed.bulk;
   const auto& now = trial.bulk;
-  double sum = scheme_->forces.now * moved.dot(now.internal + trial.contact_force - trial.external_force);
+  double sum = scheme_->forces.now * moved.dot(now.internal - trial.external_force) +
+               scheme_->contact_weight() * moved.dot(trial.contact_force);
   if (scheme_->forces.before != 0)
     sum += scheme_->forces.before * moved.dot(committed.unbalance);
   if (!scheme_->dynamic)
@@ -107,25 +115,38 @@ double EnergyAccount::work_of_equation(const VectorXd& moved, const State& commi
 }
 
 /// h²(β − γ/2) ([½ a·M a] + (γ − ½) [a]·M[a])
-///   + [u]·((m₁ − γ) M[a] + (c₁ − ½) C[v] + (f₁ − ½) [F]) + f₀ [u]·(F₀ as the step took it − F₀)
+///   + [u]·((m₁ − γ) M[a] + (c₁ − ½) C[v] + (f₁ − ½) [F]) + f₀ [u]·(F₀ as the step took it − F₀),
+/// where a₁ and f_c are means of the step, F is without f_c and the terms of inertia are (θ − ½) h² a₁·M a₁.
 double EnergyAccount::scheme_dissipation(const VectorXd& moved, const State& committed,
                                          const State& trial) const {
   const auto& before = committed.bulk;
   const auto& now = trial.bulk;
-  const double force_change =
-      moved.dot(now.internal - before.internal + trial.contact_force - committed.contact_force -
-                trial.external_force + committed.external_force);
-  double sum = (scheme_->forces.now - 0.5) * force_change;
+  const auto bracket = [&](const State& state) {
+    VectorXd sum = state.bulk.internal - state.external_force;
+    if (scheme_->remembers_contact())
+      sum += state.contact_force;
+    return sum;
+  };
+  const VectorXd bracket_before = bracket(committed);
+  double sum = (scheme_->forces.now - 0.5) * moved.dot(bracket(trial) - bracket_before);
   if (scheme_->forces.before != 0)
-    sum += scheme_->forces.before * moved.dot(committed.unbalance - before.internal -
-                                              committed.contact_force + committed.external_force);
+    sum += scheme_->forces.before * moved.dot(committed.unbalance - bracket_before);
   if (!scheme_->dynamic)
     return sum;
   if (damped(trial))
     sum += (scheme_->damping.now - 0.5) * moved.dot(now.viscous - before.viscous);
-  const auto inertia_change = now.inertia - before.inertia;
-  sum += (scheme_->inertia.now - scheme_->gamma) * moved.dot(inertia_change);
+  return sum + dissipation_of_inertia(moved, committed, trial);
+}
+
+double EnergyAccount::dissipation_of_inertia(const VectorXd& moved, const State& committed,
+                                             const State& trial) const {
   const double h = trial.t - committed.t;
+  const auto& before = committed.bulk;
+  const auto& now = trial.bulk;
+  if (scheme_->impulsive)
+    return (scheme_->beta - 0.5) * h * h * trial.motion.a.dot(now.inertia);
+  const auto inertia_change = now.inertia - before.inertia;
+  double sum = (scheme_->inertia.now - scheme_->gamma) * moved.dot(inertia_change);
   const double factor = h * h * (scheme_->beta - scheme_->gamma / 2);
   if (factor != 0)
     sum += factor * (0.5 * (trial.motion.a.dot(now.inertia) - committed.motion.a.dot(before.inertia)) +

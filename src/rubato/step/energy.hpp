@@ -73,12 +73,16 @@ public:
   const EnergyLedger& ledger() const { return ledger_; }
 
 private:
+  double work_of_contact(const Eigen::VectorXd& moved, const Eigen::VectorXd& before,
+                         const Eigen::VectorXd& now) const;
   struct Supports {
     double work = 0;      ///< with the mean of the reactions at both ends
     double with_step = 0; ///< with the reaction that the step's equation has
   };
   Supports enter_supports(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double work_of_equation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
+  double dissipation_of_inertia(const Eigen::VectorXd& moved, const State& committed,
+                                const State& trial) const;
   double scheme_dissipation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
 
   const model::Model* model_;

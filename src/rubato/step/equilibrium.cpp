@@ -56,13 +56,15 @@ void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& conta
   inertia_ = scheme_.inertia.now * bulk_.inertia;
   if (bulk_.viscous.size() > 0)
     inertia_ += scheme_.damping.now * bulk_.viscous;
-  unbalance_ = bulk_.internal + contact.all - external_;
-  full_residual_ = inertia_ + scheme_.forces.now * unbalance_ + history_;
+  bulk_unbalance_ = bulk_.internal - external_;
+  full_residual_ =
+      inertia_ + scheme_.forces.now * bulk_unbalance_ + scheme_.contact_weight() * contact.all + history_;
   residual_ = full_residual_(model_.free_dofs);
 }
 
 void Equilibrium::measure(const time::Motion& motion, const ContactForce& contact, StepReport& report) {
-  VectorXd reference = scheme_.forces.now * (external_ - contact.nodal) - inertia_ - history_;
+  VectorXd reference =
+      scheme_.forces.now * external_ - scheme_.contact_weight() * contact.nodal - inertia_ - history_;
   for (const auto& constraint : model_.constraints)
     reference[constraint.dof] -= full_residual_[constraint.dof];
   scale_ = reference.lpNorm<Eigen::Infinity>();
@@ -92,10 +94,12 @@ void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.t = t_;
   trial.bulk = bulk_;
   trial.force_scale = scale_;
-  trial.unbalance = unbalance_ - contact.forgotten;
+  trial.unbalance = bulk_unbalance_;
+  if (scheme_.remembers_contact())
+    trial.unbalance += contact.all - contact.forgotten;
   trial.contact_force = contact.all;
   trial.external_force = external_;
-  trial.reaction = VectorXd::Zero(unbalance_.size());
+  trial.reaction = VectorXd::Zero(full_residual_.size());
   for (const auto& constraint : model_.constraints)
     trial.reaction[constraint.dof] = full_residual_[constraint.dof];
 }

@@ -21,7 +21,8 @@ struct ContactForce {
   explicit ContactForce(Eigen::Index dofs);
 };
 
-/// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (K u₁ + f_c − f_ext) + the terms of the start of the step.
+/// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (K u₁ − f_ext) + the weight of contact × f_c + the terms of the
+/// start of the step.
 class Equilibrium {
 public:
   Equilibrium(const model::Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
@@ -54,7 +55,7 @@ private:
   BulkForces bulk_;
   Eigen::VectorXd external_;
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
-  Eigen::VectorXd inertia_, unbalance_, full_residual_, residual_;
+  Eigen::VectorXd inertia_, bulk_unbalance_, full_residual_, residual_;
   double scale_ = 0;
 };
 

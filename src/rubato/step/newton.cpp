@@ -88,7 +88,8 @@ bool Newton::settled(const Held& held) {
 }
 
 bool Newton::solve_and_correct(State& trial) {
-  const LinearProblem problem{model_, system_.matrix, scheme_.forces.now, contact_, equilibrium_.residual()};
+  const LinearProblem problem{model_, system_.matrix, scheme_.contact_weight(), contact_,
+                              equilibrium_.residual()};
   std::optional<LinearSolution> solution;
   if (by_projected_cg(model_))
     solution = solve_projected_cg(problem, system_.compliance.get(), now_.points, trial.zones);

@@ -38,13 +38,21 @@ VectorXd solve_mass(const model::SparseMatrix& mass, const VectorXd& force) {
   return a;
 }
 
-/// M a = −(unbalance + C v) on the free dofs, a = 0 on the others.
+/// M a = −(unbalance + C v) on the free dofs, a = 0 on the others and where nothing has mass.
 VectorXd balanced_acceleration(const Model& model, const VectorXd& unbalance, const VectorXd& velocity) {
   VectorXd force = -unbalance;
   if (model.damping.nonZeros() > 0)
     force -= model.damping * velocity;
+  auto mass = model::free_part(model, model.mass);
+  for (const auto node : model.massless_nodes)
+    for (int i = 0; i < model.dofs.components; ++i) {
+      const int dof = model.dofs.dof(node, i);
+      force[dof] = 0;
+      if (const int row = model.free_index[static_cast<std::size_t>(dof)]; row >= 0)
+        mass.coeffRef(row, row) = 1;
+    }
   VectorXd a = VectorXd::Zero(unbalance.size());
-  a(model.free_dofs) = solve_mass(model::free_part(model, model.mass), force(model.free_dofs));
+  a(model.free_dofs) = solve_mass(mass, force(model.free_dofs));
   return a;
 }
 
@@ -91,7 +99,9 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
 State continued_state(const Model& model, const time::Scheme& scheme, const State& end, double t) {
   State state = end;
   state.t = t;
-  state.unbalance = model.stiffness * state.motion.u + state.contact_force - model::external_force(model, t);
+  state.unbalance = model.stiffness * state.motion.u - model::external_force(model, t);
+  if (scheme.remembers_contact())
+    state.unbalance += state.contact_force;
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
   state.bulk = bulk_forces(model, state.motion);

@@ -9,13 +9,15 @@ namespace {
 
 using deck::SchemeKind;
 
-constexpr std::array<SchemeEntry, 6> entries{{
+constexpr std::array<SchemeEntry, 7> entries{{
     {SchemeKind::newmark, "newmark", "NEWMARK", "average acceleration, or any β and γ"},
     {SchemeKind::hht, "hht", "HHT, MODI_EQUI='OUI'", "α in −1/3…0 damps high frequencies"},
     {SchemeKind::modified_average_acceleration, "modified_average_acceleration", "HHT, MODI_EQUI='NON'",
      "hht's β and γ with equilibrium at the end of the step"},
     {SchemeKind::generalized_alpha, "generalized_alpha", "",
      "Chung and Hulbert, from the spectral radius ρ_∞"},
+    {SchemeKind::moreau_jean, "moreau_jean", "",
+     "θ-method on velocities, which jump where bodies hit: keeps energy with exact contact"},
     {SchemeKind::static_steps, "static", "STAT_NON_LINE", "load steps in pseudo-time, no inertia"},
     {SchemeKind::central_difference, "central_difference", "DIFF_CENT",
      "explicit: lumped mass, short stable steps that cost a product each"},
@@ -40,6 +42,16 @@ Scheme generalized_alpha(double rho) {
   return scheme;
 }
 
+Scheme theta_method(double theta) {
+  Scheme scheme;
+  scheme.beta = theta;
+  scheme.gamma = 1;
+  scheme.damping = {theta, 1 - theta};
+  scheme.forces = {theta, 1 - theta};
+  scheme.impulsive = true;
+  return scheme;
+}
+
 } // namespace
 
 Scheme make_scheme(const deck::TimeStepping& settings) {
@@ -59,6 +71,8 @@ Scheme make_scheme(const deck::TimeStepping& settings) {
     return with_alpha(settings.alpha);
   case SchemeKind::generalized_alpha:
     return generalized_alpha(settings.spectral_radius);
+  case SchemeKind::moreau_jean:
+    return theta_method(settings.theta);
   case SchemeKind::static_steps: {
     Scheme scheme;
     scheme.inertia = {0, 0};
@@ -90,6 +104,8 @@ Motion predict(const Scheme& scheme, double step, const Motion& start) {
     return {start.u, Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
   const double beta = scheme.beta;
   const double gamma = scheme.gamma;
+  if (scheme.impulsive) // a₀ is the mean of another step
+    return {start.u, (beta - gamma) / beta * start.v, -1 / (beta * step) * start.v};
   return {start.u, (beta - gamma) / beta * start.v + (2 * beta - gamma) * step / (2 * beta) * start.a,
           -1 / (beta * step) * start.v + (2 * beta - 1) / (2 * beta) * start.a};
 }

@@ -29,11 +29,19 @@ struct Scheme {
   Weights damping;
   Weights forces;
   bool dynamic = true; ///< false: load steps in pseudo-time, no velocity and no acceleration
+  /// Velocities may jump: a₁ and the contact force of a step are their means over it, with the weight 1 and
+  /// without history, and contact is a law of velocities. γ = 1 and β = θ of the θ-method then.
+  bool impulsive = false;
+
+  double contact_weight() const { return impulsive ? 1.0 : forces.now; }
+  bool remembers_contact() const { return !impulsive; }
 };
 
 /// newmark: β, γ given (default average acceleration). hht: Hilber, Hughes and Taylor (1977) with α ≤ 0,
 /// damping unweighted as Code_Aster does. modified_average_acceleration: the same β, γ, equilibrium at the
-/// end of the step. generalized_alpha: Chung and Hulbert (1993) from ρ_∞. static_steps: no inertia. Throws
+/// end of the step. generalized_alpha: Chung and Hulbert (1993) from ρ_∞. moreau_jean: u₁ = u₀ + h (θ v₁ +
+/// (1−θ) v₀), a₁ = (v₁ − v₀)/h, forces and damping weighted alike (M. Jean, The non-smooth contact dynamics
+/// method, Comput. Methods Appl. Mech. Eng. 177 (1999) 235–257). static_steps: no inertia. Throws
 /// std::invalid_argument for central_difference, which step/explicit.hpp computes.
 Scheme make_scheme(const deck::TimeStepping& settings);
 
