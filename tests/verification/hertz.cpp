@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verification/hertz.hpp"
+
+#include "rubato/model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rubato::verification {
+
+HertzLine hertz_line(double load, double radius, double modulus) {
+  const double half_width = std::sqrt(4 * load * radius / (std::numbers::pi * modulus));
+  return {half_width, 2 * load / (std::numbers::pi * half_width)};
+}
+
+std::vector<SurfacePoint> surface_at_end(const CaseRun& run) {
+  const auto model = model::build_model(run.study);
+  const auto& zone = model.zones.front();
+  const auto& state = run.result.end.zones.front();
+  std::vector<SurfacePoint> points;
+  for (std::size_t i = 0; i < zone.points.size(); ++i) {
+    const auto& point = zone.points[i];
+    double x = 0;
+    for (std::size_t n = 0; n < point.nodes.size(); ++n)
+      x += point.shape[n] * model.mesh.points[static_cast<std::size_t>(point.nodes[n])][0];
+    const auto& outcome = state.outcomes[i];
+    points.push_back({x, outcome.pressure, outcome.tangential[0] / point.area, state.status[i]});
+  }
+  std::ranges::sort(points, {}, &SurfacePoint::x);
+  return points;
+}
+
+HertzLine fitted_ellipse(const std::vector<SurfacePoint>& points) {
+  const double largest = std::ranges::max(points, {}, &SurfacePoint::pressure).pressure;
+  const bool half = points.front().x >= 0; // of a symmetric model
+  double weight = 0;
+  double moment = 0;
+  for (const auto& point : points) {
+    weight += point.pressure;
+    moment += half ? 0 : point.pressure * point.x;
+  }
+  const double centre = moment / weight;
+  // Least squares of p² = A − B s with s = (x − x₀)².
+  double n = 0, s1 = 0, s2 = 0, y1 = 0, sy = 0;
+  for (const auto& point : points) {
+    if (point.pressure < largest / 5)
+      continue;
+    const double s = std::pow(point.x - centre, 2);
+    const double y = point.pressure * point.pressure;
+    n += 1, s1 += s, s2 += s * s, y1 += y, sy += s * y;
+  }
+  const double slope = (n * sy - s1 * y1) / (n * s2 - s1 * s1);
+  const double height = (y1 - slope * s1) / n;
+  return {std::sqrt(-height / slope), std::sqrt(height)};
+}
+
+double mindlin_traction(double x, double a, double c) {
+  const auto ellipse = [x](double half_width) {
+    return std::abs(x) < half_width ? std::sqrt(1 - x * x / (half_width * half_width)) : 0.0;
+  };
+  return ellipse(a) - c / a * ellipse(c);
+}
+
+double stick_half_width(const std::vector<SurfacePoint>& points) {
+  const auto sticks = [](const SurfacePoint& point) { return point.status == contact::Status::stick; };
+  const auto first = std::ranges::find_if(points, sticks);
+  const auto last = std::find_if(points.rbegin(), points.rend(), sticks).base() - 1;
+  const double left = (first->x + std::prev(first)->x) / 2;
+  const double right = (last->x + std::next(last)->x) / 2;
+  return (right - left) / 2;
+}
+
+} // namespace rubato::verification
