@@ -66,6 +66,14 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"MasterIsSlave", "slave: lower_face", "slave: upper_face",
               "22:42: contact.interface.slave: found 'upper_face' as slave and as master, expected two "
               "surfaces"},
+        Fault{"NeitherMasterNorObstacle", "master: upper_face, ", "",
+              "22:14: contact.interface: 'master' or 'obstacle' is missing"},
+        Fault{"ObstacleWithoutDirection", "master: upper_face",
+              "obstacle: {plane: {point: [0, 0], normal: [0, 0]}}",
+              "22:61: contact.interface.obstacle.plane.normal: found a vector of length 0, expected one that "
+              "points somewhere"},
+        Fault{"UnknownObstacle", "master: upper_face", "obstacle: {cylindre: {point: [0, 0], radius: 1}}",
+              "22:26: unknown key 'contact.interface.obstacle.cylindre'; did you mean 'cylinder'?"},
         Fault{"ContactOnBodies", "master: upper_face", "master: upper",
               "22:23: contact surface 'upper': 8 cells (the first: number 17 of QUAD4) found where segments "
               "are expected"},

@@ -52,6 +52,28 @@ runs:
     time: {end: 0.012}
 )";
 
+/// A roller that is pressed into a block and drawn along it, rubbing.
+inline const std::string rolled_block = R"(title: a roller on a block
+mesh:
+  generate:
+    - {name: block, rectangle: {from: [-1, -1], to: [1, 0]}, divisions: [16, 4],
+       sides: {top: top, bottom: ground}, points: {right_top: corner}}
+physics: plane_strain
+materials: {rubber: {young: 1e6, poisson: 0.3, density: 1000}}
+functions: {press: {times: [0, 0.1], values: [0, 1]}, draw: {times: [0.1, 0.3], values: [0, 1]}}
+supports: [{on: ground, fix: [x, y]}]
+contact:
+  roller:
+    obstacle:
+      cylinder: {point: [0, 1], radius: 1}
+      move: {x: {value: 0.3, function: draw}, y: {value: -0.05, function: press}}
+    slave: top
+    friction: 0.4
+time: {scheme: hht, alpha: -0.1, step: 5e-3, end: 0.15}
+probes: {corner: {node: corner}}
+fields: {formats: [vtu, med], every: 7, last: false}
+)";
+
 /// The same beams by central differences.
 inline const std::string explicit_beams = [] {
   auto deck = rubbing_beams.substr(0, rubbing_beams.find("time:"));

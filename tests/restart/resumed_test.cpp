@@ -53,6 +53,27 @@ TEST_F(ResumedRun, FindsTheNextInstantWhereTheOldEndDiffersFromOneByRounding) {
   EXPECT_EQ(test::attempts_in(folder_ / "out/run/steps.jsonl").size(), 5U);
 }
 
+/// Obstacles are where the instant says, not where a checkpoint has left them.
+TEST_F(ResumedRun, MeetsMovingObstaclesWhereTheyWouldHaveBeen) {
+  const auto by_steps = with(test::rolled_block, "scheme: hht, alpha: -0.1, step: 5e-3, end: 0.15",
+                             "scheme: central_difference, record: 1e-3, end: 0.12");
+  for (const auto& [deck, scheme] :
+       {std::pair(test::rolled_block, std::string("hht")),
+        std::pair(with(by_steps, "friction: 0.4", "friction: 0.4\n    method: penalty"),
+                  std::string("explicit"))}) {
+    ASSERT_EQ(run(deck, scheme + "_whole", {"--set", "time.end=0.2"}).exit_code, 0);
+    ASSERT_EQ(run(deck, scheme).exit_code, 0);
+    const auto outcome = run(deck, scheme, {"--resume", "--set", "time.end=0.2"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_same(scheme + "_whole", scheme);
+    const auto other = run(deck, scheme, {"--resume", "--set", "contact.roller.obstacle.cylinder.radius=2"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find("contact.roller.obstacle.cylinder.radius was 1.0 and is 2.0 now"),
+              std::string::npos)
+        << other.err;
+  }
+}
+
 TEST_F(ResumedRun, OfAStoppedRunHasNoSeam) {
   const auto deck = with(test::rubbing_beams, "end: 0.03}", "end: 3}"); // nobody waits for its end
   test::write_text(folder_ / "deck.yaml", deck);

@@ -12,10 +12,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The slip at which friction saturates, in lengths of the shortest master edge, when c_t is chosen by
-/// itself.
+/// The slip at which friction saturates, in lengths of the zone's edge, when c_t is chosen by itself.
 constexpr double saturation_slip = 2e-3;
-/// Penetration, in lengths of the shortest master edge, below which an open point stays open: rounding makes
+/// Penetration, in lengths of the zone's edge, below which an open point stays open: rounding makes
 /// that much.
 constexpr double closing_gap = 1e-11;
 
@@ -31,7 +30,7 @@ constexpr double tangential_stiffening = 10;
 /// they stuck in every other iteration.
 constexpr double spring_share = 0.1;
 
-/// Gap, in lengths of the shortest master edge, below which a point touches at the start of a step.
+/// Gap, in lengths of the zone's edge, below which a point touches at the start of a step.
 constexpr double touching_gap = 1e-9;
 
 /// Positions of the six point variables among local unknowns: displacement ones first, then λ and Λ.
@@ -195,6 +194,12 @@ Vector3d interpolated(const Kinematics& k, const fem::DofMap& dofs, const Vector
   return sum;
 }
 
+/// Takes a held place along with the obstacle it is on.
+void carry(Kinematics& k, const Vector3d& way) {
+  k.foot += way;
+  k.carried = way;
+}
+
 /// Mean over the directions of the point's own stiffness, each node counted with its share.
 double resistance(const SlavePoint& point, const fem::DofMap& dofs,
                   const Eigen::Ref<const VectorXd>& diagonal) {
@@ -230,7 +235,7 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dof
     const double share = point.node_position >= 0 ? 1.0 : averaged_share;
     const double stiffness = resistance(point, dofs, diagonal) / std::abs(point.weight);
     const double normal = (is_exact(settings.method) ? share : normal_stiffening) * stiffness;
-    double tangential = 1 / (saturation_slip * zone.master.shortest_edge);
+    double tangential = 1 / (saturation_slip * zone.edge());
     if (settings.friction_method == FrictionMethod::penalty)
       tangential *= tangential_stiffening;
     else if (settings.friction_method == FrictionMethod::nodal_penalty)
@@ -280,15 +285,17 @@ std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Co
   const auto& zone = neighbours.zone();
   std::vector<PointEvaluation> points;
   evaluate(neighbours, VectorXd::Zero(zone.multiplier_count()), start, points);
+  const Vector3d way = zone.obstacle ? zone.obstacle->way(start.t, start.t + step) : Vector3d::Zero().eval();
   for (auto& point : points)
-    if (point.variables.gap > touching_gap * zone.master.shortest_edge)
+    if (point.variables.gap > touching_gap * zone.edge())
       point.kinematics.reset();
   points = with_held_frames(std::move(points));
   for (auto& point : points) {
     if (!point.kinematics)
       continue;
     auto& k = *point.kinematics;
-    const Vector3d relative = interpolated(k, *start.dofs, velocity);
+    carry(k, way);
+    const Vector3d relative = interpolated(k, *start.dofs, velocity) - way / step;
     const double normal = k.normal.dot(relative);
     k.gap_origin =
         k.gap + step * ((1 - theta) * normal + theta * zone.settings.restitution * std::max(0.0, -normal));
@@ -303,7 +310,7 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
                friction,
                coefficients.normal[index],
                coefficients.tangential[index],
-               closing_gap * zone->master.shortest_edge,
+               closing_gap * zone->edge(),
                zone->space_dimension - 1,
                std::nullopt};
   if (!held_thresholds.empty())

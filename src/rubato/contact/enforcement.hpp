@@ -48,7 +48,7 @@ struct ZoneCoefficients {
 };
 
 /// c: what the slave side resists, its mean effective diagonal stiffness over the point's share of the
-/// surface. c_t: the slip at which friction saturates is taken as a small part of the shortest master edge;
+/// surface. c_t: the slip at which friction saturates is taken as a small part of the zone's edge;
 /// as with c, the converged answer does not depend on it. Penalties are a multiple of c, so that bodies sink
 /// into each other by a small part of what they give way, and of c_t. `diagonal` is the effective matrix's,
 /// per dof [force/length].
@@ -88,7 +88,8 @@ void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zon
 /// for velocities: with v the relative velocity at the start, at the end of the step
 ///   gap = h θ (v₁·n − e ⟨−v·n⟩),   slip_a = h θ v₁·τ_a       where u₁ = u₀ + h (θ v₁ + (1−θ) v)
 /// so that the same laws that close gaps and hold slips stop what approaches (Moreau's law with Newton's
-/// restitution e). All other points have no kinematics. `velocity`: one a dof.
+/// restitution e). All other points have no kinematics. `velocity`: one a dof; an obstacle has its mean
+/// velocity of the step, at the start and at the end.
 std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
                                              const Eigen::VectorXd& velocity, double step, double theta);
 

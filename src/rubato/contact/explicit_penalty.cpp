@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/explicit_penalty.hpp"
 
+#include "rubato/contact/obstacle_kinematics.hpp"
 #include "rubato/fem/reference_cell.hpp"
 
 #include <Eigen/Geometry>
@@ -88,7 +89,7 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
       dissipated_ += energy;
       continue;
     }
-    const Vector3d slip = step * slip_of(i, place, velocity);
+    const Vector3d slip = slip_of(i, place, velocity, step);
     spring.normal = place.normal;
     spring.slip_on_tangents = {slip.dot(place.tangent), slip.dot(place.normal.cross(place.tangent))};
     const Vector3d traction = spring.traction;
@@ -97,6 +98,13 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
     dissipated_ += work - (tangential_energy(i) - energy);
     add_force(i, place, force);
   }
+}
+
+Vector3d ExplicitPenalty::push() const {
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t i = 0; i < springs_.size(); ++i)
+    sum += zone_->points[i].weight * (springs_[i].pressure * springs_[i].normal + springs_[i].traction);
+  return sum;
 }
 
 double ExplicitPenalty::stored() const {
@@ -158,6 +166,8 @@ template <class Visit> void ExplicitPenalty::visit_nodes(std::size_t index, cons
     return;
   for (std::size_t i = 0; i < point.nodes.size(); ++i)
     visit(point.nodes[i], point.shape[i]);
+  if (zone_->obstacle)
+    return;
   const auto& face = master_face(index);
   const auto shape = shape_at(face.type, pair.projection.clamped);
   for (std::size_t j = 0; j < at(face.node_count); ++j)
@@ -168,8 +178,23 @@ const Face& ExplicitPenalty::master_face(std::size_t point) const {
   return zone_->master.faces[at(neighbours_.pairs()[point].master_face)];
 }
 
+/// None before an obstacle.
+std::span<const mesh::NodeIndex> ExplicitPenalty::master_nodes(std::size_t point) const {
+  if (zone_->obstacle)
+    return {};
+  return master_face(point).node_span();
+}
+
 ExplicitPenalty::Place ExplicitPenalty::place_of(std::size_t index,
                                                  const Configuration& configuration) const {
+  if (const auto& obstacle = zone_->obstacle) {
+    const auto& point = zone_->points[index];
+    const auto place = place_before(*obstacle, point, configuration);
+    return {.position = contact::position(point, configuration) - place.gap * place.normal,
+            .normal = place.normal,
+            .tangent = place.tangent,
+            .carried = obstacle->way(configuration.start_t, configuration.t)};
+  }
   const auto& face = master_face(index);
   const auto& projection = neighbours_.pairs()[index].projection;
   const auto nodes = deformed(face, configuration);
@@ -186,8 +211,10 @@ ExplicitPenalty::Place ExplicitPenalty::place_of(std::size_t index,
     normal = zone_->settings.normal == deck::ContactNormal::slave ? against_slave
                                                                   : (normal + against_slave).normalized();
   }
-  return {closest.position, normal, in_plane(tangents.col(0), normal).normalized(),
-          shape_at(face.type, projection.clamped)};
+  return {.position = closest.position,
+          .normal = normal,
+          .tangent = in_plane(tangents.col(0), normal).normalized(),
+          .shape = shape_at(face.type, projection.clamped)};
 }
 
 /// The mean of the unit normals of the slave faces at the point.
@@ -201,16 +228,17 @@ Vector3d ExplicitPenalty::slave_normal(const SlavePoint& point, const Configurat
   return sum.normalized();
 }
 
-/// Tangential velocity of the slave point against the master's.
-Vector3d ExplicitPenalty::slip_of(std::size_t index, const Place& place, const VectorXd& velocity) const {
+/// Tangential motion of the slave point against the master's since the last call.
+Vector3d ExplicitPenalty::slip_of(std::size_t index, const Place& place, const VectorXd& velocity,
+                                  double step) const {
   const auto& point = zone_->points[index];
-  const auto& face = master_face(index);
+  const auto master = master_nodes(index);
   Vector3d relative = Vector3d::Zero();
   for (std::size_t i = 0; i < point.nodes.size(); ++i)
     relative += point.shape[i] * vector_at(*dofs_, velocity, point.nodes[i]);
-  for (std::size_t j = 0; j < at(face.node_count); ++j)
-    relative -= place.shape[j] * vector_at(*dofs_, velocity, face.nodes[j]);
-  return in_plane(relative, place.normal);
+  for (std::size_t j = 0; j < master.size(); ++j)
+    relative -= place.shape[j] * vector_at(*dofs_, velocity, master[j]);
+  return in_plane(step * relative - place.carried, place.normal);
 }
 
 /// The pressure that the gap calls for; false, and a relaxed spring, when there is none.
@@ -246,13 +274,13 @@ void ExplicitPenalty::rub(Spring& spring, double normal_stiffness, const Place& 
 
 void ExplicitPenalty::add_force(std::size_t index, const Place& place, VectorXd& force) const {
   const auto& point = zone_->points[index];
-  const auto& face = master_face(index);
+  const auto master = master_nodes(index);
   const Vector3d push = point.weight * (springs_[index].pressure * place.normal + springs_[index].traction);
   const int components = dofs_->components;
   for (std::size_t i = 0; i < point.nodes.size(); ++i)
     force.segment(dofs_->dof(point.nodes[i], 0), components) -= point.shape[i] * push.head(components);
-  for (std::size_t j = 0; j < at(face.node_count); ++j)
-    force.segment(dofs_->dof(face.nodes[j], 0), components) += place.shape[j] * push.head(components);
+  for (std::size_t j = 0; j < master.size(); ++j)
+    force.segment(dofs_->dof(master[j], 0), components) += place.shape[j] * push.head(components);
 }
 
 double ExplicitPenalty::tangential_energy(std::size_t index) const {

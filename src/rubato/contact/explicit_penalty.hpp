@@ -60,9 +60,13 @@ public:
   ExplicitPenalty(const Zone& zone, const fem::DofMap& dofs, std::vector<double> normal_stiffness);
 
   /// Takes the zone to a configuration and adds its forces, internal side, to `force` (one a dof).
-  /// `velocity` times `step` is the displacement since the last call.
+  /// `velocity` times `step` is the displacement since the last call, which was at the configuration's
+  /// start_t.
   void advance(const Configuration& configuration, const Eigen::VectorXd& velocity, double step,
                Eigen::VectorXd& force);
+
+  /// What the points' forces push the slave with, all together [force].
+  Eigen::Vector3d push() const;
 
   double stored() const;                            ///< in the springs [force · length]
   double dissipated() const { return dissipated_; } ///< by friction, in all steps
@@ -86,14 +90,17 @@ private:
   struct Place {
     Eigen::Vector3d position;
     Eigen::Vector3d normal;
-    Eigen::Vector3d tangent; ///< the first
-    std::array<double, 9> shape;
+    Eigen::Vector3d tangent;                           ///< the first
+    std::array<double, 9> shape{};                     ///< one a node of the face
+    Eigen::Vector3d carried = Eigen::Vector3d::Zero(); ///< an obstacle's way since the last call
   };
 
   const Face& master_face(std::size_t point) const;
+  std::span<const mesh::NodeIndex> master_nodes(std::size_t point) const;
   Place place_of(std::size_t point, const Configuration& configuration) const;
   Eigen::Vector3d slave_normal(const SlavePoint& point, const Configuration& configuration) const;
-  Eigen::Vector3d slip_of(std::size_t point, const Place& place, const Eigen::VectorXd& velocity) const;
+  Eigen::Vector3d slip_of(std::size_t point, const Place& place, const Eigen::VectorXd& velocity,
+                          double step) const;
   bool press(Spring& spring, double normal_stiffness) const;
   void rub(Spring& spring, double normal_stiffness, const Place& place, const Eigen::Vector3d& slip) const;
   void add_force(std::size_t point, const Place& place, Eigen::VectorXd& force) const;

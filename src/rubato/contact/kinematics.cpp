@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/kinematics.hpp"
 
+#include "rubato/contact/obstacle_kinematics.hpp"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -379,7 +381,9 @@ Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const 
 
 void evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                          const Configuration& configuration, Kinematics& into) {
-  if (configuration.dofs->components == 2)
+  if (zone.obstacle)
+    evaluate_before(*zone.obstacle, point, configuration, into);
+  else if (configuration.dofs->components == 2)
     evaluate_clamped<1>(zone, point, pair, configuration, into);
   else
     evaluate_clamped<2>(zone, point, pair, configuration, into);
@@ -423,8 +427,8 @@ Kinematics held_between(const Kinematics& a, const Kinematics& b) {
 }
 
 void measure_in_held_frame(Kinematics& k, const Configuration& configuration) {
-  Vector3d apart = Vector3d::Zero();
-  Vector3d moved = Vector3d::Zero();
+  Vector3d apart = -k.foot;
+  Vector3d moved = -k.carried;
   for (std::size_t node = 0; node < k.nodes.size(); ++node) {
     const double shape = k.shape[static_cast<Eigen::Index>(node)];
     apart += shape * configuration.position(k.nodes[node]);

@@ -31,7 +31,7 @@ namespace rubato::contact {
 template <int Rows> using Variation = Eigen::Matrix<double, Rows, Eigen::Dynamic>;
 
 struct Kinematics {
-  std::vector<mesh::NodeIndex> nodes; ///< slave's, then master's
+  std::vector<mesh::NodeIndex> nodes; ///< slave's, then master's; an obstacle has none
   Eigen::VectorXd shape;              ///< +N_i on slave nodes, −N_j(ξ̄) on master nodes
   int components = 3;                 ///< displacement components a node
   int parametric_dimension = 2;
@@ -39,6 +39,10 @@ struct Kinematics {
   Eigen::Matrix<double, 3, 2> tangents; ///< τ₁, τ₂; in 2D only τ₁ counts
   double gap = 0;
   Eigen::Vector2d slip = Eigen::Vector2d::Zero();
+  /// What an obstacle has instead of nodes, 0 on a master with faces: the place the point faces, and how far
+  /// the obstacle has come since the start of the step.
+  Eigen::Vector3d foot = Eigen::Vector3d::Zero();
+  Eigen::Vector3d carried = Eigen::Vector3d::Zero();
   /// Of a held frame: what gap and slip are counted from.
   double gap_origin = 0;
   Eigen::Vector2d slip_origin = Eigen::Vector2d::Zero();

@@ -46,9 +46,12 @@ double farthest_motion(const std::vector<Vector3d>& from, const std::vector<Vect
 
 NeighbourList::NeighbourList(const Zone& zone)
     : zone_(&zone), margin_(margin_in_edges * zone.master.longest_edge), master_(zone.master.nodes.size()),
-      slave_(zone.points.size()), pairs_(zone.points.size()) {}
+      slave_(zone.points.size()),
+      pairs_(zone.points.size(), zone.obstacle ? Pair::before_obstacle() : Pair()) {}
 
 void NeighbourList::update(const Configuration& configuration) {
+  if (zone_->obstacle)
+    return;
   locate(configuration);
   if (searches_ == 0 || 2 * moved_since_search() > margin_)
     search();

@@ -21,7 +21,8 @@ class NeighbourList {
 public:
   explicit NeighbourList(const Zone& zone);
 
-  /// Takes the pairs to a configuration. Allocates only when it searches.
+  /// Takes the pairs to a configuration. Allocates only when it searches. Before an obstacle there is nothing
+  /// to search.
   void update(const Configuration& configuration);
   /// What find_pairs gives there, one a slave point.
   std::span<const Pair> pairs() const { return pairs_; }

@@ -97,6 +97,8 @@ Vector3d position(const SlavePoint& point, const Configuration& configuration) {
 }
 
 std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuration) {
+  if (zone.obstacle)
+    return std::vector(zone.points.size(), Pair::before_obstacle());
   NodeCloud cloud;
   cloud.points.reserve(zone.master.nodes.size());
   for (const auto node : zone.master.nodes)

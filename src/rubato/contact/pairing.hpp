@@ -9,12 +9,14 @@
 
 namespace rubato::contact {
 
-/// A slave point's place on the master surface; master_face = −1 when it faces none.
+/// A slave point's place on the master surface; master_face = −1 when it faces none. An obstacle is one face,
+/// 0, that every point faces, with no coordinates on it.
 struct Pair {
   int master_face = -1;
   Projection projection;
 
   bool paired() const { return master_face >= 0; }
+  static Pair before_obstacle() { return {.master_face = 0, .projection = {}}; }
 };
 
 /// The projection of each slave point: the faces around the nearest master node are tried; one that holds the

@@ -25,12 +25,40 @@ FaceCoordinates undeformed(const mesh::Mesh& mesh, const Face& face) {
   return coordinates;
 }
 
-double area_factor(const mesh::Mesh& mesh, const Face& face, const IntegrationPoint& point,
+/// Part of the largest area of a point that is rounding: the end of a quadratic face on the axis of
+/// revolution has none.
+constexpr double no_area = 1e-12;
+/// Gauss points that integrate a shape function over a ring exactly where its face is straight.
+constexpr int ring_points = 3;
+
+double area_factor(const mesh::Mesh& mesh, const Face& face, const Eigen::Vector2d& xi,
                    const ZoneGeometry& geometry) {
-  const auto at = face_geometry(face.type, undeformed(mesh, face), point.xi);
+  const auto at = face_geometry(face.type, undeformed(mesh, face), xi);
   const double jacobian = at.tangents.col(0).cross(at.tangents.col(1)).norm();
   const double ring = geometry.measure == Measure::ring ? 2 * std::numbers::pi * at.position.x() : 1.0;
   return jacobian * geometry.thickness * ring;
+}
+
+/// What the face adds to a point's area. Rules on nodes are exact for shape functions times a constant; the
+/// radius is none, and 0 on the axis of revolution: a node's ring is the integral of its shape function.
+double area_of(const mesh::Mesh& mesh, const Face& face, const IntegrationPoint& point,
+               const ZoneGeometry& geometry) {
+  if (geometry.measure == Measure::unit || point.node < 0)
+    return point.weight * area_factor(mesh, face, point.xi, geometry);
+  double sum = 0;
+  for (const auto& at : contact_rule(face.type, ring_points))
+    sum += face_shape(face.type, at.xi).values[static_cast<std::size_t>(point.node)] * at.weight *
+           area_factor(mesh, face, at.xi, geometry);
+  return sum;
+}
+
+void exclude_without_area(std::vector<SlavePoint>& points) {
+  double largest = 0;
+  for (const auto& point : points)
+    largest = std::max(largest, std::abs(point.area));
+  for (auto& point : points)
+    if (std::abs(point.area) <= no_area * largest)
+      point.excluded = true;
 }
 
 bool is_excluded(std::span<const NodeIndex> excluded, NodeIndex node) {
@@ -86,7 +114,6 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const deck::ContactZ
     const auto rule = deck::is_nodal(settings.method) ? node_rule(face.type)
                                                       : contact_rule(face.type, settings.gauss_points);
     for (const auto& at : rule) {
-      const double weight = at.weight * area_factor(mesh, face, at, geometry);
       std::size_t index = points.size();
       if (at.node >= 0) {
         const auto node = face.nodes[static_cast<std::size_t>(at.node)];
@@ -97,12 +124,13 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const deck::ContactZ
         points.push_back(point_inside(slave, face, at, excluded));
       }
       auto& point = points[index];
-      point.area += weight;
+      point.area += area_of(mesh, face, at, geometry);
       point.stands_on.push_back({static_cast<int>(f), at.xi});
       if (at.stands_for >= 0 && is_excluded(excluded, face.nodes[static_cast<std::size_t>(at.stands_for)]))
         point.excluded = true;
     }
   }
+  exclude_without_area(points);
   return points;
 }
 
@@ -121,6 +149,13 @@ Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surfac
   if (settings.normal != deck::ContactNormal::master)
     for (auto& point : zone.points)
       add_turning_nodes(zone.slave, point);
+  return zone;
+}
+
+Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Obstacle obstacle, Surface slave,
+               std::span<const NodeIndex> excluded_nodes, const ZoneGeometry& geometry) {
+  auto zone = make_zone(mesh, settings, Surface(), std::move(slave), excluded_nodes, geometry);
+  zone.obstacle = std::move(obstacle);
   return zone;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// A contact zone: two surfaces, the points of the slave one where contact is enforced, and how.
+/// A contact zone: two surfaces, the points of the slave one where contact is enforced, and how. The master
+/// may be an obstacle.
 #pragma once
 
+#include "rubato/contact/obstacle.hpp"
 #include "rubato/contact/surface.hpp"
 #include "rubato/deck/study.hpp"
 #include "rubato/fem/dof_map.hpp"
@@ -9,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,10 +39,14 @@ struct SlavePoint {
 
 struct Zone {
   deck::ContactZone settings;
-  Surface master;
+  Surface master;                   ///< empty with an obstacle
+  std::optional<Obstacle> obstacle; ///< instead of a master
   Surface slave;
   std::vector<SlavePoint> points;
   int space_dimension = 3;
+
+  /// What gaps and slips are small against: the shortest edge of the master, of the slave before an obstacle.
+  double edge() const { return obstacle ? slave.shortest_edge : master.shortest_edge; }
 
   /// Which of λ, Λ₁, Λ₂ (0, 1, 2) are unknowns of a slave node, in their order there.
   std::span<const int> multiplier_variables() const;
@@ -60,12 +67,19 @@ struct ZoneGeometry {
 Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surface master, Surface slave,
                std::span<const mesh::NodeIndex> excluded_nodes, const ZoneGeometry& geometry);
 
-/// Where the nodes are: undeformed coordinates plus u; `start` is u at the beginning of the step.
+/// The same before an obstacle.
+Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Obstacle obstacle, Surface slave,
+               std::span<const mesh::NodeIndex> excluded_nodes, const ZoneGeometry& geometry);
+
+/// Where the nodes are: undeformed coordinates plus u; `start` is u at the beginning of the step. Obstacles
+/// are where the instants say.
 struct Configuration {
   const mesh::Mesh* mesh;
   const fem::DofMap* dofs;
   const Eigen::VectorXd* displacement;
   const Eigen::VectorXd* start;
+  double t = 0;       ///< of `displacement`
+  double start_t = 0; ///< of `start`
 
   Eigen::Vector3d position(mesh::NodeIndex node) const;
   /// Displacement since the start of the step.

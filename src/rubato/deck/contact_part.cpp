@@ -107,22 +107,47 @@ void read_friction(MapReader& map, ContactZone& zone) {
                               word_of(contact_method_words, zone.method), either(allowed)));
 }
 
-ContactZone read_zone(const NamedValue& entry) {
+/// A group or an obstacle, one of them.
+void read_master(MapReader& map, const Context& context, const std::map<std::string, Function>& functions,
+                 ContactZone& zone) {
+  const auto master = map.find("master");
+  const auto obstacle = map.find("obstacle");
+  if (map.is_map() && master.has_value() == obstacle.has_value())
+    map.value().fault(master ? "found both 'master' and 'obstacle', expected one of them"
+                             : "'master' or 'obstacle' is missing");
+  read(master, zone.master);
+  if (obstacle)
+    zone.obstacle = read_obstacle(*obstacle, context, functions);
+}
+
+void read_normals(MapReader& map, ContactZone& zone) {
+  const auto normal = map.find("normal");
+  read(normal, zone.normal, contact_normal_words);
+  if (zone.obstacle && zone.normal != ContactNormal::master)
+    normal->fault(fmt::format("found {}, an obstacle gives the normal itself, expected master",
+                              word_of(contact_normal_words, zone.normal)));
+  if (zone.obstacle)
+    map.refuse("clamped_normal", "no projection on an obstacle is ever clamped");
+  else
+    read(map.find("clamped_normal"), zone.clamped_normal, clamped_normal_words);
+}
+
+ContactZone read_zone(const NamedValue& entry, const Context& context,
+                      const std::map<std::string, Function>& functions) {
   ContactZone zone;
   zone.name = entry.name.text;
   zone.at = entry.name.at;
   MapReader map(entry.value);
-  const bool master_read = read(map.require("master"), zone.master);
+  read_master(map, context, functions, zone);
   const auto slave = map.require("slave");
-  if (read(slave, zone.slave) && master_read && zone.slave.text == zone.master.text)
+  if (read(slave, zone.slave) && zone.slave.text == zone.master.text)
     slave->fault(
         fmt::format("found {} as slave and as master, expected two surfaces", shown(zone.slave.text)));
   read(map.find("method"), zone.method, contact_method_words);
   if (is_nodal(zone.method))
     zone.geometry.by = Iteration::fixed_point;
   read_friction(map, zone);
-  read(map.find("normal"), zone.normal, contact_normal_words);
-  read(map.find("clamped_normal"), zone.clamped_normal, clamped_normal_words);
+  read_normals(map, zone);
   const auto integration = map.find("integration");
   read_integration(integration, zone);
   if (is_nodal(zone.method) && zone.gauss_points > 0)
@@ -141,10 +166,11 @@ ContactZone read_zone(const NamedValue& entry) {
 
 } // namespace
 
-void read_contact(const Found& value, std::vector<ContactZone>& zones) {
+void read_contact(const Found& value, const Context& context,
+                  const std::map<std::string, Function>& functions, std::vector<ContactZone>& zones) {
   const auto entries = named_entries(value);
   for (const auto& entry : entries)
-    zones.push_back(read_zone(entry));
+    zones.push_back(read_zone(entry, context, functions));
   const auto by_cg = [](const ContactZone& zone) { return zone.method == ContactMethod::nodal_pcg; };
   if (std::ranges::none_of(zones, by_cg) || std::ranges::all_of(zones, by_cg))
     return;

@@ -87,16 +87,20 @@ Json echo(const Function& function) {
           {"outside", word(outside_words, function.outside)}};
 }
 
-Json echo(const Support& support) {
-  Json map{{"on", support.on.text}};
+void put_components(Json& map, const std::array<std::optional<Amplitude>, 3>& components) {
   for (std::size_t axis = 0; axis < axis_words.size(); ++axis) {
-    const auto& component = support.components[axis];
+    const auto& component = components[axis];
     if (!component)
       continue;
     auto& entry = map[std::string(axis_words[axis])];
     entry["value"] = component->value;
     put_name(entry, "function", component->function);
   }
+}
+
+Json echo(const Support& support) {
+  Json map{{"on", support.on.text}};
+  put_components(map, support.components);
   return map;
 }
 
@@ -142,12 +146,39 @@ Json echo(const Level& level) {
   return map;
 }
 
-Json echo(const ContactZone& zone) {
-  Json map{{"master", zone.master.text}, {"slave", zone.slave.text}, {"friction", zone.friction}};
+Json echo(const Obstacle& obstacle, Physics physics) {
+  const int dimension = dimension_of(physics);
+  const bool solid = physics == Physics::solid;
+  auto shape = Json::object();
+  if (physics != Physics::axisymmetric || obstacle.kind != ObstacleKind::cylinder)
+    shape["point"] = first(obstacle.point, dimension);
+  if (obstacle.kind == ObstacleKind::plane)
+    shape["normal"] = first(obstacle.direction, dimension);
+  if (obstacle.kind == ObstacleKind::cylinder && solid)
+    shape["axis"] = first(obstacle.direction, dimension);
+  if (obstacle.kind != ObstacleKind::plane) {
+    shape["radius"] = obstacle.radius;
+    shape["side"] = word(obstacle_side_words, obstacle.side);
+  }
+  Json map{{word(obstacle_words, obstacle.kind), shape}};
+  map["move"] = Json::object();
+  put_components(map["move"], obstacle.move);
+  return map;
+}
+
+Json echo(const ContactZone& zone, Physics physics) {
+  auto map = Json::object();
+  if (zone.obstacle)
+    map["obstacle"] = echo(*zone.obstacle, physics);
+  else
+    map["master"] = zone.master.text;
+  map["slave"] = zone.slave.text;
+  map["friction"] = zone.friction;
   map["method"] = word(contact_method_words, zone.method);
   map["friction_method"] = word(friction_method_words, zone.friction_method);
   map["normal"] = word(contact_normal_words, zone.normal);
-  map["clamped_normal"] = word(clamped_normal_words, zone.clamped_normal);
+  if (!zone.obstacle)
+    map["clamped_normal"] = word(clamped_normal_words, zone.clamped_normal);
   map["integration"] = zone.gauss_points == 0 ? Json("nodes") : Json{{"gauss", zone.gauss_points}};
   map["exclude_nodes"] = texts(zone.exclude_nodes);
   put_optional(map, "initially_active", zone.initially_active);
@@ -280,7 +311,7 @@ std::string to_json(const Study& study) {
   deck["springs"] = echo_list(study.springs, dimension);
   deck["loads"] = echo_list(study.loads, dimension);
   deck["initial"] = echo_list(study.initial);
-  deck["contact"] = echo_by_name(study.contact);
+  deck["contact"] = echo_by_name(study.contact, study.physics);
   deck["time"] = echo(study.time);
   deck["solver"] = word_of(solver_words, study.solver);
   deck["newton"] = {{"max_iterations", study.newton.max_iterations}, {"residual", study.newton.residual}};

@@ -43,11 +43,20 @@ private:
   Faults& faults_;
 };
 
+/// However they move.
+bool same_surface(std::optional<Obstacle> one, std::optional<Obstacle> other) {
+  for (auto* obstacle : {&one, &other})
+    if (*obstacle)
+      (*obstacle)->move = {};
+  return one == other;
+}
+
 /// Whether multipliers and statuses of one study's contact mean the same in the other.
 bool same_contact(const Study& a, const Study& b) {
   return std::ranges::equal(a.contact, b.contact, [](const ContactZone& one, const ContactZone& other) {
     return one.name == other.name && one.master == other.master && one.slave == other.slave &&
-           one.gauss_points == other.gauss_points && (one.friction > 0) == (other.friction > 0);
+           same_surface(one.obstacle, other.obstacle) && one.gauss_points == other.gauss_points &&
+           (one.friction > 0) == (other.friction > 0);
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include "rubato/deck/values.hpp"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -42,7 +43,17 @@ void read_initial(const Found& value, const Context& context, const TimeStepping
 /// The value of an axis, "x", "y" or "z"; a fault when the physics doesn't have it.
 Found find_axis(MapReader& map, std::size_t axis, const Context& context);
 
-void read_contact(const Found& value, std::vector<ContactZone>& zones);
+/// Coordinates in as many directions as the physics has, at most three.
+bool read_point(const Found& value, const Context& context, std::array<double, 3>& point);
+
+/// A number, or a number times a named function of time.
+Amplitude read_amplitude(const Value& value, const std::map<std::string, Function>& functions);
+
+void read_contact(const Found& value, const Context& context,
+                  const std::map<std::string, Function>& functions, std::vector<ContactZone>& zones);
+/// The rigid surface that stands for a zone's master.
+Obstacle read_obstacle(const Value& value, const Context& context,
+                       const std::map<std::string, Function>& functions);
 
 /// Also tells the context the scheme and the instants of the run.
 void read_time(const Found& value, Context& context, TimeStepping& time);

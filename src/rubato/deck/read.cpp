@@ -127,7 +127,7 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   read_springs(map.find("springs"), context, study.springs);
   read_loads(map.find("loads"), context, study.functions, study.loads);
   read_initial(map.find("initial"), context, study.time, study.initial);
-  read_contact(map.find("contact"), study.contact);
+  read_contact(map.find("contact"), context, study.functions, study.contact);
   if (context.scheme && is_explicit(*context.scheme))
     check_explicit_contact(study, faults);
   else if (context.scheme)

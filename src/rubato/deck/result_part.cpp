@@ -10,21 +10,6 @@
 namespace rubato::deck {
 namespace {
 
-void read_point(const Value& value, const Context& context, Probe& probe) {
-  std::vector<double> numbers;
-  if (!read(Found(value), numbers))
-    return;
-  const auto wanted =
-      context.physics ? static_cast<std::size_t>(dimension_of(*context.physics)) : numbers.size();
-  if (numbers.size() != wanted || numbers.size() > 3) {
-    value.fault(
-        fmt::format("found {} coordinates, expected {}", numbers.size(), std::min<std::size_t>(wanted, 3)));
-    return;
-  }
-  probe.point.emplace();
-  std::ranges::copy(numbers, probe.point->begin());
-}
-
 Probe read_probe(const NamedValue& entry, const Context& context) {
   Probe probe;
   probe.name = entry.name.text;
@@ -36,8 +21,8 @@ Probe read_probe(const NamedValue& entry, const Context& context) {
     entry.value.fault(node ? "found both 'node' and 'point', expected one of them"
                            : "'node' or 'point' is missing");
   read(node, probe.node);
-  if (point)
-    read_point(*point, context, probe);
+  if (std::array<double, 3> place{}; read_point(point, context, place))
+    probe.point = place;
   read(map.find("field"), probe.field, probe_field_words);
   map.finish();
   return probe;

@@ -76,19 +76,6 @@ Function read_function(const Value& value) {
   return function;
 }
 
-Amplitude read_amplitude(const Value& value, const std::map<std::string, Function>& functions) {
-  Amplitude amplitude;
-  if (!value.tree().is(Tree::Kind::map)) {
-    read(Found(value), amplitude.value);
-    return amplitude;
-  }
-  MapReader map(value);
-  read(map.require("value"), amplitude.value);
-  read_function_name(map.find("function"), functions, amplitude.function);
-  map.finish();
-  return amplitude;
-}
-
 /// The axis a word of `fix` means.
 std::optional<std::size_t> read_axis(const Value& value, const Context& context) {
   const auto dimension = context.physics ? dimension_of(*context.physics) : 3;
@@ -182,6 +169,34 @@ void read_function_name(const Found& value, const std::map<std::string, Function
   for (const auto& [known, function] : functions)
     names.push_back(known);
   value->fault(fmt::format("no function is called {}{}", shown(name.text), suggestion(name.text, names)));
+}
+
+Amplitude read_amplitude(const Value& value, const std::map<std::string, Function>& functions) {
+  Amplitude amplitude;
+  if (!value.tree().is(Tree::Kind::map)) {
+    read(Found(value), amplitude.value);
+    return amplitude;
+  }
+  MapReader map(value);
+  read(map.require("value"), amplitude.value);
+  read_function_name(map.find("function"), functions, amplitude.function);
+  map.finish();
+  return amplitude;
+}
+
+bool read_point(const Found& value, const Context& context, std::array<double, 3>& point) {
+  std::vector<double> numbers;
+  if (!read(value, numbers))
+    return false;
+  const auto wanted =
+      context.physics ? static_cast<std::size_t>(dimension_of(*context.physics)) : numbers.size();
+  if (numbers.size() != wanted || numbers.size() > point.size()) {
+    value->fault(fmt::format("found {} coordinates, expected {}", numbers.size(),
+                             std::min<std::size_t>(wanted, point.size())));
+    return false;
+  }
+  std::ranges::copy(numbers, point.begin());
+  return true;
 }
 
 Found find_axis(MapReader& map, std::size_t axis, const Context& context) {

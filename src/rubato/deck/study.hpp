@@ -159,9 +159,27 @@ struct Level {
   bool operator==(const Level&) const = default;
 };
 
+enum class ObstacleKind { plane, cylinder, sphere };
+/// Where the bodies are that an obstacle touches: around it, or in its hole.
+enum class ObstacleSide { outside, inside };
+
+/// A rigid surface given by a formula, where the deck puts it and moved from there as a function of time. In
+/// plane physics a cylinder is a circle; in axisymmetric ones it has the axis of revolution.
+struct Obstacle {
+  ObstacleKind kind = ObstacleKind::plane;
+  std::array<double, 3> point{};     ///< of the plane, of the axis, or the centre [length]
+  std::array<double, 3> direction{}; ///< normal out of the plane's obstacle, or axis; of any length > 0
+  double radius = 0;                 ///< > 0 unless it is a plane [length]
+  ObstacleSide side = ObstacleSide::outside;
+  std::array<std::optional<Amplitude>, 3> move{}; ///< [length]
+  Location at{};
+  bool operator==(const Obstacle&) const = default;
+};
+
 struct ContactZone {
   std::string name;
-  Name master;
+  Name master;                      ///< empty with an obstacle
+  std::optional<Obstacle> obstacle; ///< instead of a master
   Name slave;
   double friction = 0; ///< Coulomb's μ ≥ 0
   ContactMethod method = ContactMethod::augmented_lagrangian;

@@ -58,6 +58,12 @@ inline constexpr std::array<Word<ContactNormal>, 3> contact_normal_words{
 inline constexpr std::array<Word<ClampedNormal>, 2> clamped_normal_words{
     {{"projection", ClampedNormal::projection}, {"code_aster", ClampedNormal::code_aster}}};
 
+inline constexpr std::array<Word<ObstacleKind>, 3> obstacle_words{
+    {{"plane", ObstacleKind::plane}, {"cylinder", ObstacleKind::cylinder}, {"sphere", ObstacleKind::sphere}}};
+
+inline constexpr std::array<Word<ObstacleSide>, 2> obstacle_side_words{
+    {{"outside", ObstacleSide::outside}, {"inside", ObstacleSide::inside}}};
+
 inline constexpr std::array<Word<Iteration>, 2> iteration_words{
     {{"newton", Iteration::newton}, {"fixed_point", Iteration::fixed_point}}};
 

@@ -86,7 +86,8 @@ public:
 
   void add_contact() {
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model_.dofs.dof_count);
-    const contact::Configuration configuration{&model_.mesh, &model_.dofs, &rest, &rest};
+    const contact::Configuration configuration{
+        &model_.mesh, &model_.dofs, &rest, &rest, model_.study.time.begin, model_.study.time.begin};
     for (const auto& zone : model_.zones) {
       const auto pairs = contact::find_pairs(zone, configuration);
       for (std::size_t i = 0; i < pairs.size(); ++i)

@@ -108,7 +108,7 @@ std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh
   std::vector<contact::Zone> zones;
   for (const auto& settings : study.contact) {
     const auto known = faults.size();
-    auto master = surface_named(mesh, settings.master, faults);
+    auto master = settings.obstacle ? contact::Surface() : surface_named(mesh, settings.master, faults);
     auto slave = surface_named(mesh, settings.slave, faults);
     const auto excluded = excluded_nodes(mesh, settings, faults);
     if (faults.size() == known && share_a_face(master, slave))
@@ -116,7 +116,13 @@ std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh
           {settings.slave.at, fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
                                           settings.master.text, settings.slave.text)});
     check_rule(settings, slave, faults);
-    if (faults.size() == known)
+    if (faults.size() > known)
+      continue;
+    if (settings.obstacle)
+      zones.push_back(contact::make_zone(
+          mesh, settings, contact::make_obstacle(*settings.obstacle, study.physics, study.functions),
+          std::move(slave), excluded, geometry));
+    else
       zones.push_back(
           contact::make_zone(mesh, settings, std::move(master), std::move(slave), excluded, geometry));
   }

@@ -124,6 +124,7 @@ std::string solver_of(const Model& model, const EffectiveSystem& system) {
 State predict(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
               const State& committed, double t) {
   State trial = committed;
+  trial.t = t;
   trial.motion = time::predict(scheme, system.step, committed.motion);
   const VectorXd imposed = model::imposed_displacements(model, t);
   VectorXd d = VectorXd::Zero(trial.motion.u.size());

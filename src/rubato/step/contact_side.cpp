@@ -13,7 +13,7 @@ using model::Model;
 /// Motion of contact points' projections between two iterates, in reference lengths of a face, that counts as
 /// settled (Code_Aster's RESI_GEOM for Newton).
 constexpr double settled_geometry = 1e-6;
-/// Gap of a point in contact, in shortest master edges, that counts as closed.
+/// Gap of a point in contact, in the zone's edges, that counts as closed.
 constexpr double closed_gap = 1e-9;
 
 /// Augmentations may be anything; penalties are the user's.
@@ -24,6 +24,17 @@ void vary(const contact::Zone& zone, const Variant& variant, contact::ZoneCoeffi
   if (zone.settings.friction_method == deck::FrictionMethod::augmented_lagrangian)
     for (auto& tangential : coefficients.tangential)
       tangential *= variant.tangential_multiple;
+}
+
+/// A point on the border of two faces may belong to either; its place is the same.
+bool same_place(const contact::Pair& here, const contact::Pair& there) {
+  return here.master_face != there.master_face ||
+         (here.projection.clamped - there.projection.clamped).norm() <= settled_geometry;
+}
+
+/// Obstacles have no coordinates on them, their curvature is all that a place changes.
+bool same_normal(const PointEvaluation& here, const PointEvaluation& there) {
+  return (here.kinematics->normal - there.kinematics->normal).norm() <= settled_geometry;
 }
 
 /// The statuses a solve starts with, where a point can have them.
@@ -44,7 +55,8 @@ ContactSide::ContactSide(const Model& model, const time::Scheme& scheme, Effecti
     vary(model.zones[z], variant, coefficients_[z]);
   if (!scheme.impulsive)
     return;
-  const contact::Configuration start{&model.mesh, &model.dofs, &committed.motion.u, &committed.motion.u};
+  const contact::Configuration start{&model.mesh,         &model.dofs, &committed.motion.u,
+                                     &committed.motion.u, committed.t, committed.t};
   for (auto& neighbours : system.neighbours)
     frames_.push_back(
         contact::velocity_frames(neighbours, start, committed.motion.v, system.step, scheme.beta));
@@ -62,8 +74,8 @@ ContactIterate ContactSide::at(const State& trial, const Held& held) const {
 }
 
 void ContactSide::measure(const State& trial, const Held& held, ContactIterate& into) const {
-  const contact::Configuration configuration{&model_.mesh, &model_.dofs, &trial.motion.u,
-                                             &committed_.motion.u};
+  const contact::Configuration configuration{&model_.mesh,         &model_.dofs, &trial.motion.u,
+                                             &committed_.motion.u, trial.t,      committed_.t};
   into.points.resize(model_.zones.size());
   into.status.resize(model_.zones.size());
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
@@ -117,7 +129,8 @@ void ContactSide::finish(const Held& held, const ContactIterate& iterate, State&
 
 /// Results tell where points are, not how fast they part.
 void ContactSide::measure_places(State& trial) const {
-  const contact::Configuration end{&model_.mesh, &model_.dofs, &trial.motion.u, &committed_.motion.u};
+  const contact::Configuration end{&model_.mesh,         &model_.dofs, &trial.motion.u,
+                                   &committed_.motion.u, trial.t,      committed_.t};
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto points = contact::evaluate(model_.zones[z], trial.zones[z].multipliers, end);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -133,11 +146,9 @@ bool ContactSide::geometry_settled(const Held& held, const ContactIterate& befor
     for (std::size_t i = 0; held[z].frames.empty() && i < now.points[z].size(); ++i) {
       if (now.status[z][i] == Status::open)
         continue;
-      const auto& here = now.points[z][i].pair;
-      const auto& there = before.points[z][i].pair;
-      const bool same_face = here.master_face == there.master_face;
-      // A point on the border of two faces may belong to either; its place is the same.
-      if (same_face && (here.projection.clamped - there.projection.clamped).norm() > settled_geometry)
+      const auto& here = now.points[z][i];
+      const auto& there = before.points[z][i];
+      if (model_.zones[z].obstacle ? !same_normal(here, there) : !same_place(here.pair, there.pair))
         return false;
     }
   return true;
@@ -146,7 +157,7 @@ bool ContactSide::geometry_settled(const Held& held, const ContactIterate& befor
 bool ContactSide::gaps_closed(const ContactIterate& now) const {
   for (std::size_t z = 0; z < now.points.size(); ++z) {
     const auto& zone = model_.zones[z];
-    const double allowed = closed_gap * zone.master.shortest_edge;
+    const double allowed = closed_gap * zone.edge();
     for (std::size_t i = 0; contact::is_exact(zone.settings.method) && i < now.points[z].size(); ++i)
       if (now.status[z][i] != Status::open && zone.points[i].node_position >= 0 &&
           std::abs(now.points[z][i].variables.gap) > allowed)

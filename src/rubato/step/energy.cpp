@@ -55,12 +55,16 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   ledger_.external_work += work(moved, committed.external_force, trial.external_force);
   if (damped(trial))
     ledger_.damping += work(moved, before.viscous, now.viscous);
-  const double friction = work_of_contact(moved, committed.friction_force, trial.friction_force);
+  const auto obstacles = work_of_obstacles(committed, trial);
+  const double friction =
+      work_of_contact(moved, committed.friction_force, trial.friction_force) + obstacles.tangential;
+  const double contact = work_of_contact(moved, committed.contact_force, trial.contact_force) +
+                         obstacles.normal + obstacles.tangential;
   const double springs = scheme_->impulsive ? 0.0 : energy_of_springs(trial.zones);
   ledger_.friction += friction;
-  ledger_.impact += work_of_contact(moved, committed.contact_force, trial.contact_force) - friction -
-                    (springs - ledger_.contact);
+  ledger_.impact += contact - friction - (springs - ledger_.contact);
   ledger_.contact = springs;
+  ledger_.support_work += obstacles.normal + obstacles.tangential;
   const auto supports = enter_supports(moved, committed, trial);
   ledger_.support_work += supports.work;
   ledger_.numerical += scheme_dissipation(moved, committed, trial) + supports.work - supports.with_step;
@@ -71,6 +75,27 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
 double EnergyAccount::work_of_contact(const VectorXd& moved, const VectorXd& before,
                                       const VectorXd& now) const {
   return scheme_->impulsive ? moved.dot(now) : work(moved, before, now);
+}
+
+/// [o]·{f} of the forces that obstacles push the bodies with, o their motion; [o]·f₁ where f₁ is the mean.
+EnergyAccount::Obstacles EnergyAccount::work_of_obstacles(const State& committed, const State& trial) const {
+  Obstacles work;
+  for (std::size_t z = 0; z < model_->zones.size(); ++z) {
+    const auto& obstacle = model_->zones[z].obstacle;
+    if (!obstacle || !obstacle->moves())
+      continue;
+    const Eigen::Vector3d way = obstacle->way(committed.t, trial.t);
+    const auto add = [&](const State& state, double part) {
+      for (const auto& outcome : state.zones[z].outcomes) {
+        work.normal += part * way.dot(outcome.normal);
+        work.tangential += part * way.dot(outcome.tangential);
+      }
+    };
+    if (!scheme_->impulsive)
+      add(committed, 0.5);
+    add(trial, scheme_->impulsive ? 1.0 : 0.5);
+  }
+  return work;
 }
 
 /// [u]·{r} on the dofs that are held, r = M a + C v + F, and [u]·R with the step's own R.

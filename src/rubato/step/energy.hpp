@@ -22,7 +22,7 @@ struct EnergyLedger {
   double contact = 0; ///< stored in penalty springs, normal and tangential
   // Given and taken since the start of the run:
   double external_work = 0; ///< of the loads on the bodies
-  double support_work = 0;  ///< of supports that move
+  double support_work = 0;  ///< of supports and obstacles that move
   double damping = 0;       ///< dissipated by Rayleigh damping
   double friction = 0;      ///< dissipated by friction
   double impact = 0;        ///< taken by contact pressures and not stored: > 0 where bodies hit, < 0 gained
@@ -79,6 +79,11 @@ private:
     double work = 0;      ///< with the mean of the reactions at both ends
     double with_step = 0; ///< with the reaction that the step's equation has
   };
+  struct Obstacles {
+    double normal = 0; ///< of their pressures, with the mean of both ends
+    double tangential = 0;
+  };
+  Obstacles work_of_obstacles(const State& committed, const State& trial) const;
   Supports enter_supports(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double work_of_equation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double dissipation_of_inertia(const Eigen::VectorXd& moved, const State& committed,

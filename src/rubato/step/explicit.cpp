@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -148,10 +149,12 @@ void ExplicitMotion::step(double end) {
     v_[dof] = (imposed_at(*support.constraint, end) - u_[dof]) / h_;
   }
   leap(h_, inverse_mass_, unbalance_, v_, u_);
-  t_ = end;
+  const double begin = std::exchange(t_, end);
   ++steps_;
   const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
+  energy_.support_work += work_of_obstacles(begin, end);
   find_forces();
+  energy_.support_work += work_of_obstacles(begin, end);
   if (damping_)
     energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
   for (auto& support : supports_) {
@@ -169,7 +172,7 @@ void ExplicitMotion::find_forces() {
   }
   for (const int dof : surface_)
     contact_force_[dof] = 0;
-  const contact::Configuration configuration{&model_->mesh, &model_->dofs, &u_, &u_};
+  const contact::Configuration configuration{&model_->mesh, &model_->dofs, &u_, &u_, t_, t_ - h_};
   for (auto& zone : contact_)
     zone.advance(configuration, v_, h_, contact_force_);
   for (const int dof : surface_)
@@ -189,6 +192,15 @@ void ExplicitMotion::apply(Load& load) {
   energy_.external_work += (load.factor + factor) / 2 * (displacement - load.displacement);
   load.factor = factor;
   load.displacement = displacement;
+}
+
+/// What obstacles do between two instants with half of the forces they have now.
+double ExplicitMotion::work_of_obstacles(double from, double to) const {
+  double sum = 0;
+  for (std::size_t z = 0; z < contact_.size(); ++z)
+    if (const auto& obstacle = model_->zones[z].obstacle; obstacle && obstacle->moves())
+      sum += obstacle->way(from, to).dot(contact_[z].push()) / 2;
+  return sum;
 }
 
 double ExplicitMotion::reaction_of(const MovingSupport& support) const {
@@ -253,7 +265,7 @@ void ExplicitMotion::restore(const Memory& memory) {
   for (std::size_t i = 0; i < supports_.size(); ++i)
     supports_[i].reaction = memory.reactions.at(i);
   for (std::size_t z = 0; z < contact_.size(); ++z)
-    contact_[z].restore(memory.zones.at(z), {&model_->mesh, &model_->dofs, &u_, &u_});
+    contact_[z].restore(memory.zones.at(z), {&model_->mesh, &model_->dofs, &u_, &u_, t_, t_});
 }
 
 State ExplicitMotion::state() const {

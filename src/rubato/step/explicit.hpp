@@ -92,6 +92,7 @@ private:
   void step(double end);
   void find_forces();
   void apply(Load& load);
+  double work_of_obstacles(double from, double to) const;
   double reaction_of(const MovingSupport& support) const;
   double imposed_acceleration(const MovingSupport& support) const;
   Eigen::VectorXd acceleration() const;

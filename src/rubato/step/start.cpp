@@ -57,9 +57,10 @@ VectorXd balanced_acceleration(const Model& model, const VectorXd& unbalance, co
 }
 
 /// A zone before the first step: its gaps are known, nothing pushes yet.
-contact::ZoneState untouched_zone(const Model& model, const contact::Zone& zone, const VectorXd& u) {
+contact::ZoneState untouched_zone(const Model& model, const contact::Zone& zone, const VectorXd& u,
+                                  double t) {
   auto state = contact::initial_state(zone);
-  const auto points = contact::evaluate(zone, state.multipliers, {&model.mesh, &model.dofs, &u, &u});
+  const auto points = contact::evaluate(zone, state.multipliers, {&model.mesh, &model.dofs, &u, &u, t, t});
   const std::vector<contact::Status> open(points.size(), contact::Status::open);
   state.outcomes = contact::outcomes({.zone = &zone}, points, open);
   return state;
@@ -86,7 +87,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
   for (const auto& zone : model.zones)
-    state.zones.push_back(untouched_zone(model, zone, state.motion.u));
+    state.zones.push_back(untouched_zone(model, zone, state.motion.u, t));
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
   if (!loaded_history)

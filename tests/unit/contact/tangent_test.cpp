@@ -2,7 +2,7 @@
 /// Each derivative of the contact kinematics and of the whole contact system against central differences.
 #include <gtest/gtest.h>
 
-#include "two_faces.hpp"
+#include "contact_system.hpp"
 #include <tuple>
 
 namespace rubato {
@@ -11,6 +11,8 @@ namespace {
 using contact::Status;
 using Eigen::VectorXd;
 using mesh::CellType;
+using test::moved;
+using test::system_at;
 
 constexpr double h = 1e-6;
 
@@ -54,12 +56,6 @@ class ContactTangent : public testing::TestWithParam<Variant> {
 protected:
   test::TwoFaces setup = test::two_faces(GetParam().options);
 };
-
-VectorXd moved(const VectorXd& u, Eigen::Index dof, double by) {
-  VectorXd v = u;
-  v[dof] += by;
-  return v;
-}
 
 /// Whether the point stays in the same piece of the clamp when its unknowns are varied a little.
 bool far_from_a_kink(const contact::Pair& pair, CellType type) {
@@ -106,40 +102,6 @@ TEST_P(ContactTangent, KinematicsVaryAsTheySay) {
       }
   }
   EXPECT_GT(compared, 0);
-}
-
-struct System {
-  VectorXd residual; ///< forces, then equations
-  Eigen::MatrixXd tangent;
-};
-
-/// The contact system with every paired point in the same status.
-System system_at(const test::TwoFaces& setup, const VectorXd& u, const VectorXd& multipliers, Status wanted) {
-  const auto configuration = setup.configuration(u);
-  const auto points = contact::evaluate(setup.zone, multipliers, configuration);
-  std::vector<Status> status;
-  for (const auto& point : points)
-    status.push_back(point.kinematics ? wanted : Status::open);
-  const contact::ZoneLaw law{
-      &setup.zone,
-      {std::vector<double>(points.size(), 3.0), std::vector<double>(points.size(), 2.0)},
-      setup.zone.settings.friction};
-  contact::ContactSystem system(setup.dofs.dof_count, multipliers.size());
-  contact::add_contributions(law, points, status, setup.dofs, 0, system);
-  System dense;
-  const auto dofs = setup.dofs.dof_count;
-  dense.residual.resize(dofs + multipliers.size());
-  dense.residual << system.force, system.equations;
-  dense.tangent = Eigen::MatrixXd::Zero(dense.residual.size(), dense.residual.size());
-  for (const auto& t : system.force_by_dof)
-    dense.tangent(t.row(), t.col()) += t.value();
-  for (const auto& t : system.force_by_multiplier)
-    dense.tangent(t.row(), dofs + t.col()) += t.value();
-  for (const auto& t : system.equation_by_dof)
-    dense.tangent(dofs + t.row(), t.col()) += t.value();
-  for (const auto& t : system.equation_by_multiplier)
-    dense.tangent(dofs + t.row(), dofs + t.col()) += t.value();
-  return dense;
 }
 
 TEST_P(ContactTangent, IsTheDerivativeOfForcesAndEquations) {

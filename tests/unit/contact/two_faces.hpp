@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// A slave face above a master face, both of any type, warped and shifted by seeded random numbers.
+/// A slave face above a master face, both of any type, warped and shifted by seeded random numbers. The
+/// master may be an obstacle instead.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
 #include "rubato/fem/reference_cell.hpp"
 
+#include <optional>
 #include <random>
 
 namespace rubato::test {
@@ -15,9 +17,11 @@ struct TwoFaces {
   contact::Zone zone;
   Eigen::VectorXd u;
   Eigen::VectorXd u_start;
+  double t = 1;
+  double t_start = 0.4;
 
   contact::Configuration configuration(const Eigen::VectorXd& displacement) const {
-    return {&mesh, &dofs, &displacement, &u_start};
+    return {&mesh, &dofs, &displacement, &u_start, t, t_start};
   }
 };
 
@@ -31,6 +35,7 @@ struct TwoFacesOptions {
   double shift = 0;      ///< of the slave along x: beyond 1 its points leave the master
   double height = -0.02; ///< of the slave above the master
   unsigned seed = 1;
+  std::optional<contact::Obstacle> obstacle = std::nullopt;
 };
 
 /// Reference points of the face, the master's normal upwards, the slave's downwards (mirrored in x).
@@ -80,9 +85,12 @@ inline TwoFaces two_faces(const TwoFacesOptions& options) {
   settings.normal = options.normal;
   settings.clamped_normal = options.clamped_normal;
   settings.gauss_points = options.gauss;
-  setup.zone =
-      contact::make_zone(setup.mesh, settings, contact::make_surface(setup.mesh, {master}),
-                         contact::make_surface(setup.mesh, {slave}), {}, {setup.mesh.dimension, 1.0, {}});
+  const contact::ZoneGeometry geometry{setup.mesh.dimension, 1.0, {}};
+  const auto slaves = contact::make_surface(setup.mesh, {slave});
+  setup.zone = options.obstacle
+                   ? contact::make_zone(setup.mesh, settings, *options.obstacle, slaves, {}, geometry)
+                   : contact::make_zone(setup.mesh, settings, contact::make_surface(setup.mesh, {master}),
+                                        slaves, {}, geometry);
   return setup;
 }
 

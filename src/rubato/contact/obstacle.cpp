@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/obstacle.hpp"
+
+#include "rubato/load/function.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::contact {
+namespace {
+
+using deck::ObstacleKind;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Distance from the middle, in radii, where a direction is rounding only; and how near to −1 the cosine of a
+/// turn may come before its axis is.
+constexpr double no_direction = 1e-12;
+
+/// A unit vector across a unit vector: e_z × n in 2D, so that τ₂ = e_z.
+Vector3d across(const Vector3d& n) {
+  int axis = 2;
+  for (const int other : {1, 0})
+    if (std::abs(n[other]) < std::abs(n[axis]))
+      axis = other;
+  return Vector3d::Unit(axis).cross(n).normalized();
+}
+
+Vector3d vector_of(const std::array<double, 3>& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+/// Distance and normal from the part of r that points away from a middle; `away` projects on such parts.
+PlaceOnObstacle round_place(const Obstacle& obstacle, const Vector3d& r, const Matrix3d& away) {
+  const Vector3d part = away * r;
+  const double distance = part.norm();
+  PlaceOnObstacle place;
+  place.gap = obstacle.sign * (distance - obstacle.radius);
+  if (distance <= no_direction * obstacle.radius) {
+    place.normal = obstacle.sign * across(obstacle.direction);
+    return place;
+  }
+  const Vector3d e = part / distance;
+  place.normal = obstacle.sign * e;
+  place.curvature = obstacle.sign / distance * (away - e * e.transpose());
+  return place;
+}
+
+PlaceOnObstacle place_on_plane(const Obstacle& obstacle, const Vector3d& r, const Vector3d& /*reference*/) {
+  PlaceOnObstacle place;
+  place.normal = obstacle.direction;
+  place.gap = place.normal.dot(r);
+  place.tangent = across(place.normal);
+  return place;
+}
+
+PlaceOnObstacle place_on_cylinder(const Obstacle& obstacle, const Vector3d& r,
+                                  const Vector3d& /*reference*/) {
+  const auto& axis = obstacle.direction;
+  auto place = round_place(obstacle, r, Matrix3d::Identity() - axis * axis.transpose());
+  place.tangent = axis.cross(place.normal);
+  return place;
+}
+
+/// The least turn from n₀ to n takes a vector t ⊥ n₀ to t − (t·n)(n₀ + n)/(1 + n₀·n).
+PlaceOnObstacle place_on_sphere(const Obstacle& obstacle, const Vector3d& r, const Vector3d& reference) {
+  auto place = round_place(obstacle, r, Matrix3d::Identity());
+  const Vector3d start = round_place(obstacle, reference, Matrix3d::Identity()).normal;
+  const Vector3d tangent = across(start);
+  const double turn = 1 + start.dot(place.normal);
+  if (turn <= no_direction) { // the opposite place: every great circle leads there
+    place.tangent = (tangent - tangent.dot(place.normal) * place.normal).normalized();
+    return place;
+  }
+  place.tangent = tangent - tangent.dot(place.normal) / turn * (start + place.normal);
+  place.spin = place.normal.cross(start) / turn;
+  return place;
+}
+
+struct Kind {
+  ObstacleKind kind;
+  PlaceOnObstacle (*place)(const Obstacle&, const Vector3d& r, const Vector3d& reference);
+};
+constexpr std::array<Kind, 3> kinds{{{ObstacleKind::plane, place_on_plane},
+                                     {ObstacleKind::cylinder, place_on_cylinder},
+                                     {ObstacleKind::sphere, place_on_sphere}}};
+
+/// In the meridian plane a sphere around the axis of revolution is a circle, a cylinder a straight line.
+void take_meridian(Obstacle& obstacle) {
+  if (obstacle.kind == ObstacleKind::sphere) {
+    obstacle.kind = ObstacleKind::cylinder;
+    obstacle.direction = Vector3d::UnitZ();
+  } else if (obstacle.kind == ObstacleKind::cylinder) {
+    obstacle.kind = ObstacleKind::plane;
+    obstacle.point = {obstacle.radius, 0, 0};
+    obstacle.direction = obstacle.sign * Vector3d::UnitX();
+  }
+}
+
+} // namespace
+
+Vector3d Obstacle::offset(double t) const {
+  Vector3d moved = vector_of(move);
+  for (std::size_t axis = 0; axis < functions.size(); ++axis)
+    if (functions[axis])
+      moved[static_cast<Eigen::Index>(axis)] *= load::value_at(*functions[axis], t);
+  return moved;
+}
+
+bool Obstacle::moves() const {
+  return std::ranges::any_of(functions, [](const auto& function) { return function.has_value(); });
+}
+
+Obstacle make_obstacle(const deck::Obstacle& obstacle, deck::Physics physics,
+                       const std::map<std::string, deck::Function>& functions) {
+  Obstacle made{.kind = obstacle.kind,
+                .point = vector_of(obstacle.point),
+                .radius = obstacle.radius,
+                .sign = obstacle.side == deck::ObstacleSide::inside ? -1.0 : 1.0,
+                .move = {},
+                .functions = {}};
+  if (const Vector3d direction = vector_of(obstacle.direction); !direction.isZero(0))
+    made.direction = direction.stableNormalized();
+  if (physics == deck::Physics::axisymmetric)
+    take_meridian(made);
+  for (std::size_t axis = 0; axis < obstacle.move.size(); ++axis) {
+    const auto& moved = obstacle.move[axis];
+    if (!moved)
+      continue;
+    made.move[axis] = moved->value;
+    if (!moved->function.text.empty())
+      made.functions[axis] = functions.at(moved->function.text);
+  }
+  return made;
+}
+
+PlaceOnObstacle place_on(const Obstacle& obstacle, const Vector3d& offset, const Vector3d& x,
+                         const Vector3d& reference) {
+  const auto kind = std::ranges::find(kinds, obstacle.kind, &Kind::kind);
+  return kind->place(obstacle, x - obstacle.point - offset, reference - obstacle.point);
+}
+
+} // namespace rubato::contact

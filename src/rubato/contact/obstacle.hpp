@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Rigid surfaces that a formula gives: masters without nodes, at rest or moved as a function of time.
+///
+/// The gap is the distance of a point x from the surface, g(x) > 0 where bodies may be, and the normal its
+/// slope: n = ∇g, dn = ∇∇g dx. With r = x − p, the obstacle's point p moved by o(t):
+///   plane      g = n·r                            ∇∇g = 0
+///   cylinder   g = ±(|r′| − R), r′ = r − (a·r) a    ∇∇g = ±(I − a aᵀ − e eᵀ)/|r′|,  e = r′/|r′|, n = ±e
+///   sphere     g = ±(|r| − R)                     ∇∇g = ±(I − e eᵀ)/|r|
+/// + outside, − inside.
+#pragma once
+
+#include "rubato/deck/study.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace rubato::contact {
+
+/// As the space of the unknowns sees it: a sphere of an axisymmetric study is a circle there.
+struct Obstacle {
+  deck::ObstacleKind kind = deck::ObstacleKind::plane;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();      ///< p where the deck puts it [length]
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); ///< unit normal of a plane, unit axis of a cylinder
+  double radius = 0;                                    ///< R [length]
+  double sign = 1;                                      ///< −1 where bodies are inside
+  std::array<double, 3> move{};                         ///< factors of the functions [length]
+  std::array<std::optional<deck::Function>, 3> functions;
+
+  /// o(t), how far it is from where the deck puts it.
+  Eigen::Vector3d offset(double t) const;
+  /// How far it comes between two instants.
+  Eigen::Vector3d way(double from, double to) const { return offset(to) - offset(from); }
+  bool moves() const;
+};
+
+/// `functions` are the deck's; those that the obstacle names are among them.
+Obstacle make_obstacle(const deck::Obstacle& obstacle, deck::Physics physics,
+                       const std::map<std::string, deck::Function>& functions);
+
+/// What a point sees of an obstacle. Tangents are τ₁ and τ₂ = n × τ₁; τ₂ is e_z in 2D and the axis on a
+/// cylinder. On a sphere τ₁ is turned along with the normal, by the least turn from where a reference point
+/// sees it: no field of tangents is smooth all over a sphere.
+struct PlaceOnObstacle {
+  double gap = 0;
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero(); ///< dn = curvature dx
+  Eigen::Vector3d tangent = Eigen::Vector3d::UnitX();  ///< τ₁
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();      ///< τ₂·dτ₁ = spin·dn
+};
+
+/// The place that x sees of an obstacle moved by `offset`. `reference`: the same point undeformed, of an
+/// obstacle that has not moved.
+PlaceOnObstacle place_on(const Obstacle& obstacle, const Eigen::Vector3d& offset, const Eigen::Vector3d& x,
+                         const Eigen::Vector3d& reference);
+
+} // namespace rubato::contact

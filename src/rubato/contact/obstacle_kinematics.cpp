@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/obstacle_kinematics.hpp"
+
+#include <Eigen/Geometry>
+
+namespace rubato::contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+Vector3d undeformed(const SlavePoint& point, const mesh::Mesh& mesh) {
+  Vector3d x = Vector3d::Zero();
+  for (std::size_t i = 0; i < point.nodes.size(); ++i)
+    x += point.shape[i] * mesh.points[static_cast<std::size_t>(point.nodes[i])];
+  return x;
+}
+
+void take_nodes(const SlavePoint& point, int components, Kinematics& k) {
+  const auto count = static_cast<Index>(point.nodes.size());
+  k.components = components;
+  k.parametric_dimension = components - 1;
+  k.nodes.assign(point.nodes.begin(), point.nodes.end());
+  k.shape = Eigen::Map<const Eigen::VectorXd>(point.shape.data(), count);
+  k.shape_slope.setZero(count, 2);
+  k.d_projection.setZero(2, k.unknowns());
+}
+
+/// dτ₁ = α τ₂ + β n, dτ₂ = −α τ₁ + γ n, dn = −β τ₁ − γ τ₂ for each displacement.
+void vary(const PlaceOnObstacle& place, const Vector3d& moved, Kinematics& k) {
+  const Vector3d n = k.normal, t1 = k.tangents.col(0), t2 = k.tangents.col(1);
+  const auto unknowns = k.unknowns();
+  k.d_normal.resize(3, unknowns);
+  for (auto& variation : k.d_tangent)
+    variation.resize(3, unknowns);
+  k.d_gap.resize(unknowns);
+  k.d_slip.setZero(2, unknowns);
+  for (Index node = 0; node < k.shape.size(); ++node)
+    for (int c = 0; c < k.components; ++c) {
+      const auto column = node * k.components + c;
+      const Vector3d turn = k.shape[node] * place.curvature.col(c);
+      const double alpha = place.spin.dot(turn);
+      k.d_normal.col(column) = turn;
+      k.d_tangent[0].col(column) = alpha * t2 - t1.dot(turn) * n;
+      k.d_tangent[1].col(column) = -alpha * t1 - t2.dot(turn) * n;
+      k.d_gap[column] = k.shape[node] * n[c];
+      for (int a = 0; a < k.parametric_dimension; ++a)
+        k.d_slip(a, column) = k.shape[node] * k.tangents(c, a) +
+                              moved.dot(k.d_tangent[static_cast<std::size_t>(a)].col(column));
+    }
+}
+
+} // namespace
+
+PlaceOnObstacle place_before(const Obstacle& obstacle, const SlavePoint& point,
+                             const Configuration& configuration) {
+  return place_on(obstacle, obstacle.offset(configuration.t), position(point, configuration),
+                  undeformed(point, *configuration.mesh));
+}
+
+void evaluate_before(const Obstacle& obstacle, const SlavePoint& point, const Configuration& configuration,
+                     Kinematics& k) {
+  take_nodes(point, configuration.dofs->components, k);
+  const auto place = place_before(obstacle, point, configuration);
+  k.normal = place.normal;
+  k.tangents << place.tangent, place.normal.cross(place.tangent);
+  k.gap = place.gap;
+  k.foot = position(point, configuration) - place.gap * place.normal;
+  k.carried = obstacle.way(configuration.start_t, configuration.t);
+  Vector3d moved = -k.carried;
+  for (std::size_t i = 0; i < point.nodes.size(); ++i)
+    moved += point.shape[i] * configuration.increment(point.nodes[i]);
+  k.slip.setZero();
+  for (int a = 0; a < k.parametric_dimension; ++a)
+    k.slip[a] = k.tangents.col(a).dot(moved);
+  vary(place, moved, k);
+}
+
+} // namespace rubato::contact

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Obstacles of every kind that some points of the slave face of two_faces.hpp penetrate, on their way.
+#pragma once
+
+#include "rubato/contact/obstacle.hpp"
+
+#include "two_faces.hpp"
+#include <string>
+#include <vector>
+
+namespace rubato::test {
+
+struct NamedObstacle {
+  std::string name;
+  TwoFacesOptions options;
+};
+
+inline contact::Obstacle on_its_way(deck::Obstacle obstacle, deck::Physics physics) {
+  obstacle.move = {deck::Amplitude{0.03, {"ramp", {}}}, deck::Amplitude{-0.02, {"ramp", {}}}, {}};
+  if (physics == deck::Physics::solid)
+    obstacle.move[2] = deck::Amplitude{0.01, {}};
+  return contact::make_obstacle(obstacle, physics, {{"ramp", {{0, 1}, {0.2, 1}, {}, {}}}});
+}
+
+inline std::vector<NamedObstacle> every_obstacle() {
+  using deck::ObstacleKind;
+  using deck::ObstacleSide;
+  using deck::Physics;
+  using mesh::CellType;
+  const auto with = [](CellType slave, const deck::Obstacle& obstacle, Physics physics) {
+    return TwoFacesOptions{.slave = slave, .obstacle = on_its_way(obstacle, physics)};
+  };
+  const auto in_plane = [&](CellType slave, const deck::Obstacle& obstacle) {
+    return with(slave, obstacle, Physics::plane_strain);
+  };
+  const auto in_space = [&](CellType slave, const deck::Obstacle& obstacle) {
+    return with(slave, obstacle, Physics::solid);
+  };
+  const deck::Obstacle line{.point = {0.1, 0, 0}, .direction = {-0.1, 2, 0}};
+  const deck::Obstacle circle{
+      .kind = ObstacleKind::cylinder, .point = {0.2, -0.5, 0}, .direction = {0, 0, 1}, .radius = 1.1};
+  const deck::Obstacle plane{.point = {0.1, 0, 0}, .direction = {0.1, -0.2, 3}};
+  const deck::Obstacle cylinder{
+      .kind = ObstacleKind::cylinder, .point = {0.2, 3, -0.5}, .direction = {0.02, 2, 0.1}, .radius = 1.1};
+  const deck::Obstacle ball{.kind = ObstacleKind::sphere, .point = {0.2, 0.1, -0.5}, .radius = 1.5};
+  auto bore = circle;
+  bore.point = {0.2, 0.5, 0};
+  bore.side = ObstacleSide::inside;
+  auto tube = cylinder;
+  tube.point = {0.2, 0, 0.5};
+  tube.side = ObstacleSide::inside;
+  auto bowl = ball;
+  bowl.point = {0.1, -0.2, 1};
+  bowl.radius = 1.7;
+  bowl.side = ObstacleSide::inside;
+  return {{"Line", in_plane(CellType::seg2, line)},          {"Circle", in_plane(CellType::seg3, circle)},
+          {"Bore", in_plane(CellType::seg2, bore)},          {"Plane", in_space(CellType::quad4, plane)},
+          {"Cylinder", in_space(CellType::tria6, cylinder)}, {"Tube", in_space(CellType::quad8, tube)},
+          {"Ball", in_space(CellType::quad9, ball)},         {"Bowl", in_space(CellType::quad4, bowl)}};
+}
+
+} // namespace rubato::test
