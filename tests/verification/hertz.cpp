@@ -14,6 +14,28 @@ HertzLine hertz_line(double load, double radius, double modulus) {
   return {half_width, 2 * load / (std::numbers::pi * half_width)};
 }
 
+HertzLine v4_theory() {
+  const double compliance = (1 - 0.3 * 0.3) * (1 / 210e3 + 1 / 70e3);
+  return hertz_line(35e3, 50, 1 / compliance);
+}
+
+MindlinTheory mindlin_theory(const CaseRun& run) {
+  const auto& table = run.resultants.at("interface");
+  const double normal = column(table, "force.y").back();
+  const double tangential = std::abs(column(table, "force.x").back());
+  MindlinTheory theory;
+  theory.friction = run.study.contact.front().friction;
+  const auto& steel = run.study.materials.front();
+  theory.normal = hertz_line(normal, 50, steel.young / (1 - steel.poisson * steel.poisson) / 2);
+  theory.mobilised = tangential / (theory.friction * normal);
+  theory.stick = theory.normal.half_width * std::sqrt(1 - theory.mobilised);
+  return theory;
+}
+
+double largest_pressure(const std::vector<SurfacePoint>& points) {
+  return std::ranges::max(points, {}, &SurfacePoint::pressure).pressure;
+}
+
 std::vector<SurfacePoint> surface_at_end(const CaseRun& run) {
   const auto model = model::build_model(run.study);
   const auto& zone = model.zones.front();
@@ -32,7 +54,7 @@ std::vector<SurfacePoint> surface_at_end(const CaseRun& run) {
 }
 
 HertzLine fitted_ellipse(const std::vector<SurfacePoint>& points) {
-  const double largest = std::ranges::max(points, {}, &SurfacePoint::pressure).pressure;
+  const double largest = largest_pressure(points);
   const bool half = points.front().x >= 0; // of a symmetric model
   double weight = 0;
   double moment = 0;
@@ -69,6 +91,19 @@ double stick_half_width(const std::vector<SurfacePoint>& points) {
   const double left = (first->x + std::prev(first)->x) / 2;
   const double right = (last->x + std::next(last)->x) / 2;
   return (right - left) / 2;
+}
+
+double traction_error(const std::vector<SurfacePoint>& points, const MindlinTheory& theory) {
+  double squares = 0;
+  int count = 0;
+  for (const auto& point : points) {
+    if (point.status == contact::Status::open)
+      continue;
+    const double found = std::abs(point.traction) / (theory.friction * theory.normal.peak);
+    squares += std::pow(found - mindlin_traction(point.x, theory.normal.half_width, theory.stick), 2);
+    ++count;
+  }
+  return std::sqrt(squares / count);
 }
 
 } // namespace rubato::verification

@@ -83,8 +83,7 @@ SphereImpact hertz_impact(double radius, double young, double poisson, double de
   const double approach =
       std::pow(15 * mass * velocity * velocity / (16 * modulus * std::sqrt(radius)), 2.0 / 5.0);
   // 2 ∫₀¹ dx/√(1 − x^{5/2})
-  const double crossing_integral =
-      2 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
+  const double crossing_integral = 2 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
   return {4.0 / 3.0 * modulus * std::sqrt(radius) * std::pow(approach, 1.5), approach,
           crossing_integral * approach / velocity};
 }
