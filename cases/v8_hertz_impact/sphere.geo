@@ -1,7 +1,7 @@
 // Half section of a sphere of radius 10 that touches y = 0 at the axis x = 0, lengths in mm.
 // Fine cells of `h` where it hits. `rubato mesh sphere.geo sphere.med` wrote the .med file.
 h = 0.025;
-coarse = 2;
+coarse = 1;
 touch = 0.6;
 deep = 0.5;
 R = 10;

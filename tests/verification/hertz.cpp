@@ -3,8 +3,11 @@
 
 #include "rubato/model/model.hpp"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace rubato::verification {
@@ -63,18 +66,18 @@ HertzLine fitted_ellipse(const std::vector<SurfacePoint>& points) {
     moment += half ? 0 : point.pressure * point.x;
   }
   const double centre = moment / weight;
-  // Least squares of p² = A − B s with s = (x − x₀)².
-  double n = 0, s1 = 0, s2 = 0, y1 = 0, sy = 0;
-  for (const auto& point : points) {
-    if (point.pressure < largest / 5)
-      continue;
-    const double s = std::pow(point.x - centre, 2);
-    const double y = point.pressure * point.pressure;
-    n += 1, s1 += s, s2 += s * s, y1 += y, sy += s * y;
+  std::vector<SurfacePoint> used;
+  std::ranges::copy_if(points, std::back_inserter(used),
+                       [&](const auto& point) { return point.pressure > largest / 5; });
+  Eigen::MatrixX2d sides(used.size(), 2); // p² = A + B (x − x₀)²
+  Eigen::VectorXd squares(sides.rows());
+  for (Eigen::Index i = 0; i < sides.rows(); ++i) {
+    const auto& point = used[static_cast<std::size_t>(i)];
+    sides.row(i) << 1, std::pow(point.x - centre, 2);
+    squares[i] = point.pressure * point.pressure;
   }
-  const double slope = (n * sy - s1 * y1) / (n * s2 - s1 * s1);
-  const double height = (y1 - slope * s1) / n;
-  return {std::sqrt(-height / slope), std::sqrt(height)};
+  const Eigen::Vector2d fit = sides.colPivHouseholderQr().solve(squares);
+  return {std::sqrt(-fit[0] / fit[1]), std::sqrt(fit[0])};
 }
 
 double mindlin_traction(double x, double a, double c) {

@@ -17,8 +17,8 @@ constexpr double kinetic_energy = 500;
 
 /// Part of the contact at its beginning that pressure errors leave out.
 constexpr double settling = 0.05;
-/// Forces below this part of theory's first one are none.
-constexpr double touch = 1e-3;
+/// A sphere's forces below this part of the largest are none.
+constexpr double touch = 1e-6;
 
 /// Stored energy less the work of the loads.
 std::vector<double> own_energy(const results::Table& energy) {
@@ -61,10 +61,10 @@ Impact measure_impact(const CaseRun& run, const std::string& zone, const ImpactT
   for (std::size_t i = 0; i < t.size(); ++i) {
     impact.impulse += force[i] * (t[i] - (i > 0 ? t[i - 1] : run.study.time.begin));
     impact.largest_force = std::max(impact.largest_force, force[i]);
-    if (force[i] > touch * first) {
-      impact.begin = impact.begin == 0 ? t[i] : impact.begin;
+    if (impact.begin == 0 && force[i] > first / 2)
+      impact.begin = t[i];
+    if (force[i] > theory.force(theory.end) / 2)
       impact.end = t[i];
-    }
     if (t[i] >= from && t[i] < theory.end) {
       squares += std::pow((force[i] - theory.force(t[i])) / first, 2);
       ++count;

@@ -24,7 +24,9 @@ ImpactTheory rod_on_rod();
 
 /// What a run has.
 struct Impact {
-  double begin = 0; ///< first and last instant at which the bodies press on one another
+  /// First and last instant with more than half of the force that theory has there: waves in a mesh have no
+  /// sharp fronts.
+  double begin = 0;
   double end = 0;
   double impulse = 0;
   double largest_force = 0;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "verification/impact.hpp"
+#include <ostream>
+#include <string>
 
 namespace rubato::verification {
 namespace {
@@ -17,6 +19,10 @@ struct ImpactCase {
   const char* run;
 };
 
+void PrintTo(const ImpactCase& chosen, std::ostream* out) {
+  *out << chosen.deck << ", " << chosen.run;
+}
+
 class ElasticImpact : public testing::TestWithParam<ImpactCase> {
 protected:
   CaseRuns runs_{GetParam().deck};
@@ -25,36 +31,60 @@ protected:
   Impact found_ = measure_impact(run_, GetParam().zone, theory_);
 };
 
-TEST_P(ElasticImpact, KeepsItsEnergy) {
+class MasslessSurface : public ElasticImpact {};
+class MoreausImpact : public ElasticImpact {};
+class SafeImpact : public ElasticImpact {};
+
+TEST_P(MasslessSurface, KeepsItsEnergy) {
   EXPECT_LE(found_.energy_error, 1e-3);
 }
 
-TEST_P(ElasticImpact, PressesAsTheWaveDoes) {
+/// The law stops the nodes that touch without giving anything back (restitution 0): what they moved with is
+/// lost, a part that falls with the mesh.
+TEST_P(MoreausImpact, LosesWhatTheNodesThatTouchBring) {
+  EXPECT_LE(run_.result.energy.gain, 1e-9 * theory_.energy);
+  EXPECT_LE(found_.energy_error, 1e-2);
+}
+
+TEST_P(SafeImpact, PressesAsTheWaveDoes) {
   EXPECT_LE(found_.pressure_error, 0.06);
 }
 
-TEST_P(ElasticImpact, BeginsAndEndsWithinAStep) {
-  const double step = run_.study.time.step;
-  EXPECT_NEAR(found_.begin, theory_.begin, step * (1 + 1e-9));
-  EXPECT_NEAR(found_.end, theory_.end, step * (1 + 1e-9));
+TEST_P(SafeImpact, BeginsAndEndsWithinAStep) {
+  const double step = run_.study.time.step * (1 + 1e-9);
+  EXPECT_NEAR(found_.begin, theory_.begin, step);
+  EXPECT_NEAR(found_.end, theory_.end, step);
 }
 
-TEST_P(ElasticImpact, HasALedgerThatCloses) {
-  EXPECT_LE(run_.ledger(), closed);
-}
+const ImpactCase bar_redistributed{"BarOnWallRedistributed", "v1_bar_on_wall/bar.yaml", "wall", bar_on_wall,
+                                   "redistributed"};
+const ImpactCase bar_moreau{"BarOnWallMoreauJean", "v1_bar_on_wall/bar.yaml", "wall", bar_on_wall,
+                            "moreau_jean"};
+const ImpactCase dropped_redistributed{"DroppedBarRedistributed", "v2_dropped_bar/bar.yaml", "wall",
+                                       dropped_bar, "redistributed"};
+const ImpactCase dropped_moreau{"DroppedBarMoreauJean", "v2_dropped_bar/bar.yaml", "wall", dropped_bar,
+                                "moreau_jean"};
+const ImpactCase rods_redistributed{"RodOnRodRedistributed", "v10_rod_on_rod/rods.yaml", "interface",
+                                    rod_on_rod, "redistributed"};
+const ImpactCase rods_redistributed_hht{"RodOnRodRedistributedHht", "v10_rod_on_rod/rods.yaml", "interface",
+                                        rod_on_rod, "redistributed_hht"};
+const ImpactCase rods_moreau{"RodOnRodMoreauJean", "v10_rod_on_rod/rods.yaml", "interface", rod_on_rod,
+                             "moreau_jean"};
 
-const std::vector<ImpactCase> safe_runs{
-    {"BarOnWallRedistributed", "v1_bar_on_wall/bar.yaml", "wall", bar_on_wall, "redistributed"},
-    {"BarOnWallMoreauJean", "v1_bar_on_wall/bar.yaml", "wall", bar_on_wall, "moreau_jean"},
-    {"DroppedBarRedistributed", "v2_dropped_bar/bar.yaml", "wall", dropped_bar, "redistributed"},
-    {"DroppedBarMoreauJean", "v2_dropped_bar/bar.yaml", "wall", dropped_bar, "moreau_jean"},
-    {"RodOnRodRedistributed", "v10_rod_on_rod/rods.yaml", "interface", rod_on_rod, "redistributed"},
-    {"RodOnRodMoreauJean", "v10_rod_on_rod/rods.yaml", "interface", rod_on_rod, "moreau_jean"}};
+const auto name_of = [](const auto& chosen) { return std::string(chosen.param.name); };
 
-INSTANTIATE_TEST_SUITE_P(Of, ElasticImpact, testing::ValuesIn(safe_runs),
-                         [](const auto& chosen) { return std::string(chosen.param.name); });
+INSTANTIATE_TEST_SUITE_P(Of, MasslessSurface,
+                         testing::Values(bar_redistributed, dropped_redistributed, rods_redistributed),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Of, MoreausImpact, testing::Values(bar_moreau, dropped_moreau, rods_moreau),
+                         name_of);
+// The master of V10 keeps its mass: without numerical damping its surface still swings.
+INSTANTIATE_TEST_SUITE_P(Of, SafeImpact,
+                         testing::Values(bar_redistributed, bar_moreau, dropped_redistributed, dropped_moreau,
+                                         rods_redistributed_hht, rods_moreau),
+                         name_of);
 
-/// Every other scheme's ledger closes too, whatever its energy does.
+/// Whatever their energy does.
 class Impacts : public testing::TestWithParam<const char*> {};
 
 TEST_P(Impacts, HaveLedgersThatCloseWithEveryImplicitScheme) {

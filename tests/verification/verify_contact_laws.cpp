@@ -136,8 +136,7 @@ void write_signorini(const std::filesystem::path& folder) {
                   "where contact ends, so that quadratic cells reach O(h^1.5) and no more.",
                   fine, signorini_half_width(fine)));
   page.table({"cells", "4 × 4", "8 × 8", "16 × 16", "32 × 32", "64 × 64", "orders"});
-  for (const auto cells :
-       {mesh::CellType::quad4, mesh::CellType::quad8, mesh::CellType::quad9}) {
+  for (const auto cells : {mesh::CellType::quad4, mesh::CellType::quad8, mesh::CellType::quad9}) {
     const auto errors = signorini_errors(cells, divisions, fine);
     std::vector<std::string> row{std::string(mesh::topology(cells).name)};
     std::string orders;

@@ -17,7 +17,9 @@ void write_impacts(Page& page, CaseRuns& runs, const std::string& zone, const Im
                    double impulse) {
   page.paragraph(
       fmt::format("Theory: contact on [{:.4f}, {:.4f}], force {:g} at its beginning and {:g} at its "
-                  "end, impulse {:.4g}. Force error: root of the mean square over the contact but "
+                  "end, impulse {:.4g}. Bodies touch and leave where the force crosses half of "
+                  "theory's: waves in a mesh have no sharp fronts. Force error: root of the mean square over "
+                  "the contact but "
                   "its first 5 %, in parts of the first force. Energy error: the largest change of "
                   "kinetic + strain + contact energy less the work of the loads, in parts of {:g}. "
                   "Ledger: largest imbalance over its largest term.",
