@@ -32,7 +32,9 @@ TEST_P(Case, RunsAndItsChecksHold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Verification, Case,
-                         testing::Values("v3_contact_patch/blocks.yaml", "v7_friction_slider/slider.yaml",
+                         testing::Values("v1_bar_on_wall/bar.yaml", "v2_dropped_bar/bar.yaml",
+                                         "v3_contact_patch/blocks.yaml", "v7_friction_slider/slider.yaml",
+                                         "v8_hertz_impact/sphere.yaml", "v10_rod_on_rod/rods.yaml",
                                          "v11_free_beam/beam.yaml"),
                          [](const auto& instance) {
                            const std::string file = instance.param;
