@@ -2,6 +2,7 @@
 // The ledger of energies closes in SDNL140's runs, whatever the modeling, the scheme and the method.
 #include <gtest/gtest.h>
 
+#include "support/scratch_folder.hpp"
 #include "support/shared_files.hpp"
 #include "verification/modelings.hpp"
 #include "verification/sdnl140.hpp"
@@ -60,6 +61,33 @@ const std::vector<Variation> variations{
 
 INSTANTIATE_TEST_SUITE_P(By, EnergyOfModelingF, testing::ValuesIn(variations),
                          [](const auto& chosen) { return chosen.param.name; });
+
+std::vector<std::string> warnings_of(const deck::Study& study) {
+  const test::ScratchFolder folder;
+  std::vector<std::string> warnings;
+  run::Watch watch;
+  watch.warn = [&](const std::string& text) { warnings.push_back(text); };
+  run::run_study(study, folder / "run", watch);
+  return warnings;
+}
+
+class DocumentedRun : public testing::TestWithParam<std::string> {};
+
+TEST_P(DocumentedRun, GainsNothingWorthAWarning) {
+  for (const char letter : {'c', 'e', 'f'})
+    EXPECT_EQ(warnings_of(study_of(letter, GetParam())), std::vector<std::string>()) << letter;
+}
+
+INSTANTIATE_TEST_SUITE_P(Sdnl140, DocumentedRun, testing::Values("evol1", "evol2", "evol3", "evol4", "evol5"),
+                         [](const auto& chosen) { return chosen.param; });
+
+TEST(UndampedNewmark, WarnsLongBeforeExactContactBlowsItUp) {
+  const auto warnings = warnings_of(
+      study_of('f', "evol1", {{"time.scheme", "newmark"}, {"time.alpha", ""}, {"time.end", "0.06"}}));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].starts_with("evol1: energy gained from t = ")) << warnings[0];
+  EXPECT_NE(warnings[0].find("contact pressures gave"), std::string::npos) << warnings[0];
+}
 
 } // namespace
 } // namespace rubato::verification

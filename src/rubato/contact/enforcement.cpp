@@ -281,11 +281,12 @@ void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zon
 }
 
 std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
-                                             const VectorXd& velocity, double step, double theta) {
+                                             const VectorXd& velocity, const VelocityLaw& law) {
   const auto& zone = neighbours.zone();
   std::vector<PointEvaluation> points;
   evaluate(neighbours, VectorXd::Zero(zone.multiplier_count()), start, points);
-  const Vector3d way = zone.obstacle ? zone.obstacle->way(start.t, start.t + step) : Vector3d::Zero().eval();
+  const Vector3d way =
+      zone.obstacle ? zone.obstacle->way(start.t, start.t + law.step) : Vector3d::Zero().eval();
   for (auto& point : points)
     if (point.variables.gap > touching_gap * zone.edge())
       point.kinematics.reset();
@@ -295,11 +296,14 @@ std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Co
       continue;
     auto& k = *point.kinematics;
     carry(k, way);
-    const Vector3d relative = interpolated(k, *start.dofs, velocity) - way / step;
+    k.gap_origin = k.gap;
+    if (law.massless)
+      continue;
+    const Vector3d relative = interpolated(k, *start.dofs, velocity) - way / law.step;
     const double normal = k.normal.dot(relative);
-    k.gap_origin =
-        k.gap + step * ((1 - theta) * normal + theta * zone.settings.restitution * std::max(0.0, -normal));
-    k.slip_origin = step * (1 - theta) * (k.tangents.transpose() * relative);
+    const double rebound = zone.settings.restitution * std::max(0.0, -normal);
+    k.gap_origin += law.step * std::min(0.0, (1 - law.theta) * normal + law.theta * rebound);
+    k.slip_origin = law.step * (1 - law.theta) * (k.tangents.transpose() * relative);
   }
   return points;
 }

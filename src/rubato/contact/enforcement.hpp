@@ -84,14 +84,23 @@ void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zon
                              const Eigen::VectorXd& multipliers, const Configuration& configuration,
                              std::vector<PointEvaluation>& into);
 
-/// Held frames of the points that touch at the start of a step of length `step`, in which gap and slip stand
-/// for velocities: with v the relative velocity at the start, at the end of the step
-///   gap = h θ (v₁·n − e ⟨−v·n⟩),   slip_a = h θ v₁·τ_a       where u₁ = u₀ + h (θ v₁ + (1−θ) v)
-/// so that the same laws that close gaps and hold slips stop what approaches (Moreau's law with Newton's
-/// restitution e). All other points have no kinematics. `velocity`: one a dof; an obstacle has its mean
-/// velocity of the step, at the start and at the end.
+/// Contact as a law of velocities in a step with u₁ = u₀ + h (θ v₁ + (1−θ) v₀).
+struct VelocityLaw {
+  double step = 0;
+  double theta = 0.5;
+  bool massless = false; ///< the slave surface has no momentum: nothing to lose where it hits
+};
+
+/// Held frames of the points that touch at the start of a step, in which gap and slip are counted so that the
+/// same laws that close gaps and hold slips are laws of velocities. With v₀ the velocity at the start of the
+/// slave point relative to what it faces, e the restitution (Moreau's law with Newton's restitution):
+///   gap = h θ (v₁·n − e ⟨−v₀·n⟩),   slip_a = h θ v₁·τ_a;
+/// where v₀ parts the surfaces, or where they have no mass, gap = Δu·n: then pressures do no work in the
+/// step, and without mass slip_a = Δu·τ_a: friction takes energy in every step. All other points have no
+/// kinematics. `velocity`: one a dof; an obstacle has its mean velocity of the step, at the start and at the
+/// end.
 std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
-                                             const Eigen::VectorXd& velocity, double step, double theta);
+                                             const Eigen::VectorXd& velocity, const VelocityLaw& law);
 
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 

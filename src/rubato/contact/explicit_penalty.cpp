@@ -189,8 +189,9 @@ ExplicitPenalty::Place ExplicitPenalty::place_of(std::size_t index,
                                                  const Configuration& configuration) const {
   if (const auto& obstacle = zone_->obstacle) {
     const auto& point = zone_->points[index];
-    const auto place = place_before(*obstacle, point, configuration);
-    return {.position = contact::position(point, configuration) - place.gap * place.normal,
+    const Vector3d x = contact::position(point, configuration);
+    const auto place = place_before(*obstacle, point, x, configuration);
+    return {.position = x - place.gap * place.normal,
             .normal = place.normal,
             .tangent = place.tangent,
             .carried = obstacle->way(configuration.start_t, configuration.t)};

@@ -52,20 +52,20 @@ void vary(const PlaceOnObstacle& place, const Vector3d& moved, Kinematics& k) {
 
 } // namespace
 
-PlaceOnObstacle place_before(const Obstacle& obstacle, const SlavePoint& point,
+PlaceOnObstacle place_before(const Obstacle& obstacle, const SlavePoint& point, const Vector3d& x,
                              const Configuration& configuration) {
-  return place_on(obstacle, obstacle.offset(configuration.t), position(point, configuration),
-                  undeformed(point, *configuration.mesh));
+  return place_on(obstacle, obstacle.offset(configuration.t), x, undeformed(point, *configuration.mesh));
 }
 
 void evaluate_before(const Obstacle& obstacle, const SlavePoint& point, const Configuration& configuration,
                      Kinematics& k) {
   take_nodes(point, configuration.dofs->components, k);
-  const auto place = place_before(obstacle, point, configuration);
+  const Vector3d x = position(point, configuration);
+  const auto place = place_before(obstacle, point, x, configuration);
   k.normal = place.normal;
   k.tangents << place.tangent, place.normal.cross(place.tangent);
   k.gap = place.gap;
-  k.foot = position(point, configuration) - place.gap * place.normal;
+  k.foot = x - place.gap * place.normal;
   k.carried = obstacle.way(configuration.start_t, configuration.t);
   Vector3d moved = -k.carried;
   for (std::size_t i = 0; i < point.nodes.size(); ++i)

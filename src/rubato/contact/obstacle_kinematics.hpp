@@ -9,8 +9,8 @@
 
 namespace rubato::contact {
 
-/// What a slave point sees of the zone's obstacle.
-PlaceOnObstacle place_before(const Obstacle& obstacle, const SlavePoint& point,
+/// What a slave point at `x` sees of the zone's obstacle.
+PlaceOnObstacle place_before(const Obstacle& obstacle, const SlavePoint& point, const Eigen::Vector3d& x,
                              const Configuration& configuration);
 
 /// Everything about the point that a contact law asks for; its unknowns are the slave's alone.

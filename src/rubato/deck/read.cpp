@@ -87,6 +87,12 @@ void check_velocity_contact(const Study& study, Faults& faults) {
                  fmt::format("contact.{}: found a restitution, which the scheme moreau_jean takes; {} "
                              "computes the rebound from the bodies' own motion",
                              zone.name, word_of(scheme_words, study.time.scheme)));
+    if (zone.restitution > 0 && study.time.contact_mass == ContactMass::redistributed)
+      faults.add(
+          zone.at,
+          fmt::format("contact.{}: found a restitution, but redistributed contact mass leaves nothing that "
+                      "could bounce, expected contact_mass: consistent or no restitution",
+                      zone.name));
     const bool springs = zone.method == ContactMethod::penalty ||
                          zone.method == ContactMethod::nodal_penalty ||
                          (zone.friction > 0 && zone.friction_method != FrictionMethod::augmented_lagrangian);

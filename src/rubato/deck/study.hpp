@@ -242,12 +242,13 @@ enum class StartKind {
 };
 
 struct TimeStepping {
-  SchemeKind scheme = SchemeKind::hht;
+  SchemeKind scheme = SchemeKind::moreau_jean;
   double alpha = 0;             ///< hht −1/3…0, modified_average_acceleration ≤ 0
   std::optional<double> beta;   ///< newmark only
   std::optional<double> gamma;  ///< newmark only
   double spectral_radius = 0.5; ///< generalized_alpha: ρ_∞ in 0…1
   double theta = 0.5;           ///< moreau_jean: in 1/2…1
+  /// A deck that names no scheme has moreau_jean and redistributed mass: contact never gives energy then.
   ContactMass contact_mass = ContactMass::consistent;
   double begin = 0;
   /// > 0 unless instants are listed. central_difference: 0 stands for the stable step times `safety`.

@@ -48,7 +48,10 @@ bool takes(SchemeKind scheme, std::string_view key) {
 }
 
 void read_scheme(MapReader& map, Context& context, TimeStepping& time) {
-  if (!read(map.require("scheme"), time.scheme, scheme_words)) {
+  const auto named = map.find("scheme");
+  if (!named)
+    time.contact_mass = ContactMass::redistributed;
+  if (named && !read(named, time.scheme, scheme_words)) {
     for (const auto& known : scheme_keys)
       map.find(known.key);
     return;

@@ -54,8 +54,8 @@ struct Model {
   fem::DofMap dofs;
   SparseMatrix stiffness; ///< of the cells and of the springs
   SparseMatrix mass;      ///< empty (no entries) in a static or explicit run
-  std::vector<mesh::NodeIndex>
-      massless_nodes;          ///< ascending; on contact surfaces when their mass is redistributed
+  /// Ascending; on contact surfaces when their mass is redistributed.
+  std::vector<mesh::NodeIndex> massless_nodes;
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
   SparseMatrix damping;        ///< no entries without Rayleigh coefficients
   Products products;           ///< with stiffness and mass, in an implicit run

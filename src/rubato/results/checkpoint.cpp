@@ -6,13 +6,13 @@
 #include "rubato/error.hpp"
 #include "rubato/results/hdf5_file.hpp"
 #include "rubato/results/seal.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <concepts>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 namespace rubato::results {
@@ -271,20 +271,13 @@ std::uint32_t crc_of(const std::vector<mesh::Group>& groups, std::uint32_t sum) 
 } // namespace
 
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint) {
-  auto beside = path;
-  beside += ".new";
-  try {
+  write_whole(path, [&](const std::filesystem::path& beside) {
     Hdf5File file(beside, Hdf5File::Access::create, seal_size);
     Writer writer(file);
     exchange(writer, checkpoint);
     file.close();
     seal(beside);
-    std::filesystem::rename(beside, path);
-  } catch (const std::runtime_error&) {
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-    throw;
-  }
+  });
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {

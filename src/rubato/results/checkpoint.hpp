@@ -38,7 +38,7 @@ struct Checkpoint {
   std::optional<ExplicitProgress> progress;
 };
 
-/// Throws std::runtime_error when writing fails; what was there before is still there then.
+/// Throws WriteError when writing fails; what was there before is still there then.
 void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint);
 
 /// Throws InputError, with the reason in one sentence, for a file that is no checkpoint, of another format,

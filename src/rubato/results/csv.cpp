@@ -2,13 +2,14 @@
 #include "rubato/results/csv.hpp"
 
 #include "rubato/error.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
-#include <stdexcept>
 #include <string_view>
 
 namespace rubato::results {
@@ -54,10 +55,23 @@ LineFile::LineFile(std::filesystem::path path, std::uintmax_t bytes) : path_(std
 }
 
 void LineFile::add(std::string_view line) {
+  errno = 0;
   file_ << line << '\n' << std::flush;
-  if (!file_)
-    throw std::runtime_error(fmt::format("{}: writing failed, is the disk full?", path_.string()));
+  if (!file_) {
+    const int reason = errno;
+    cut(bytes_);
+    throw WriteError(path_, reason);
+  }
   bytes_ += line.size() + 1;
+}
+
+void LineFile::cut(std::uintmax_t bytes) {
+  file_.close(); // first: what a stream could not write it would try again
+  file_.clear();
+  std::error_code ignored; // a shorter file needs no room
+  std::filesystem::resize_file(path_, bytes, ignored);
+  file_.open(path_, std::ios::app);
+  bytes_ = bytes;
 }
 
 CsvWriter::CsvWriter(const std::filesystem::path& path, std::span<const std::string> columns) : file_(path) {

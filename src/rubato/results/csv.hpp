@@ -21,8 +21,10 @@ public:
   /// naming it, when it is shorter or cannot be written.
   LineFile(std::filesystem::path path, std::uintmax_t bytes);
 
-  /// Throws std::runtime_error when writing fails.
+  /// Throws WriteError when writing fails; the file ends with its last whole line then.
   void add(std::string_view line);
+  /// Takes lines back: only the first `bytes` stay.
+  void cut(std::uintmax_t bytes);
   std::uintmax_t bytes() const { return bytes_; }
 
 private:
@@ -38,8 +40,9 @@ public:
   CsvWriter(const std::filesystem::path& path, std::span<const std::string> columns);
   /// Goes on with a table that is there, as LineFile does.
   CsvWriter(const std::filesystem::path& path, std::uintmax_t bytes) : file_(path, bytes) {}
-  /// Throws std::runtime_error when writing fails.
+  /// Throws WriteError as LineFile does.
   void row(std::span<const double> values);
+  void cut(std::uintmax_t bytes) { file_.cut(bytes); }
   std::uintmax_t bytes() const { return file_.bytes(); }
 
 private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/hdf5_file.hpp"
 
+#include "rubato/writing.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,7 +64,7 @@ void Hdf5File::close() {
   const auto id = id_;
   id_ = -1;
   if (H5Fclose(id) < 0)
-    fail("writing failed, is the disk full?");
+    throw WriteError(path_);
 }
 
 void Hdf5File::fail(const std::string& what) const {
@@ -95,7 +97,7 @@ void Hdf5File::write_array(const std::string& name, std::int64_t type, std::uint
   const Handle data(H5Dcreate2(id_, name.c_str(), type, space.id(), link.id(), creation.id(), H5P_DEFAULT),
                     H5Dclose);
   if (!data.good() || (size > 0 && H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
-    fail("writing failed, is the disk full?");
+    throw WriteError(path_);
 }
 
 std::uint64_t Hdf5File::size_of(std::int64_t data) const {

@@ -23,7 +23,7 @@ public:
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
 
-  /// Names may have parts, "state/u". Throw std::runtime_error when writing fails.
+  /// Names may have parts, "state/u". Throw WriteError when writing fails.
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, std::span<const std::int64_t> values);
   void write(const std::string& name, std::string_view text);
@@ -33,7 +33,7 @@ public:
   std::vector<std::int64_t> integers(const std::string& name) const;
   std::string text(const std::string& name) const;
 
-  /// Writes what is still in memory and closes. Throws std::runtime_error when that fails.
+  /// Writes what is still in memory and closes. Throws WriteError when that fails.
   void close();
 
 private:

@@ -3,6 +3,7 @@
 
 #include "rubato/error.hpp"
 #include "rubato/mesh/io/med_file.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 #include <med.h>
@@ -87,6 +88,15 @@ void append(const med::File& file, const Instant& instant, const NodalField& fie
              "the values of a field");
 }
 
+/// What an instant needs at most: its values, and what MED and HDF5 tell about each field.
+std::uintmax_t room_for(std::span<const NodalField> fields) {
+  constexpr std::uintmax_t of_field = 16384;
+  std::uintmax_t bytes = 0;
+  for (const auto& field : fields)
+    bytes += of_field + field.values.size_bytes();
+  return bytes;
+}
+
 struct Description {
   MedField field;
   med_field_type type = MED_FLOAT64;
@@ -163,7 +173,8 @@ std::vector<double> values_of(const med::File& file, const std::string& field, i
 
 void append_med_fields(const std::filesystem::path& path, const std::string& mesh_name, Instant instant,
                        std::span<const NodalField> fields, const std::string& time_unit) {
-  const med::File file(path, med::File::Access::extend);
+  require_room(path, room_for(fields));
+  med::File file(path, med::File::Access::extend);
   check_length(time_unit, med::short_name_size, "time unit");
   const auto nodes = node_count(file, mesh_name);
   for (const auto& field : fields) {
@@ -172,6 +183,7 @@ void append_med_fields(const std::filesystem::path& path, const std::string& mes
       declare(file, mesh_name, field, time_unit);
     append(file, instant, field, nodes);
   }
+  file.close();
 }
 
 std::vector<MedField> med_fields(const std::filesystem::path& path) {

@@ -19,9 +19,10 @@ struct Instant {
 
 /// Appends the fields at one instant to a MED file that holds the mesh of that name. The file is closed
 /// afterwards, so that a run that stops leaves a file which can be read. A field is declared when it first
-/// comes. Throws InputError when the file can't be opened or lacks the mesh, when a name is too long for MED
-/// (field 64, component and unit 16 letters); std::invalid_argument when a field's size is not node count
-/// times components or its components differ from those in the file.
+/// comes. Throws WriteError, before the file is touched, when the disk has no room for it; InputError when
+/// the file can't be opened or lacks the mesh, when a name is too long for MED (field 64, component and unit
+/// 16 letters); std::invalid_argument when a field's size is not node count times components or its
+/// components differ from those in the file.
 void append_med_fields(const std::filesystem::path& path, const std::string& mesh_name, Instant instant,
                        std::span<const NodalField> fields, const std::string& time_unit = "");
 

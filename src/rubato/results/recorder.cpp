@@ -9,6 +9,7 @@
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/vtu.hpp"
 #include "rubato/version.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
+#include <utility>
 
 namespace rubato::results {
 namespace {
@@ -38,15 +41,11 @@ std::ofstream opened(const std::filesystem::path& path) {
 
 /// Copies a file so that the other is there whole or not at all.
 void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to) {
-  auto beside = to;
-  beside += ".new";
-  std::error_code error;
-  std::filesystem::copy_file(from, beside, std::filesystem::copy_options::overwrite_existing, error);
-  if (!error)
-    std::filesystem::rename(beside, to, error);
-  if (error)
-    throw InputError(
-        fmt::format("{}: cannot be copied to {} ({})", from.string(), to.string(), error.message()));
+  if (!std::filesystem::exists(from))
+    throw InputError(fmt::format("{}: does not exist, but the checkpoint counts on it", from.string()));
+  write_whole(to, [&](const std::filesystem::path& beside) {
+    std::filesystem::copy_file(from, beside, std::filesystem::copy_options::overwrite_existing);
+  });
 }
 
 const Eigen::VectorXd& field_of(const step::State& state, deck::ProbeField field) {
@@ -129,6 +128,10 @@ public:
 
   void step(const step::State& before, const step::State& now, const Attempt& attempt,
             const step::StepReport& report, bool last) {
+    mark_ = {probes_.bytes(),          steps_.bytes(),       energy_.bytes(),       {},
+             series_.entries().size(), history_.rows.size(), unwritten_.has_value()};
+    for (const auto& table : resultants_)
+      mark_->resultants.push_back(table.bytes());
     ++steps_done_;
     write_probes(now);
     write_resultants(now);
@@ -145,6 +148,26 @@ public:
   void energy(double t, const step::EnergyLedger& e) {
     energy_.row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.damping, e.contact,
                            e.friction, e.impact, e.numerical, e.unbalanced, e.balance()});
+    mark_.reset();
+  }
+
+  /// A .vtu file that was written whole stays; the next one of that number takes its place.
+  void take_back(const step::State& before) {
+    if (!mark_)
+      return;
+    const auto mark = *std::exchange(mark_, std::nullopt);
+    probes_.cut(mark.probes);
+    steps_.cut(mark.attempts);
+    energy_.cut(mark.energy);
+    for (std::size_t z = 0; z < resultants_.size(); ++z)
+      resultants_[z].cut(mark.resultants[z]);
+    auto entries = series_.entries();
+    entries.resize(mark.fields);
+    series_ = PvdSeries(folder_ / pvd_file, std::move(entries));
+    history_.rows.resize(mark.history);
+    --steps_done_;
+    if (mark.unwritten)
+      unwritten_ = before;
   }
 
   RecorderPosition position() {
@@ -166,16 +189,34 @@ public:
   }
 
   std::vector<CheckResult> finish(const Ending& ending) {
-    if (unwritten_ && ending.status != RunStatus::complete)
-      write_fields(*unwritten_);
+    std::exception_ptr unwritten_fields; // the summary needs less room than they do
+    try {
+      if (unwritten_ && ending.status != RunStatus::complete)
+        write_fields(*unwritten_);
+    } catch (const WriteError&) {
+      unwritten_fields = std::current_exception();
+    }
     auto checks = evaluate_checks(model_.study.checks, history_, folder_);
     write_summary(ending, checks);
+    if (unwritten_fields)
+      std::rethrow_exception(unwritten_fields);
     return checks;
   }
 
 private:
   static constexpr const char* mesh_name = "mesh";
   inline static const Ending running{.reason = "the run did not come to its end"};
+
+  /// How far the files had come when a step began.
+  struct Mark {
+    std::uintmax_t probes = 0;
+    std::uintmax_t attempts = 0;
+    std::uintmax_t energy = 0;
+    std::vector<std::uintmax_t> resultants;
+    std::size_t fields = 0;
+    std::size_t history = 0;
+    bool unwritten = false;
+  };
 
   static std::vector<PvdSeries::Entry> series_of(const RecorderPosition& position) {
     std::vector<PvdSeries::Entry> entries;
@@ -253,15 +294,11 @@ private:
       json["failure"] = to_json(*ending.failure);
     for (const auto& check : checks)
       json["checks"].push_back(results::to_json(check));
-    const auto path = folder_ / summary_file;
-    auto beside = path;
-    beside += ".new";
-    auto file = opened(beside);
-    file << json.dump(2) << '\n';
-    file.close();
-    if (!file)
-      throw std::runtime_error(fmt::format("{}: writing failed, is the disk full?", beside.string()));
-    std::filesystem::rename(beside, path);
+    write_whole(folder_ / summary_file, [&](const std::filesystem::path& beside) {
+      auto file = opened(beside);
+      file << json.dump(2) << '\n';
+      finish_writing(file, beside);
+    });
   }
 
   std::vector<std::string> resultant_columns() const {
@@ -352,8 +389,8 @@ private:
       series_.add(now.t, folder_ / file);
     }
     if (model_.study.fields.med) {
-      med_copy_.clear();
       append_med_fields(folder_ / med_file, mesh_name, {steps_done_, now.t}, fields);
+      med_copy_.clear();
     }
   }
 
@@ -367,6 +404,7 @@ private:
   Table history_;
   std::optional<step::State> unwritten_; // the last step, while it has no fields
   std::string med_copy_;                 // of fields.med as it is now, or empty
+  std::optional<Mark> mark_;             // where the step began that is being written
   int steps_done_ = 0;
 };
 
@@ -388,6 +426,9 @@ void Recorder::step(const step::State& before, const step::State& now, const Att
 }
 void Recorder::energy(double t, const step::EnergyLedger& ledger) {
   impl_->energy(t, ledger);
+}
+void Recorder::take_back(const step::State& before) {
+  impl_->take_back(before);
 }
 void Recorder::failed(const Attempt& attempt, const step::StepReport& report) {
   impl_->failed(attempt, report);

@@ -73,6 +73,7 @@ struct RecorderPosition {
   bool unwritten = false; ///< whether the last step has no fields that it may still get
 };
 
+/// What cannot be written is told by WriteError, by each member function.
 class Recorder {
 public:
   /// Creates the folder and its files; those of a run that was there before are gone then. Throws InputError
@@ -90,7 +91,10 @@ public:
   /// `last` tells whether this is the run's last instant.
   void step(const step::State& before, const step::State& now, const Attempt& attempt,
             const step::StepReport& report, bool last);
+  /// Ends what is written of a step.
   void energy(double t, const step::EnergyLedger& ledger);
+  /// Takes back what was written of a step that could not be written whole. `before`: its start.
+  void take_back(const step::State& before);
   void failed(const Attempt& attempt, const step::StepReport& report);
   /// For a checkpoint; fields.med is copied for it when it has changed since the last one.
   RecorderPosition position();

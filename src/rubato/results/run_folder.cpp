@@ -8,6 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 #include <vector>
 
 namespace rubato::results {
@@ -44,12 +48,21 @@ void collect(const fs::path& folder, const Predicate& is_wanted, std::vector<fs:
       files.push_back(entry.path());
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(
+        fmt::format("{}: the folder of results cannot be made ({})", folder.string(), error.message()));
+}
+
 /// The summary comes last: as long as it is there, the folder is known as a run's.
 std::vector<fs::path> former_files(const fs::path& folder) {
   std::vector<fs::path> files;
   collect(folder / vtu_folder, is_vtu_file, files);
   collect(folder, is_file_of_a_run, files);
-  files.push_back(folder / summary_file);
+  if (holds_run(folder))
+    files.push_back(folder / summary_file);
   return files;
 }
 
@@ -87,18 +100,50 @@ void remove_vtu_files_but(const fs::path& folder, std::span<const std::string> k
     fs::remove(file, ignored);
 }
 
+bool holds_run(const fs::path& folder) {
+  return fs::exists(folder / summary_file);
+}
+
 void prepare_run_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw InputError(
-        fmt::format("{}: the folder of results cannot be made ({})", folder.string(), error.message()));
-  if (!fs::exists(folder / summary_file))
+  make_folder(folder);
+  if (!holds_run(folder))
     return;
-  for (const auto& file : former_files(folder))
-    if (!fs::remove(file, error) && error)
-      throw InputError(fmt::format("{}: cannot be removed to make room for new results ({})", file.string(),
+  const auto former = folder / former_folder;
+  std::error_code error;
+  for (const auto& file : former_files(former))
+    fs::remove(file, error);
+  fs::create_directories(former / vtu_folder, error);
+  for (const auto& file : former_files(folder)) {
+    fs::rename(file, former / file.lexically_relative(folder), error);
+    if (error)
+      throw InputError(fmt::format("{}: cannot be moved to make room for new results ({})", file.string(),
                                    error.message()));
+  }
+  fs::remove(former / vtu_folder, error); // when it is empty
+}
+
+FolderClaim::FolderClaim(fs::path folder) : folder_(std::move(folder)) {
+  take();
+}
+
+FolderClaim::~FolderClaim() {
+  if (handle_ >= 0)
+    close(handle_);
+}
+
+void FolderClaim::make() {
+  make_folder(folder_);
+  if (handle_ < 0)
+    take();
+}
+
+/// File systems that know no locks leave the folder unclaimed.
+void FolderClaim::take() {
+  handle_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle_ >= 0 && flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw InputError(fmt::format("{}: another run is writing into this folder; expected another one (-o), or "
+                                 "patience until that run has ended",
+                                 folder_.string()));
 }
 
 } // namespace rubato::results

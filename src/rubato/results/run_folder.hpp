@@ -17,6 +17,7 @@ constexpr std::string_view vtu_folder = "fields";
 constexpr std::string_view pvd_file = "fields.pvd";
 constexpr std::string_view med_file = "fields.med";
 constexpr std::string_view checkpoint_file = "checkpoint.h5";
+constexpr std::string_view former_folder = "former";
 
 /// "resultants_<zone>.csv"
 std::string resultants_file(std::string_view zone);
@@ -31,9 +32,33 @@ void remove_med_copies(const std::filesystem::path& folder, const std::string& b
 /// Removes the files in `vtu_folder` but those of these names.
 void remove_vtu_files_but(const std::filesystem::path& folder, std::span<const std::string> kept);
 
-/// Makes the folder, with those above it. The files of a run that was there before (its run.json tells) are
-/// removed, so that old and new results never stand side by side; other files stay. Throws InputError when
-/// the folder cannot be made or its former files cannot be removed.
+/// Whether a run has been in the folder: its run.json tells.
+bool holds_run(const std::filesystem::path& folder);
+
+/// Makes the folder, with those above it. Of a run that was there before the files move into `former_folder`
+/// inside, whose own make room for them: old and new results never stand side by side, and nobody loses a run
+/// by a slip. Other files stay. Throws InputError when the folder cannot be made or cannot be written into.
 void prepare_run_folder(const std::filesystem::path& folder);
+
+/// That one run, and no other one, writes into a folder. The system gives the folder back when the program
+/// ends, however it does.
+class FolderClaim {
+public:
+  /// Claims the folder when it is there. Throws InputError when another program has it.
+  explicit FolderClaim(std::filesystem::path folder);
+  ~FolderClaim();
+  FolderClaim(const FolderClaim&) = delete;
+  FolderClaim& operator=(const FolderClaim&) = delete;
+
+  /// Makes the folder, with those above it, when it is not there, and claims it. Throws InputError when it
+  /// cannot be made, and when another program has it.
+  void make();
+
+private:
+  void take();
+
+  std::filesystem::path folder_;
+  int handle_ = -1;
+};
 
 } // namespace rubato::results

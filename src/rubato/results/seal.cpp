@@ -2,15 +2,16 @@
 #include "rubato/results/seal.hpp"
 
 #include "rubato/error.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <unistd.h>
@@ -53,18 +54,15 @@ std::string head_of(const Content& content) {
   throw InputError(fmt::format("{}: {}; without --resume the run starts over", path.string(), what));
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path) {
-  throw std::runtime_error(fmt::format("{}: writing failed, is the disk full?", path.string()));
-}
-
 /// A file that outlives a crash of the machine, too.
 void write_through(const std::filesystem::path& path) {
   const int file = open(path.c_str(), O_WRONLY);
   const bool done = file >= 0 && fsync(file) == 0;
+  const int reason = errno;
   if (file >= 0)
     close(file);
   if (!done)
-    fail(path);
+    throw WriteError(path, reason);
 }
 
 } // namespace
@@ -75,9 +73,10 @@ void seal(const std::filesystem::path& path) {
     const auto head = head_of(content_of(file));
     file.clear();
     file.seekp(0);
+    errno = 0;
     file << head << std::flush;
     if (!file)
-      fail(path);
+      throw WriteError(path, errno);
   }
   write_through(path);
 }

@@ -14,7 +14,7 @@ constexpr std::size_t seal_size = 512;
 constexpr int checkpoint_format = 1;
 
 /// Writes the head over the first bytes of a file, and all of it through to the disk. Throws
-/// std::runtime_error when that fails.
+/// WriteError when that fails.
 void seal(const std::filesystem::path& path);
 
 /// Throws InputError when a file was not sealed, is of another format, or is not as it was when it was

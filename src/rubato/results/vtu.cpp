@@ -3,11 +3,13 @@
 
 #include "rubato/error.hpp"
 #include "rubato/mesh/io/vtu.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
 namespace rubato::results {
 namespace {
@@ -59,8 +61,15 @@ PvdSeries::PvdSeries(std::filesystem::path path, std::vector<Entry> entries)
 
 void PvdSeries::add(double time, const std::filesystem::path& file) {
   const auto folder = std::filesystem::absolute(path_).parent_path();
-  entries_.push_back({time, std::filesystem::absolute(file).lexically_proximate(folder)});
-  write();
+  auto longer = entries_;
+  longer.push_back({time, std::filesystem::absolute(file).lexically_proximate(folder)});
+  std::swap(entries_, longer);
+  try {
+    write();
+  } catch (...) {
+    std::swap(entries_, longer);
+    throw;
+  }
 }
 
 void PvdSeries::rewrite() const {
@@ -71,25 +80,19 @@ void PvdSeries::rewrite() const {
 }
 
 void PvdSeries::write() const {
-  auto temporary = path_;
-  temporary += ".new";
-  std::ofstream stream(temporary);
-  stream << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
-  for (const auto& entry : entries_)
-    stream << fmt::format(R"(<DataSet timestep="{}" part="0" file="{}"/>)", entry.time,
-                          mesh::xml_escaped(entry.file.generic_string()))
-           << '\n';
-  stream << "</Collection>\n</VTKFile>\n";
-  stream.close();
-
-  std::error_code error;
-  if (stream)
-    std::filesystem::rename(temporary, path_, error);
-  if (!stream || error)
-    throw InputError(
-        fmt::format("file '{}' cannot be written: is there such a folder, may you write into it, and "
-                    "is there room on the disk?",
-                    path_.string()));
+  write_whole(path_, [this](const std::filesystem::path& beside) {
+    std::ofstream stream(beside);
+    if (!stream)
+      throw InputError(fmt::format(
+          "file '{}' cannot be written: is there such a folder, and may you write into it?", path_.string()));
+    stream << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
+    for (const auto& entry : entries_)
+      stream << fmt::format(R"(<DataSet timestep="{}" part="0" file="{}"/>)", entry.time,
+                            mesh::xml_escaped(entry.file.generic_string()))
+             << '\n';
+    stream << "</Collection>\n</VTKFile>\n";
+    finish_writing(stream, path_);
+  });
 }
 
 } // namespace rubato::results

@@ -40,7 +40,7 @@ public:
   void rewrite() const;
 
   /// Adds a file, by the path this program would open it with, at a time. Throws InputError when the series
-  /// can't be written.
+  /// can't be made, WriteError when writing it fails: the former one is still there then.
   void add(double time, const std::filesystem::path& file);
 
   const std::vector<Entry>& entries() const { return entries_; }

@@ -5,6 +5,7 @@
 #include "rubato/deck/study.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/results/checkpoint.hpp"
+#include "rubato/results/run_folder.hpp"
 #include "rubato/run/time_loop.hpp"
 
 #include <cstdint>
@@ -21,6 +22,7 @@ struct Course {
   std::uint32_t mesh = 0;                  ///< fingerprint
   std::uint32_t start = 0;                 ///< fingerprint of the other run's end it starts from, or 0
   std::optional<results::Checkpoint> from; ///< where it goes on, when it is resumed
+  results::FolderClaim claim;              ///< of the folder
 };
 
 /// The checkpoint in the run's folder; nothing when there is none. Throws InputError, with the reason, when
@@ -41,7 +43,7 @@ public:
   bool keeps_end() const { return settings_.last; }
 
   /// Writes a checkpoint, completed with what tells runs apart. When that fails whoever watches is warned,
-  /// and the run goes on: the former one is still there. Tells whether it is written.
+  /// and the run goes on: the former one is still there. Tells whether there is one to go on from.
   bool keep(const std::function<results::Checkpoint()>& make) const;
 
 private:

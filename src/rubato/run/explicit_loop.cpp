@@ -4,6 +4,7 @@
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/loop_parts.hpp"
 #include "rubato/step/explicit.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
@@ -35,7 +36,7 @@ void check_step(const deck::TimeStepping& time, double stable) {
 
 class ExplicitLoop {
 public:
-  ExplicitLoop(const model::Model& model, const Course& course, const Watch& watch)
+  ExplicitLoop(const model::Model& model, Course& course, const Watch& watch)
       : model_(model), time_(model.study.time), course_(course), watch_(watch), motion_(model),
         keeper_(model.study, course, watch),
         energy_(model.study.name, watch, course.from ? course.from->record : step::EnergyRecord()) {
@@ -55,14 +56,13 @@ public:
     for (int i = next_record(); i <= records_ && result_.status == Status::complete; ++i)
       go_to(i);
     result_.loop_seconds = loop_seconds();
-    if (result_.status == Status::complete && keeper_.keeps_end())
+    if (result_.status != Status::not_converged && keeper_.keeps_end())
       result_.kept = keep_checkpoint();
     result_.steps = static_cast<int>(motion_.steps());
     energy_.tell();
     result_.energy = energy_.record();
     result_.end = std::move(now_);
-    result_.checks = recorder_->finish(
-        {result_.status, result_.message, result_.setup_seconds, result_.loop_seconds, result_.steps, 0, 0});
+    finish();
     return std::move(result_);
   }
 
@@ -81,6 +81,7 @@ private:
       recorder_.emplace(model_, course_.folder, course_.from->recorder, now_);
       return;
     }
+    take_folder(course_, model_.study.name, watch_);
     recorder_.emplace(model_, course_.folder);
     now_ = motion_.state();
     recorder_->start(now_);
@@ -137,16 +138,23 @@ private:
     const double before = processor_seconds();
     const double begin = now_.t;
     const auto steps_before = motion_.steps();
+    const results::ExplicitProgress start{motion_.memory(), limit_};
     if (!advance(instant(record)))
       return interrupt();
     auto next = motion_.state();
     results::Attempt attempt{begin, next.t, 0, next.motion.u.allFinite(), processor_seconds() - before};
     step::StepReport report;
     report.outcome = attempt.accepted ? step::Outcome::converged : step::Outcome::not_finite;
-    if (attempt.accepted)
-      accept(std::move(next), attempt, report, record == records_);
-    else
-      give_up(attempt, report);
+    try {
+      if (attempt.accepted)
+        accept(std::move(next), attempt, report, record == records_);
+      else
+        give_up(attempt, report);
+    } catch (const WriteError& error) {
+      motion_.restore(start.motion);
+      limit_ = start.limit;
+      return break_off(error);
+    }
     const auto steps = static_cast<double>(motion_.steps() - steps_before);
     watch_.progress({model_.study.name, attempt.end, time_.begin, time_.end, (attempt.end - begin) / steps, 0,
                      points_in_contact(now_), 0, attempt.accepted, &report});
@@ -187,13 +195,30 @@ private:
   void interrupt() {
     result_.status = Status::interrupted;
     result_.message = fmt::format("interrupted at t = {:g}", now_.t);
-    if (keeper_.keeps_end())
-      result_.kept = keep_checkpoint();
+  }
+
+  /// What the disk did not take is not part of the run: it stands at its last whole record.
+  void break_off(const WriteError& error) {
+    recorder_->take_back(now_);
+    result_.status = Status::interrupted;
+    result_.message = fmt::format("{} after t = {:g}", error.what(), now_.t);
+    broken_off_ = true;
+  }
+
+  /// Of a run that was broken off because it could not write, the summary may be lost too.
+  void finish() {
+    try {
+      result_.checks = recorder_->finish({result_.status, result_.message, result_.setup_seconds,
+                                          result_.loop_seconds, result_.steps, 0, 0});
+    } catch (const WriteError&) {
+      if (!broken_off_)
+        throw;
+    }
   }
 
   const model::Model& model_;
   const deck::TimeStepping& time_;
-  const Course& course_;
+  Course& course_;
   const Watch& watch_;
   step::ExplicitMotion motion_;
   Keeper keeper_;
@@ -205,13 +230,13 @@ private:
   int recorded_ = 0;        ///< records so far
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;
+  bool broken_off_ = false;
   RunResult result_;
 };
 
 } // namespace
 
-RunResult run_explicit(const model::Model& model, const Course& course, const Watch& watch,
-                       double setup_start) {
+RunResult run_explicit(const model::Model& model, Course& course, const Watch& watch, double setup_start) {
   return ExplicitLoop(model, course, watch).run(setup_start);
 }
 

@@ -40,10 +40,6 @@ std::string restless_of(const model::Model& model, const step::StepReport& repor
                      fmt::join(points, ", "));
 }
 
-bool is_undamped(const time::Scheme& scheme) {
-  return scheme.dynamic && scheme.gamma <= 0.5 && scheme.inertia.now == 1 && scheme.forces.now == 1;
-}
-
 void advise_on_loops(const contact::Zone& zone, Outcome outcome, std::vector<std::string>& advice) {
   const auto loop = [&](Outcome failed, const deck::Level& level, const char* name) {
     if (outcome == failed && level.by == deck::Iteration::fixed_point)
@@ -81,8 +77,8 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
   }
   const bool exact = std::ranges::any_of(
       model.zones, [](const auto& zone) { return contact::is_exact(zone.settings.method); });
-  if (exact && is_undamped(scheme))
-    advice.emplace_back("time: {scheme: hht, alpha: -0.1}, which calms what rings under contact");
+  if (exact && time::is_undamped(scheme))
+    advice.emplace_back("time: {scheme: moreau_jean}, which gains no energy from contact");
   advice.emplace_back("a shorter time.step");
   if (!report.restless.empty())
     advice.push_back(fmt::format("a look at the mesh around {}",

@@ -2,6 +2,7 @@
 /// What every time loop counts by.
 #pragma once
 
+#include "rubato/run/checkpoints.hpp"
 #include "rubato/run/time_loop.hpp"
 #include "rubato/step/energy.hpp"
 #include "rubato/step/state.hpp"
@@ -24,24 +25,32 @@ inline int points_in_contact(const step::State& state) {
   return count;
 }
 
-/// Follows the ledger of a run: says at once when energy is gained, and at the end how well it closes.
+/// Makes the folder of a run that begins anew, and says where former results in it go.
+void take_folder(Course& course, const std::string& run, const Watch& watch);
+
+/// Follows the ledger of a run: says when energy is gained and not given up again, and at the end how well
+/// the ledger closes. docs/theory/energy.md has the numbers behind what is worth a warning.
 class EnergyWatch {
 public:
   /// Everything must outlive this. `record`: of what was followed before.
   EnergyWatch(const std::string& run, const Watch& watch, const step::EnergyRecord& record)
-      : run_(run), watch_(watch), record_(record), warned_(gains()) {}
+      : run_(run), watch_(watch), record_(record) {}
 
   void note(double t, const step::EnergyLedger& ledger);
-  void tell() const;
+  /// At the end of the run.
+  void tell();
   const step::EnergyRecord& record() const { return record_; }
 
 private:
-  bool gains() const;
+  void warn(const std::string& when);
 
   const std::string& run_;
   const Watch& watch_;
   step::EnergyRecord record_;
-  bool warned_;
+  step::EnergyLedger now_;
+  double gained_since_ = 0;
+  int gained_for_ = 0; ///< instants in a row at which the gain was worth a warning
+  bool warned_ = false;
 };
 
 } // namespace rubato::run

@@ -10,6 +10,7 @@
 #include "rubato/step/energy.hpp"
 #include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
@@ -68,7 +69,7 @@ step::State first_state(const model::Model& model, const time::Scheme& scheme, c
 
 class Loop {
 public:
-  Loop(const model::Model& model, const Course& course, const Watch& watch, const step::State* previous)
+  Loop(const model::Model& model, Course& course, const Watch& watch, const step::State* previous)
       : model_(model), course_(course), watch_(watch), scheme_(time::make_scheme(model.study.time)),
         systems_(model, scheme_),
         committed_(course.from ? course.from->state : first_state(model, scheme_, previous)),
@@ -97,9 +98,7 @@ public:
     energy_.tell();
     result_.energy = energy_.record();
     result_.end = committed_;
-    result_.checks =
-        recorder_->finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
-                           result_.steps, result_.iterations, result_.cuts, failure_});
+    finish();
     return std::move(result_);
   }
 
@@ -120,6 +119,7 @@ private:
       recorder_.emplace(model_, course_.folder, course_.from->recorder, committed_);
       return;
     }
+    take_folder(course_, model_.study.name, watch_);
     recorder_.emplace(model_, course_.folder);
     recorder_->start(committed_);
     recorder_->energy(committed_.t, account_.ledger());
@@ -150,12 +150,47 @@ private:
     if (model_.study.solver == deck::Solver::condensed && !system.compliance)
       throw InputError("solver: found condensed, but the effective matrix is not positive definite without "
                        "contact; expected auto or full");
+    tell_scheme();
     watch_.say(fmt::format("{}: solver {}", model_.study.name, step::solver_of(model_, system)));
+  }
+
+  void tell_scheme() {
+    const auto& settings = model_.study.time;
+    const auto name = std::ranges::find(time::all_schemes(), settings.scheme, &time::SchemeEntry::kind)->name;
+    const bool massless = settings.contact_mass == deck::ContactMass::redistributed;
+    watch_.say(fmt::format("{}: scheme {}{}", model_.study.name, name,
+                           massless ? ", contact surfaces without mass" : ""));
+    const bool exact = std::ranges::any_of(
+        model_.zones, [](const contact::Zone& zone) { return contact::is_exact(zone.settings.method); });
+    if (exact && !course_.from && time::is_undamped(scheme_))
+      watch_.warn(fmt::format("{}: {} without damping gains energy where exact contact opens and closes; "
+                              "moreau_jean doesn't, hht with alpha: -0.1 hardly",
+                              model_.study.name, name));
   }
 
   void interrupt() {
     result_.status = Status::interrupted;
     result_.message = fmt::format("interrupted at t = {:g}", committed_.t);
+  }
+
+  /// What the disk did not take is not part of the run: it stands at its last whole step.
+  void break_off(const WriteError& error) {
+    recorder_->take_back(committed_);
+    result_.status = Status::interrupted;
+    result_.message = fmt::format("{} after t = {:g}", error.what(), committed_.t);
+    broken_off_ = true;
+  }
+
+  /// Of a run that was broken off because it could not write, the summary may be lost too.
+  void finish() {
+    try {
+      result_.checks =
+          recorder_->finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
+                             result_.steps, result_.iterations, result_.cuts, failure_});
+    } catch (const WriteError&) {
+      if (!broken_off_)
+        throw;
+    }
   }
 
   void try_step() {
@@ -166,22 +201,29 @@ private:
         step::advance(model_, scheme_, systems_.of(control_.length()), committed_, attempt.end, trial);
     attempt.accepted = report.converged();
     attempt.seconds = processor_seconds() - before;
-    if (attempt.accepted)
-      accept(trial, attempt, report);
-    else
-      reject(attempt, report);
+    try {
+      if (attempt.accepted)
+        accept(trial, attempt, report);
+      else
+        reject(attempt, report);
+    } catch (const WriteError& error) {
+      return break_off(error);
+    }
     watch_.progress({model_.study.name, attempt.end, model_.study.time.begin, end_,
                      attempt.end - attempt.begin, report.iterations, points_in_contact(committed_),
                      attempt.cut_level, attempt.accepted, &report});
   }
 
   void accept(step::State& trial, const results::Attempt& attempt, const step::StepReport& report) {
+    auto account = account_;
+    account.enter(committed_, trial);
+    recorder_->step(committed_, trial, attempt, report, attempt.end == end_);
+    recorder_->energy(trial.t, account.ledger());
+    // Written; from here on nothing fails.
+    account_ = account;
     control_.accept();
     ++result_.steps;
     result_.iterations += report.iterations;
-    account_.enter(committed_, trial);
-    recorder_->step(committed_, trial, attempt, report, control_.finished());
-    recorder_->energy(trial.t, account_.ledger());
     energy_.note(trial.t, account_.ledger());
     committed_ = std::move(trial);
     if (keeper_.is_due(result_.steps, committed_.t, attempt.end - attempt.begin) && !control_.finished())
@@ -205,7 +247,7 @@ private:
   }
 
   const model::Model& model_;
-  const Course& course_;
+  Course& course_;
   const Watch& watch_;
   time::Scheme scheme_;
   SystemCache systems_;
@@ -218,6 +260,7 @@ private:
   EnergyWatch energy_;
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;
+  bool broken_off_ = false;
   std::optional<results::Failure> failure_;
   RunResult result_;
 };
@@ -232,8 +275,11 @@ RunResult run_study(const deck::Study& study, const std::filesystem::path& folde
                     const step::State* previous, Begin begin) {
   const double start = processor_seconds();
   auto mesh = model::load_mesh(study.mesh);
-  Course course{
-      folder, results::fingerprint(mesh), previous != nullptr ? results::fingerprint(*previous) : 0, {}};
+  Course course{folder,
+                results::fingerprint(mesh),
+                previous != nullptr ? results::fingerprint(*previous) : 0,
+                {},
+                results::FolderClaim(folder)};
   if (begin == Begin::resumed) {
     course.from = find_checkpoint(study, course);
     if (auto finished = finished_run(study, course)) {

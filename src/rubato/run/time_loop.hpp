@@ -46,7 +46,7 @@ struct RunResult {
   int steps = 0;
   int iterations = 0;
   int cuts = 0;
-  bool kept = false;        ///< a checkpoint holds its end
+  bool kept = false;        ///< there is a checkpoint to go on from
   double setup_seconds = 0; ///< processor time
   double loop_seconds = 0;
   std::vector<results::CheckResult> checks;

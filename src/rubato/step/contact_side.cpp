@@ -57,9 +57,9 @@ ContactSide::ContactSide(const Model& model, const time::Scheme& scheme, Effecti
     return;
   const contact::Configuration start{&model.mesh,         &model.dofs, &committed.motion.u,
                                      &committed.motion.u, committed.t, committed.t};
+  const contact::VelocityLaw law{system.step, scheme.beta, !model.massless_nodes.empty()};
   for (auto& neighbours : system.neighbours)
-    frames_.push_back(
-        contact::velocity_frames(neighbours, start, committed.motion.v, system.step, scheme.beta));
+    frames_.push_back(contact::velocity_frames(neighbours, start, committed.motion.v, law));
 }
 
 contact::ZoneLaw ContactSide::law_of(std::size_t zone, const Held& held) const {

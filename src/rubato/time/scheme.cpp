@@ -86,6 +86,10 @@ Scheme make_scheme(const deck::TimeStepping& settings) {
   throw std::logic_error("a time scheme without its row in the table");
 }
 
+bool is_undamped(const Scheme& scheme) {
+  return scheme.dynamic && !scheme.impulsive && scheme.gamma <= 0.5;
+}
+
 StepCoefficients coefficients_of(const Scheme& scheme, double step) {
   StepCoefficients coefficients;
   coefficients.stiffness = scheme.forces.now;

@@ -45,6 +45,9 @@ struct Scheme {
 /// std::invalid_argument for central_difference, which step/explicit.hpp computes.
 Scheme make_scheme(const deck::TimeStepping& settings);
 
+/// Whether high frequencies keep their energy, so that exact contact feeds them.
+bool is_undamped(const Scheme& scheme);
+
 /// The coefficients of one step: A = mass M + damping C + stiffness K is the effective matrix.
 struct StepCoefficients {
   double velocity = 0;     ///< γ/(βh): dv per d

@@ -82,7 +82,7 @@ const Mistake type_mistakes[] = {
     {"scheme: hht", "scheme: hth", "hth",
      "time.scheme: found 'hth', expected one of newmark, hht, modified_average_acceleration, "
      "generalized_alpha, "
-     "static, central_difference; did you mean 'hht'?"},
+     "moreau_jean, static, central_difference; did you mean 'hht'?"},
     {"formats: [vtu, med]", "formats: [vtu, vtk]", "vtk",
      "fields.formats.1: found 'vtk', expected one of vtu, med; "
      "did you mean 'vtu'?"},
@@ -186,6 +186,10 @@ const Mistake sense_mistakes[] = {
     {"alpha: -0.3", "alpha: -0.3\n  record: 1e-4", "1e-4\n  begin",
      "time.record: the scheme hht takes no record, central_difference takes it; a run removes it by "
      "'record: ~'"},
+    {"alpha: -0.3", "alpha: -0.3\n  theta: 0.5", "0.5\n  begin",
+     "time.theta: the scheme hht takes no theta, moreau_jean takes it; a run removes it by 'theta: ~'"},
+    {"scheme: hht\n  alpha: -0.3", "scheme: static\n  contact_mass: redistributed", "redistributed",
+     "time.contact_mass: the scheme static has no masses, expected consistent"},
     {"slave: Beneath", "slave: Below", "Below\n    friction",
      "contact.interface.slave: found 'Below' as slave and as master, expected two surfaces"},
     {"friction: newton", "friction: newtn", "newtn",

@@ -244,6 +244,16 @@ TEST(DeckKeys, TimeSteps) {
   EXPECT_EQ(time.cut_levels, 6);
 }
 
+TEST(DeckKeys, ADeckThatNamesNoSchemeHasTheOneThatContactGivesNoEnergy) {
+  const auto time = parse_one(replaced(smallest_deck, "scheme: newmark, ", "")).time;
+  EXPECT_EQ(time.scheme, SchemeKind::moreau_jean);
+  EXPECT_EQ(time.contact_mass, ContactMass::redistributed);
+  EXPECT_EQ(parse_one(smallest_deck).time.contact_mass, ContactMass::consistent);
+  EXPECT_EQ(
+      parse_one(replaced(smallest_deck, "scheme: newmark", "contact_mass: consistent")).time.contact_mass,
+      ContactMass::consistent);
+}
+
 TEST(DeckKeys, EverySchemeWithItsOwnNumbers) {
   const auto time = [](const std::string& scheme) {
     return parse_one(replaced(smallest_deck, "scheme: newmark", "scheme: " + scheme)).time;
@@ -255,6 +265,8 @@ TEST(DeckKeys, EverySchemeWithItsOwnNumbers) {
   EXPECT_EQ(time("hht, alpha: 0").alpha, 0);
   EXPECT_EQ(time("modified_average_acceleration, alpha: -0.5").alpha, -0.5);
   EXPECT_EQ(time("generalized_alpha, spectral_radius: 0.5").spectral_radius, 0.5);
+  EXPECT_EQ(time("moreau_jean").theta, 0.5);
+  EXPECT_EQ(time("moreau_jean, theta: 0.75").theta, 0.75);
   EXPECT_EQ(time("static").scheme, SchemeKind::static_steps);
   EXPECT_EQ(time("central_difference, safety: 0.5").safety, 0.5);
   EXPECT_EQ(time("central_difference").safety, 0.9);

@@ -117,7 +117,7 @@ const Wrong wrongs[] = {
     {"solid", "{plane: {point: [0, 0, 0], normal: [0, 0, 1]}, sphere: {point: [0, 0, 0], radius: 1}}",
      "contact.floor.obstacle: found several of plane, cylinder and sphere, expected one of them"},
     {"solid", "{plane: {point: [0, 0, 0], normal: [0, 0, 1], side: inside}}",
-     "unknown key 'contact.floor.obstacle.plane.side'"},
+     "unknown key 'contact.floor.obstacle.plane.side'; expected one of point, normal"},
     {"solid", "{plane: {point: [0, 0, 0], normal: [0, 0, 0]}}",
      "contact.floor.obstacle.plane.normal: found a vector of length 0, expected one that points somewhere"},
     {"solid", "{plane: {point: [0, 0], normal: [0, 0, 1]}}",

@@ -26,7 +26,7 @@ TEST(RunFolderPreparation, MakesTheFolderAndThoseAboveIt) {
   prepare_run_folder(scratch / "a/b/c");
 }
 
-TEST(RunFolderPreparation, RemovesWhatTheFormerRunWroteAndNothingElse) {
+TEST(RunFolderPreparation, MovesWhatTheFormerRunWroteAndNothingElse) {
   const ScratchFolder scratch;
   const std::vector<fs::path> written{summary_file,
                                       probes_file,
@@ -43,13 +43,43 @@ TEST(RunFolderPreparation, RemovesWhatTheFormerRunWroteAndNothingElse) {
   for (const auto& file : foreign)
     touch(scratch.path() / file);
   prepare_run_folder(scratch.path());
-  for (const auto& file : written)
+  for (const auto& file : written) {
     EXPECT_FALSE(fs::exists(scratch.path() / file)) << file;
+    EXPECT_TRUE(fs::exists(scratch.path() / former_folder / file)) << file;
+  }
   for (const auto& file : foreign)
     EXPECT_TRUE(fs::exists(scratch.path() / file)) << file;
 }
 
-TEST(RunFolderPreparation, RemovesNothingWhereNoRunHasBeen) {
+TEST(RunFolderPreparation, KeepsTheLastFormerRunOnly) {
+  const ScratchFolder scratch;
+  for (const char* file : {"run.json", "probes.csv", "energy.csv", "fields/000001.vtu"})
+    touch(scratch / file);
+  prepare_run_folder(scratch.path());
+  for (const char* file : {"run.json", "probes.csv"})
+    touch(scratch / file);
+  prepare_run_folder(scratch.path());
+  EXPECT_TRUE(fs::exists(scratch / "former/probes.csv"));
+  EXPECT_FALSE(fs::exists(scratch / "former/energy.csv"));
+  EXPECT_FALSE(fs::exists(scratch / "former/fields"));
+}
+
+TEST(RunFolderClaim, IsOneProgramsAtATime) {
+  const ScratchFolder scratch;
+  const auto folder = scratch / "run";
+  {
+    FolderClaim claim(folder);
+    EXPECT_FALSE(fs::exists(folder)) << "what may still be refused makes no folder";
+    claim.make();
+    EXPECT_EQ(fault_of([&] { FolderClaim other(folder); }),
+              folder.string() + ": another run is writing into this folder; expected another one (-o), or "
+                                "patience until that run has ended");
+  }
+  FolderClaim next(folder);
+  EXPECT_THROW(FolderClaim(folder).make(), InputError);
+}
+
+TEST(RunFolderPreparation, MovesNothingWhereNoRunHasBeen) {
   const ScratchFolder scratch;
   touch(scratch / "probes.csv");
   prepare_run_folder(scratch.path());

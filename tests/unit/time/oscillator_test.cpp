@@ -57,6 +57,7 @@ TEST(Oscillator, ConvergesAtSecondOrder) {
   EXPECT_NEAR(order(test::newmark()), 2, 0.02);
   EXPECT_NEAR(order(test::generalized_alpha(0.8)), 2, 0.02);
   EXPECT_NEAR(order(test::generalized_alpha(0)), 2, 0.02);
+  EXPECT_NEAR(order(test::moreau_jean(0.5)), 2, 0.02);
 }
 
 /// hht's γ = 1/2 − α makes up for the weights of the forces; damping, which is unweighted, keeps first order.
@@ -74,6 +75,22 @@ TEST(Oscillator, ConvergesAtSecondOrderUnderHilberHughesTaylorWhenUndamped) {
 
 TEST(Oscillator, ConvergesAtFirstOrderUnderModifiedAverageAcceleration) {
   EXPECT_NEAR(order(test::modified(-0.3)), 1, 0.03);
+}
+
+TEST(Oscillator, ConvergesAtFirstOrderUnderMoreauAndJeanBeyondTheMiddle) {
+  EXPECT_NEAR(order(test::moreau_jean(0.7)), 1, 0.03);
+}
+
+TEST(Oscillator, KeepsItsEnergyUnderMoreauAndJeanInTheMiddle) {
+  const test::Oscillator spring{5};
+  auto motion = test::motion(1, 2, 0);
+  const auto energy = [&] {
+    return motion.v[0] * motion.v[0] + spring.stiffness() * motion.u[0] * motion.u[0];
+  };
+  const double start = energy();
+  for (int i = 0; i < 1000; ++i)
+    motion = test::step(test::moreau_jean(0.5), spring, 0.7, motion);
+  EXPECT_NEAR(energy(), start, 1e-11 * start);
 }
 
 TEST(Amplification, OfHilberHughesTaylorIsHughessMatrix) {

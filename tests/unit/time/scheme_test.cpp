@@ -49,6 +49,29 @@ TEST(SchemeTable, ModifiedAverageAccelerationHasHilbersPairAndTheBalanceOfTheEnd
   expect_weights(scheme.forces, 1, 0);
 }
 
+TEST(SchemeTable, MoreauAndJeanWeighForcesByThetaAndContactByOne) {
+  for (const double theta : {0.5, 0.8, 1.}) {
+    const auto scheme = test::moreau_jean(theta);
+    expect_weights(scheme.forces, theta, 1 - theta);
+    expect_weights(scheme.damping, theta, 1 - theta);
+    expect_weights(scheme.inertia, 1, 0);
+    EXPECT_EQ(scheme.contact_weight(), 1);
+    EXPECT_FALSE(scheme.remembers_contact());
+  }
+}
+
+/// u₁ = u₀ + h (θ v₁ + (1−θ) v₀), a₁ = (v₁ − v₀)/h, whatever a₀ was.
+TEST(SchemeStep, OfMoreauAndJeanIsTheThetaMethodOnVelocities) {
+  const double h = 0.3;
+  const double theta = 0.7;
+  const auto scheme = test::moreau_jean(theta);
+  const auto start = test::motion(1.5, -2, 77);
+  auto end = predict(scheme, h, start);
+  correct(coefficients_of(scheme, h), Eigen::VectorXd::Constant(1, 0.4), end);
+  EXPECT_NEAR(end.u[0], start.u[0] + h * (theta * end.v[0] + (1 - theta) * start.v[0]), 1e-14);
+  EXPECT_NEAR(end.a[0], (end.v[0] - start.v[0]) / h, 1e-13);
+}
+
 TEST(SchemeTable, ChungAndHulbertFollowFromTheSpectralRadius) {
   for (const double rho : {0., 0.5, 0.8, 1.}) {
     const double alpha_m = (2 * rho - 1) / (rho + 1), alpha_f = rho / (rho + 1);

@@ -28,6 +28,13 @@ inline time::Scheme generalized_alpha(double spectral_radius) {
   return time::make_scheme(settings);
 }
 
+inline time::Scheme moreau_jean(double theta) {
+  deck::TimeStepping settings;
+  settings.scheme = deck::SchemeKind::moreau_jean;
+  settings.theta = theta;
+  return time::make_scheme(settings);
+}
+
 /// A mass 1 on a spring ω² and a dashpot 2ξω.
 struct Oscillator {
   double omega = 1;

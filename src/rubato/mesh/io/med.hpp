@@ -19,7 +19,8 @@ namespace rubato::mesh {
 Mesh read_med(const std::filesystem::path& path, const std::string& mesh_name = "");
 
 /// Writes one mesh into a new MED file (an existing one is replaced), groups as families.
-/// Throws InputError when the file can't be written or a name is longer than MED allows (mesh 64, group 80).
+/// Throws InputError when the file can't be made, WriteError when it can't be written to its end (the former
+/// one is still there then), and InputError when a name is longer than MED allows (mesh 64, group 80).
 void write_med(const std::filesystem::path& path, const Mesh& mesh, const std::string& name = "mesh");
 
 } // namespace rubato::mesh

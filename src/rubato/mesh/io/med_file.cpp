@@ -2,6 +2,7 @@
 #include "rubato/mesh/io/med_file.hpp"
 
 #include "rubato/error.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 #include <med.h>
@@ -21,6 +22,7 @@
 #include <system_error>
 #include <tuple>
 #include <unistd.h>
+#include <utility>
 
 namespace rubato::mesh::med {
 namespace {
@@ -155,13 +157,21 @@ Handle::~Handle() {
   close_library_silently_at_exit();
 }
 
-File::File(const std::filesystem::path& path, Access access) : path_(path), access_(access) {
+File::File(const std::filesystem::path& path, Access access, const std::filesystem::path& called)
+    : path_(called.empty() ? path : called), access_(access) {
   if (access == Access::create)
     handle_.id = MEDfileOpen(path.c_str(), mode_of(access));
   else
     open_checked();
   if (handle_.id < 0)
     refuse("cannot be written: is there such a folder, and may you write into it?");
+}
+
+void File::close() {
+  const auto id = std::exchange(handle_.id, -1);
+  close_library_silently_at_exit();
+  if (MEDfileClose(id) < 0)
+    throw WriteError(path_);
 }
 
 void File::open_checked() {
@@ -176,9 +186,11 @@ void File::open_checked() {
 }
 
 void File::check(std::int64_t result, std::string_view what) const {
-  if (result < 0)
-    refuse(access_ == Access::read ? fmt::format("is damaged: its {} cannot be read", what)
-                                   : fmt::format("did not take {}: is the disk full?", what));
+  if (result >= 0)
+    return;
+  if (access_ != Access::read)
+    throw WriteError(path_);
+  refuse(fmt::format("is damaged: its {} cannot be read", what));
 }
 
 std::size_t File::plausible(std::int64_t count, std::string_view what) const {

@@ -42,15 +42,18 @@ class File {
 public:
   enum class Access { read, extend, create };
 
-  /// Throws InputError, with the reason, when the file can't be opened as MED.
-  File(const std::filesystem::path& path, Access access);
+  /// Throws InputError, with the reason, when the file can't be opened as MED. `called`: what faults call it
+  /// when not by its path.
+  File(const std::filesystem::path& path, Access access, const std::filesystem::path& called = {});
 
   std::int64_t id() const { return handle_.id; }
   const std::filesystem::path& path() const { return path_; }
 
-  /// Throws InputError "cannot read/write <what> of <path>" when a call of the library gave a negative
-  /// result.
+  /// Of a file that is read, throws InputError when a call of the library gave a negative result; of one that
+  /// is written, WriteError.
   void check(std::int64_t result, std::string_view what) const;
+  /// To be called when all is written: the library still has some of it. Throws WriteError.
+  void close();
   /// `count` as an array size. Throws InputError when it is negative or more than this file could ever hold.
   std::size_t plausible(std::int64_t count, std::string_view what) const;
   /// Throws InputError with the file's name before `text`.

@@ -3,6 +3,7 @@
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/med_file.hpp"
 #include "rubato/mesh/io/med_numbering.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 #include <med.h>
@@ -144,14 +145,9 @@ void check_names(const Mesh& mesh, const std::string& name) {
                                    med::group_name_size));
 }
 
-} // namespace
-
-void write_med(const std::filesystem::path& path, const Mesh& mesh, const std::string& name) {
-  check_names(mesh, name);
+void write_content(const med::File& file, const Mesh& mesh, const std::string& name) {
   const auto of_nodes = families_of(mesh.node_groups, mesh.points.size(), +1);
   const auto of_cells = families_of(mesh.cell_groups, static_cast<std::size_t>(mesh.cell_count()), -1);
-
-  const med::File file(path, med::File::Access::create);
   write_header(file, name, mesh);
   write_families(file, name, mesh.node_groups, of_nodes.numbers);
   write_families(file, name, mesh.cell_groups, of_cells.numbers);
@@ -163,6 +159,17 @@ void write_med(const std::filesystem::path& path, const Mesh& mesh, const std::s
       write_block(file, name, block, std::span(of_cells.of_item).subspan(first, count));
     first += count;
   }
+}
+
+} // namespace
+
+void write_med(const std::filesystem::path& path, const Mesh& mesh, const std::string& name) {
+  check_names(mesh, name);
+  write_whole(path, [&](const std::filesystem::path& beside) {
+    med::File file(beside, med::File::Access::create, path);
+    write_content(file, mesh, name);
+    file.close();
+  });
 }
 
 } // namespace rubato::mesh

@@ -17,7 +17,7 @@ namespace rubato::mesh {
 Mesh read_mesh(const std::filesystem::path& path, const std::string& mesh_name = "");
 
 /// Writes .med, .rmed, .mmed (groups included) or .vtu (cells of every dimension, no groups), by the file's
-/// ending. Throws InputError for any other ending and when the file can't be written.
+/// ending. Throws InputError for any other ending, and as write_med and write_vtu do.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
 struct FormatEntry {

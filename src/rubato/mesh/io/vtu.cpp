@@ -4,6 +4,7 @@
 #include "rubato/mesh/io/vtu.hpp"
 
 #include "rubato/error.hpp"
+#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
@@ -158,14 +159,14 @@ void write_vtu(const std::filesystem::path& path, const Mesh& mesh, std::span<co
   add_cells(document, blocks);
   document.line("</Piece>");
 
-  std::ofstream stream(path, std::ios::binary);
-  document.write(stream);
-  stream.close();
-  if (!stream)
-    throw InputError(
-        fmt::format("file '{}' cannot be written: is there such a folder, may you write into it, and "
-                    "is there room on the disk?",
-                    path.string()));
+  write_whole(path, [&](const std::filesystem::path& beside) {
+    std::ofstream stream(beside, std::ios::binary);
+    if (!stream)
+      throw InputError(fmt::format(
+          "file '{}' cannot be written: is there such a folder, and may you write into it?", path.string()));
+    document.write(stream);
+    finish_writing(stream, path);
+  });
 }
 
 std::string xml_escaped(const std::string& text) {

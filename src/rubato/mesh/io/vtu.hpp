@@ -26,7 +26,8 @@ enum class VtuCells {
 
 /// Writes mesh and node arrays; the file's own numbers go along as "node_number" and "cell_number" where
 /// known. `points`, one a node, stand in for the mesh's coordinates when given (a deformed shape). Throws
-/// InputError when the file can't be written; std::invalid_argument for an array of the wrong size.
+/// InputError when the file can't be made, WriteError when it can't be written to its end (the former one is
+/// still there then); std::invalid_argument for an array of the wrong size.
 void write_vtu(const std::filesystem::path& path, const Mesh& mesh, std::span<const VtuArray> arrays = {},
                VtuCells which = VtuCells::of_highest_dimension, std::span<const Eigen::Vector3d> points = {});
 

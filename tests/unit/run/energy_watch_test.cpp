@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// When a run warns of energy that comes from nowhere.
+#include "rubato/run/loop_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace rubato::run {
+namespace {
+
+class EnergyOfARun : public testing::Test {
+protected:
+  EnergyOfARun() {
+    watch_.warn = [this](const std::string& text) { warnings_.push_back(text); };
+    watch_.say = [this](const std::string& text) { said_.push_back(text); };
+  }
+
+  /// An instant of a run that loads have given 1000, of which contact and the scheme took these.
+  void note(double impact, double numerical) {
+    step::EnergyLedger ledger;
+    ledger.external_work = 1000;
+    ledger.kinetic = 1000 - impact - numerical;
+    ledger.impact = impact;
+    ledger.numerical = numerical;
+    energy_.note(++t_, ledger);
+  }
+
+  std::vector<std::string> warnings_;
+  std::vector<std::string> said_;
+
+  Watch watch_;
+  const std::string name_ = "evol";
+  EnergyWatch energy_{name_, watch_, {}};
+  double t_ = 0;
+};
+
+TEST_F(EnergyOfARun, IsNotWarnedOfWhatTheSchemeSoonTakesAgain) {
+  for (int i = 0; i < 10; ++i)
+    note(0, -300);
+  for (int i = 0; i < 20; ++i)
+    note(0, 50);
+  energy_.tell();
+  EXPECT_TRUE(warnings_.empty()) << warnings_.front();
+  ASSERT_EQ(said_.size(), 1u);
+  EXPECT_EQ(said_[0],
+            "evol: energy balance within 0 of the largest energy, 1300; largest gain 0.23 of it, at t = 1, "
+            "by the time scheme");
+}
+
+TEST_F(EnergyOfARun, IsWarnedOfOnceWhenTheGainStays) {
+  note(0, 0);
+  for (int i = 0; i < 30; ++i)
+    note(-20, -1);
+  energy_.tell();
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_EQ(warnings_[0],
+            "evol: energy gained from t = 2 to 12: 21, 0.021 of the largest energy; contact pressures "
+            "gave 20 more than they took, the time scheme gave 1");
+}
+
+TEST_F(EnergyOfARun, IsWarnedOfWhenContactGivesWhatTheSchemeTakes) {
+  for (int i = 0; i < 11; ++i)
+    note(-50, 60);
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_EQ(warnings_[0],
+            "evol: energy gained from t = 1 to 11: 50, 0.05 of the largest energy; contact pressures "
+            "gave 50 more than they took, the time scheme took 60");
+}
+
+TEST_F(EnergyOfARun, IsWarnedOfWhenItEndsWithAGain) {
+  note(0, 0);
+  note(-100, 0);
+  EXPECT_TRUE(warnings_.empty());
+  energy_.tell();
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(warnings_[0].starts_with("evol: energy gained from t = 2 to the end: 100, ")) << warnings_[0];
+}
+
+TEST_F(EnergyOfARun, IsNotWarnedOfBelowAHundredth) {
+  for (int i = 0; i < 30; ++i)
+    note(-9, 0);
+  energy_.tell();
+  EXPECT_TRUE(warnings_.empty());
+}
+
+} // namespace
+} // namespace rubato::run

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Contact as a law of velocities: what moreau_jean asks of points that touch.
+#include "rubato/contact/enforcement.hpp"
+#include "rubato/step/energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include "decks.hpp"
+#include "walk.hpp"
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace rubato::step {
+namespace {
+
+using Changes = std::vector<deck::Setting>;
+using Eigen::VectorXd;
+
+const Changes by_velocities{{"time.scheme", "moreau_jean"}, {"time.alpha", ""}};
+
+Changes with(Changes changes, const Changes& more) {
+  changes.insert(changes.end(), more.begin(), more.end());
+  return changes;
+}
+
+/// SDNL140's beams, touching all along and falling towards each other at −2 up and sideways at 3.
+struct Approaching : testing::Test {
+  test::Walk walk{test::two_beams, with(by_velocities, {{"contact.interface.restitution", "0.25"},
+                                                        {"contact.interface.exclude_nodes", "[]"}})};
+  VectorXd velocity = VectorXd::Zero(walk.model.dofs.dof_count);
+  const double h = 0.1;
+  const double theta = 0.6;
+
+  void SetUp() override {
+    for (const auto node : walk.model.zones[0].master.nodes) {
+      velocity[walk.model.dofs.dof(node, 0)] = 3;
+      velocity[walk.model.dofs.dof(node, 1)] = speed;
+    }
+  }
+  double speed = -2;
+
+  /// Gap and slip after a step of velocities v₁ = `end` × the velocity at the start.
+  contact::PointState after(double end, const contact::VelocityLaw& law) {
+    const auto& model = walk.model;
+    const VectorXd rest = VectorXd::Zero(velocity.size());
+    contact::NeighbourList neighbours(model.zones[0]);
+    const auto frames =
+        contact::velocity_frames(neighbours, {&model.mesh, &model.dofs, &rest, &rest}, velocity, law);
+    const VectorXd moved = law.step * (law.theta * end + (1 - law.theta)) * velocity;
+    const auto points = contact::evaluate_in_held_frames(frames, model.zones[0],
+                                                         VectorXd::Zero(model.zones[0].multiplier_count()),
+                                                         {&model.mesh, &model.dofs, &moved, &rest});
+    return points[5].variables;
+  }
+};
+
+TEST_F(Approaching, GapIsTheVelocityBeyondTheRebound) {
+  for (const double end : {1., 0., -0.25, -3.})
+    EXPECT_NEAR(after(end, {h, theta, false}).gap, h * theta * (end * speed - 0.25 * 2), 1e-14) << end;
+}
+
+TEST_F(Approaching, SlipIsTheVelocityAtTheEnd) {
+  for (const double end : {1., 0., -2.})
+    EXPECT_NEAR(std::abs(after(end, {h, theta, false}).slip[0]), h * theta * std::abs(end) * 3, 1e-14) << end;
+}
+
+TEST_F(Approaching, GapOfSurfacesWithoutMassIsWhatTheyMove) {
+  EXPECT_NEAR(after(0.5, {h, 0.5, true}).gap, h * 0.75 * speed, 1e-14);
+  EXPECT_NEAR(std::abs(after(0.5, {h, 0.5, true}).slip[0]), h * 0.75 * 3, 1e-14);
+}
+
+TEST_F(Approaching, GapOfSurfacesThatPartIsWhatTheyMove) {
+  velocity *= -1;
+  EXPECT_NEAR(after(0.5, {h, 0.5, false}).gap, -h * 0.75 * speed, 1e-14);
+}
+
+TEST_F(Approaching, PointsAwayFromTheOtherSideAreOpen) {
+  const auto& model = walk.model;
+  VectorXd apart = VectorXd::Zero(velocity.size());
+  for (const auto node : model.zones[0].slave.nodes)
+    apart[model.dofs.dof(node, 1)] = -1e-6;
+  contact::NeighbourList neighbours(model.zones[0]);
+  for (const auto& point : contact::velocity_frames(neighbours, {&model.mesh, &model.dofs, &apart, &apart},
+                                                    velocity, {h, theta, false}))
+    EXPECT_FALSE(point.kinematics.has_value());
+}
+
+struct Course {
+  EnergyLedger end;
+  double least_impact = 0;   ///< of a step
+  double least_friction = 0; ///< of a step
+  double largest = 0;
+  VectorXd u;
+};
+
+Course course_of(const Changes& changes) {
+  test::Walk walk(test::two_beams, changes);
+  EnergyAccount account(walk.model, walk.scheme, walk.state);
+  Course course;
+  while (!walk.control.finished()) {
+    const auto before = account.ledger();
+    EXPECT_TRUE(walk.advance());
+    account.enter(walk.before, walk.state);
+    const auto& now = account.ledger();
+    course.least_impact = std::min(course.least_impact, now.impact - before.impact);
+    course.least_friction = std::min(course.least_friction, now.friction - before.friction);
+    course.largest = std::max(course.largest, now.largest());
+    EXPECT_LE(std::abs(now.balance()), 1e-10 * course.largest);
+  }
+  course.end = account.ledger();
+  course.u = walk.state.motion.u;
+  return course;
+}
+
+const Changes rubbing = with(by_velocities, {{"time.step", "2e-4"}, {"time.end", "0.04"}});
+
+TEST(MoreauJean, NeverGainsFromPressures) {
+  const auto course = course_of(rubbing);
+  EXPECT_GE(course.least_impact, -1e-12 * course.largest);
+  EXPECT_GT(course.end.impact, 1e-4 * course.largest);
+  EXPECT_NEAR(course.end.numerical, 0, 1e-9 * course.largest);
+}
+
+TEST(MoreauJean, LosesNothingButFrictionOnSurfacesWithoutMass) {
+  const auto course = course_of(with(rubbing, {{"time.contact_mass", "redistributed"}}));
+  EXPECT_NEAR(course.end.impact, 0, 1e-10 * course.largest);
+  EXPECT_NEAR(course.end.numerical, 0, 1e-9 * course.largest);
+  EXPECT_GE(course.least_friction, -1e-12 * course.largest);
+  EXPECT_GT(course.end.friction, 0.01 * course.largest);
+}
+
+/// What the bulk loses beyond the middle is the scheme's.
+TEST(MoreauJean, LosesBeyondTheMiddle) {
+  const auto course = course_of(with(rubbing, {{"time.theta", "0.7"}}));
+  EXPECT_GE(course.least_impact, -1e-12 * course.largest);
+  EXPECT_GT(course.end.numerical, 1e-3 * course.largest);
+}
+
+TEST(MoreauJean, GivesTheSameCondensedAndWhole) {
+  const Changes shorter = with(rubbing, {{"time.end", "0.01"}});
+  for (const std::string mass : {"consistent", "redistributed"}) {
+    const auto condensed = course_of(with(shorter, {{"time.contact_mass", mass}}));
+    const auto whole = course_of(with(shorter, {{"time.contact_mass", mass}, {"solver", "full"}}));
+    EXPECT_LT((condensed.u - whole.u).lpNorm<Eigen::Infinity>(), 1e-10 * whole.u.lpNorm<Eigen::Infinity>())
+        << mass;
+  }
+}
+
+TEST(MoreauJean, GivesTheSameByEveryExactMethodWithoutFriction) {
+  const Changes smooth = with(
+      rubbing,
+      {{"time.end", "0.01"}, {"contact.interface.friction", "0"}, {"time.contact_mass", "redistributed"}});
+  const auto mixed = course_of(smooth);
+  for (const std::string method : {"nodal_lagrange", "nodal_pcg"}) {
+    const auto nodal = course_of(with(smooth, {{"contact.interface.method", method}}));
+    EXPECT_LT((nodal.u - mixed.u).lpNorm<Eigen::Infinity>(), 1e-8 * mixed.u.lpNorm<Eigen::Infinity>())
+        << method;
+  }
+}
+
+} // namespace
+} // namespace rubato::step
