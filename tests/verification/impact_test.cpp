@@ -71,17 +71,25 @@ const ImpactCase rods_redistributed_hht{"RodOnRodRedistributedHht", "v10_rod_on_
 const ImpactCase rods_moreau{"RodOnRodMoreauJean", "v10_rod_on_rod/rods.yaml", "interface", rod_on_rod,
                              "moreau_jean"};
 
+const ImpactCase bar_default{"BarOnWallDefault", "v1_bar_on_wall/bar.yaml", "wall", bar_on_wall, "default"};
+const ImpactCase dropped_default{"DroppedBarDefault", "v2_dropped_bar/bar.yaml", "wall", dropped_bar,
+                                 "default"};
+const ImpactCase rods_default{"RodOnRodDefault", "v10_rod_on_rod/rods.yaml", "interface", rod_on_rod,
+                              "default"};
+
 const auto name_of = [](const auto& chosen) { return std::string(chosen.param.name); };
 
 INSTANTIATE_TEST_SUITE_P(Of, MasslessSurface,
-                         testing::Values(bar_redistributed, dropped_redistributed, rods_redistributed),
+                         testing::Values(bar_redistributed, dropped_redistributed, rods_redistributed,
+                                         bar_default, dropped_default, rods_default),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Of, MoreausImpact, testing::Values(bar_moreau, dropped_moreau, rods_moreau),
                          name_of);
 // The master of V10 keeps its mass: without numerical damping its surface still swings.
 INSTANTIATE_TEST_SUITE_P(Of, SafeImpact,
                          testing::Values(bar_redistributed, bar_moreau, dropped_redistributed, dropped_moreau,
-                                         rods_redistributed_hht, rods_moreau),
+                                         rods_redistributed_hht, rods_moreau, bar_default, dropped_default,
+                                         rods_default),
                          name_of);
 
 /// Whatever their energy does.
@@ -109,7 +117,7 @@ TEST(SphereOnWall, IsHertzsImpact) {
   const auto theory = hertz_impact(10, 210e3, 0.3, 7.8e-9, 1000);
   EXPECT_NEAR(theory.force, 2301, 1);
   EXPECT_NEAR(theory.duration, 52.2e-6, 1e-7);
-  for (const auto* name : {"redistributed", "moreau_jean"}) {
+  for (const auto* name : {"redistributed", "moreau_jean", "default"}) {
     const auto found = measure_sphere(runs[name]);
     EXPECT_NEAR(found.force, theory.force, 0.03 * theory.force) << name;
     EXPECT_NEAR(found.approach, theory.approach, 0.03 * theory.approach) << name;

@@ -49,7 +49,9 @@ void tell_schemes(Page& page) {
       "`newmark`, `hht` and `generalized_alpha` give nodes that touch a mass that must stop at once: "
       "their forces oscillate from step to step, and so may their energy. `redistributed` is "
       "Newmark's scheme with `contact_mass: redistributed`, `redistributed_hht` the same with "
-      "hht's, α = −0.05; `central_difference` presses by penalty.");
+      "hht's, α = −0.05; `central_difference` presses by penalty. `default` names no scheme: `moreau_jean` "
+      "on "
+      "surfaces without mass. `moreau_jean` alone stops the nodes that touch and gives nothing back.");
 }
 
 } // namespace
