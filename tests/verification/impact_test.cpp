@@ -41,7 +41,7 @@ TEST_P(MasslessSurface, KeepsItsEnergy) {
 }
 
 /// The law stops the nodes that touch without giving anything back (restitution 0): what they moved with is
-/// lost, a part that falls with the mesh.
+/// lost, a part that falls with cells and steps.
 TEST_P(MoreausImpact, LosesWhatTheNodesThatTouchBring) {
   EXPECT_LE(run_.result.energy.gain, 1e-9 * theory_.energy);
   EXPECT_LE(found_.energy_error, 1e-2);
