@@ -7,6 +7,7 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "unit/step/walk.hpp"
@@ -21,14 +22,20 @@ struct ContactBlocks {
   int upper = 2;
   int lower = 2;
   double friction = 0;
-  std::string zone; ///< further entries of the contact zone, each with a comma before it
+  std::string zone;  ///< further entries of the contact zone, each with a comma before it
+  double turned = 0; ///< the whole is turned by that angle, in space about an axis along none of the blocks
 };
+
+inline Eigen::AngleAxisd rotation_of(const ContactBlocks& blocks) {
+  const bool solid = mesh::topology(blocks.cells).dimension == 3;
+  return {blocks.turned, solid ? Eigen::Vector3d(1, 0.5, 2).normalized() : Eigen::Vector3d::UnitZ()};
+}
 
 struct PatchOutcome {
   bool converged = false;
   std::string failure;
   double pressure = 0;     ///< largest |λ/1e5 − 1|
-  double displacement = 0; ///< largest |u_y + 0.05|/0.1 on the slave surface
+  double displacement = 0; ///< largest |u + 0.05|/0.1 along the push, on the slave surface
 };
 
 inline std::string deck_of(const ContactBlocks& blocks) {
@@ -45,9 +52,17 @@ inline std::string deck_of(const ContactBlocks& blocks) {
         solid ? fmt::format(", {}", n) : "", cells, sides, solid ? ", back: back" : "");
   };
   const std::string others = solid ? "x, z" : "x";
-  // Friction holds what the sides would hold as well: one of the two.
+  const Eigen::Vector3d up = rotation_of(blocks) * Eigen::Vector3d::UnitY();
+  const auto push = fmt::format("x: {:.17g}, y: {:.17g}{}", -0.1 * up[0], -0.1 * up[1],
+                                solid ? fmt::format(", z: {:.17g}", -0.1 * up[2]) : "");
+  const auto ends =
+      blocks.turned == 0
+          ? std::string("  - {on: ground, fix: y}\n  - {on: roof, y: -0.1}\n")
+          : fmt::format("  - {{on: ground, fix: [{}, y]}}\n  - {{on: roof, {}}}\n", others, push);
+  // Friction holds what the sides would hold as well: one of the two. Turned blocks are held at both ends.
   const auto sides =
-      blocks.friction > 0
+      blocks.turned != 0 ? std::string()
+      : blocks.friction > 0
           ? fmt::format("  - {{on: ground, fix: [{0}]}}\n  - {{on: roof, fix: [{0}]}}\n", others)
           : fmt::format("  - {{on: left, fix: x}}\n{}", solid ? "  - {on: back, fix: z}\n" : "");
   return fmt::format(R"(mesh:
@@ -55,20 +70,24 @@ inline std::string deck_of(const ContactBlocks& blocks) {
 {}{}physics: {}
 materials: {{rubber: {{young: 2e6, poisson: 0}}}}
 supports:
-  - {{on: ground, fix: y}}
-  - {{on: roof, y: -0.1}}
-{}contact: {{interface: {{master: lower_face, slave: upper_face, friction: {}{}}}}}
+{}{}contact: {{interface: {{master: lower_face, slave: upper_face, friction: {}{}}}}}
 time: {{scheme: static, step: 1, end: 1}}
 newton: {{residual: 1e-12}}
 )",
                      body("lower", 0, blocks.lower, "bottom: ground, top: lower_face"),
                      body("upper", 1, blocks.upper, "top: roof, bottom: upper_face"),
-                     solid ? "solid" : "plane_strain", sides, blocks.friction, blocks.zone);
+                     solid ? "solid" : "plane_strain", ends, sides, blocks.friction, blocks.zone);
 }
 
 inline PatchOutcome press(const ContactBlocks& blocks) {
   PatchOutcome outcome;
-  Walk walk(deck_of(blocks), {{"time.on_failure", "{levels: 0}"}});
+  const std::vector<deck::Setting> no_cuts{{"time.on_failure", "{levels: 0}"}};
+  const auto study = deck::parse_deck(deck_of(blocks), "deck.yaml", no_cuts).runs.front();
+  auto mesh = model::load_mesh(study.mesh);
+  const Eigen::AngleAxisd rotation = rotation_of(blocks);
+  for (auto& point : mesh.points)
+    point = rotation * point;
+  Walk walk(model::build_model(study, std::move(mesh)));
   outcome.converged = walk.to_end();
   if (!outcome.converged) {
     outcome.failure = step::to_string(walk.reports.back().outcome);
@@ -76,7 +95,11 @@ inline PatchOutcome press(const ContactBlocks& blocks) {
   }
   for (std::size_t i = 0; i < walk.slave_count(); ++i) {
     outcome.pressure = std::max(outcome.pressure, std::abs(walk.pressure(i) / 1e5 - 1));
-    const double u = walk.displacement(walk.model.zones.front().slave.nodes[i], 1);
+    const auto node = walk.model.zones.front().slave.nodes[i];
+    Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+    for (int axis = 0; axis < walk.model.dofs.components; ++axis)
+      moved[axis] = walk.displacement(node, axis);
+    const double u = moved.dot(rotation * Eigen::Vector3d::UnitY());
     outcome.displacement = std::max(outcome.displacement, std::abs(u + 0.05) / 0.1);
   }
   return outcome;

@@ -37,6 +37,11 @@ TEST_P(ConformingBlocks, HandOnAUniformPressureThroughGaussPoints) {
   expect_uniform({GetParam(), 2, 2, 0, ", integration: {gauss: 3}"});
 }
 
+TEST_P(ConformingBlocks, HandOnAUniformPressureHoweverTheyAreTurned) {
+  expect_uniform({GetParam(), 2, 2, 0, "", 0.5});
+  expect_uniform({GetParam(), 2, 2, 0.3, "", 2.5});
+}
+
 INSTANTIATE_TEST_SUITE_P(Plane, ConformingBlocks,
                          testing::Values(CellType::quad4, CellType::quad8, CellType::quad9, CellType::tria3,
                                          CellType::tria6, CellType::tria7),

@@ -60,13 +60,22 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 7> entries{{{"v3", rubato::verification::write_contact_patch},
-                                        {"v11", rubato::verification::write_free_beam},
-                                        {"sdnl140", rubato::verification::write_sdnl140},
-                                        {"convergence", rubato::verification::write_convergence},
-                                        {"explicit", rubato::verification::write_explicit},
-                                        {"defaults", rubato::verification::write_defaults},
-                                        {"robustness", rubato::verification::write_robustness}}};
+constexpr std::array<Entry, 16> entries{{{"v1", rubato::verification::write_bar_on_wall},
+                                         {"v2", rubato::verification::write_dropped_bar},
+                                         {"v3", rubato::verification::write_contact_patch},
+                                         {"v4", rubato::verification::write_hertz},
+                                         {"v5", rubato::verification::write_mindlin},
+                                         {"v6", rubato::verification::write_incline},
+                                         {"v7", rubato::verification::write_slider},
+                                         {"v8", rubato::verification::write_sphere_impact},
+                                         {"v9", rubato::verification::write_signorini},
+                                         {"v10", rubato::verification::write_rod_on_rod},
+                                         {"v11", rubato::verification::write_free_beam},
+                                         {"sdnl140", rubato::verification::write_sdnl140},
+                                         {"convergence", rubato::verification::write_convergence},
+                                         {"explicit", rubato::verification::write_explicit},
+                                         {"defaults", rubato::verification::write_defaults},
+                                         {"robustness", rubato::verification::write_robustness}}};
 
 constexpr std::string_view modelings_prefix = "sdnl140_";
 
@@ -75,9 +84,9 @@ constexpr std::string_view modelings_prefix = "sdnl140_";
 int main(int argc, char** argv) {
   const std::vector<std::string_view> words(argv + 1, argv + argc);
   if (words.empty()) {
-    std::fputs(
-        "usage: verify FOLDER [v3 v11 sdnl140 sdnl140_<letters> convergence explicit defaults robustness]\n",
-        stderr);
+    std::fputs("usage: verify FOLDER [v1 … v11 sdnl140 sdnl140_<letters> convergence explicit defaults "
+               "robustness]\n",
+               stderr);
     return 2;
   }
   try {

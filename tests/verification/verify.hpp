@@ -36,6 +36,17 @@ void write_sdnl140_of(const std::filesystem::path& folder, const std::string& le
 void write_modelings(Page& page, const std::string& letters);
 /// V3.
 void write_contact_patch(const std::filesystem::path& folder);
+/// V1, V2, V8 and V10: impacts, with every scheme.
+void write_bar_on_wall(const std::filesystem::path& folder);
+void write_dropped_bar(const std::filesystem::path& folder);
+void write_sphere_impact(const std::filesystem::path& folder);
+void write_rod_on_rod(const std::filesystem::path& folder);
+/// V4 to V7 and V9: laws of contact and friction.
+void write_hertz(const std::filesystem::path& folder);
+void write_mindlin(const std::filesystem::path& folder);
+void write_incline(const std::filesystem::path& folder);
+void write_slider(const std::filesystem::path& folder);
+void write_signorini(const std::filesystem::path& folder);
 /// V11.
 void write_free_beam(const std::filesystem::path& folder);
 /// How the answer settles as steps and cells get finer.

@@ -47,13 +47,19 @@ void write_contact_patch(const std::filesystem::path& folder) {
     write_blocks(page, type, "conforming", {type, 2, 2, 0, ""});
     write_blocks(page, type, "conforming, μ = 0.3", {type, 2, 2, 0.3, ""});
     write_blocks(page, type, "conforming, 3 Gauss points", {type, 2, 2, 0, ", integration: {gauss: 3}"});
+    write_blocks(page, type, "conforming, turned", {type, 2, 2, 0, "", 0.5});
+    write_blocks(page, type, "conforming, turned, μ = 0.3", {type, 2, 2, 0.3, "", 0.5});
   }
   for (const auto type : {CellType::quad4, CellType::quad9, CellType::hexa8, CellType::hexa27}) {
     write_blocks(page, type, "slave 3, master 2 cells", {type, 3, 2, 0, ""});
     write_blocks(page, type, "slave 2, master 3 cells", {type, 2, 3, 0, ""});
+    write_blocks(page, type, "slave 3, master 2 cells, 3 Gauss points",
+                 {type, 3, 2, 0, ", integration: {gauss: 3}"});
   }
-  page.paragraph("Points against faces cannot pass on meshes that do not match, as is known of every "
-                 "node-to-segment method; those rows say by how much.");
+  page.paragraph(
+      "Points against faces cannot pass on meshes that do not match, as is known of every "
+      "node-to-segment method; those rows say by how much. A mortar method, which would pass, does not "
+      "exist here. Turned blocks stand along none of the axes.");
 }
 
 void write_free_beam(const std::filesystem::path& folder) {

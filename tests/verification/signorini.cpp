@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verification/signorini.hpp"
+
+#include "rubato/mesh/interpolation.hpp"
+#include "rubato/model/model.hpp"
+
+#include <fmt/format.h>
+
+#include "verification/case_runs.hpp"
+#include "verification/hertz.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::verification {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A block that was pressed, and its cells by their place in the grid.
+class Pressed {
+public:
+  Pressed(mesh::CellType cells, int divisions)
+      : run_(pressed(cells, divisions)), model_(model::build_model(run_.study)), divisions_(divisions) {}
+
+  const CaseRun& run() const { return run_; }
+  const model::Model& model() const { return model_; }
+  const VectorXd& displacement() const { return run_.result.end.motion.u; }
+
+  /// The displacement at a point of the unit square.
+  Eigen::Vector2d at(double x, double y) const {
+    const auto place = [this](double s) {
+      return std::min(static_cast<int>(s * divisions_ + 1e-9), divisions_ - 1);
+    };
+    const int i = place(x);
+    const int j = place(y);
+    const auto cell = model_.bulk.cells[static_cast<std::size_t>(j * divisions_ + i)];
+    const Eigen::Vector3d xi(2 * (x * divisions_ - i) - 1, 2 * (y * divisions_ - j) - 1, 0);
+    const auto shape = mesh::shape_values(model_.mesh.type_of(cell), xi);
+    const auto nodes = model_.mesh.nodes_of(cell);
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      for (int a = 0; a < 2; ++a)
+        sum[a] += shape[n] * displacement()[model_.dofs.dof(nodes[n], a)];
+    return sum;
+  }
+
+private:
+  static CaseRun pressed(mesh::CellType cells, int divisions) {
+    std::string name(mesh::topology(cells).name);
+    for (auto& letter : name)
+      letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    CaseRuns runs("v9_signorini/block.yaml",
+                  {{"mesh.generate.0.cells", name},
+                   {"mesh.generate.0.divisions", fmt::format("[{0}, {0}]", divisions)}});
+    return runs["run"];
+  }
+
+  CaseRun run_;
+  model::Model model_;
+  int divisions_;
+};
+
+double energy(const model::Model& model, const VectorXd& u) {
+  return u.dot(model.stiffness * u);
+}
+
+double error_of(const Pressed& coarse, const Pressed& fine) {
+  VectorXd difference = -fine.displacement();
+  for (const auto node : fine.model().dofs.nodes) {
+    const auto& x = fine.model().mesh.points[static_cast<std::size_t>(node)];
+    const auto u = coarse.at(x[0], x[1]);
+    for (int a = 0; a < 2; ++a)
+      difference[fine.model().dofs.dof(node, a)] += u[a];
+  }
+  return std::sqrt(energy(fine.model(), difference) / energy(fine.model(), fine.displacement()));
+}
+
+} // namespace
+
+std::vector<double> signorini_errors(mesh::CellType cells, std::span<const int> divisions, int fine) {
+  const Pressed reference(mesh::CellType::quad9, fine);
+  std::vector<double> errors;
+  for (const int n : divisions)
+    errors.push_back(error_of(Pressed(cells, n), reference));
+  return errors;
+}
+
+double signorini_half_width(int fine) {
+  const Pressed reference(mesh::CellType::quad9, fine);
+  double last = 0;
+  for (const auto& point : surface_at_end(reference.run()))
+    if (point.status != contact::Status::open)
+      last = std::max(last, point.x);
+  return last;
+}
+
+} // namespace rubato::verification

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// V9: the error of a block pressed on a rigid cylinder, in the energy norm.
+#pragma once
+
+#include "rubato/mesh/cell_type.hpp"
+
+#include <span>
+#include <vector>
+
+namespace rubato::verification {
+
+/// Against the block in `fine` × `fine` QUAD9: √((u − u_fine)·K (u − u_fine)) over that of u_fine, for cases/
+/// v9_signorini with each number of divisions, which must divide `fine`.
+std::vector<double> signorini_errors(mesh::CellType cells, std::span<const int> divisions, int fine);
+
+/// Half-width of the contact in the fine block.
+double signorini_half_width(int fine);
+
+} // namespace rubato::verification
