@@ -10,10 +10,12 @@
 namespace rubato::step {
 namespace {
 
+using Changes = std::vector<deck::Setting>;
+
 /// The coefficients of a whole step and of its sixteenth.
 class CutStep {
 public:
-  explicit CutStep(const std::vector<deck::Setting>& changes) : walk_(test::two_beams, changes) {}
+  explicit CutStep(const Changes& changes) : walk_(test::two_beams, changes) {}
 
   contact::ZoneCoefficients whole() const { return of(walk_.model.study.time.step); }
   contact::ZoneCoefficients part() const { return of(walk_.model.study.time.step / 16); }
@@ -27,17 +29,17 @@ private:
 
 TEST(CutSteps, HaveTheSpringsOfTheWholeStep) {
   for (const char* method : {"penalty", "nodal_penalty"}) {
-    const CutStep cut({{"contact.interface.method", method}});
+    const CutStep cut(Changes{{"contact.interface.method", method}});
     EXPECT_EQ(cut.part().normal, cut.whole().normal) << method;
     EXPECT_EQ(cut.part().tangential, cut.whole().tangential) << method;
   }
-  const CutStep cut({{"contact.interface.method", "nodal_lagrange"}});
+  const CutStep cut(Changes{{"contact.interface.method", "nodal_lagrange"}});
   EXPECT_EQ(cut.part().tangential, cut.whole().tangential);
   EXPECT_GT(cut.part().normal[5], 10 * cut.whole().normal[5]);
 }
 
 TEST(CutSteps, HaveAugmentationsOfTheirOwn) {
-  const CutStep cut({});
+  const CutStep cut(Changes{});
   EXPECT_GT(cut.part().normal[5], 10 * cut.whole().normal[5]);
 }
 
