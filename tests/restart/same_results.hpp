@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/results/med_fields.hpp"
+#include "rubato/results/run_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,11 +20,15 @@
 
 namespace rubato::test {
 
+/// Those that a run without a checkpoint found there and moved aside when it began anew are not its own.
 inline std::set<std::string> files_in(const std::filesystem::path& folder) {
   std::set<std::string> names;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-    if (entry.is_regular_file())
-      names.insert(entry.path().lexically_relative(folder).string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const auto name = entry.path().lexically_relative(folder);
+    if (entry.is_regular_file() &&
+        std::ranges::find(name, std::filesystem::path(results::former_folder)) == name.end())
+      names.insert(name.string());
+  }
   return names;
 }
 

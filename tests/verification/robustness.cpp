@@ -265,12 +265,15 @@ double deviation_of_solvers(const Variant& variant) {
   }
   double largest = 0;
   double difference = 0;
-  for (std::size_t row = 0; row < std::min(histories[0].rows.size(), histories[1].rows.size()); ++row)
-    for (std::size_t i = 1; i < histories[0].rows[row].size(); ++i) {
-      const double value = histories[1].rows[row][i];
-      largest = std::max(largest, std::abs(value));
-      difference = std::max(difference, std::abs(histories[0].rows[row][i] - value));
+  for (const auto& whole : histories[1].rows) {
+    const auto condensed =
+        std::ranges::find(histories[0].rows, whole.front(), [](const auto& row) { return row.front(); });
+    for (std::size_t i = 1; i < whole.size(); ++i) {
+      largest = std::max(largest, std::abs(whole[i]));
+      if (condensed != histories[0].rows.end())
+        difference = std::max(difference, std::abs((*condensed)[i] - whole[i]));
     }
+  }
   return difference / largest;
 }
 

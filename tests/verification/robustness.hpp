@@ -49,8 +49,8 @@ struct Survival {
 /// it has.
 Survival survive(const Variant& variant);
 
-/// Largest difference of the tips' histories condensed and whole, over their largest displacement; both with
-/// a sharper residual. Negative when one of them did not come to its end.
+/// Largest difference of the tips' histories condensed and whole, at the instants that both have, over their
+/// largest displacement; both with a sharper residual. Negative when one of them did not come to its end.
 double deviation_of_solvers(const Variant& variant);
 
 } // namespace rubato::verification
