@@ -75,7 +75,8 @@ class DocumentedRun : public testing::TestWithParam<std::string> {};
 
 TEST_P(DocumentedRun, GainsNothingWorthAWarning) {
   for (const char letter : {'c', 'e', 'f'})
-    EXPECT_EQ(warnings_of(study_of(letter, GetParam())), std::vector<std::string>()) << letter;
+    for (const auto& warning : warnings_of(study_of(letter, GetParam())))
+      EXPECT_EQ(warning.find("energy gained"), std::string::npos) << letter << ": " << warning;
 }
 
 INSTANTIATE_TEST_SUITE_P(Sdnl140, DocumentedRun, testing::Values("evol1", "evol2", "evol3", "evol4", "evol5"),
@@ -84,9 +85,10 @@ INSTANTIATE_TEST_SUITE_P(Sdnl140, DocumentedRun, testing::Values("evol1", "evol2
 TEST(UndampedNewmark, WarnsLongBeforeExactContactBlowsItUp) {
   const auto warnings = warnings_of(
       study_of('f', "evol1", {{"time.scheme", "newmark"}, {"time.alpha", ""}, {"time.end", "0.06"}}));
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(warnings[0].starts_with("evol1: energy gained from t = ")) << warnings[0];
-  EXPECT_NE(warnings[0].find("contact pressures gave"), std::string::npos) << warnings[0];
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_TRUE(warnings[0].starts_with("evol1: newmark without damping gains energy")) << warnings[0];
+  EXPECT_TRUE(warnings[1].starts_with("evol1: energy gained from t = ")) << warnings[1];
+  EXPECT_NE(warnings[1].find("contact pressures gave"), std::string::npos) << warnings[1];
 }
 
 } // namespace

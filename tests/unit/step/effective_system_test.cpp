@@ -11,14 +11,14 @@
 namespace rubato::step {
 namespace {
 
-/// The coefficients of a whole step and of its sixteenth.
+/// The coefficients of a whole step and of a part so short that inertia outweighs stiffness.
 class CutStep {
 public:
   explicit CutStep(const std::string& method)
       : walk_(test::two_beams, {{"contact.interface.method", method}}) {}
 
   contact::ZoneCoefficients whole() const { return of(walk_.model.study.time.step); }
-  contact::ZoneCoefficients part() const { return of(walk_.model.study.time.step / 16); }
+  contact::ZoneCoefficients part() const { return of(walk_.model.study.time.step / 1024); }
 
 private:
   contact::ZoneCoefficients of(double step) const {
