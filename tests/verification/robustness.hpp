@@ -22,9 +22,9 @@ struct Variant {
   std::string words; ///< everything that was drawn, in a line
   bool refined = false;
   bool overlaps = false; ///< bodies that begin inside one another bring an energy of their own
-  /// Whether contact cannot gain energy by the scheme's nature: no mass where it touches, or impulses.
-  bool safe = false;
-  int steps = 0; ///< wanted
+  bool massless = false; ///< contact surfaces have no mass
+  bool safe = false;     ///< pressures cannot give energy by the scheme's nature
+  int steps = 0;         ///< wanted
   std::string deck;
 };
 
