@@ -69,6 +69,18 @@ public:
     return report;
   }
 
+  /// Points whose own equations say nearly the same leave their small system without an answer that the whole
+  /// one has.
+  StepReport iterate_whole(State& trial) {
+    trial = predict(model_, scheme_, system_, committed_, t_);
+    const ContactSide side(model_, scheme_, system_, committed_, {});
+    auto report = solve_by<Newton>(side, trial);
+    report.iterations = spent_ += report.iterations;
+    return report;
+  }
+
+  bool iterates_on_points() const { return can_condense(model_, system_); }
+
   bool has_friction() const {
     return std::ranges::any_of(model_.zones, [](const auto& zone) { return zone.settings.friction > 0; });
   }
@@ -144,6 +156,8 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
     report = attempts.loop_geometry(trial);
   if (!report.converged() && attempts.has_friction())
     report = attempts.raise_friction(trial);
+  if (!report.converged() && attempts.iterates_on_points())
+    report = attempts.iterate_whole(trial);
   return report;
 }
 
