@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -70,13 +71,16 @@ public:
   }
 
   /// Points whose own equations say nearly the same leave their small system without an answer that the whole
-  /// one has.
-  StepReport iterate_whole(State& trial) {
-    trial = predict(model_, scheme_, system_, committed_, t_);
+  /// one has. Where it doesn't help, the report stays that of the attempt before.
+  void iterate_whole(StepReport& report, State& trial) {
+    auto other = predict(model_, scheme_, system_, committed_, t_);
     const ContactSide side(model_, scheme_, system_, committed_, {});
-    auto report = solve_by<Newton>(side, trial);
-    report.iterations = spent_ += report.iterations;
-    return report;
+    auto last = solve_by<Newton>(side, other);
+    report.iterations = last.iterations = spent_ += last.iterations;
+    if (!last.converged())
+      return;
+    report = std::move(last);
+    trial = std::move(other);
   }
 
   bool iterates_on_points() const { return can_condense(model_, system_); }
@@ -157,7 +161,7 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
   if (!report.converged() && attempts.has_friction())
     report = attempts.raise_friction(trial);
   if (!report.converged() && attempts.iterates_on_points())
-    report = attempts.iterate_whole(trial);
+    attempts.iterate_whole(report, trial);
   return report;
 }
 
