@@ -57,6 +57,18 @@ public:
     });
   }
 
+  /// A loop that goes round among sets of points that touch has no way out of them.
+  StepReport free_status(State& trial) {
+    trial = predict(model_, scheme_, system_, committed_, t_);
+    return solve({.status_by_newton = true}, trial);
+  }
+
+  bool has_status_loop() const {
+    return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
+      return zone.settings.status.by == deck::Iteration::fixed_point;
+    });
+  }
+
   /// Friction from none to all of it, each part from the last one's solution.
   StepReport raise_friction(State& trial) {
     StepReport report;
@@ -158,6 +170,8 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
   auto report = attempts.vary_augmentation(trial);
   if (!report.converged() && attempts.has_newton_geometry())
     report = attempts.loop_geometry(trial);
+  if (!report.converged() && attempts.has_status_loop())
+    report = attempts.free_status(trial);
   if (!report.converged() && attempts.has_friction())
     report = attempts.raise_friction(trial);
   if (!report.converged() && attempts.iterates_on_points())

@@ -20,7 +20,7 @@ State predict(const model::Model& model, const time::Scheme& scheme, const Effec
               const State& committed, double t);
 
 /// Advances `committed` to t. On success `trial` is the state at t. A failed attempt is repeated with other
-/// augmentations, then with the geometry in a loop, then with friction raised in parts, then by the whole
+/// augmentations, then with other loops, then with friction raised in parts, then by the whole
 /// system's unknowns, before it is reported.
 StepReport advance(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial);

@@ -18,6 +18,7 @@ struct Variant {
   double normal_multiple = 1;     ///< of c where it is an augmentation
   double tangential_multiple = 1; ///< of c_t where it is an augmentation
   bool geometry_by_loop = false;  ///< also where the zone iterates it by Newton
+  bool status_by_newton = false;  ///< also where the zone iterates it by a loop
   bool guess_contact = true;      ///< start from forces that close the gaps of the free motion
 };
 

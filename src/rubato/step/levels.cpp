@@ -42,6 +42,8 @@ bool loops_instead(const contact::Zone& zone, LevelOfZone level, const Variant& 
 }
 
 bool loops(const contact::Zone& zone, LevelOfZone level, const Variant& variant) {
+  if (variant.status_by_newton && level == &deck::ContactZone::status)
+    return false;
   return (zone.settings.*level).by == Iteration::fixed_point || loops_instead(zone, level, variant);
 }
 
