@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The three nested levels by Newton or by loops, and every method they carry, must end at one answer.
+#include "rubato/step/levels.hpp"
+#include "rubato/step/newton.hpp"
+
 #include <gtest/gtest.h>
 
 #include "unit/step/decks.hpp"
@@ -110,7 +113,25 @@ TEST(ALoopThatDoesNotSettle, SaysWhichOneItIs) {
   };
   EXPECT_EQ(outcome("{geometry: {by: fixed_point, max_loops: 1}}"), Outcome::geometry_unsettled);
   EXPECT_EQ(outcome("{friction: {by: fixed_point, max_loops: 1}}"), Outcome::friction_unsettled);
-  EXPECT_EQ(outcome("{status: {by: fixed_point, max_loops: 1}}"), Outcome::status_unsettled);
+}
+
+const Changes single_status_round{{"contact.interface.iterate", "{status: {by: fixed_point, max_loops: 1}}"},
+                                  {"time.on_failure.levels", "0"}};
+
+TEST(ALoopOfTheStatusThatDoesNotSettle, SaysSo) {
+  Walk walk(test::two_beams, with(single_status_round));
+  auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
+  const double t = walk.control.target();
+  State trial = predict(walk.model, walk.scheme, system, walk.state, t);
+  const ContactSide side(walk.model, walk.scheme, system, walk.state, {});
+  Newton newton(walk.model, walk.scheme, system, walk.state, t, side);
+  const auto report = solve_levels(
+      walk.model, side, [&](State& to, const Held& held) { return newton.run(to, held); }, walk.state, trial);
+  EXPECT_EQ(report.outcome, Outcome::status_unsettled);
+}
+
+TEST(ALoopOfTheStatusThatDoesNotSettle, IsLeftToNewton) {
+  EXPECT_LT(apart(end_of(single_status_round), end_of({})), 1e-9);
 }
 
 /// A slave node that stands on the corner of two curved master faces belongs to neither while all moves.
