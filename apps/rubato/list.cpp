@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/law.hpp"
+#include "rubato/contact/obstacle.hpp"
 #include "rubato/fem/reference_cell.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/time/scheme.hpp"
@@ -32,10 +33,8 @@ int list() {
         {"fixed_point", "ALGO_RESO_*='POINT_FIXE'", "a loop of its own around them"}})
     fmt::print("  {:<31} {:<36} {}\n", name, code_aster, summary);
   fmt::print("\nRigid obstacles (contact.ZONE.obstacle)\n");
-  for (const auto& [name, summary] : {std::pair{"plane", "point, normal"},
-                                      {"cylinder", "point, axis, radius; a circle in 2D; outside or inside"},
-                                      {"sphere", "point, radius; outside or inside"}})
-    fmt::print("  {:<31} {}\n", name, summary);
+  for (const auto& obstacle : contact::all_obstacles())
+    fmt::print("  {:<31} {}\n", obstacle.name, obstacle.summary);
   fmt::print("\nPhysics (physics)\n");
   for (const auto& [name, summary] : {std::pair{"solid", "3D"},
                                       {"plane_stress", "2D, with thickness"},

@@ -87,6 +87,11 @@ constexpr std::array<Kind, 3> kinds{{{ObstacleKind::plane, place_on_plane},
                                      {ObstacleKind::cylinder, place_on_cylinder},
                                      {ObstacleKind::sphere, place_on_sphere}}};
 
+constexpr std::array<ObstacleEntry, 3> entries{
+    {{ObstacleKind::plane, "plane", "point, normal"},
+     {ObstacleKind::cylinder, "cylinder", "point, axis, radius; a circle in 2D; outside or inside"},
+     {ObstacleKind::sphere, "sphere", "point, radius; outside or inside"}}};
+
 /// In the meridian plane a sphere around the axis of revolution is a circle, a cylinder a straight line.
 void take_meridian(Obstacle& obstacle) {
   if (obstacle.kind == ObstacleKind::sphere) {
@@ -100,6 +105,10 @@ void take_meridian(Obstacle& obstacle) {
 }
 
 } // namespace
+
+std::span<const ObstacleEntry> all_obstacles() {
+  return entries;
+}
 
 Vector3d Obstacle::offset(double t) const {
   Vector3d moved = vector_of(move);

@@ -16,7 +16,9 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace rubato::contact {
 
@@ -40,6 +42,14 @@ struct Obstacle {
 /// `functions` are the deck's; those that the obstacle names are among them.
 Obstacle make_obstacle(const deck::Obstacle& obstacle, deck::Physics physics,
                        const std::map<std::string, deck::Function>& functions);
+
+struct ObstacleEntry {
+  deck::ObstacleKind kind;
+  std::string_view name;
+  std::string_view summary;
+};
+/// Every obstacle there is, for `rubato list`.
+std::span<const ObstacleEntry> all_obstacles();
 
 /// What a point sees of an obstacle. Tangents are τ₁ and τ₂ = n × τ₁; τ₂ is e_z in 2D and the axis on a
 /// cylinder. On a sphere τ₁ is turned along with the normal, by the least turn from where a reference point

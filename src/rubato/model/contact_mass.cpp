@@ -2,14 +2,15 @@
 #include "rubato/model/contact_mass.hpp"
 
 #include "rubato/error.hpp"
+#include "rubato/model/bodies.hpp"
 #include "rubato/model/model.hpp"
 
 #include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rubato::model {
@@ -41,26 +42,6 @@ template <class Visit> void for_each_entry(const SparseMatrix& mass, int compone
       if (entry.row() % components == 0)
         visit(Entry{static_cast<int>(entry.row()) / components, static_cast<int>(column) / components,
                     entry.value()});
-}
-
-/// The body of every numbered node: nodes that share a cell belong together.
-std::vector<int> bodies_of(const SparseMatrix& mass, int components, int nodes) {
-  std::vector<int> parent(static_cast<std::size_t>(nodes));
-  for (int node = 0; node < nodes; ++node)
-    parent[static_cast<std::size_t>(node)] = node;
-  const auto root = [&](int node) {
-    while (parent[static_cast<std::size_t>(node)] != node)
-      node = parent[static_cast<std::size_t>(node)] =
-          parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(node)])];
-    return node;
-  };
-  for_each_entry(mass, components, [&](const Entry& entry) {
-    parent[static_cast<std::size_t>(root(entry.row))] = root(entry.column);
-  });
-  std::vector<int> body(parent.size());
-  for (int node = 0; node < nodes; ++node)
-    body[static_cast<std::size_t>(node)] = root(node);
-  return body;
 }
 
 /// A body that loses the mass of its surface.
@@ -181,22 +162,22 @@ void scale(const Body& body, const VectorXd& factors, const std::vector<char>& m
 
 } // namespace
 
-void redistribute_mass(const mesh::Mesh& mesh, const fem::DofMap& dofs,
+void redistribute_mass(const mesh::Mesh& mesh, const fem::Bulk& bulk, const fem::DofMap& dofs,
                        std::span<const mesh::NodeIndex> massless, SparseMatrix& mass) {
-  const int components = dofs.components;
-  const auto body_of = bodies_of(mass, components, static_cast<int>(dofs.nodes.size()));
+  const Bodies bodies(mesh, bulk);
   std::vector<char> is_massless(dofs.nodes.size(), 0);
-  std::map<int, std::vector<int>> bodies;
+  std::vector<std::vector<int>> nodes_of(static_cast<std::size_t>(bodies.count()));
+  std::vector<char> loses(nodes_of.size(), 0);
   for (const auto node : massless) {
-    const auto number = static_cast<std::size_t>(dofs.dof(node, 0) / components);
-    is_massless[number] = 1;
-    bodies[body_of[number]];
+    is_massless[static_cast<std::size_t>(dofs.dof(node, 0) / dofs.components)] = 1;
+    loses[static_cast<std::size_t>(bodies.of(node))] = 1;
   }
-  for (std::size_t i = 0; i < body_of.size(); ++i)
-    if (const auto found = bodies.find(body_of[i]); found != bodies.end())
-      found->second.push_back(static_cast<int>(i));
-  for (auto& [which, nodes] : bodies) {
-    const auto body = take_body(mesh, dofs, mass, nodes, is_massless);
+  for (std::size_t i = 0; i < dofs.nodes.size(); ++i)
+    nodes_of[static_cast<std::size_t>(bodies.of(dofs.nodes[i]))].push_back(static_cast<int>(i));
+  for (std::size_t b = 0; b < nodes_of.size(); ++b) {
+    if (loses[b] == 0)
+      continue;
+    const auto body = take_body(mesh, dofs, mass, std::move(nodes_of[b]), is_massless);
     // Thin bodies have no places for moments of their depth: they keep their mass alone.
     auto factors = factors_of(body, mesh.dimension + 1);
     if (!factors)
@@ -205,8 +186,8 @@ void redistribute_mass(const mesh::Mesh& mesh, const fem::DofMap& dofs,
       throw InputError(
           fmt::format("contact_mass: the body around {} has no nodes but on its contact surface, nothing "
                       "could carry their mass; expected more cells or consistent",
-                      node_label(mesh, dofs.nodes[static_cast<std::size_t>(nodes.front())])));
-    scale(body, *factors, is_massless, components, mass);
+                      node_label(mesh, bodies.first_node(static_cast<int>(b)))));
+    scale(body, *factors, is_massless, dofs.components, mass);
   }
 }
 

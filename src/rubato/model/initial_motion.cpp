@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/load/function.hpp"
 #include "rubato/model/build.hpp"
 
 #include <fmt/format.h>
@@ -96,10 +95,6 @@ private:
     faults_.push_back(
         {initial.at, fmt::format("node {} begins with the {} {:g} in {}, but {}", node_label(mesh_, node),
                                  what, value, axes[static_cast<std::size_t>(component)], contradiction)});
-  }
-
-  static double displacement_of(const Constraint& support, double t) {
-    return support.function ? support.value * load::value_at(*support.function, t) : support.value;
   }
 
   double velocity_of(const Constraint& support) const {

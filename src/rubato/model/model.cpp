@@ -46,7 +46,7 @@ void free_contact_of_mass(Model& model) {
     nodes.insert(nodes.end(), zone.slave.nodes.begin(), zone.slave.nodes.end());
   std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  redistribute_mass(model.mesh, model.dofs, nodes, model.mass);
+  redistribute_mass(model.mesh, model.bulk, model.dofs, nodes, model.mass);
 }
 
 void assemble_matrices(Model& model, const std::vector<deck::Material>& materials) {
@@ -195,11 +195,14 @@ VectorXd external_force(const Model& model, double t) {
   return force;
 }
 
+double displacement_of(const Constraint& constraint, double t) {
+  return constraint.value * value_of(constraint.function, t);
+}
+
 VectorXd imposed_displacements(const Model& model, double t) {
   VectorXd values(static_cast<Eigen::Index>(model.constraints.size()));
   for (std::size_t i = 0; i < model.constraints.size(); ++i)
-    values[static_cast<Eigen::Index>(i)] =
-        model.constraints[i].value * value_of(model.constraints[i].function, t);
+    values[static_cast<Eigen::Index>(i)] = displacement_of(model.constraints[i], t);
   return values;
 }
 

@@ -92,6 +92,9 @@ mesh::Mesh load_mesh(const deck::MeshSource& source);
 /// [force], one a dof.
 Eigen::VectorXd external_force(const Model& model, double t);
 
+/// What a constraint prescribes at instant t [length].
+double displacement_of(const Constraint& constraint, double t);
+
 /// Prescribed displacements at instant t, in the order of model.constraints [length].
 Eigen::VectorXd imposed_displacements(const Model& model, double t);
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/kinematics.hpp"
+#include "rubato/model/bodies.hpp"
 #include "rubato/model/build.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <fmt/format.h>
-
-#include <numeric>
 
 namespace rubato::model {
 namespace {
@@ -19,45 +18,6 @@ using mesh::NodeIndex;
 
 /// Singular values below this part of the largest belong to motions nothing holds.
 constexpr double rank_tolerance = 1e-9;
-
-/// The connected body of each node.
-class Bodies {
-public:
-  Bodies(const mesh::Mesh& mesh, const fem::Bulk& bulk)
-      : parent_(static_cast<std::size_t>(mesh.node_count())) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    for (const auto cell : bulk.cells) {
-      const auto nodes = mesh.nodes_of(cell);
-      for (const auto node : nodes)
-        parent_[root(node)] = static_cast<NodeIndex>(root(nodes.front()));
-    }
-    number_.assign(parent_.size(), -1);
-    for (const auto cell : bulk.cells)
-      for (const auto node : mesh.nodes_of(cell))
-        if (auto& number = number_[root(node)]; number < 0) {
-          number = static_cast<int>(first_node_.size());
-          first_node_.push_back(node);
-        }
-  }
-
-  int of(NodeIndex node) { return number_[root(node)]; }
-  int count() const { return static_cast<int>(first_node_.size()); }
-  NodeIndex first_node(int body) const { return first_node_[static_cast<std::size_t>(body)]; }
-
-private:
-  std::size_t root(NodeIndex node) {
-    auto at = static_cast<std::size_t>(node);
-    while (static_cast<std::size_t>(parent_[at]) != at) {
-      parent_[at] = parent_[static_cast<std::size_t>(parent_[at])];
-      at = static_cast<std::size_t>(parent_[at]);
-    }
-    return at;
-  }
-
-  std::vector<NodeIndex> parent_;
-  std::vector<int> number_;
-  std::vector<NodeIndex> first_node_;
-};
 
 /// Rows of what supports, springs and contact resist, columns the rigid motions of all bodies.
 class Holds {

@@ -64,6 +64,12 @@ void advise_on_coefficients(const contact::Zone& zone, std::vector<std::string>&
 
 } // namespace
 
+bool feeds_on_contact(const model::Model& model, const time::Scheme& scheme) {
+  return time::is_undamped(scheme) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
+           return contact::is_exact(zone.settings.method);
+         });
+}
+
 std::vector<std::string> advice(const model::Model& model, const time::Scheme& scheme,
                                 const step::StepReport& report) {
   std::vector<std::string> advice;
@@ -75,9 +81,7 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
     advise_on_loops(zone, report.outcome, advice);
     advise_on_coefficients(zone, advice);
   }
-  const bool exact = std::ranges::any_of(
-      model.zones, [](const auto& zone) { return contact::is_exact(zone.settings.method); });
-  if (exact && time::is_undamped(scheme))
+  if (feeds_on_contact(model, scheme))
     advice.emplace_back("time: {scheme: moreau_jean}, which gains no energy from contact");
   advice.emplace_back("a shorter time.step");
   if (!report.restless.empty())

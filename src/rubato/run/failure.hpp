@@ -12,6 +12,9 @@
 
 namespace rubato::run {
 
+/// Whether contact gives energy to a scheme that keeps it: exact gaps, and nothing that damps what rings.
+bool feeds_on_contact(const model::Model& model, const time::Scheme& scheme);
+
 /// What may help, the likeliest first, in words of the deck.
 std::vector<std::string> advice(const model::Model& model, const time::Scheme& scheme,
                                 const step::StepReport& report);

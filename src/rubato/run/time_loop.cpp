@@ -161,9 +161,7 @@ private:
     const bool massless = settings.contact_mass == deck::ContactMass::redistributed;
     watch_.say(fmt::format("{}: scheme {}{}", model_.study.name, name,
                            massless ? ", contact surfaces without mass" : ""));
-    const bool exact = std::ranges::any_of(
-        model_.zones, [](const contact::Zone& zone) { return contact::is_exact(zone.settings.method); });
-    if (exact && !course_.from && time::is_undamped(scheme_))
+    if (!course_.from && feeds_on_contact(model_, scheme_))
       watch_.warn(fmt::format("{}: {} without damping gains energy where exact contact opens and closes; "
                               "moreau_jean doesn't, hht with alpha: -0.1 hardly",
                               model_.study.name, name));

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -81,21 +80,6 @@ public:
     report.friction_continuation = true;
     return report;
   }
-
-  /// Points whose own equations say nearly the same leave their small system without an answer that the whole
-  /// one has. Where it doesn't help, the report stays that of the attempt before.
-  void iterate_whole(StepReport& report, State& trial) {
-    auto other = predict(model_, scheme_, system_, committed_, t_);
-    const ContactSide side(model_, scheme_, system_, committed_, {});
-    auto last = solve_by<Newton>(side, other);
-    report.iterations = last.iterations = spent_ += last.iterations;
-    if (!last.converged())
-      return;
-    report = std::move(last);
-    trial = std::move(other);
-  }
-
-  bool iterates_on_points() const { return can_condense(model_, system_); }
 
   bool has_friction() const {
     return std::ranges::any_of(model_.zones, [](const auto& zone) { return zone.settings.friction > 0; });
@@ -174,8 +158,6 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
     report = attempts.free_status(trial);
   if (!report.converged() && attempts.has_friction())
     report = attempts.raise_friction(trial);
-  if (!report.converged() && attempts.iterates_on_points())
-    attempts.iterate_whole(report, trial);
   return report;
 }
 

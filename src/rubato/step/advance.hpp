@@ -20,8 +20,8 @@ State predict(const model::Model& model, const time::Scheme& scheme, const Effec
               const State& committed, double t);
 
 /// Advances `committed` to t. On success `trial` is the state at t. A failed attempt is repeated with other
-/// augmentations, then with other loops, then with friction raised in parts, then by the whole
-/// system's unknowns, before it is reported.
+/// augmentations, then with other loops, then with friction raised in parts, before it
+/// is reported.
 StepReport advance(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial);
 

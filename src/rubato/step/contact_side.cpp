@@ -131,8 +131,9 @@ void ContactSide::finish(const Held& held, const ContactIterate& iterate, State&
 void ContactSide::measure_places(State& trial) const {
   const contact::Configuration end{&model_.mesh,         &model_.dofs, &trial.motion.u,
                                    &committed_.motion.u, trial.t,      committed_.t};
+  std::vector<PointEvaluation> points;
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
-    const auto points = contact::evaluate(model_.zones[z], trial.zones[z].multipliers, end);
+    contact::evaluate(system_.neighbours[z], trial.zones[z].multipliers, end, points);
     for (std::size_t i = 0; i < points.size(); ++i) {
       trial.zones[z].outcomes[i].gap = points[i].variables.gap;
       trial.zones[z].outcomes[i].slip = points[i].variables.slip;

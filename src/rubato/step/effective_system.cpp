@@ -28,15 +28,6 @@ std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatr
   }
 }
 
-SparseMatrix effective_matrix(const Model& model, const time::StepCoefficients& coefficients) {
-  SparseMatrix full = coefficients.stiffness * model.stiffness;
-  if (coefficients.mass != 0)
-    full += coefficients.mass * model.mass;
-  if (coefficients.damping != 0 && model.damping.nonZeros() > 0)
-    full += coefficients.damping * model.damping;
-  return full;
-}
-
 /// The diagonal of the matrix of the step that the deck asks for, of which those that are made are parts.
 Eigen::VectorXd usual_diagonal(const Model& model, const time::Scheme& scheme) {
   const auto& settings = model.study.time;
@@ -45,7 +36,13 @@ Eigen::VectorXd usual_diagonal(const Model& model, const time::Scheme& scheme) {
     const auto instants = time::instants_of(settings);
     step = instants.at(1) - instants.at(0);
   }
-  return effective_matrix(model, time::coefficients_of(scheme, step)).diagonal();
+  const auto coefficients = time::coefficients_of(scheme, step);
+  Eigen::VectorXd diagonal = coefficients.stiffness * model.stiffness.diagonal();
+  if (coefficients.mass != 0)
+    diagonal += coefficients.mass * model.mass.diagonal();
+  if (coefficients.damping != 0 && model.damping.nonZeros() > 0)
+    diagonal += coefficients.damping * model.damping.diagonal();
+  return diagonal;
 }
 
 bool has_springs(const contact::Zone& zone) {
@@ -73,7 +70,11 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   EffectiveSystem system;
   system.step = step;
   system.coefficients = time::coefficients_of(scheme, step);
-  const SparseMatrix full = effective_matrix(model, system.coefficients);
+  SparseMatrix full = system.coefficients.stiffness * model.stiffness;
+  if (system.coefficients.mass != 0)
+    full += system.coefficients.mass * model.mass;
+  if (system.coefficients.damping != 0 && model.damping.nonZeros() > 0)
+    full += system.coefficients.damping * model.damping;
   system.diagonal = full.diagonal();
   system.matrix = model::free_part(model, full);
   for (const auto& zone : model.zones) {

@@ -38,6 +38,19 @@ VectorXd row_sizes(const MatrixXd& matrix) {
   return (sizes.array() > 0).select(sizes, 1.0);
 }
 
+/// Sizes of the rows of Z_m over E_m, one for all rows that are components of one vector: a component that is
+/// rounding only must not be blown up to the size of the others.
+VectorXd vector_sizes(const MatrixXd& by_multiplier, Index components) {
+  VectorXd sizes = by_multiplier.cwiseAbs().rowwise().maxCoeff();
+  const auto join = [&](Index first, Index count) {
+    sizes.segment(first, count).setConstant(sizes.segment(first, count).maxCoeff());
+  };
+  join(0, components);
+  if (const Index tangents = components - 1; by_multiplier.cols() >= tangents)
+    join(sizes.size() - tangents, tangents);
+  return (sizes.array() > 0).select(sizes, 1.0);
+}
+
 /// Multipliers that nothing can change stay as they are.
 void mend_empty_rows(contact::FactoredResponse& r, MatrixXd& by_q) {
   const Index d = r.components;
@@ -107,7 +120,7 @@ void PointSystem::eliminate_multipliers(ActivePoint& point) const {
   if (m > 0) {
     point.column_scale = row_sizes(r.by_multiplier.transpose()).cwiseInverse();
     const MatrixXd by_multiplier = r.by_multiplier * point.column_scale.asDiagonal();
-    point.row_scale = row_sizes(by_multiplier).cwiseInverse();
+    point.row_scale = vector_sizes(by_multiplier, d).cwiseInverse();
     point.by_multiplier.compute(point.row_scale.asDiagonal() * by_multiplier);
     all = point.row_scale.asDiagonal() * all;
     all.applyOnTheLeft(point.by_multiplier.householderQ().adjoint());
