@@ -23,8 +23,7 @@ TEST_P(Case, RunsAndItsChecksHold) {
     const auto* previous = from == results.end() ? nullptr : &from->second.end;
     const auto& result = results[study.name] = run::run_study(study, folder / study.name, {}, previous);
     EXPECT_EQ(result.status, run::Status::complete) << study.name << ": " << result.message;
-    if (!deck::is_explicit(study.time.scheme)) // whose contact is followed with errors in time
-      EXPECT_LE(result.energy.largest_balance, 1e-10 * result.energy.largest) << study.name;
+    EXPECT_LE(result.energy.largest_balance, 1e-10 * result.energy.largest) << study.name;
     EXPECT_TRUE(result.checks_hold()) << study.name << "\n" << results::to_text(result.checks);
     checks += result.checks.size();
   }

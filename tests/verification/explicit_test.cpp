@@ -60,6 +60,7 @@ TEST(ExplicitModelingF, WithQuadraticCellsGivesTheTrueAnswer) {
                                                           {"contact.interface.method", "penalty"},
                                                           {"contact.interface.friction_method", ""}})));
   ASSERT_EQ(run.result.status, run::Status::complete);
+  EXPECT_LE(run.result.energy.largest_balance, 1e-10 * run.result.energy.largest);
   constexpr double peak = 0.1856;
   EXPECT_NEAR(tip(run, 0.001), -0.0180, 0.01 * peak);
   EXPECT_NEAR(tip(run, 0.006), -0.1855, 0.01 * peak);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Where the energy of a run is and where it came from. [force · length]
 ///
-/// The ledger of implicit steps is no estimate: docs/theory/energy.md derives, from the scheme's
-/// coefficients, an identity that its terms fulfil to rounding in every step whose equations are solved.
+/// The ledger is no estimate: docs/theory/energy.md derives, from the scheme's coefficients, an identity that
+/// its terms fulfil to rounding in every step whose equations are solved.
 #pragma once
 
 #include "rubato/model/model.hpp"
@@ -31,8 +31,7 @@ struct EnergyLedger {
   double start = 0;         ///< kinetic + strain + contact when the run began
 
   double stored() const { return kinetic + strain + contact; }
-  /// What the run has gained from nowhere (> 0) or lost (< 0): rounding; of explicit runs also the errors of
-  /// contact in time.
+  /// What the ledger has no entry for: rounding.
   double balance() const {
     return stored() - start + damping + friction + impact + numerical - external_work - support_work -
            unbalanced;

@@ -88,7 +88,7 @@ ExplicitMotion::ExplicitMotion(const Model& model)
   place_supports();
   collect_loads();
   find_forces();
-  energy_ = {.start = energy().stored()};
+  energy_ = {.impact = energy().contact, .start = energy().stored()};
 }
 
 Spectrum ExplicitMotion::spectrum() const {
@@ -152,9 +152,9 @@ void ExplicitMotion::step(double end) {
   const double begin = std::exchange(t_, end);
   ++steps_;
   const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
-  energy_.support_work += work_of_obstacles(begin, end);
+  enter_contact(begin, end);
   find_forces();
-  energy_.support_work += work_of_obstacles(begin, end);
+  enter_contact(begin, end);
   if (damping_)
     energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
   for (auto& support : supports_) {
@@ -194,7 +194,16 @@ void ExplicitMotion::apply(Load& load) {
   load.displacement = displacement;
 }
 
-/// What obstacles do between two instants with half of the forces they have now.
+/// What half of the contact forces of now do between two instants, on the bodies and by obstacles that move.
+void ExplicitMotion::enter_contact(double from, double to) {
+  double power = 0;
+  for (const int dof : surface_)
+    power += contact_force_[dof] * v_[dof];
+  const double given = work_of_obstacles(from, to);
+  energy_.impact += h_ / 2 * power + given;
+  energy_.support_work += given;
+}
+
 double ExplicitMotion::work_of_obstacles(double from, double to) const {
   double sum = 0;
   for (std::size_t z = 0; z < contact_.size(); ++z)
@@ -232,6 +241,7 @@ EnergyLedger ExplicitMotion::energy() const {
     ledger.contact += zone.stored();
     ledger.friction += zone.dissipated();
   }
+  ledger.impact -= ledger.contact + ledger.friction;
   return ledger;
 }
 

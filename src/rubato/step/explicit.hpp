@@ -50,7 +50,9 @@ public:
   void advance(double end, int steps);
 
   /// Kinetic energy is ½ v_{n−1/2}·M v_{n+1/2} and a constant that makes it continuous where the step
-  /// changes, from 0 at rest on: with it the balance of a linear model closes to rounding at any stable step.
+  /// changes, from 0 at rest on: with it the balance closes to rounding at any stable step. What the springs
+  /// of contact take and do not keep or rub away, because points touch, leave or turn within a step, is
+  /// `impact`.
   EnergyLedger energy() const;
 
   /// All that it carries from step to step: whoever goes back to it does the same steps again, to the last
@@ -92,6 +94,7 @@ private:
   void step(double end);
   void find_forces();
   void apply(Load& load);
+  void enter_contact(double from, double to);
   double work_of_obstacles(double from, double to) const;
   double reaction_of(const MovingSupport& support) const;
   double imposed_acceleration(const MovingSupport& support) const;
@@ -115,7 +118,9 @@ private:
   Eigen::VectorXd unbalance_;     ///< r at t
   Eigen::VectorXd contact_force_; ///< at t, internal side
   Eigen::VectorXd damping_force_; ///< at t; empty without damping
-  EnergyLedger energy_; ///< works and dissipations so far, the start, and the constant of kinetic energy
+  /// Works and dissipations so far, the start, and the constant of kinetic energy; `impact` is all that
+  /// contact took, stored and rubbed energy with it.
+  EnergyLedger energy_;
 };
 
 } // namespace rubato::step
