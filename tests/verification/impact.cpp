@@ -34,6 +34,20 @@ std::vector<double> own_energy(const results::Table& energy) {
   return sum;
 }
 
+/// When the forces of a run are what they are: at the ends of steps, or in their middle where they are means.
+std::vector<double> instants_of_forces(const CaseRun& run, const std::vector<double>& t) {
+  auto instants = t;
+  if (run.study.time.scheme == deck::SchemeKind::moreau_jean)
+    for (std::size_t i = 0; i < t.size(); ++i)
+      instants[i] -= (t[i] - (i > 0 ? t[i - 1] : run.study.time.begin)) / 2;
+  return instants;
+}
+
+/// Where the line between two points crosses a height.
+double crossing_of(double height, double x0, double y0, double x1, double y1) {
+  return x0 + (x1 - x0) * (height - y0) / (y1 - y0);
+}
+
 } // namespace
 
 ImpactTheory bar_on_wall() {
@@ -53,7 +67,9 @@ Impact measure_impact(const CaseRun& run, const std::string& zone, const ImpactT
   const auto& table = run.resultants.at(zone);
   const auto t = column(table, "t");
   const auto force = column(table, "normal");
+  const auto at = instants_of_forces(run, t);
   const double first = theory.force(theory.begin);
+  const double last = theory.force(theory.end);
   const double from = theory.begin + settling * (theory.end - theory.begin);
   Impact impact;
   double squares = 0;
@@ -61,12 +77,12 @@ Impact measure_impact(const CaseRun& run, const std::string& zone, const ImpactT
   for (std::size_t i = 0; i < t.size(); ++i) {
     impact.impulse += force[i] * (t[i] - (i > 0 ? t[i - 1] : run.study.time.begin));
     impact.largest_force = std::max(impact.largest_force, force[i]);
-    if (impact.begin == 0 && force[i] > first / 2)
-      impact.begin = t[i];
-    if (force[i] > theory.force(theory.end) / 2)
-      impact.end = t[i];
-    if (t[i] >= from && t[i] < theory.end) {
-      squares += std::pow((force[i] - theory.force(t[i])) / first, 2);
+    if (impact.begin == 0 && i > 0 && force[i] > first / 2)
+      impact.begin = crossing_of(first / 2, at[i - 1], force[i - 1], at[i], force[i]);
+    if (i + 1 < t.size() && force[i] > last / 2)
+      impact.end = crossing_of(last / 2, at[i], force[i], at[i + 1], force[i + 1]);
+    if (at[i] >= from && at[i] < theory.end) {
+      squares += std::pow((force[i] - theory.force(at[i])) / first, 2);
       ++count;
     }
   }

@@ -120,6 +120,8 @@ void draw_safety(Dice& dice, Draw& draw) {
   }
   if (draw.redistributed)
     draw.time += ", contact_mass: redistributed";
+  else if (draw.scheme == "moreau_jean")
+    draw.time += ", contact_mass: consistent";
 }
 
 std::string body(const Draw& draw, const std::string& name, double left, double bottom, int cells,

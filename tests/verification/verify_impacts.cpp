@@ -15,16 +15,17 @@ std::string relative(double found, double theory) {
 
 void write_impacts(Page& page, CaseRuns& runs, const std::string& zone, const ImpactTheory& theory,
                    double impulse) {
-  page.paragraph(
-      fmt::format("Theory: contact on [{:.4f}, {:.4f}], force {:g} at its beginning and {:g} at its "
-                  "end, impulse {:.4g}. Bodies touch and leave where the force crosses half of "
-                  "theory's: waves in a mesh have no sharp fronts. Force error: root of the mean square over "
-                  "the contact but "
-                  "its first 5 %, in parts of the first force. Energy error: the largest change of "
-                  "kinetic + strain + contact energy less the work of the loads, in parts of {:g}. "
-                  "Ledger: largest imbalance over its largest term.",
-                  theory.begin, theory.end, theory.force(theory.begin), theory.force(theory.end), impulse,
-                  theory.energy));
+  page.paragraph(fmt::format(
+      "Theory: contact on [{:.4f}, {:.4f}], force {:g} at its beginning and {:g} at its "
+      "end, impulse {:.4g}. Bodies touch and leave where the force crosses half of "
+      "theory's, between two of its values by a straight line: waves in a mesh have no sharp "
+      "fronts. Forces of `moreau_jean` are means over a step and stand in its middle. Force error: "
+      "root of the mean square over the contact but its first 5 %, in parts of the first force. Energy "
+      "error: the largest change of "
+      "kinetic + strain + contact energy less the work of the loads, in parts of {:g}. "
+      "Ledger: largest imbalance over its largest term.",
+      theory.begin, theory.end, theory.force(theory.begin), theory.force(theory.end), impulse,
+      theory.energy));
   page.table({"run", "step", "touches", "leaves", "impulse", "largest force", "force error", "energy error",
               "ledger", "seconds"});
   for (const auto& name : runs.names()) {
@@ -50,8 +51,10 @@ void tell_schemes(Page& page) {
       "their forces oscillate from step to step, and so may their energy. `redistributed` is "
       "Newmark's scheme with `contact_mass: redistributed`, `redistributed_hht` the same with "
       "hht's, α = −0.05; `central_difference` presses by penalty. `default` names no scheme: `moreau_jean` "
-      "on "
-      "surfaces without mass. `moreau_jean` alone stops the nodes that touch and gives nothing back.");
+      "on surfaces without mass. The run `moreau_jean` has `contact_mass: consistent`: it stops the nodes "
+      "that "
+      "touch and gives nothing back, a part of the energy that is that of the nodes' mass and falls with "
+      "it.");
 }
 
 } // namespace

@@ -200,6 +200,20 @@ void carry(Kinematics& k, const Vector3d& way) {
   k.carried = way;
 }
 
+/// Sets from where a held frame counts gap and slip, so that they are those of the law of velocities.
+/// `relative`: the point's velocity at the start against what it faces, which comes `way` in the step.
+void count_from(const Vector3d& relative, const Vector3d& way, const VelocityLaw& law, double restitution,
+                Kinematics& k) {
+  carry(k, way);
+  k.gap_origin = k.gap;
+  if (law.massless)
+    return;
+  const double normal = k.normal.dot(relative);
+  const double rebound = restitution * std::max(0.0, -normal);
+  k.gap_origin += law.step * std::min(0.0, (1 - law.theta) * normal + law.theta * rebound);
+  k.slip_origin = law.step * (1 - law.theta) * (k.tangents.transpose() * relative);
+}
+
 /// Mean over the directions of the point's own stiffness, each node counted with its share.
 double resistance(const SlavePoint& point, const fem::DofMap& dofs,
                   const Eigen::Ref<const VectorXd>& diagonal) {
@@ -281,29 +295,28 @@ void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zon
 }
 
 std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
-                                             const VectorXd& velocity, const VelocityLaw& law) {
+                                             const VectorXd& velocity, const VelocityLaw& law,
+                                             std::span<double> standing) {
   const auto& zone = neighbours.zone();
   std::vector<PointEvaluation> points;
   evaluate(neighbours, VectorXd::Zero(zone.multiplier_count()), start, points);
   const Vector3d way =
       zone.obstacle ? zone.obstacle->way(start.t, start.t + law.step) : Vector3d::Zero().eval();
-  for (auto& point : points)
-    if (point.variables.gap > touching_gap * zone.edge())
-      point.kinematics.reset();
-  points = with_held_frames(std::move(points));
-  for (auto& point : points) {
-    if (!point.kinematics)
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].kinematics)
       continue;
-    auto& k = *point.kinematics;
-    carry(k, way);
-    k.gap_origin = k.gap;
-    if (law.massless)
-      continue;
+    const auto& k = *points[i].kinematics;
     const Vector3d relative = interpolated(k, *start.dofs, velocity) - way / law.step;
-    const double normal = k.normal.dot(relative);
-    const double rebound = zone.settings.restitution * std::max(0.0, -normal);
-    k.gap_origin += law.step * std::min(0.0, (1 - law.theta) * normal + law.theta * rebound);
-    k.slip_origin = law.step * (1 - law.theta) * (k.tangents.transpose() * relative);
+    const bool stands = k.gap <= standing[i] + touching_gap * zone.edge();
+    const bool arrives = k.gap + law.step / 2 * k.normal.dot(relative) <= 0;
+    if (!stands)
+      standing[i] = arrives ? k.gap : 0.0;
+    if (!stands && !arrives) {
+      points[i].kinematics.reset();
+      continue;
+    }
+    points[i].kinematics = with_held_frame(std::move(*points[i].kinematics));
+    count_from(relative, way, law, zone.settings.restitution, *points[i].kinematics);
   }
   return points;
 }

@@ -24,6 +24,7 @@ struct PointOutcome {
   double pressure = 0;                              ///< T_n; of nodal methods over the node's area
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< force of the master on the slave, its two parts
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();
+  double standing_gap = 0; ///< of a law of velocities: what it still had when it closed [length]
 
   bool operator==(const PointOutcome&) const = default;
 };
@@ -91,7 +92,7 @@ struct VelocityLaw {
   bool massless = false; ///< the slave surface has no momentum: nothing to lose where it hits
 };
 
-/// Held frames of the points that touch at the start of a step, in which gap and slip are counted so that the
+/// Held frames of the points that touch in a step, in which gap and slip are counted so that the
 /// same laws that close gaps and hold slips are laws of velocities. With v₀ the velocity at the start of the
 /// slave point relative to what it faces, e the restitution (Moreau's law with Newton's restitution):
 ///   gap = h θ (v₁·n − e ⟨−v₀·n⟩),   slip_a = h θ v₁·τ_a;
@@ -99,8 +100,12 @@ struct VelocityLaw {
 /// step, and without mass slip_a = Δu·τ_a: friction takes energy in every step. All other points have no
 /// kinematics. `velocity`: one a dof; an obstacle has its mean velocity of the step, at the start and at the
 /// end.
+/// Points touch that are not beyond the gap they stand at (`standing`, 0 or where they closed before; one a
+/// point), and those whose velocity closes their gap in the first half of the step. The latter stand where
+/// they are: what is left open is written to `standing`.
 std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
-                                             const Eigen::VectorXd& velocity, const VelocityLaw& law);
+                                             const Eigen::VectorXd& velocity, const VelocityLaw& law,
+                                             std::span<double> standing);
 
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 

@@ -248,8 +248,8 @@ struct TimeStepping {
   std::optional<double> gamma;  ///< newmark only
   double spectral_radius = 0.5; ///< generalized_alpha: ρ_∞ in 0…1
   double theta = 0.5;           ///< moreau_jean: in 1/2…1
-  /// A deck that names no scheme has moreau_jean and redistributed mass: contact never gives energy then.
-  ContactMass contact_mass = ContactMass::consistent;
+  /// moreau_jean has it redistributed unless the deck says otherwise: contact never gives energy then.
+  ContactMass contact_mass = ContactMass::redistributed;
   double begin = 0;
   /// > 0 unless instants are listed. central_difference: 0 stands for the stable step times `safety`.
   double step = 0;

@@ -49,14 +49,14 @@ bool takes(SchemeKind scheme, std::string_view key) {
 
 void read_scheme(MapReader& map, Context& context, TimeStepping& time) {
   const auto named = map.find("scheme");
-  if (!named)
-    time.contact_mass = ContactMass::redistributed;
   if (named && !read(named, time.scheme, scheme_words)) {
     for (const auto& known : scheme_keys)
       map.find(known.key);
     return;
   }
   context.scheme = time.scheme;
+  const bool jumps = time.scheme == SchemeKind::moreau_jean;
+  time.contact_mass = jumps ? ContactMass::redistributed : ContactMass::consistent;
   const auto scheme = word_of(scheme_words, time.scheme);
   for (const auto& [key, takers] : scheme_keys)
     if (!takes(time.scheme, key))

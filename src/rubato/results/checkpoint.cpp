@@ -24,8 +24,8 @@ using Spring = contact::ExplicitPenalty::Spring;
 
 /// Shows every number of a record of a table, in the same order always.
 template <class Visit> void each_number(PointOutcome& outcome, const Visit& visit) {
-  visit(outcome.gap);
-  visit(outcome.pressure);
+  for (auto* x : {&outcome.gap, &outcome.pressure, &outcome.standing_gap})
+    visit(*x);
   for (auto& x : outcome.slip)
     visit(x);
   for (auto& x : outcome.normal)

@@ -8,6 +8,7 @@ namespace {
 
 using contact::PointEvaluation;
 using contact::Status;
+using Eigen::VectorXd;
 using model::Model;
 
 /// Motion of contact points' projections between two iterates, in reference lengths of a face, that counts as
@@ -46,6 +47,20 @@ void keep_given_status(const contact::Zone& zone, const std::vector<PointEvaluat
       status[i] = given[i];
 }
 
+/// Of the last step. At its end nodes without mass may have any velocity: they swing about this one.
+VectorXd mean_velocity(const State& state, const contact::VelocityLaw& law) {
+  return state.motion.v - (1 - law.theta) * law.step * state.motion.a;
+}
+
+/// Where points that are closed stand; others have to close their gaps first.
+std::vector<double> standing_gaps(const contact::ZoneState& zone) {
+  std::vector<double> gaps(zone.status.size(), 0.0);
+  for (std::size_t i = 0; i < zone.outcomes.size(); ++i)
+    if (zone.status[i] != Status::open)
+      gaps[i] = zone.outcomes[i].standing_gap;
+  return gaps;
+}
+
 } // namespace
 
 ContactSide::ContactSide(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
@@ -58,8 +73,12 @@ ContactSide::ContactSide(const Model& model, const time::Scheme& scheme, Effecti
   const contact::Configuration start{&model.mesh,         &model.dofs, &committed.motion.u,
                                      &committed.motion.u, committed.t, committed.t};
   const contact::VelocityLaw law{system.step, scheme.beta, !model.massless_nodes.empty()};
-  for (auto& neighbours : system.neighbours)
-    frames_.push_back(contact::velocity_frames(neighbours, start, committed.motion.v, law));
+  const VectorXd velocity = law.massless ? mean_velocity(committed, law) : committed.motion.v;
+  for (std::size_t z = 0; z < system.neighbours.size(); ++z) {
+    standing_gaps_.push_back(standing_gaps(committed.zones[z]));
+    frames_.push_back(
+        contact::velocity_frames(system.neighbours[z], start, velocity, law, standing_gaps_.back()));
+  }
 }
 
 contact::ZoneLaw ContactSide::law_of(std::size_t zone, const Held& held) const {
@@ -116,7 +135,7 @@ bool ContactSide::settled(const Held& held, const ContactIterate& before, const 
 }
 
 void ContactSide::finish(const Held& held, const ContactIterate& iterate, State& trial) const {
-  trial.friction_force = Eigen::VectorXd::Zero(trial.motion.u.size());
+  trial.friction_force = VectorXd::Zero(trial.motion.u.size());
   for (std::size_t z = 0; z < iterate.status.size(); ++z) {
     trial.zones[z].status = iterate.status[z];
     trial.zones[z].outcomes = contact::outcomes(law_of(z, held), iterate.points[z], iterate.status[z]);
@@ -137,6 +156,7 @@ void ContactSide::measure_places(State& trial) const {
     for (std::size_t i = 0; i < points.size(); ++i) {
       trial.zones[z].outcomes[i].gap = points[i].variables.gap;
       trial.zones[z].outcomes[i].slip = points[i].variables.slip;
+      trial.zones[z].outcomes[i].standing_gap = standing_gaps_[z][i];
     }
   }
 }

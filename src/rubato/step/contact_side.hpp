@@ -73,6 +73,7 @@ private:
   std::vector<contact::ZoneCoefficients> coefficients_;
   std::vector<std::vector<contact::PointEvaluation>>
       frames_; ///< of every zone, where contact is a law of velocities; else none
+  std::vector<std::vector<double>> standing_gaps_; ///< theirs
 };
 
 } // namespace rubato::step

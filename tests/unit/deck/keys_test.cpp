@@ -32,6 +32,7 @@ TEST(DeckDefaults, AreThoseOfTheStudy) {
   steel.density = 7800;
   expected.materials = {steel};
   expected.time.scheme = SchemeKind::newmark;
+  expected.time.contact_mass = ContactMass::consistent;
   expected.time.step = 1e-3;
   expected.time.end = 0.012;
   EXPECT_EQ(deck.runs[0], expected);
@@ -249,6 +250,8 @@ TEST(DeckKeys, ADeckThatNamesNoSchemeHasTheOneThatContactGivesNoEnergy) {
   EXPECT_EQ(time.scheme, SchemeKind::moreau_jean);
   EXPECT_EQ(time.contact_mass, ContactMass::redistributed);
   EXPECT_EQ(parse_one(smallest_deck).time.contact_mass, ContactMass::consistent);
+  EXPECT_EQ(parse_one(replaced(smallest_deck, "scheme: newmark", "scheme: moreau_jean")).time.contact_mass,
+            ContactMass::redistributed);
   EXPECT_EQ(
       parse_one(replaced(smallest_deck, "scheme: newmark", "contact_mass: consistent")).time.contact_mass,
       ContactMass::consistent);

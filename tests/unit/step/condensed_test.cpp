@@ -85,8 +85,8 @@ TEST_P(Condensed, GivesWhatTheWholeSystemGives) {
   EXPECT_LT((condensed.u - full.u).cwiseAbs().maxCoeff(), 1e-10 * full.u.cwiseAbs().maxCoeff());
 }
 
-/// A beam bent in its own plane rubs along its length only: what its nodal forces have across is rounding, and
-/// must not be scaled up to the size of the rest.
+/// A beam bent in its own plane rubs along its length only: what its nodal forces have across is rounding,
+/// and must not be scaled up to the size of the rest.
 TEST(CondensedNodal, LeavesForcesOfRoundingSizeAlone) {
   const std::string deck = R"(
 mesh:

@@ -195,7 +195,7 @@ TEST(PlaneByCentralDifferences, EntersItsWorkToRounding) {
 /// foot leaves it by e, at 1 + e.
 TEST(RisingPlane, ThrowsABlockBackWithItsRestitution) {
   for (const std::string restitution : {"0", "0.5", "1"}) {
-    Walk walk(on_plane(), {{"time", "{scheme: moreau_jean, step: 1e-3, end: 1e-3}"},
+    Walk walk(on_plane(), {{"time", "{scheme: moreau_jean, contact_mass: consistent, step: 1e-3, end: 1e-3}"},
                            {"supports", "[{on: top, x: 0}]"},
                            {foot + "friction", "0"},
                            {foot + "restitution", restitution},

@@ -11,6 +11,7 @@
 #include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -48,6 +49,8 @@ public:
       }
       control.accept();
       before = std::exchange(state, std::move(trial));
+      if (accepted)
+        accepted();
     }
     return true;
   }
@@ -88,6 +91,7 @@ public:
   time::StepControl control;
   std::optional<step::EffectiveSystem> system; ///< of the last step's length
   std::vector<step::StepReport> reports;
+  std::function<void()> accepted; ///< called after every accepted step, cut ones too
 };
 
 } // namespace rubato::test
