@@ -48,7 +48,7 @@ public:
   }
 
   void measure(step::ContactIterate& points) {
-    const step::ContactSide side(model_, system_, committed_, {});
+    const step::ContactSide side(model_, scheme_, system_, committed_, {});
     side.measure(trial_, step::Held(model_.zones.size()), points);
   }
 
