@@ -60,7 +60,7 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 16> entries{{{"v1", rubato::verification::write_bar_on_wall},
+constexpr std::array<Entry, 17> entries{{{"v1", rubato::verification::write_bar_on_wall},
                                          {"v2", rubato::verification::write_dropped_bar},
                                          {"v3", rubato::verification::write_contact_patch},
                                          {"v4", rubato::verification::write_hertz},
@@ -74,6 +74,7 @@ constexpr std::array<Entry, 16> entries{{{"v1", rubato::verification::write_bar_
                                          {"sdnl140", rubato::verification::write_sdnl140},
                                          {"convergence", rubato::verification::write_convergence},
                                          {"explicit", rubato::verification::write_explicit},
+                                         {"condensed", rubato::verification::write_condensed},
                                          {"defaults", rubato::verification::write_defaults},
                                          {"robustness", rubato::verification::write_robustness}}};
 
@@ -84,9 +85,10 @@ constexpr std::string_view modelings_prefix = "sdnl140_";
 int main(int argc, char** argv) {
   const std::vector<std::string_view> words(argv + 1, argv + argc);
   if (words.empty()) {
-    std::fputs("usage: verify FOLDER [v1 … v11 sdnl140 sdnl140_<letters> convergence explicit defaults "
-               "robustness]\n",
-               stderr);
+    std::fputs(
+        "usage: verify FOLDER [v1 … v11 sdnl140 sdnl140_<letters> convergence explicit condensed defaults "
+        "robustness]\n",
+        stderr);
     return 2;
   }
   try {

@@ -53,6 +53,8 @@ void write_free_beam(const std::filesystem::path& folder);
 void write_convergence(const std::filesystem::path& folder);
 /// Explicit runs of modeling F against the converged answer and against implicit ones.
 void write_explicit(const std::filesystem::path& folder);
+/// The runs of SDNL140 solved on the contact points and as a whole.
+void write_condensed(const std::filesystem::path& folder);
 /// Hundreds of random variants of the two beams, as robustness.hpp draws them; the decks of those that fail
 /// stay in the build folder.
 void write_robustness(const std::filesystem::path& folder);

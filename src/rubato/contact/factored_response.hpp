@@ -11,28 +11,32 @@
 
 namespace rubato::contact {
 
+/// What a point has a few of is kept where it is: nothing to allocate.
+using PointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+using MultiplierColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 3>;
+
 /// With δq the change of the point's local displacements (slave's nodes, then master's, component by
 /// component) and δm that of its own multipliers, the force on q (internal side) and the equations change by
 ///   δf = Nᵀ δz + Hᵀ δξ,   δz = Z_q δq + Z_m δm,   δξ = P δq,   δe = E_q δq + E_m δm;
 /// z = −w T [force] in d components, ξ the place on the master. Only for points that own their multipliers.
 struct FactoredResponse {
-  std::vector<int> dofs;         ///< of q
-  int components = 0;            ///< d
-  int slopes = 0;                ///< size of ξ; 0 in a held frame or on a corner
-  Eigen::VectorXd force;         ///< z, d entries
-  Eigen::MatrixXd spread;        ///< N over H: d + slopes rows
-  Eigen::MatrixXd by_q;          ///< Z_q, E_q, P: d + m + slopes rows
-  Eigen::MatrixXd by_multiplier; ///< Z_m, E_m: d + m rows, m columns
-  Eigen::VectorXd equations;     ///< e, m entries
+  std::vector<int> dofs;           ///< of q
+  int components = 0;              ///< d
+  int slopes = 0;                  ///< size of ξ; 0 in a held frame or on a corner
+  PointVector force;               ///< z, d entries
+  Eigen::MatrixXd spread;          ///< N over H: d + slopes rows
+  Eigen::MatrixXd by_q;            ///< Z_q, E_q, P: d + m + slopes rows
+  MultiplierColumns by_multiplier; ///< Z_m, E_m: d + m rows, m columns
+  PointVector equations;           ///< e, m entries
 
   int multipliers() const { return static_cast<int>(equations.size()); }
 };
 
-/// A point in contact.
-FactoredResponse factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation,
-                                 Status status, const fem::DofMap& dofs);
+/// A point in contact, written into the storage of another one.
+void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status,
+                     const fem::DofMap& dofs, FactoredResponse& into);
 
 /// δm of a point that is open: its equations know no displacements.
-Eigen::VectorXd release(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation);
+PointVector release(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation);
 
 } // namespace rubato::contact

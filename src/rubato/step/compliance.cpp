@@ -70,14 +70,9 @@ void Compliance::add(double factor, std::span<const int> positions, std::span<co
 }
 
 void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
-  std::vector<int> loaded;
-  std::vector<double> loads;
-  for (Index i = 0; i < force.size(); ++i)
-    if (force[i] != 0) {
-      loaded.push_back(static_cast<int>(i));
-      loads.push_back(force[i]);
-    }
-  add(factor, loaded, loads, d);
+  for (int i = 0; i < force.size(); ++i)
+    if (force[i] != 0)
+      add(factor, {&i, 1}, {&force[i], 1}, d);
 }
 
 void Compliance::prepare(std::span<const int> positions) {

@@ -158,9 +158,10 @@ void Condensed::evaluate_contact(const State& trial, const Held& held, int itera
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto law = side_.law_of(z, held);
     for (std::size_t i = 0; i < now().status[z].size(); ++i)
-      if (now().status[z][i] != Status::open)
-        points().add(z, i, now().status[z][i],
-                     contact::factor_response(law, i, now().points[z][i], now().status[z][i], model_.dofs));
+      if (const auto status = now().status[z][i]; status != Status::open) {
+        contact::factor_response(law, i, now().points[z][i], status, model_.dofs, scratch_.response);
+        points().add(z, i, status, scratch_.response);
+      }
   }
 }
 

@@ -29,6 +29,7 @@ struct CondensedScratch {
   PointSystem points;
   ContactGuess guess;
   std::vector<GuessPoint> guess_points;
+  contact::FactoredResponse response;
 
   /// The compliance must outlive this.
   CondensedScratch(Compliance& compliance, double force_weight);

@@ -13,6 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+/// Along the slips of a point.
+using Tangential = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
 
 constexpr int most_sweeps = 50;
 /// Change in a sweep, in parts of the largest force, that a guess needs no better than.
@@ -32,8 +34,9 @@ double value_of(const GuessPoint& point, int row, const VectorXd& d) {
 void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled) {
   VectorXd forces = settled;
   VectorXd open = gaps + matrix * forces;
+  std::vector<int> set;
   for (int round = 0; round < most_sets; ++round) {
-    std::vector<int> set;
+    set.clear();
     for (Index k = 0; k < forces.size(); ++k)
       if (matrix(k, k) > 0 && (forces[k] > 0 || (forces[k] == 0 && open[k] < 0)))
         set.push_back(static_cast<int>(k));
@@ -172,14 +175,16 @@ void ContactGuess::couple(std::span<GuessPoint* const> points, Index first_row, 
     positions.insert(positions.end(), point->positions.begin(), point->positions.end());
   }
   surface_.touch(positions);
-  std::vector<PointRows> all(points.size());
+  rows_.resize(std::max(rows_.size(), points.size()));
   std::vector<const PointRows*> pointers;
-  for (std::size_t k = 0; k < all.size(); ++k) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    auto& of_point = rows_[k];
+    of_point.places.clear();
     for (const int position : points[k]->positions)
-      all[k].places.push_back(surface_.place_of(position));
-    all[k].left = all[k].right = points[k]->slopes.middleRows(first_row, rows);
-    all[k].first = static_cast<Index>(k) * rows;
-    pointers.push_back(&all[k]);
+      of_point.places.push_back(surface_.place_of(position));
+    of_point.left = of_point.right = points[k]->slopes.middleRows(first_row, rows);
+    of_point.first = static_cast<Index>(k) * rows;
+    pointers.push_back(&of_point);
   }
   coupling.matrix = between_points(surface_, pointers, factor_, true);
 }
@@ -263,10 +268,10 @@ void sweep_rubbing(const MatrixXd& matrix, const VectorXd& values, const VectorX
       const double stiffest = matrix.diagonal().segment(first, tangents).maxCoeff();
       if (stiffest <= 0)
         continue;
-      VectorXd wanted = forces.segment(first, tangents) - slips.segment(first, tangents) / stiffest;
+      Tangential wanted = forces.segment(first, tangents) - slips.segment(first, tangents) / stiffest;
       if (const double length = wanted.norm(); length > limits[i])
         wanted *= limits[i] / length;
-      const VectorXd change = wanted - forces.segment(first, tangents);
+      const Tangential change = wanted - forces.segment(first, tangents);
       largest_change = std::max(largest_change, change.lpNorm<Eigen::Infinity>());
       forces.segment(first, tangents) = wanted;
       for (Index a = 0; a < tangents; ++a)

@@ -70,6 +70,7 @@ private:
   double factor_;
   std::vector<GuessPoint*> chosen_, sliding_;
   Coupling pressing_, rubbing_;
+  std::vector<PointRows> rows_; ///< storage of couple
 };
 
 /// Sweeps on w = values + matrix F,  F ≥ 0, w ≥ 0, F·w = 0, until one changes neither which F are positive

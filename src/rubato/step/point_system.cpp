@@ -38,17 +38,28 @@ VectorXd row_sizes(const MatrixXd& matrix) {
   return (sizes.array() > 0).select(sizes, 1.0);
 }
 
+contact::PointVector column_sizes(const contact::MultiplierColumns& matrix) {
+  contact::PointVector sizes = matrix.cwiseAbs().colwise().maxCoeff().transpose();
+  for (auto& size : sizes)
+    size = size > 0 ? size : 1.0;
+  return sizes;
+}
+
+using RowSizes = decltype(ActivePoint::row_scale);
+
 /// Sizes of the rows of Z_m over E_m, one for all rows that are components of one vector: a component that is
 /// rounding only must not be blown up to the size of the others.
-VectorXd vector_sizes(const MatrixXd& by_multiplier, Index components) {
-  VectorXd sizes = by_multiplier.cwiseAbs().rowwise().maxCoeff();
+RowSizes vector_sizes(const contact::MultiplierColumns& by_multiplier, Index components) {
+  RowSizes sizes = by_multiplier.cwiseAbs().rowwise().maxCoeff();
   const auto join = [&](Index first, Index count) {
     sizes.segment(first, count).setConstant(sizes.segment(first, count).maxCoeff());
   };
   join(0, components);
   if (const Index tangents = components - 1; by_multiplier.cols() >= tangents)
     join(sizes.size() - tangents, tangents);
-  return (sizes.array() > 0).select(sizes, 1.0);
+  for (auto& size : sizes)
+    size = size > 0 ? size : 1.0;
+  return sizes;
 }
 
 /// Multipliers that nothing can change stay as they are.
@@ -71,22 +82,25 @@ PointSystem::PointSystem(Compliance& compliance, TouchedSurface& surface, double
 }
 
 void PointSystem::clear() {
-  points_.clear();
+  count_ = 0;
   force_ = VectorXd::Zero(static_cast<Index>(compliance_.surface().size()));
   forces_ = places_ = 0;
 }
 
 void PointSystem::add(std::size_t zone, std::size_t index, Status status,
-                      contact::FactoredResponse response) {
-  auto& point = points_.emplace_back();
+                      const contact::FactoredResponse& response) {
+  if (count_ == points_.size())
+    points_.emplace_back();
+  auto& point = points_[count_++];
   point.zone = zone;
   point.index = index;
   point.status = status;
-  point.response = std::move(response);
+  point.response = response;
   const auto& r = point.response;
   const auto& position = compliance_.position_of_dof();
   point.spread.resize(r.spread.rows(), r.spread.cols());
   point.by_q.resize(r.by_q.rows(), r.by_q.cols());
+  point.positions.clear();
   Index kept = 0;
   for (std::size_t q = 0; q < r.dofs.size(); ++q) {
     const int at = position[static_cast<std::size_t>(r.dofs[q])];
@@ -97,8 +111,10 @@ void PointSystem::add(std::size_t zone, std::size_t index, Status status,
     point.by_q.col(kept++) = r.by_q.col(static_cast<Index>(q));
     force_[at] += r.spread.col(static_cast<Index>(q)).head(r.components).dot(r.force);
   }
-  point.spread.conservativeResize(Eigen::NoChange, kept);
-  point.by_q.conservativeResize(Eigen::NoChange, kept);
+  if (kept < point.spread.cols()) {
+    point.spread.conservativeResize(Eigen::NoChange, kept);
+    point.by_q.conservativeResize(Eigen::NoChange, kept);
+  }
   point.rows.first = forces_;
   point.first_slope = places_;
   forces_ += point.components();
@@ -107,22 +123,23 @@ void PointSystem::add(std::size_t zone, std::size_t index, Status status,
 }
 
 /// The combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm.
-void PointSystem::eliminate_multipliers(ActivePoint& point) const {
+void PointSystem::eliminate_multipliers(ActivePoint& point) {
   auto& r = point.response;
   mend_empty_rows(r, point.by_q);
   const Index d = r.components;
   const Index m = r.multipliers();
   const Index q = point.by_q.cols();
-  MatrixXd all = MatrixXd::Zero(d + m, d + q + 1); // on δz, on δq, right side
+  auto& all = combined_; // on δz, on δq, right side
+  all.setZero(d + m, d + q + 1);
   all.topLeftCorner(d, d).setIdentity();
   all.middleCols(d, q) = -point.by_q.topRows(d + m);
   all.col(d + q).tail(m) = r.equations;
   if (m > 0) {
-    point.column_scale = row_sizes(r.by_multiplier.transpose()).cwiseInverse();
-    const MatrixXd by_multiplier = r.by_multiplier * point.column_scale.asDiagonal();
+    point.column_scale = column_sizes(r.by_multiplier).cwiseInverse();
+    const contact::MultiplierColumns by_multiplier = r.by_multiplier * point.column_scale.asDiagonal();
     point.row_scale = vector_sizes(by_multiplier, d).cwiseInverse();
     point.by_multiplier.compute(point.row_scale.asDiagonal() * by_multiplier);
-    all = point.row_scale.asDiagonal() * all;
+    all.array().colwise() *= point.row_scale.array();
     all.applyOnTheLeft(point.by_multiplier.householderQ().adjoint());
   }
   point.by_force = all.block(m, 0, d, d);
@@ -132,7 +149,7 @@ void PointSystem::eliminate_multipliers(ActivePoint& point) const {
 }
 
 std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
-  if (points_.empty())
+  if (points().empty())
     return no_change();
   touch_surface();
   const VectorXd on_places = force_(surface_.positions());
@@ -145,10 +162,10 @@ std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
 
 void PointSystem::touch_surface() {
   std::vector<int> positions;
-  for (const auto& point : points_)
+  for (const auto& point : points())
     positions.insert(positions.end(), point.positions.begin(), point.positions.end());
   surface_.touch(positions);
-  for (auto& point : points_) {
+  for (auto& point : active()) {
     point.rows.places.resize(point.positions.size());
     std::ranges::transform(point.positions, point.rows.places.begin(),
                            [&](int position) { return surface_.place_of(position); });
@@ -158,10 +175,10 @@ void PointSystem::touch_surface() {
 /// The matrix of δz alone, places held.
 bool PointSystem::factor_forces() {
   std::vector<const PointRows*> rows;
-  for (const auto& point : points_)
+  for (const auto& point : points())
     rows.push_back(&point.rows);
   MatrixXd matrix = between_points(surface_, rows, -force_weight_, false);
-  for (const auto& point : points_)
+  for (const auto& point : points())
     matrix.block(point.first(), point.first(), point.components(), point.components()) += point.by_force;
   column_scale_ = row_sizes(matrix.transpose()).cwiseInverse();
   matrix *= column_scale_.asDiagonal();
@@ -254,7 +271,7 @@ void PointSystem::add_places(const ActivePoint& point, const VectorXd& d, double
 /// S Cᵀ (δz, δξ), one a place.
 VectorXd PointSystem::motion(const Change& change) const {
   VectorXd force = VectorXd::Zero(surface_.size());
-  for (const auto& point : points_)
+  for (const auto& point : points())
     for (std::size_t q = 0; q < point.rows.places.size(); ++q)
       force[point.rows.places[q]] += force_on(point, q, change);
   VectorXd moved;
@@ -265,7 +282,7 @@ VectorXd PointSystem::motion(const Change& change) const {
 PointSystem::Change PointSystem::residual(const VectorXd& c, const Change& change) const {
   const VectorXd d = c - force_weight_ * motion(change);
   Change left{VectorXd(forces_), -change.places};
-  for (const auto& point : points_) {
+  for (const auto& point : points()) {
     const int count = point.components();
     double* forces = left.force.data() + point.first();
     for (int a = 0; a < count; ++a) {
@@ -286,25 +303,25 @@ PointSystem::Change PointSystem::residual(const VectorXd& c, const Change& chang
 VectorXd PointSystem::places_after(const Change& change) const {
   const VectorXd d = -force_weight_ * motion(change);
   VectorXd places = change.places;
-  for (const auto& point : points_)
+  for (const auto& point : points())
     add_places(point, d, places.data() + point.first_slope);
   return places;
 }
 
 VectorXd PointSystem::force_after(const Change& change) const {
   VectorXd force = force_;
-  for (const auto& point : points_)
+  for (const auto& point : points())
     for (std::size_t q = 0; q < point.positions.size(); ++q)
       force[point.positions[q]] += force_on(point, q, change);
   return force;
 }
 
-VectorXd PointSystem::multipliers_of(const ActivePoint& point, const Change& change,
-                                     const VectorXd& moved) const {
+contact::PointVector PointSystem::multipliers_of(const ActivePoint& point, const Change& change,
+                                                 const VectorXd& moved) const {
   const auto& r = point.response;
   const Index d = r.components;
   const Index m = r.multipliers();
-  VectorXd right(d + m);
+  RowSizes right(d + m);
   right << change.force.segment(point.first(), d), -r.equations;
   for (std::size_t q = 0; q < point.positions.size(); ++q)
     right -= point.by_q.col(static_cast<Index>(q)).head(d + m) * moved[point.positions[q]];

@@ -34,11 +34,12 @@ struct ActivePoint {
   Eigen::MatrixXd spread;     ///< N over H there
   Eigen::MatrixXd by_q;       ///< Z_q, E_q, P there
   PointRows rows;             ///< A₂ and N there
-  Eigen::MatrixXd by_force;   ///< A₁
-  Eigen::VectorXd right;      ///< b
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> by_force; ///< A₁
+  contact::PointVector right;                                              ///< b
   /// Z_m over E_m, rows and columns scaled to entries of order one, factored.
-  Eigen::HouseholderQR<Eigen::MatrixXd> by_multiplier;
-  Eigen::VectorXd row_scale, column_scale;
+  Eigen::HouseholderQR<contact::MultiplierColumns> by_multiplier;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1> row_scale;
+  contact::PointVector column_scale;
   Eigen::Index first_slope = 0; ///< of its δξ among those of all points
 
   Eigen::Index first() const { return rows.first; }
@@ -52,8 +53,9 @@ public:
   PointSystem(Compliance& compliance, TouchedSurface& surface, double force_weight);
 
   void clear();
-  void add(std::size_t zone, std::size_t index, contact::Status status, contact::FactoredResponse response);
-  std::span<const ActivePoint> points() const { return points_; }
+  void add(std::size_t zone, std::size_t index, contact::Status status,
+           const contact::FactoredResponse& response);
+  std::span<const ActivePoint> points() const { return {points_.data(), count_}; }
   /// f_c, one a position [force].
   const Eigen::VectorXd& force() const { return force_; }
 
@@ -66,11 +68,12 @@ public:
   /// f_c with a change.
   Eigen::VectorXd force_after(const Change& change) const;
   /// δm of a point, given the whole change and how far the surface moved with it.
-  Eigen::VectorXd multipliers_of(const ActivePoint& point, const Change& change,
-                                 const Eigen::VectorXd& moved) const;
+  contact::PointVector multipliers_of(const ActivePoint& point, const Change& change,
+                                      const Eigen::VectorXd& moved) const;
 
 private:
-  void eliminate_multipliers(ActivePoint& point) const;
+  void eliminate_multipliers(ActivePoint& point);
+  std::span<ActivePoint> active() { return {points_.data(), count_}; }
   void touch_surface();
   bool factor_forces();
   std::optional<Change> refined(const Eigen::VectorXd& c);
@@ -84,7 +87,9 @@ private:
 
   Compliance& compliance_;
   double force_weight_;
-  std::vector<ActivePoint> points_;
+  std::vector<ActivePoint> points_; ///< the first count_ of them; others are storage
+  std::size_t count_ = 0;
+  Eigen::MatrixXd combined_; ///< storage of eliminate_multipliers
   Eigen::VectorXd force_;
   Eigen::Index forces_ = 0; ///< how many δz
   Eigen::Index places_ = 0; ///< how many δξ

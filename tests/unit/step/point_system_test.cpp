@@ -83,7 +83,7 @@ TEST_P(PointSystemWith, SolvesEachPointsEquations) {
   for (std::size_t i = 0; i < 12; ++i) {
     auto response = made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam());
     response.spread *= unit;
-    system.add(0, i, Status::stick, std::move(response));
+    system.add(0, i, Status::stick, response);
   }
   const auto& dofs = bulk.compliance.dof_of_position();
   const VectorXd d0 = random.matrix(static_cast<Index>(dofs.size()), 1);
