@@ -63,7 +63,7 @@ figures: ## docs/verification/*.svg from the runs that verify left (python3-matp
 	/usr/bin/python3 docs/verification/draw_histories.py build/release/verification/sdnl140 docs/verification \
 	  $(wildcard $(or $(RUBATO_SHARED),../shared)/sdnl140/code_aster)
 
-bench: build ## kernels and whole studies, into docs/performance.md (half an hour)
+bench: build ## kernels and whole studies, into docs/performance.md (an hour)
 	@cmake --build --preset release --target bench
 
 format: ## clang-format every source

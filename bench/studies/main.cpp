@@ -46,13 +46,18 @@ Measurement measure_apart(const std::string& name) {
   return from_json(text);
 }
 
-std::vector<Measurement> measure_all(const std::vector<std::string>& chosen) {
+/// The page has what is measured so far after every study: the large ones take long.
+std::string measure_all(const std::vector<std::string>& chosen, const std::string& page) {
   std::vector<Measurement> all;
+  std::string table;
   for (const auto& name : chosen) {
     fmt::print(stderr, "{} …\n", name);
     all.push_back(measure_apart(name));
+    table = table_of(all);
+    if (!page.empty())
+      write_part(page, "studies", fmt::format("{}\n\n{}", machine_line(), table));
   }
-  return all;
+  return table;
 }
 
 int run(int argc, char** argv) {
@@ -74,10 +79,8 @@ int run(int argc, char** argv) {
     fmt::print("{}\n", to_json(measure(study_named(one))));
     return 0;
   }
-  const auto table = table_of(measure_all(chosen.empty() ? names(quick) : chosen));
+  const auto table = measure_all(chosen.empty() ? names(quick) : chosen, page);
   fmt::print("{}\n\n{}", machine_line(), table);
-  if (!page.empty())
-    write_part(page, "studies", fmt::format("{}\n\n{}", machine_line(), table));
   if (!page.empty() && !kernels.empty())
     write_part(page, "kernels", fmt::format("{}\n\n{}", machine_line(), table_of_kernels(kernels)));
   return 0;

@@ -22,9 +22,9 @@ double gained(const step::EnergyLedger& ledger) {
 }
 
 std::string causes_of(const step::EnergyLedger& ledger) {
-  const auto impact = fmt::format("contact pressures gave {:.3g} more than they took", -ledger.impact);
-  const auto scheme = ledger.numerical < 0 ? fmt::format("the time scheme gave {:.3g}", -ledger.numerical)
-                                           : fmt::format("the time scheme took {:.3g}", ledger.numerical);
+  auto impact = fmt::format("contact pressures gave {:.3g} more than they took", -ledger.impact);
+  auto scheme = ledger.numerical < 0 ? fmt::format("the time scheme gave {:.3g}", -ledger.numerical)
+                                     : fmt::format("the time scheme took {:.3g}", ledger.numerical);
   if (ledger.numerical == 0)
     return impact;
   if (ledger.impact >= 0)
