@@ -256,15 +256,18 @@ Survival survive(const Variant& variant) {
   return survival;
 }
 
-double deviation_of_solvers(const Variant& variant) {
+SolverComparison compare_solvers(const Variant& variant) {
   std::array<results::Table, 2> histories;
+  std::array<int, 2> steps{};
   for (std::size_t i = 0; i < histories.size(); ++i) {
     const test::ScratchFolder folder;
     const auto study =
         study_of(variant, {{"solver", i == 0 ? "condensed" : "full"}, {"newton.residual", "1e-11"}});
     bool warned = false;
-    if (run_patiently(variant, study, folder / "run", warned).status != run::Status::complete)
-      return -1;
+    const auto result = run_patiently(variant, study, folder / "run", warned);
+    if (result.status != run::Status::complete)
+      return {};
+    steps[i] = result.steps;
     histories[i] = results::read_csv(folder / "run/probes.csv");
   }
   double largest = 0;
@@ -278,7 +281,7 @@ double deviation_of_solvers(const Variant& variant) {
         difference = std::max(difference, std::abs((*condensed)[i] - whole[i]));
     }
   }
-  return difference / largest;
+  return {difference / largest, steps[0], steps[1]};
 }
 
 } // namespace rubato::verification

@@ -49,8 +49,16 @@ struct Survival {
 /// it has.
 Survival survive(const Variant& variant);
 
-/// Largest difference of the tips' histories condensed and whole, at the instants that both have, over their
-/// largest displacement; both with a sharper residual. Negative when one of them did not come to its end.
-double deviation_of_solvers(const Variant& variant);
+/// A variant solved condensed and whole, both to a sharper residual.
+struct SolverComparison {
+  /// Largest difference of the tips' histories, at the instants that both have, over their largest
+  /// displacement; negative when one of them did not come to its end.
+  double difference = -1;
+  int steps_condensed = 0; ///< where one cuts a step that the other takes whole, these differ
+  int steps_whole = 0;
+
+  bool same_steps() const { return steps_condensed == steps_whole; }
+};
+SolverComparison compare_solvers(const Variant& variant);
 
 } // namespace rubato::verification
