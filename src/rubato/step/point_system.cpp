@@ -52,7 +52,8 @@ using RowSizes = decltype(ActivePoint::row_scale);
 RowSizes vector_sizes(const contact::MultiplierColumns& by_multiplier, Index components) {
   RowSizes sizes = by_multiplier.cwiseAbs().rowwise().maxCoeff();
   const auto join = [&](Index first, Index count) {
-    sizes.segment(first, count).setConstant(sizes.segment(first, count).maxCoeff());
+    if (count > 0)
+      sizes.segment(first, count).setConstant(sizes.segment(first, count).maxCoeff());
   };
   join(0, components);
   if (const Index tangents = components - 1; by_multiplier.cols() >= tangents)
