@@ -25,10 +25,6 @@ double factor_at(const std::optional<deck::Function>& function, double t) {
   return function ? load::value_at(*function, t) : 1.0;
 }
 
-double imposed_at(const model::Constraint& constraint, double t) {
-  return constraint.value * factor_at(constraint.function, t);
-}
-
 VectorXd inverse_masses(const Model& model) {
   VectorXd inverse = VectorXd::Zero(model.lumped_mass.size());
   for (const int dof : model.free_dofs) {
@@ -99,7 +95,7 @@ Spectrum ExplicitMotion::spectrum() const {
 
 void ExplicitMotion::place_supports() {
   for (const auto& constraint : model_->constraints) {
-    u_[constraint.dof] = imposed_at(constraint, t_);
+    u_[constraint.dof] = model::displacement_of(constraint, t_);
     if (constraint.function)
       supports_.push_back({&constraint});
   }
@@ -136,7 +132,7 @@ void ExplicitMotion::set_step(double step) {
   h_ = step;
   for (auto& support : supports_) {
     const int dof = support.constraint->dof;
-    v_[dof] = (u_[dof] - imposed_at(*support.constraint, t_ - h_)) / h_;
+    v_[dof] = (u_[dof] - model::displacement_of(*support.constraint, t_ - h_)) / h_;
   }
   energy_.kinetic += kinetic - energy().kinetic;
   for (auto& support : supports_)
@@ -146,7 +142,7 @@ void ExplicitMotion::set_step(double step) {
 void ExplicitMotion::step(double end) {
   for (const auto& support : supports_) {
     const int dof = support.constraint->dof;
-    v_[dof] = (imposed_at(*support.constraint, end) - u_[dof]) / h_;
+    v_[dof] = (model::displacement_of(*support.constraint, end) - u_[dof]) / h_;
   }
   leap(h_, inverse_mass_, unbalance_, v_, u_);
   const double begin = std::exchange(t_, end);
@@ -219,7 +215,7 @@ double ExplicitMotion::reaction_of(const MovingSupport& support) const {
 
 double ExplicitMotion::imposed_acceleration(const MovingSupport& support) const {
   const int dof = support.constraint->dof;
-  return ((imposed_at(*support.constraint, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
+  return ((model::displacement_of(*support.constraint, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
 }
 
 VectorXd ExplicitMotion::acceleration() const {
