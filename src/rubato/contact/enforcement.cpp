@@ -160,8 +160,11 @@ PointState measured(const Zone& zone, const SlavePoint& point, const VectorXd& m
   return state;
 }
 
+using Measure = decltype(measure_kinematics);
+
+/// `measure` says how much of the kinematics is wanted.
 void evaluate_pairs(const Zone& zone, std::span<const Pair> pairs, const VectorXd& multipliers,
-                    const Configuration& configuration, std::vector<PointEvaluation>& into) {
+                    const Configuration& configuration, Measure& measure, std::vector<PointEvaluation>& into) {
   into.resize(zone.points.size());
   for (std::size_t i = 0; i < zone.points.size(); ++i) {
     auto& evaluation = into[i];
@@ -171,7 +174,7 @@ void evaluate_pairs(const Zone& zone, std::span<const Pair> pairs, const VectorX
     else if (!evaluation.kinematics)
       evaluation.kinematics.emplace();
     if (evaluation.kinematics)
-      evaluate_kinematics(zone, zone.points[i], pairs[i], configuration, *evaluation.kinematics);
+      measure(zone, zone.points[i], pairs[i], configuration, *evaluation.kinematics);
     evaluation.variables = measured(zone, zone.points[i], multipliers, evaluation.kinematics);
   }
 }
@@ -263,14 +266,27 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dof
 std::vector<PointEvaluation> evaluate(const Zone& zone, const VectorXd& multipliers,
                                       const Configuration& configuration) {
   std::vector<PointEvaluation> evaluations;
-  evaluate_pairs(zone, find_pairs(zone, configuration), multipliers, configuration, evaluations);
+  evaluate_pairs(zone, find_pairs(zone, configuration), multipliers, configuration, evaluate_kinematics,
+                 evaluations);
   return evaluations;
 }
 
 void evaluate(NeighbourList& neighbours, const VectorXd& multipliers, const Configuration& configuration,
               std::vector<PointEvaluation>& into) {
   neighbours.update(configuration);
-  evaluate_pairs(neighbours.zone(), neighbours.pairs(), multipliers, configuration, into);
+  evaluate_pairs(neighbours.zone(), neighbours.pairs(), multipliers, configuration, evaluate_kinematics,
+                 into);
+}
+
+void measure(NeighbourList& neighbours, const VectorXd& multipliers, const Configuration& configuration,
+             std::vector<PointEvaluation>& into) {
+  neighbours.update(configuration);
+  evaluate_pairs(neighbours.zone(), neighbours.pairs(), multipliers, configuration, measure_kinematics, into);
+}
+
+void differentiate(const Zone& zone, std::size_t point, const Configuration& configuration,
+                   PointEvaluation& evaluation) {
+  evaluate_kinematics(zone, zone.points[point], evaluation.pair, configuration, *evaluation.kinematics);
 }
 
 std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> points) {
@@ -299,7 +315,7 @@ std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Co
                                              std::span<double> standing) {
   const auto& zone = neighbours.zone();
   std::vector<PointEvaluation> points;
-  evaluate(neighbours, VectorXd::Zero(zone.multiplier_count()), start, points);
+  measure(neighbours, VectorXd::Zero(zone.multiplier_count()), start, points);
   const Vector3d way =
       zone.obstacle ? zone.obstacle->way(start.t, start.t + law.step) : Vector3d::Zero().eval();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -325,8 +341,8 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
   PointLaw law{zone->settings.method,
                zone->settings.friction_method,
                friction,
-               coefficients.normal[index],
-               coefficients.tangential[index],
+               coefficients->normal[index],
+               coefficients->tangential[index],
                closing_gap * zone->edge(),
                zone->space_dimension - 1,
                std::nullopt};
@@ -341,6 +357,12 @@ std::vector<Status> wanted_status(const ZoneLaw& law, std::span<const PointEvalu
     if (points[i].kinematics && !law.zone->points[i].excluded)
       status[i] = wanted_status(points[i].variables, law.of_point(i));
   return status;
+}
+
+Vector3d force_of(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status) {
+  const auto& k = *evaluation.kinematics;
+  const auto traction = respond(evaluation.variables, status, law.of_point(point)).traction;
+  return -law.zone->points[point].weight * (traction[0] * k.normal + k.tangents * traction.tail<2>());
 }
 
 std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const PointEvaluation> points,

@@ -72,6 +72,14 @@ std::vector<PointEvaluation> evaluate(const Zone& zone, const Eigen::VectorXd& m
 void evaluate(NeighbourList& neighbours, const Eigen::VectorXd& multipliers,
               const Configuration& configuration, std::vector<PointEvaluation>& into);
 
+/// The same without the derivatives of what it measures.
+void measure(NeighbourList& neighbours, const Eigen::VectorXd& multipliers,
+             const Configuration& configuration, std::vector<PointEvaluation>& into);
+
+/// The derivatives of a paired point that was measured at this configuration.
+void differentiate(const Zone& zone, std::size_t point, const Configuration& configuration,
+                   PointEvaluation& evaluation);
+
 /// The points with the place on the master, normal and tangents they have now, held.
 std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> points);
 
@@ -122,19 +130,23 @@ struct ContactSystem {
   ContactSystem(Eigen::Index dofs, Eigen::Index multipliers);
 };
 
-/// How a zone's points are to behave in one attempt at a step.
+/// How a zone's points are to behave in one attempt at a step: a view.
 struct ZoneLaw {
   const Zone* zone = nullptr;
-  ZoneCoefficients coefficients = {};
+  const ZoneCoefficients* coefficients = nullptr;
   double friction = 0; ///< the zone's μ or, during continuation, a part of it
   /// P of every point, while a loop holds it; empty otherwise.
-  std::vector<double> held_thresholds = {};
+  std::span<const double> held_thresholds = {};
 
   PointLaw of_point(std::size_t index) const;
 };
 
 /// The statuses that the points' present variables call for; excluded and unpaired points are open.
 std::vector<Status> wanted_status(const ZoneLaw& law, std::span<const PointEvaluation> points);
+
+/// z = −w T of a point in contact: what the slave feels, internal side [force].
+Eigen::Vector3d force_of(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation,
+                         Status status);
 
 /// P of every point of those statuses; 0 where it is open.
 std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const PointEvaluation> points,

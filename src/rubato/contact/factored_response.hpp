@@ -22,7 +22,7 @@ using MultiplierColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 
 struct FactoredResponse {
   std::vector<int> dofs;           ///< of q
   int components = 0;              ///< d
-  int slopes = 0;                  ///< size of ξ; 0 in a held frame or on a corner
+  int slopes = 0;                  ///< size of ξ; 0 in a held frame or before an obstacle
   PointVector force;               ///< z, d entries
   Eigen::MatrixXd spread;          ///< N over H: d + slopes rows
   Eigen::MatrixXd by_q;            ///< Z_q, E_q, P: d + m + slopes rows
@@ -35,8 +35,5 @@ struct FactoredResponse {
 /// A point in contact, written into the storage of another one.
 void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status,
                      const fem::DofMap& dofs, FactoredResponse& into);
-
-/// δm of a point that is open: its equations know no displacements.
-PointVector release(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation);
 
 } // namespace rubato::contact

@@ -6,7 +6,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 namespace rubato::contact {
 namespace {
@@ -56,24 +58,38 @@ public:
         face_(zone.master.faces[static_cast<std::size_t>(pair.master_face)]), out_(out),
         coordinates_(deformed(face_, configuration)), clamped_(face_, coordinates_, projection_.clamped),
         slave_position_(position(point, configuration)),
-        slave_count_(static_cast<Index>(point.nodes.size())) {}
+        slave_count_(static_cast<Index>(point.nodes.size())) {
+    if (!adds_free_tangents())
+      return;
+    free_.emplace(face_, coordinates_, projection_.xi);
+    added_tangents_ = clamped_.at.tangents + free_->at.tangents;
+  }
 
-  void run() {
+  /// All but derivatives.
+  void measure() {
     collect_nodes();
-    if constexpr (Inside) {
-      vary_projection(clamped_);
-      vary_frame();
-    } else {
-      const PlaceOnFace free(face_, coordinates_, projection_.xi);
-      collect_free_weights(free.shape);
-      vary_projection(free);
-      if (zone_.settings.clamped_normal == deck::ClampedNormal::code_aster)
-        vary_frame(free);
-      else
-        vary_frame();
-    }
+    set_master_frame();
+    if constexpr (Turned)
+      set_turned_frame(slave_normal());
     measure_gap();
     measure_slip();
+  }
+
+  /// Derivatives of what has been measured.
+  void differentiate() {
+    collect_slopes();
+    if constexpr (!Inside) {
+      if (!free_)
+        free_.emplace(face_, coordinates_, projection_.xi);
+      collect_free_weights();
+    }
+    vary_projection();
+    set_master_frame();
+    vary_frame();
+    if constexpr (Turned)
+      turn_to_slave();
+    vary_gap();
+    vary_slip();
     expand();
   }
 
@@ -96,26 +112,29 @@ private:
   void collect_nodes() {
     out_.components = components;
     out_.parametric_dimension = Dimension;
-    out_.nodes.assign(point_.nodes.begin(), point_.nodes.end());
-    out_.nodes.insert(out_.nodes.end(), face_.node_span().begin(), face_.node_span().end());
-    const auto count = static_cast<Index>(out_.nodes.size());
+    const auto count = slave_count_ + face_.node_count;
+    out_.nodes.resize(static_cast<std::size_t>(count));
+    std::ranges::copy(face_.node_span(), std::ranges::copy(point_.nodes, out_.nodes.begin()).out);
     out_.shape.resize(count);
-    out_.shape_slope.setZero(count, 2);
     for (Index i = 0; i < slave_count_; ++i)
       out_.shape[i] = point_.shape[static_cast<std::size_t>(i)];
-    for (Index j = 0; j < face_.node_count; ++j) {
-      const auto node = static_cast<std::size_t>(j);
-      out_.shape[slave_count_ + j] = -clamped_.shape.values[node];
+    for (Index j = 0; j < face_.node_count; ++j)
+      out_.shape[slave_count_ + j] = -clamped_.shape.values[static_cast<std::size_t>(j)];
+  }
+
+  void collect_slopes() {
+    out_.shape_slope.setZero(out_.shape.size(), 2);
+    for (Index j = 0; j < face_.node_count; ++j)
       for (int a = 0; a < Dimension; ++a)
         out_.shape_slope(slave_count_ + j, a) = -gradient(clamped_.shape, j, a);
-    }
   }
 
   static double gradient(const FaceShape& shape, Index node, int direction) {
     return shape.gradients[static_cast<std::size_t>(node * Dimension + direction)];
   }
 
-  void collect_free_weights(const FaceShape& shape) {
+  void collect_free_weights() {
+    const auto& shape = free().shape;
     for (Index j = 0; j < face_.node_count; ++j) {
       free_weights_(0, j) = -shape.values[static_cast<std::size_t>(j)];
       for (int a = 0; a < Dimension; ++a)
@@ -124,16 +143,17 @@ private:
   }
 
   /// dξ̄, and dξ where it differs.
-  void vary_projection(const PlaceOnFace& free) {
-    const Vector3d r = slave_position_ - free.at.position;
+  void vary_projection() {
+    const auto& place = free();
+    const Vector3d r = slave_position_ - place.at.position;
     Eigen::Matrix<double, Dimension, columns> right = Eigen::Matrix<double, Dimension, columns>::Zero();
     Eigen::Matrix<double, Dimension, Dimension> slope;
     for (int a = 0; a < Dimension; ++a) {
-      const Vector3d t = free.at.tangents.col(a);
+      const Vector3d t = place.at.tangents.col(a);
       motion(right.row(a), free_start, 0) = in_space(t);
       motion(right.row(a), free_start, 1 + a) = in_space(r);
       for (int b = 0; b < Dimension; ++b)
-        slope(a, b) = t.dot(free.at.tangents.col(b)) - r.dot(curvature(free, a, b));
+        slope(a, b) = t.dot(place.at.tangents.col(b)) - r.dot(curvature(place, a, b));
     }
     d_free_.setZero();
     d_free_.template topRows<Dimension>() = slope.inverse() * right;
@@ -156,31 +176,46 @@ private:
       sum += v.dot(curvature(place, a, b)) * d_xi.row(b);
   }
 
-  /// The frame at the clamped place or, with Code_Aster, at the sum of both places' tangents t_a. Its turn
-  /// follows from n·dt_a = −t_a·dn and τ₂·dt₁ = |t₁| τ₂·dτ₁.
-  template <class... Free> void vary_frame(const Free&... free) {
-    Eigen::Matrix<double, 3, 2> t = clamped_.at.tangents;
-    for (int a = 0; a < Dimension; ++a)
-      ((t.col(a) += free.at.tangents.col(a)), ...);
+  /// The frame at the clamped place or, with Code_Aster, at the sum of both places' tangents t_a.
+  void set_master_frame() {
+    const auto& t = directions();
+    set_frame(t.col(0).cross(t.col(1)).normalized(), t.col(0).normalized());
+  }
+
+  const Eigen::Matrix<double, 3, 2>& directions() const {
+    return adds_free_tangents() ? added_tangents_ : clamped_.at.tangents;
+  }
+  bool adds_free_tangents() const {
+    return !Inside && zone_.settings.clamped_normal == deck::ClampedNormal::code_aster;
+  }
+
+  /// How that frame turns follows from n·dt_a = −t_a·dn and τ₂·dt₁ = |t₁| τ₂·dτ₁.
+  void vary_frame() {
+    const auto& t = directions();
     const auto along_tangent = [&](const Vector3d& v, int a) {
       Local<1> sum = Local<1>::Zero();
       add_tangent(v, a, clamped_, 0, rows_.template topRows<2>(), sum);
-      (add_tangent(v, a, free, free_start, d_free_, sum), ...);
+      if (adds_free_tangents())
+        add_tangent(v, a, free(), free_start, d_free_, sum);
       return sum;
     };
-    const double length = t.col(0).norm();
-    set_frame(t.col(0).cross(t.col(1)).normalized(), t.col(0) / length);
-    rows_.row(beta) = along_tangent(normal(), 0) / length;
+    const double inverse_length = 1 / t.col(0).norm();
+    rows_.row(beta) = inverse_length * along_tangent(normal(), 0);
     if constexpr (Dimension == 2) {
-      rows_.row(alpha) = along_tangent(tangent(1), 0) / length;
+      rows_.row(alpha) = inverse_length * along_tangent(tangent(1), 0);
       rows_.row(gamma) = (along_tangent(normal(), 1) - t.col(1).dot(tangent(0)) * rows_.row(beta)) /
                          t.col(1).dot(tangent(1));
     } else {
       rows_.row(alpha).setZero();
       rows_.row(gamma).setZero();
     }
-    if constexpr (Turned)
-      turn_to_slave();
+  }
+
+  const PlaceOnFace& free() const {
+    if constexpr (Inside)
+      return clamped_;
+    else
+      return *free_;
   }
 
   const Vector3d& normal() const { return out_.normal; }
@@ -191,20 +226,34 @@ private:
     out_.tangents.col(1) = unit_normal.cross(first_tangent);
   }
 
-  /// n_s, the unit of the sum over the slave faces at the point of their unit normals; fills its variation.
-  Vector3d slave_normal() {
+  PlaceOnFace place_of(const PointOnFace& on) const {
+    const auto& face = zone_.slave.faces[static_cast<std::size_t>(on.face)];
+    return {face, deformed(face, configuration_), on.xi};
+  }
+
+  static Vector3d area_vector(const PlaceOnFace& place) {
+    return place.at.tangents.col(0).cross(place.at.tangents.col(1));
+  }
+
+  /// n_s, the unit of the sum over the slave faces at the point of their unit normals.
+  Vector3d slave_normal() const {
+    Vector3d sum = Vector3d::Zero();
+    for (const auto& on : point_.stands_on)
+      sum += area_vector(place_of(on)).normalized();
+    return sum.normalized();
+  }
+
+  void vary_slave_normal() {
     Vector3d sum = Vector3d::Zero();
     auto& variation = out_.d_slave_normal;
     variation.setZero(3, slave_count_ * components);
     for (const auto& on : point_.stands_on) {
-      const auto& face = zone_.slave.faces[static_cast<std::size_t>(on.face)];
-      const PlaceOnFace place(face, deformed(face, configuration_), on.xi);
-      const Vector3d t1 = place.at.tangents.col(0);
-      const Vector3d t2 = place.at.tangents.col(1);
-      const Unit unit(t1.cross(t2));
+      const auto place = place_of(on);
+      const Unit unit(area_vector(place));
       sum += unit.direction;
-      const Matrix3d by_first = -(unit.derivative * cross_matrix(t2));
-      const Matrix3d by_second = unit.derivative * cross_matrix(t1);
+      const Matrix3d by_first = -(unit.derivative * cross_matrix(place.at.tangents.col(1)));
+      const Matrix3d by_second = unit.derivative * cross_matrix(place.at.tangents.col(0));
+      const auto& face = zone_.slave.faces[static_cast<std::size_t>(on.face)];
       for (Index i = 0; i < face.node_count; ++i) {
         auto block = variation.template middleCols<components>(
             components * local_slave_node(face.nodes[static_cast<std::size_t>(i)]));
@@ -218,7 +267,6 @@ private:
       auto block = variation.template middleCols<components>(i * components);
       block = (slave.derivative * block).eval();
     }
-    return slave.direction;
   }
 
   Index local_slave_node(mesh::NodeIndex node) const {
@@ -228,54 +276,71 @@ private:
     return i;
   }
 
+  bool averages() const { return zone_.settings.normal == deck::ContactNormal::average; }
+
   /// From the master's frame to one with the normal −n_s or n − n_s, made a unit. τ₁ keeps the master's first
-  /// direction as far as the turned normal allows.
+  /// direction as far as the turned normal allows. Returns the normal's length before.
+  double set_turned_frame(const Vector3d& slave) {
+    const Vector3d direction = (averages() ? normal() : Vector3d::Zero().eval()) - slave;
+    const Vector3d turned = direction.normalized();
+    const Vector3d along = tangent(0) - tangent(0).dot(turned) * turned;
+    set_frame(turned, along.normalized());
+    return direction.norm();
+  }
+
   void turn_to_slave() {
-    const bool average = zone_.settings.normal == deck::ContactNormal::average;
     const Vector3d n = normal(), t1 = tangent(0), t2 = tangent(1);
     const Local<row_count> master = rows_;
-    const Vector3d direction = (average ? n : Vector3d::Zero().eval()) - slave_normal();
-    const Vector3d turned = direction.normalized();
-    const double part = t1.dot(turned);
-    const Vector3d along = t1 - part * turned;
-    set_frame(turned, along.normalized());
+    vary_slave_normal();
+    const double length = set_turned_frame(slave_normal());
+    const double part = t1.dot(normal());
+    const double along = (t1 - part * normal()).norm();
     const auto against_normal = [&](const Vector3d& v) { // −v·dn
       Local<1> row = Local<1>::Zero();
       motion(row, turning_start, 0) = in_space(v);
-      if (average)
+      if (averages())
         row += v.dot(t1) * master.row(beta) + v.dot(t2) * master.row(gamma);
-      return (row / direction.norm()).eval();
+      return (row / length).eval();
     };
     rows_.row(beta) = against_normal(tangent(0));
     rows_.row(gamma) = against_normal(tangent(1));
     rows_.row(alpha) = (tangent(1).dot(t2) * master.row(alpha) + tangent(1).dot(n) * master.row(beta) +
                         part * rows_.row(gamma)) /
-                       along.norm();
+                       along;
   }
 
-  void measure_gap() {
-    const Vector3d apart = slave_position_ - clamped_.at.position;
-    out_.gap = normal().dot(apart);
+  Vector3d apart() const { return slave_position_ - clamped_.at.position; }
+
+  void measure_gap() { out_.gap = normal().dot(apart()); }
+
+  void vary_gap() {
     factors_.row(0).setZero();
-    factors_(0, beta) = -apart.dot(tangent(0));
-    factors_(0, gamma) = -apart.dot(tangent(1));
+    factors_(0, beta) = -apart().dot(tangent(0));
+    factors_(0, gamma) = -apart().dot(tangent(1));
     for (int a = 0; a < Dimension; ++a)
       factors_(0, xi1 + a) = -normal().dot(clamped_.at.tangents.col(a));
   }
 
+  Vector3d increment(Index node) const {
+    return configuration_.increment(out_.nodes[static_cast<std::size_t>(node)]);
+  }
+
   void measure_slip() {
-    Vector3d moved = Vector3d::Zero();
-    Eigen::Matrix<double, 3, 2> moved_slope = Eigen::Matrix<double, 3, 2>::Zero();
-    for (Index i = 0; i < out_.shape.size(); ++i) {
-      const Vector3d increment = configuration_.increment(out_.nodes[static_cast<std::size_t>(i)]);
-      moved += out_.shape[i] * increment;
-      for (int a = 0; a < Dimension; ++a)
-        moved_slope.col(a) += out_.shape_slope(i, a) * increment;
-    }
-    const Eigen::Vector2d along = out_.tangents.transpose() * moved;
-    const double across = normal().dot(moved);
+    moved_.setZero();
+    for (Index i = 0; i < out_.shape.size(); ++i)
+      moved_ += out_.shape[i] * increment(i);
     out_.slip.setZero();
-    out_.slip.head<Dimension>() = along.head<Dimension>();
+    for (int a = 0; a < Dimension; ++a)
+      out_.slip[a] = tangent(a).dot(moved_);
+  }
+
+  void vary_slip() {
+    Eigen::Matrix<double, 3, 2> moved_slope = Eigen::Matrix<double, 3, 2>::Zero();
+    for (Index i = slave_count_; i < out_.shape.size(); ++i)
+      for (int a = 0; a < Dimension; ++a)
+        moved_slope.col(a) += out_.shape_slope(i, a) * increment(i);
+    const Eigen::Vector2d along = out_.tangents.transpose() * moved_;
+    const double across = normal().dot(moved_);
     factors_.template block<2, 2>(1, xi1) = out_.tangents.transpose() * moved_slope;
     factors_.template block<2, 3>(1, alpha) =
         Eigen::Matrix<double, 2, 3>{{along[1], across, 0}, {-along[0], 0, across}};
@@ -341,8 +406,11 @@ private:
   Kinematics& out_;
   FaceCoordinates coordinates_;
   PlaceOnFace clamped_;
+  std::optional<PlaceOnFace> free_; ///< where it differs and has been asked for
+  Eigen::Matrix<double, 3, 2> added_tangents_; ///< of both, where the frame takes them
   Vector3d slave_position_;
   Index slave_count_;
+  Vector3d moved_; ///< the point relative to its place on the master, since the start of the step
   /// What a master node's displacement is multiplied with in the free place's motions, one a row.
   Eigen::Matrix<double, 1 + Dimension, 9> free_weights_;
   Local<2> d_free_;
@@ -352,22 +420,32 @@ private:
   Eigen::Matrix<double, 3, row_count> factors_;
 };
 
-template <int Dimension, bool Inside>
-void evaluate_turned(const Zone& zone, const SlavePoint& point, const Pair& pair,
-                     const Configuration& configuration, Kinematics& into) {
+/// Calls `visit` with the evaluation that is compiled for the point.
+template <int Dimension, bool Inside, class Visit>
+void with_turned(const Zone& zone, const SlavePoint& point, const Pair& pair,
+                 const Configuration& configuration, Kinematics& into, const Visit& visit) {
   if (zone.settings.normal == deck::ContactNormal::master)
-    Evaluation<Dimension, Inside, false>(zone, point, pair, configuration, into).run();
+    visit(Evaluation<Dimension, Inside, false>(zone, point, pair, configuration, into));
   else
-    Evaluation<Dimension, Inside, true>(zone, point, pair, configuration, into).run();
+    visit(Evaluation<Dimension, Inside, true>(zone, point, pair, configuration, into));
 }
 
-template <int Dimension>
-void evaluate_clamped(const Zone& zone, const SlavePoint& point, const Pair& pair,
-                      const Configuration& configuration, Kinematics& into) {
+template <int Dimension, class Visit>
+void with_clamped(const Zone& zone, const SlavePoint& point, const Pair& pair,
+                  const Configuration& configuration, Kinematics& into, const Visit& visit) {
   if (pair.projection.inside())
-    evaluate_turned<Dimension, true>(zone, point, pair, configuration, into);
+    with_turned<Dimension, true>(zone, point, pair, configuration, into, visit);
   else
-    evaluate_turned<Dimension, false>(zone, point, pair, configuration, into);
+    with_turned<Dimension, false>(zone, point, pair, configuration, into, visit);
+}
+
+template <class Visit>
+void with_evaluation(const Zone& zone, const SlavePoint& point, const Pair& pair,
+                     const Configuration& configuration, Kinematics& into, const Visit& visit) {
+  if (configuration.dofs->components == 2)
+    with_clamped<1>(zone, point, pair, configuration, into, visit);
+  else
+    with_clamped<2>(zone, point, pair, configuration, into, visit);
 }
 
 } // namespace
@@ -382,11 +460,18 @@ Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const 
 void evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                          const Configuration& configuration, Kinematics& into) {
   if (zone.obstacle)
-    evaluate_before(*zone.obstacle, point, configuration, into);
-  else if (configuration.dofs->components == 2)
-    evaluate_clamped<1>(zone, point, pair, configuration, into);
-  else
-    evaluate_clamped<2>(zone, point, pair, configuration, into);
+    return evaluate_before(*zone.obstacle, point, configuration, into);
+  with_evaluation(zone, point, pair, configuration, into, [](auto&& evaluation) {
+    evaluation.measure();
+    evaluation.differentiate();
+  });
+}
+
+void measure_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
+                        const Configuration& configuration, Kinematics& into) {
+  if (zone.obstacle)
+    return evaluate_before(*zone.obstacle, point, configuration, into);
+  with_evaluation(zone, point, pair, configuration, into, [](auto&& evaluation) { evaluation.measure(); });
 }
 
 Kinematics with_held_frame(Kinematics k) {
@@ -396,7 +481,7 @@ Kinematics with_held_frame(Kinematics k) {
   for (auto& variation : k.d_tangent)
     variation.setZero(3, unknowns);
   k.d_slave_normal.resize(3, 0);
-  k.shape_slope.setZero();
+  k.shape_slope.setZero(k.shape.size(), 2);
   k.d_gap.resize(unknowns);
   k.d_slip.setZero(2, unknowns);
   for (Eigen::Index node = 0; node < k.shape.size(); ++node)

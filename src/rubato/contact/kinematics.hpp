@@ -70,6 +70,11 @@ Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const 
 void evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                          const Configuration& configuration, Kinematics& into);
 
+/// The same without derivatives, which stay whatever they were. Before an obstacle they cost nothing and are
+/// there.
+void measure_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
+                        const Configuration& configuration, Kinematics& into);
+
 /// The same point with its place on the master, normal and tangents held: only gap and slip follow the
 /// bodies. The relation is linear in q then.
 Kinematics with_held_frame(Kinematics kinematics);

@@ -13,6 +13,8 @@ using Eigen::Vector3d;
 
 /// Code_Aster's TOLE_PROJ_EXT.
 constexpr double largest_overshoot = 0.5;
+/// Squared distances this near to each other, relatively, may be the same.
+constexpr double rounding = 1e-9;
 
 /// The nodes of a surface as nanoflann wants to see them.
 struct NodeCloud {
@@ -42,12 +44,25 @@ struct Candidate {
   }
 };
 
+/// Whether no place of the face can be as near to the point as that. Only faces without midside nodes lie in
+/// the box of their nodes.
+bool is_farther(const Face& face, const FaceCoordinates& nodes, const Vector3d& point, double distance) {
+  if (face.node_count != mesh::topology(face.type).corner_count)
+    return false;
+  const Vector3d below = nodes.rowwise().minCoeff() - point;
+  const Vector3d above = point - nodes.rowwise().maxCoeff();
+  const double squared = below.cwiseMax(above).cwiseMax(0.0).squaredNorm();
+  return squared > (1 + rounding) * distance * distance;
+}
+
 /// Tries one more face.
 void consider(const Zone& zone, int face_index, const Vector3d& point, const Configuration& configuration,
               Candidate& best) {
   const auto& face = zone.master.faces[static_cast<std::size_t>(face_index)];
   const auto nodes = deformed(face, configuration);
   const bool one_inside = best.face >= 0 && best.projection.inside();
+  if (one_inside && is_farther(face, nodes, point, best.distance))
+    return;
   Candidate candidate{face_index, project(face.type, nodes, point, one_inside ? Wanted::inside : Wanted::any),
                       0};
   if (one_inside && !candidate.projection.inside())

@@ -147,6 +147,42 @@ template <class Kind> FaceGeometry geometry_of(const FaceCoordinates& nodes, con
   return at;
 }
 
+/// Position and derivatives of a face, place after place.
+template <class Kind> class FaceMap {
+public:
+  FaceMap(const FaceCoordinates& nodes, const fem::ReferenceCell& cell) : nodes_(nodes), cell_(cell) {}
+  FaceGeometry at(const Vector2d& xi) const { return geometry_of<Kind>(nodes_, shape_of<Kind>(cell_, xi)); }
+
+private:
+  const FaceCoordinates& nodes_;
+  const fem::ReferenceCell& cell_;
+};
+
+/// x = a + ξ b + η c + ξη d
+template <> class FaceMap<FaceKind<2, 4>> {
+public:
+  FaceMap(const FaceCoordinates& nodes, const fem::ReferenceCell& /*unused*/) {
+    const Vector3d below = 0.25 * (nodes.col(0) + nodes.col(1)), above = 0.25 * (nodes.col(2) + nodes.col(3));
+    const Vector3d along = 0.25 * (nodes.col(1) - nodes.col(0)), back = 0.25 * (nodes.col(2) - nodes.col(3));
+    a_ = above + below;
+    c_ = above - below;
+    b_ = back + along;
+    d_ = back - along;
+  }
+  FaceGeometry at(const Vector2d& xi) const {
+    FaceGeometry geometry;
+    geometry.tangents.col(0) = b_ + xi[1] * d_;
+    geometry.tangents.col(1) = c_ + xi[0] * d_;
+    geometry.position = a_ + xi[0] * geometry.tangents.col(0) + xi[1] * c_;
+    geometry.curvatures[0] = {Vector3d::Zero(), d_};
+    geometry.curvatures[1] = {d_, Vector3d::Zero()};
+    return geometry;
+  }
+
+private:
+  Vector3d a_, b_, c_, d_;
+};
+
 struct Step {
   Vector2d by;
   bool by_newton;
@@ -192,9 +228,10 @@ template <class Kind> double beyond(const Vector2d& xi) {
 template <class Kind>
 void iterate(const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted,
              const fem::ReferenceCell& cell, Projection& result) {
+  const FaceMap<Kind> face(nodes, cell);
   double before = 0;
   for (int iteration = 0; iteration < max_iterations && !result.converged; ++iteration) {
-    const auto at = geometry_of<Kind>(nodes, shape_of<Kind>(cell, result.xi));
+    const auto at = face.at(result.xi);
     const auto step = next_step<Kind>(at, point);
     if (!step.by.allFinite())
       break;
@@ -228,7 +265,8 @@ FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Fa
 }
 
 FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
-  return face_geometry(type, nodes, face_shape(type, xi));
+  const auto& cell = fem::reference_cell(type);
+  return with_kind(type, [&](auto kind) { return FaceMap<decltype(kind)>(nodes, cell).at(xi); });
 }
 
 Vector3d face_position(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {

@@ -66,6 +66,22 @@ std::vector<double> factor_diagonal(const cholmod_factor& factor) {
   return diagonal;
 }
 
+/// The columns from `first` on of a factor without supernodes.
+Eigen::MatrixXd trailing_columns(const cholmod_factor& factor, Index first) {
+  const auto* starts = static_cast<const Index*>(factor.p);
+  const auto* counts = static_cast<const Index*>(factor.nz);
+  const auto* rows = static_cast<const Index*>(factor.i);
+  const auto* values = static_cast<const double*>(factor.x);
+  const auto size = static_cast<Index>(factor.n) - first;
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(size, size);
+  for (Index column = 0; column < size; ++column)
+    for (Index k = 0; k < counts[first + column]; ++k) {
+      const Index entry = starts[first + column] + k;
+      columns(rows[entry] - first, column) = values[entry];
+    }
+  return columns;
+}
+
 /// Rounding can leave a tiny positive pivot where the exact one is zero or negative. L_ii² / A_ii is the part
 /// of the stiffness of unknown i that the unknowns before it leave over; it does not depend on units or
 /// scaling.
@@ -199,7 +215,7 @@ void CholmodEngine::analyse(LowerTriangle& lower, Index trailing) {
   auto order = interior_ordering(lower, trailing);
   common_.method[0].ordering = CHOLMOD_GIVEN;
   common_.postorder = 0; // it would not leave the trailing unknowns where they are
-  common_.supernodal = CHOLMOD_SUPERNODAL;
+  common_.supernodal = CHOLMOD_AUTO;
   auto matrix = lower.view();
   factor_ = cholmod_l_analyze_p(&matrix, order.data(), nullptr, 0, &common_);
   if (factor_ == nullptr)
@@ -255,6 +271,12 @@ TrailingTriangle CholmodEngine::trailing(Index size) const {
   if (size == 0)
     return triangle;
   const auto first = static_cast<Index>(factor_->n) - size;
+  if (!factor_->is_super) {
+    triangle.copy = trailing_columns(*factor_, first);
+    triangle.values = triangle.copy.data();
+    triangle.stride = size;
+    return triangle;
+  }
   const auto last_node = supernode(*factor_, factor_->nsuper - 1);
   if (last_node.first <= first) {
     triangle.stride = last_node.columns;

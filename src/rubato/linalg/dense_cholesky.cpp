@@ -3,6 +3,8 @@
 
 #include "rubato/linalg/blas_threads.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <limits>
 #include <stdexcept>
 
@@ -11,6 +13,12 @@ extern "C" void dposv_(const char* triangle, const int* size, const int* right_s
                        const int* stride, double* values, const int* values_stride, int* info);
 
 namespace rubato::linalg {
+namespace {
+
+/// Eigen is done with such a matrix before LAPACK has begun.
+constexpr int small = 48;
+
+} // namespace
 
 Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd right_side) {
   const auto size = static_cast<int>(right_side.size());
@@ -18,6 +26,14 @@ Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd 
     throw std::invalid_argument("a right side of another size than the matrix");
   if (size == 0)
     return right_side;
+  if (size <= small) {
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(matrix);
+    if (factor.info() == Eigen::Success)
+      factor.solveInPlace(right_side);
+    else
+      right_side.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return right_side;
+  }
   use_one_blas_thread_by_default();
   const int one = 1;
   int info = 0;

@@ -19,6 +19,14 @@ namespace rubato::linalg {
 namespace {
 
 constexpr double singular = 1e-15;
+/// Pivots within this factor leave no doubt: the estimate costs more than the factors of a small matrix.
+constexpr double doubtful = 1e-6;
+constexpr Eigen::Index small = 48;
+
+bool beyond_doubt(const Eigen::MatrixXd& factors) {
+  const auto pivots = factors.diagonal().cwiseAbs();
+  return pivots.minCoeff() > doubtful * pivots.maxCoeff();
+}
 
 /// LAPACK's estimate in the 1-norm.
 double reciprocal_condition(const Eigen::MatrixXd& factors, double matrix_norm) {
@@ -39,8 +47,13 @@ std::optional<DenseLu> DenseLu::of(Eigen::MatrixXd matrix) {
     throw std::invalid_argument("LU factors of a matrix that is not square");
   if (!matrix.allFinite())
     return std::nullopt;
-  use_one_blas_thread_by_default();
   DenseLu lu;
+  if (matrix.rows() > 0 && matrix.rows() <= small) {
+    lu.small_.emplace(matrix);
+    const bool sound = beyond_doubt(lu.small_->matrixLU()) || lu.small_->rcond() > singular;
+    return sound ? std::optional(std::move(lu)) : std::nullopt;
+  }
+  use_one_blas_thread_by_default();
   lu.factors_ = std::move(matrix);
   const auto size = static_cast<int>(lu.factors_.rows());
   if (size == 0)
@@ -49,15 +62,19 @@ std::optional<DenseLu> DenseLu::of(Eigen::MatrixXd matrix) {
   lu.pivots_.resize(static_cast<std::size_t>(size));
   int info = 0;
   dgetrf_(&size, &size, lu.factors_.data(), &size, lu.pivots_.data(), &info);
-  if (info != 0 || !(reciprocal_condition(lu.factors_, norm) > singular))
+  if (info != 0)
+    return std::nullopt;
+  if (!beyond_doubt(lu.factors_) && !(reciprocal_condition(lu.factors_, norm) > singular))
     return std::nullopt;
   return lu;
 }
 
 Eigen::VectorXd DenseLu::solve(Eigen::VectorXd right_side) const {
-  const auto size = static_cast<int>(factors_.rows());
+  const auto size = static_cast<int>(small_ ? small_->rows() : factors_.rows());
   if (right_side.size() != size)
     throw std::invalid_argument("a right side of another size than the factored matrix");
+  if (small_)
+    return small_->solve(right_side);
   const int one = 1;
   int info = 0;
   if (size > 0)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// LU factors of a dense general matrix (LAPACK).
+/// LU factors of a dense general matrix: LAPACK's, of small ones Eigen's, which are done before LAPACK has begun.
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <optional>
 #include <vector>
@@ -19,7 +20,8 @@ public:
   Eigen::VectorXd solve(Eigen::VectorXd right_side) const;
 
 private:
-  Eigen::MatrixXd factors_;
+  std::optional<Eigen::PartialPivLU<Eigen::MatrixXd>> small_;
+  Eigen::MatrixXd factors_; ///< of LAPACK
   std::vector<int> pivots_;
 };
 

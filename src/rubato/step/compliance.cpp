@@ -2,6 +2,7 @@
 #include "rubato/step/compliance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace rubato::step {
@@ -15,6 +16,42 @@ using Eigen::Index;
 constexpr int block_size = 32;
 /// Surfaces up to this size get all their columns at once.
 constexpr int small_surface = 256;
+
+/// Adds multiples of columns to a sum, several in one pass over it.
+class Columns {
+public:
+  Columns(double* sum, int size) : sum_(sum), size_(size) {}
+
+  void add(double factor, const double* column) {
+    factors_[count_] = factor;
+    columns_[count_] = column;
+    if (++count_ < at_once)
+      return;
+    count_ = 0;
+    const auto [a, b, c, d] = factors_;
+    const double* const p = columns_[0];
+    const double* const q = columns_[1];
+    const double* const r = columns_[2];
+    const double* const s = columns_[3];
+    for (int i = 0; i < size_; ++i)
+      sum_[i] += (a * p[i] + b * q[i]) + (c * r[i] + d * s[i]);
+  }
+
+  void add_rest() {
+    for (std::size_t k = 0; k < count_; ++k)
+      for (int i = 0; i < size_; ++i)
+        sum_[i] += factors_[k] * columns_[k][i];
+    count_ = 0;
+  }
+
+private:
+  static constexpr std::size_t at_once = 4;
+  double* sum_;
+  int size_;
+  std::size_t count_ = 0;
+  std::array<double, at_once> factors_{};
+  std::array<const double*, at_once> columns_{};
+};
 
 } // namespace
 
@@ -59,20 +96,35 @@ Eigen::MatrixXd Compliance::between(std::span<const int> positions) {
   return s;
 }
 
-void Compliance::add(double factor, std::span<const int> positions, std::span<const double> force,
-                     Eigen::VectorXd& d) {
-  prepare(positions);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto from = static_cast<std::size_t>(positions[i]);
-    const auto& body = bodies_[static_cast<std::size_t>(body_of_[from])];
-    d.segment(body.first, body.size) += factor * force[i] * columns_[from];
+Eigen::MatrixXd Compliance::within_body(std::span<const int> positions) {
+  const auto size = static_cast<Index>(positions.size());
+  Eigen::MatrixXd s(size, size);
+  double* entry = s.data();
+  for (const int from : positions) {
+    const double* values = column(from);
+    const int first = bodies_[static_cast<std::size_t>(body_of_[static_cast<std::size_t>(from)])].first;
+    for (const int to : positions)
+      *entry++ = values[to - first];
   }
+  return s;
 }
 
 void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
-  for (int i = 0; i < force.size(); ++i)
-    if (force[i] != 0)
-      add(factor, {&i, 1}, {&force[i], 1}, d);
+  for (const auto& body : bodies_) {
+    Columns some(d.data() + body.first, body.size);
+    for (int i = body.first; i < body.first + body.size; ++i)
+      if (force[i] != 0)
+        some.add(factor * force[i], column(i));
+    some.add_rest();
+  }
+}
+
+/// Of its body.
+const double* Compliance::column(int position) {
+  const auto& known = columns_[static_cast<std::size_t>(position)];
+  if (known.size() == 0)
+    prepare({&position, 1});
+  return known.data();
 }
 
 void Compliance::prepare(std::span<const int> positions) {

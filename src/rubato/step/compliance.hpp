@@ -32,9 +32,9 @@ public:
   Eigen::MatrixXd between_unknowns(std::span<const int> unknowns);
   /// S for these positions.
   Eigen::MatrixXd between(std::span<const int> positions);
-  /// d += factor S force, all positions, with the force given by its entries at some of them.
-  void add(double factor, std::span<const int> positions, std::span<const double> force, Eigen::VectorXd& d);
-  /// The same with a force that is zero at most positions.
+  /// The same for positions that all lie on the body of the first.
+  Eigen::MatrixXd within_body(std::span<const int> positions);
+  /// d += factor S force, one a position; cheap where most of the force is zero.
   void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
   /// Computes what is still missing of the columns of these positions, with their neighbours': many at once
   /// cost far less than one by one.
@@ -47,6 +47,7 @@ private:
     int size = 0;
   };
   void compute(std::size_t body, int first, int count);
+  const double* column(int position);
 
   linalg::SplitFactor factor_;
   std::vector<int> dofs_;

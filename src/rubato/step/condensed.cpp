@@ -17,7 +17,7 @@ using model::Model;
 /// Frames that the guess of the contact goes through.
 constexpr int guess_rounds = 10;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
-constexpr double settled_guess = 1e-3;
+constexpr double settled_guess = 1e-2;
 
 /// Which of their points stick and which slip is often not unique: the last step's statuses are the better
 /// start then, and the one that other codes take.
@@ -30,22 +30,23 @@ bool owns_its_multipliers(const contact::Zone& zone) {
 }
 
 /// Nothing of an attempt before is seen but the storage it left.
-CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme) {
+CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme, int components) {
   if (!system.scratch)
-    system.scratch = std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight());
+    system.scratch =
+        std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(), components);
   system.scratch->forget();
   return *system.scratch;
 }
 
 } // namespace
 
-CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight)
+CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components)
     : surface(compliance), points(compliance, surface, force_weight),
-      guess(compliance, surface, force_weight) {}
+      guess(compliance, surface, force_weight, components) {}
 
 void CondensedScratch::forget() {
   surface.forget();
-  points.clear();
+  points.forget();
   guess.forget();
 }
 
@@ -59,7 +60,7 @@ bool can_condense(const Model& model, const EffectiveSystem& system) {
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                      const State& committed, double t, const ContactSide& side)
     : model_(model), scheme_(scheme), system_(system), side_(side),
-      equilibrium_(model, scheme, system, committed, t), scratch_(scratch_of(system, scheme)),
+      equilibrium_(model, scheme, system, committed, t), scratch_(scratch_of(system, scheme, model.dofs.components)),
       scale_(committed.force_scale) {}
 
 StepReport Condensed::run(State& trial, const Held& held) {
@@ -75,7 +76,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
   CycleWatch cycle;
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
-    if (!points().force().allFinite())
+    if (!force().allFinite())
       return ended(Outcome::not_finite);
     if (iteration > 0 && settled(held)) {
       move_bulk(trial);
@@ -89,7 +90,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
         return ended(Outcome::not_finite);
       start_from(trial);
     }
-    if (iteration > 0 && report_.status_changes > 0 && cycle.has_met(now(), points().force().norm()))
+    if (iteration > 0 && report_.status_changes > 0 && cycle.has_met(now(), force().norm()))
       return ended(Outcome::cycling);
     if (iteration == model_.study.newton.max_iterations)
       break;
@@ -111,7 +112,7 @@ std::vector<WorstNode> Condensed::worst_on_surface() const {
   std::vector<mesh::NodeIndex> nodes;
   for (const int dof : system_.compliance->dof_of_position())
     nodes.push_back(model_.node_of(dof));
-  const VectorXd left = scheme_.contact_weight() * (points().force() - applied_);
+  const VectorXd left = scheme_.contact_weight() * (force() - applied_);
   return worst_nodes(left, nodes, surface_scale());
 }
 
@@ -125,14 +126,15 @@ void Condensed::start_from(const State& trial) {
   moved_ = applied_ = VectorXd::Zero(free_.size());
 }
 
-/// Contact in frames that follow the surface, until the forces fit the frames they lead to. Points that press
-/// in the end touch at first, all others are open.
+/// Contact in frames that follow the surface, until the forces fit the frames they lead to, beginning where
+/// the forces of the last step would push it. Points that press in the end touch at first, all others are open.
 void Condensed::guess_contact(State& trial, const Held& held) {
   auto& guess = scratch_.guess;
   auto& points = scratch_.guess_points;
+  move_surface(trial.contact_force(system_.compliance->dof_of_position()), trial);
   for (int round = 0; round < guess_rounds; ++round) {
     side_.measure(trial, held, now());
-    const bool same = linearise(model_, side_, held, *system_.compliance, now(), moved_, trial,
+    const bool same = measure_points(model_, side_, held, *system_.compliance, now(), moved_, trial,
                                 round == 0 ? GuessForces::of_last_step : GuessForces::kept, points);
     if (!same)
       guess.forget();
@@ -154,14 +156,28 @@ void Condensed::evaluate_contact(const State& trial, const Held& held, int itera
   measured_ = false;
   if (iteration > 0)
     side_.renew_status(held, now());
-  points().clear();
+  collect_forces(held);
+}
+
+void Condensed::collect_forces(const Held& held) {
+  scratch_.in_contact.clear();
+  scratch_.force.setZero(free_.size());
+  const auto& position = system_.compliance->position_of_dof();
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto law = side_.law_of(z, held);
-    for (std::size_t i = 0; i < now().status[z].size(); ++i)
-      if (const auto status = now().status[z][i]; status != Status::open) {
-        contact::factor_response(law, i, now().points[z][i], status, model_.dofs, scratch_.response);
-        points().add(z, i, status, scratch_.response);
-      }
+    for (std::size_t i = 0; i < now().status[z].size(); ++i) {
+      const auto status = now().status[z][i];
+      if (status == Status::open)
+        continue;
+      const auto& point = now().points[z][i];
+      const auto& k = *point.kinematics;
+      const Eigen::Vector3d z_force = contact::force_of(law, i, point, status);
+      scratch_.in_contact.push_back({z, i, status, z_force});
+      for (std::size_t node = 0; node < k.nodes.size(); ++node)
+        for (int c = 0; c < k.components; ++c)
+          if (const int at = position[static_cast<std::size_t>(model_.dofs.dof(k.nodes[node], c))]; at >= 0)
+            scratch_.force[at] += k.shape[static_cast<Index>(node)] * z_force[c];
+    }
   }
 }
 
@@ -174,27 +190,39 @@ bool Condensed::settled(const Held& held) {
 
 /// Until the bulk has been solved for, forces are measured by what they were measured by in the last step.
 double Condensed::surface_scale() const {
-  return std::max(scale_, scheme_.contact_weight() * points().force().lpNorm<Eigen::Infinity>());
+  return std::max(scale_, scheme_.contact_weight() * force().lpNorm<Eigen::Infinity>());
 }
 
 void Condensed::measure_surface() {
-  const auto& force = points().force();
   Index worst = 0;
   const double largest =
-      force.size() > 0 ? scheme_.contact_weight() * (force - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
+      force().size() > 0 ? scheme_.contact_weight() * (force() - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
   report_.residual = largest == 0 ? 0 : largest / surface_scale();
-  if (force.size() > 0)
+  if (force().size() > 0)
     report_.worst_node =
         model_.node_of(system_.compliance->dof_of_position()[static_cast<std::size_t>(worst)]);
 }
 
+/// How the points in contact answer, in their linear system.
+void Condensed::linearise(const State& trial, const Held& held) {
+  auto& points = scratch_.points;
+  points.clear();
+  for (const auto& point : scratch_.in_contact) {
+    side_.differentiate(trial, held, point.zone, point.index, now());
+    contact::factor_response(side_.law_of(point.zone, held), point.index,
+                             now().points[point.zone][point.index], point.status, model_.dofs,
+                             points.add(point.zone, point.index));
+  }
+}
+
 bool Condensed::iterate(State& trial, const Held& held) {
-  const auto change = points().solve(free_ - moved_);
+  linearise(trial, held);
+  const auto change = scratch_.points.solve(free_ - moved_);
   if (!change)
     return false;
   const VectorXd before = moved_;
-  move_surface(points().force_after(*change), trial);
-  correct_multipliers(held, *change, moved_ - before, trial);
+  move_surface(scratch_.points.force_after(*change), trial);
+  correct_multipliers(*change, moved_ - before, trial);
   return moved_.allFinite();
 }
 
@@ -208,24 +236,22 @@ void Condensed::move_surface(const VectorXd& force, State& trial) {
     trial.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];
 }
 
-void Condensed::correct_multipliers(const Held& held, const PointSystem::Change& change,
-                                    const VectorXd& moved, State& trial) const {
-  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+/// Open points have none.
+void Condensed::correct_multipliers(const PointSystem::Change& change, const VectorXd& moved,
+                                    State& trial) const {
+  const auto of_point = [&](std::size_t z, std::size_t i) {
     const auto& zone = model_.zones[z];
     const auto count = static_cast<Index>(zone.multipliers_per_node());
-    if (count == 0)
-      continue;
-    const auto law = side_.law_of(z, held);
-    for (std::size_t i = 0; i < zone.points.size(); ++i)
+    return trial.zones[z].multipliers.segment(zone.points[i].node_position * count, count);
+  };
+  for (std::size_t z = 0; z < model_.zones.size(); ++z)
+    for (std::size_t i = 0; i < now().status[z].size(); ++i)
       if (now().status[z][i] == Status::open)
-        trial.zones[z].multipliers.segment(zone.points[i].node_position * count, count) +=
-            contact::release(law, i, now().points[z][i]);
-  }
-  for (const auto& point : points().points())
-    if (const Index count = point.response.multipliers(); count > 0)
-      trial.zones[point.zone].multipliers.segment(
-          model_.zones[point.zone].points[point.index].node_position * count, count) +=
-          points().multipliers_of(point, change, moved);
+        of_point(z, i).setZero();
+  const auto& points = scratch_.points;
+  for (const auto& point : points.points())
+    if (point.response.multipliers() > 0)
+      of_point(point.zone, point.index) += points.multipliers_of(point, change, moved);
 }
 
 /// The whole motion that belongs to the forces on the surface.
@@ -241,15 +267,19 @@ void Condensed::move_bulk(State& trial) {
 
 ContactForce Condensed::contact_force() const {
   ContactForce force(base_.u.size());
-  for (const auto& point : points().points()) {
-    const auto& r = point.response;
+  for (const auto& point : scratch_.in_contact) {
+    const auto& k = *now().points[point.zone][point.index].kinematics;
     const auto& settings = model_.zones[point.zone].settings;
-    const VectorXd on_q = r.spread.topRows(r.components).transpose() * r.force;
-    force.all(r.dofs) += on_q;
-    if (!settings.history_force)
-      force.forgotten(r.dofs) += on_q;
-    if (deck::is_nodal(settings.method))
-      force.nodal(r.dofs) += on_q;
+    for (std::size_t node = 0; node < k.nodes.size(); ++node)
+      for (int c = 0; c < k.components; ++c) {
+        const int dof = model_.dofs.dof(k.nodes[node], c);
+        const double on_dof = k.shape[static_cast<Index>(node)] * point.force[c];
+        force.all[dof] += on_dof;
+        if (!settings.history_force)
+          force.forgotten[dof] += on_dof;
+        if (deck::is_nodal(settings.method))
+          force.nodal[dof] += on_dof;
+      }
   }
   return force;
 }

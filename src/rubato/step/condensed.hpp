@@ -22,6 +22,14 @@ namespace rubato::step {
 /// Whether every contact point of the model owns its multipliers and A is factored.
 bool can_condense(const model::Model& model, const EffectiveSystem& system);
 
+/// A point in contact and its force z (contact/factored_response.hpp).
+struct PointInContact {
+  std::size_t zone = 0;
+  std::size_t index = 0;
+  contact::Status status = contact::Status::open;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+};
+
 /// Storage that one attempt leaves to the next.
 struct CondensedScratch {
   ContactIterate now, previous;
@@ -29,10 +37,11 @@ struct CondensedScratch {
   PointSystem points;
   ContactGuess guess;
   std::vector<GuessPoint> guess_points;
-  contact::FactoredResponse response;
+  std::vector<PointInContact> in_contact;
+  Eigen::VectorXd force; ///< theirs on the surface, one a position
 
   /// The compliance must outlive this.
-  CondensedScratch(Compliance& compliance, double force_weight);
+  CondensedScratch(Compliance& compliance, double force_weight, int components);
   void forget();
 };
 
@@ -48,20 +57,21 @@ public:
 private:
   ContactIterate& now() { return scratch_.now; }
   ContactIterate& previous() { return scratch_.previous; }
-  PointSystem& points() { return scratch_.points; }
   const ContactIterate& now() const { return scratch_.now; }
-  const PointSystem& points() const { return scratch_.points; }
+  const Eigen::VectorXd& force() const { return scratch_.force; }
 
   void start_from(const State& trial);
   void guess_contact(State& trial, const Held& held);
   void evaluate_contact(const State& trial, const Held& held, int iteration);
+  void collect_forces(const Held& held);
   bool settled(const Held& held);
   void measure_surface();
   double surface_scale() const;
   std::vector<WorstNode> worst_on_surface() const;
+  void linearise(const State& trial, const Held& held);
   bool iterate(State& trial, const Held& held);
   void move_surface(const Eigen::VectorXd& force, State& trial);
-  void correct_multipliers(const Held& held, const PointSystem::Change& change, const Eigen::VectorXd& moved,
+  void correct_multipliers(const PointSystem::Change& change, const Eigen::VectorXd& moved,
                            State& trial) const;
   void move_bulk(State& trial);
   ContactForce contact_force() const;

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace rubato::step {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 /// Along the slips of a point.
 using Tangential = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
@@ -23,11 +25,12 @@ constexpr int most_sets = 30;
 /// Points that the forces of others push into the master join in so many rounds.
 constexpr int most_rounds = 4;
 
-double value_of(const GuessPoint& point, int row, const VectorXd& d) {
-  double value = point.value[row];
-  for (std::size_t i = 0; i < point.positions.size(); ++i)
-    value += point.slopes(row, static_cast<Index>(i)) * d[point.positions[i]];
-  return value;
+/// Gap and slips with the surface at d.
+Vector3d measures_of(const GuessPoint& point, const VectorXd& d) {
+  Vector3d moved = Vector3d::Zero();
+  for (const auto& share : point.shares)
+    moved[share.component] += share.weight * d[share.position];
+  return point.value + point.frame.transpose() * moved;
 }
 
 /// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle.
@@ -84,17 +87,22 @@ void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorX
 
 } // namespace
 
-ContactGuess::ContactGuess(Compliance& compliance, TouchedSurface& surface, double factor)
-    : compliance_(compliance), surface_(surface), factor_(factor) {}
+ContactGuess::ContactGuess(Compliance& compliance, TouchedSurface& surface, double factor, int components)
+    : compliance_(compliance), surface_(surface), factor_(factor), components_(components) {}
 
 void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free) {
   chosen_.clear();
-  const VectorXd without = moved(points, free, 1, 2);
-  for (int round = 0; round < most_rounds && choose_more(points, free); ++round) {
-    couple(chosen_, 0, 1, pressing_);
-    press(without);
+  VectorXd unpressed = free;
+  add_motion(points, 1, 2, unpressed);
+  VectorXd d = unpressed;
+  add_motion(points, 0, 0, d);
+  for (int round = 0; round < most_rounds && choose_more(points, d); ++round) {
+    couple();
+    press(unpressed);
+    d = unpressed;
+    add_motion(points, 0, 0, d);
   }
-  rub(points, free);
+  rub(points, free + d - unpressed);
 }
 
 double ContactGuess::misfit(std::span<const GuessPoint> points, const VectorXd& d) const {
@@ -102,138 +110,179 @@ double ContactGuess::misfit(std::span<const GuessPoint> points, const VectorXd& 
   double largest = 0;
   for (std::size_t k = 0; k < chosen_.size(); ++k) {
     const auto& point = *chosen_[k];
-    const auto row = static_cast<Index>(k);
-    const double give = pressing_.matrix(row, row) + point.softness;
-    const double gap = value_of(point, 0, d) + point.softness * point.force[0];
+    const double give = give_of(k) + point.softness;
+    const double gap = measures_of(point, d)[0] + point.softness * point.force[0];
     if (give > 0)
       change = std::max(change, std::abs(std::max(0.0, point.force[0] - gap / give) - point.force[0]));
     largest = std::max(largest, point.force[0]);
   }
+  const Index tangents = components_ - 1;
   for (std::size_t k = 0; k < sliding_.size(); ++k) {
-    const auto& point = *sliding_[k];
-    const Index tangents = point.tangents();
-    const double give =
-        rubbing_.matrix.diagonal().segment(static_cast<Index>(k) * tangents, tangents).maxCoeff();
+    const auto& point = *chosen_[sliding_[k]];
+    const double give = rubbing_.diagonal().segment(static_cast<Index>(k) * tangents, tangents).maxCoeff();
     const double limit = point.friction * point.force[0];
     Eigen::Vector2d wanted = point.force.tail<2>();
-    for (int a = 0; give > 0 && a < tangents; ++a)
-      wanted[a] -= value_of(point, 1 + a, d) / give;
+    if (give > 0)
+      wanted.head(tangents) -= measures_of(point, d).segment(1, tangents) / give;
     if (const double length = wanted.norm(); length > limit)
       wanted *= limit / length;
     change = std::max(change, (wanted - point.force.tail<2>()).lpNorm<Eigen::Infinity>());
   }
-  const double give = chosen_.empty() ? 0.0 : pressing_.matrix.diagonal().maxCoeff();
+  const double give = chosen_.empty() ? 0.0 : pressing_.diagonal().maxCoeff();
   for (const auto& point : points)
-    if (const double gap = value_of(point, 0, d); point.force[0] == 0 && gap < 0)
-      change = std::max(change, give > 0 ? -gap / give : std::numeric_limits<double>::infinity());
+    if (point.force[0] == 0)
+      if (const double gap = measures_of(point, d)[0]; gap < 0)
+        change = std::max(change, give > 0 ? -gap / give : std::numeric_limits<double>::infinity());
   return change > 0 ? change / largest : 0.0;
+}
+
+/// How far a unit pressing force opens its own gap.
+double ContactGuess::give_of(std::size_t chosen) const {
+  return pressing_(static_cast<Index>(chosen), static_cast<Index>(chosen));
 }
 
 void ContactGuess::forget() {
   chosen_.clear();
   sliding_.clear();
-  pressing_.points.clear();
-  rubbing_.points.clear();
+  coupled_.clear();
 }
 
-/// The surface under the forces of some rows of all points.
-VectorXd ContactGuess::moved(std::span<const GuessPoint> points, const VectorXd& free, int first_row,
-                             int last_row) const {
-  VectorXd force = VectorXd::Zero(free.size());
-  for (const auto& point : points)
-    for (Index row = first_row; row <= std::min<Index>(last_row, point.tangents()); ++row)
-      for (std::size_t i = 0; point.force[row] != 0 && i < point.positions.size(); ++i)
-        force[point.positions[i]] += point.force[row] * point.slopes(row, static_cast<Index>(i));
-  VectorXd d = free;
-  compliance_.add(factor_, force, d);
-  return d;
+/// Moves the surface by some of the forces of all points: of the gap, 0, and the slips, 1 and 2.
+void ContactGuess::add_motion(std::span<const GuessPoint> points, int first, int last, VectorXd& d) {
+  force_.setZero(d.size());
+  for (const auto& point : points) {
+    if (point.force[0] == 0)
+      continue;
+    Vector3d force = Vector3d::Zero();
+    for (int a = first; a <= last; ++a)
+      force += point.force[a] * point.frame.col(a);
+    for (const auto& share : point.shares)
+      force_[share.position] += share.weight * force[share.component];
+  }
+  compliance_.add(factor_, force_, d);
 }
 
 /// Points that press or penetrate join those that are chosen already. Whether there are any.
-bool ContactGuess::choose_more(std::span<GuessPoint> points, const VectorXd& free) {
-  const VectorXd d = moved(points, free, 0, 2);
+bool ContactGuess::choose_more(std::span<GuessPoint> points, const VectorXd& d) {
   const auto known = chosen_.size();
   for (auto& point : points)
-    if ((point.force[0] > 0 || value_of(point, 0, d) < 0) &&
+    if ((point.force[0] > 0 || measures_of(point, d)[0] < 0) &&
         std::find(chosen_.begin(), chosen_.begin() + static_cast<std::ptrdiff_t>(known), &point) ==
             chosen_.begin() + static_cast<std::ptrdiff_t>(known))
       chosen_.push_back(&point);
   return chosen_.size() > known;
 }
 
-void ContactGuess::couple(std::span<GuessPoint* const> points, Index first_row, Index rows,
-                          Coupling& coupling) {
-  const auto is_named = [](const GuessPoint* point, const Coupling::Name& name) {
-    return Coupling::Name{point->zone, point->index} == name;
+void ContactGuess::couple() {
+  const auto is_named = [](const GuessPoint* point, const Name& name) {
+    return Name{point->zone, point->index} == name;
   };
-  if (std::ranges::equal(points, coupling.points, is_named))
+  if (std::ranges::equal(chosen_, coupled_, is_named))
     return;
-  coupling.points.clear();
+  coupled_.clear();
   std::vector<int> positions;
-  for (const auto* point : points) {
-    coupling.points.push_back({point->zone, point->index});
-    positions.insert(positions.end(), point->positions.begin(), point->positions.end());
+  for (const auto* point : chosen_) {
+    coupled_.push_back({point->zone, point->index});
+    for (const auto& share : point->shares)
+      positions.push_back(share.position);
   }
   surface_.touch(positions);
-  rows_.resize(std::max(rows_.size(), points.size()));
+  rows_.resize(std::max(rows_.size(), chosen_.size()));
   std::vector<const PointRows*> pointers;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    auto& of_point = rows_[k];
-    of_point.places.clear();
-    for (const int position : points[k]->positions)
-      of_point.places.push_back(surface_.place_of(position));
-    of_point.left = of_point.right = points[k]->slopes.middleRows(first_row, rows);
-    of_point.first = static_cast<Index>(k) * rows;
-    pointers.push_back(&of_point);
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    const auto& shares = chosen_[k]->shares;
+    auto& rows = rows_[k];
+    rows.places.resize(shares.size());
+    rows.right.setZero(components_, static_cast<Index>(shares.size()));
+    for (std::size_t q = 0; q < shares.size(); ++q) {
+      rows.places[q] = surface_.place_of(shares[q].position);
+      rows.right(shares[q].component, static_cast<Index>(q)) = shares[q].weight;
+    }
+    rows.left = rows.right;
+    rows.first = static_cast<Index>(k) * components_;
+    pointers.push_back(&rows);
   }
-  coupling.matrix = between_points(surface_, pointers, factor_, true);
+  between_ = between_points(surface_, pointers, components_, factor_, true);
+}
+
+/// What forces along some axes of points do to the measures along theirs: `axes` columns from `first` of each
+/// frame.
+void ContactGuess::project(std::span<const std::size_t> chosen, int first, Index axes, MatrixXd& matrix) const {
+  const auto count = static_cast<Index>(chosen.size());
+  matrix.resize(count * axes, count * axes);
+  for (Index j = 0; j < count; ++j) {
+    const auto of = chosen[static_cast<std::size_t>(j)];
+    for (Index b = 0; b < axes; ++b) {
+      const double* along = chosen_[of]->frame.col(first + b).data();
+      const double* column = between_.col(static_cast<Index>(of) * components_).data();
+      moved_.setZero(between_.rows());
+      for (Index c = 0; c < components_; ++c, column += between_.rows())
+        for (Index row = 0; row < between_.rows(); ++row)
+          moved_[row] += along[c] * column[row];
+      for (Index i = 0; i < count; ++i) {
+        const auto on = chosen[static_cast<std::size_t>(i)];
+        const double* seen = moved_.data() + static_cast<Index>(on) * components_;
+        for (Index a = 0; a < axes; ++a) {
+          const double* axis = chosen_[on]->frame.col(first + a).data();
+          double sum = 0;
+          for (Index c = 0; c < components_; ++c)
+            sum += axis[c] * seen[c];
+          matrix(i * axes + a, j * axes + b) = sum;
+        }
+      }
+    }
+  }
 }
 
 /// `without`: the surface without pressing forces.
 void ContactGuess::press(const VectorXd& without) {
-  MatrixXd matrix = pressing_.matrix;
-  VectorXd gaps(matrix.rows());
-  VectorXd forces(matrix.rows());
-  for (Index k = 0; k < gaps.size(); ++k) {
+  const auto count = static_cast<Index>(chosen_.size());
+  all_.resize(chosen_.size());
+  std::iota(all_.begin(), all_.end(), 0);
+  project(all_, 0, 1, pressing_);
+  VectorXd gaps(count);
+  VectorXd forces(count);
+  MatrixXd matrix = pressing_;
+  for (Index k = 0; k < count; ++k) {
     const auto& point = *chosen_[static_cast<std::size_t>(k)];
-    matrix(k, k) += point.softness;
-    gaps[k] = value_of(point, 0, without);
+    gaps[k] = measures_of(point, without)[0];
     forces[k] = point.force[0];
+    matrix(k, k) += point.softness;
   }
   sweep_pressing(matrix, gaps, forces);
   settle_pressing(matrix, gaps, forces);
-  for (Index k = 0; k < gaps.size(); ++k)
+  for (Index k = 0; k < count; ++k)
     chosen_[static_cast<std::size_t>(k)]->force[0] = forces[k];
 }
 
-void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& free) {
-  auto& rubbing = sliding_;
-  rubbing.clear();
+/// `without`: the surface under the pressing forces alone.
+void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& without) {
   for (auto& point : points)
-    if (point.force[0] > 0 && point.friction > 0)
-      rubbing.push_back(&point);
-    else
+    if (point.force[0] == 0 || point.friction == 0)
       point.force.tail<2>().setZero();
-  if (rubbing.empty())
+  sliding_.clear();
+  for (std::size_t k = 0; k < chosen_.size(); ++k)
+    if (chosen_[k]->force[0] > 0 && chosen_[k]->friction > 0)
+      sliding_.push_back(k);
+  if (sliding_.empty())
     return;
-  const Index tangents = rubbing.front()->tangents();
-  couple(rubbing, 1, tangents, rubbing_);
-  const VectorXd without = moved(points, free, 0, 0);
-  VectorXd slips(rubbing_.matrix.rows());
-  VectorXd forces(slips.size());
-  VectorXd limits(static_cast<Index>(rubbing.size()));
+  const Index tangents = components_ - 1;
+  project(sliding_, 1, tangents, rubbing_);
+  VectorXd slips(rubbing_.rows());
+  VectorXd forces(rubbing_.rows());
+  VectorXd limits(static_cast<Index>(sliding_.size()));
   for (Index k = 0; k < limits.size(); ++k) {
-    const auto& point = *rubbing[static_cast<std::size_t>(k)];
-    limits[k] = point.friction * point.force[0];
-    for (Index a = 0; a < tangents; ++a)
-      slips[k * tangents + a] = value_of(point, static_cast<int>(1 + a), without);
+    const auto& point = *chosen_[sliding_[static_cast<std::size_t>(k)]];
+    slips.segment(k * tangents, tangents) = measures_of(point, without).segment(1, tangents);
     forces.segment(k * tangents, tangents) = point.force.segment(1, tangents);
+    limits[k] = point.friction * point.force[0];
   }
-  sweep_rubbing(rubbing_.matrix, slips, limits, static_cast<int>(tangents), forces);
+  sweep_rubbing(rubbing_, slips, limits, static_cast<int>(tangents), forces);
   if (tangents == 1)
-    settle_rubbing(rubbing_.matrix, slips, limits, forces);
+    settle_rubbing(rubbing_, slips, limits, forces);
   for (Index k = 0; k < limits.size(); ++k)
-    rubbing[static_cast<std::size_t>(k)]->force.segment(1, tangents) = forces.segment(k * tangents, tangents);
+    chosen_[sliding_[static_cast<std::size_t>(k)]]->force.segment(1, tangents) =
+        forces.segment(k * tangents, tangents);
 }
 
 void sweep_pressing(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces) {

@@ -13,25 +13,32 @@
 
 namespace rubato::step {
 
-/// A point that may touch, linearised: its gap and slips are `value` + slopes · d at its positions of the
-/// surface, and its forces F along them put −slopesᵀ F there (internal side).
+/// What a contact point takes of one displacement of the surface.
+struct Share {
+  int position = 0;
+  int component = 0; ///< in space
+  double weight = 0;
+};
+
+/// A point that may touch, in a frame that is held. With e = Σ weight · d, how far the surface moves it off
+/// its place on the master, its gap and slips are `value` + frameᵀ e, and its forces F along them put
+/// −weight · frame F on the surface (internal side).
 struct GuessPoint {
   std::size_t zone = 0;
   std::size_t index = 0; ///< in the zone's points
-  std::vector<int> positions;
-  Eigen::MatrixXd slopes;                          ///< of the gap, then of each slip that counts
-  Eigen::Vector3d value = Eigen::Vector3d::Zero(); ///< where d = 0 [length]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< pressing ≥ 0, and along the slips [force]
+  std::vector<Share> shares;
+  Eigen::Matrix3d frame = Eigen::Matrix3d::Identity(); ///< n, τ₁, τ₂
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();     ///< where d = 0 [length]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< pressing ≥ 0, and along the slips [force]
   double softness = 0; ///< penetration a unit of force makes: of penalties [length/force]
   double friction = 0; ///< μ
-
-  int tangents() const { return static_cast<int>(slopes.rows()) - 1; }
 };
 
 class ContactGuess {
 public:
-  /// The surface moves by d = free + factor S Σ slopesᵀ F. Both must outlive this.
-  ContactGuess(Compliance& compliance, TouchedSurface& surface, double factor);
+  /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
+  /// dimensions as `components`. Compliance and surface must outlive this.
+  ContactGuess(Compliance& compliance, TouchedSurface& surface, double factor, int components);
 
   /// Improves the forces of the points: first the pressing ones, so that no gap is negative, then those along
   /// the slips for the pressing ones found, so that none exceeds μ times them and slips go against them
@@ -40,37 +47,41 @@ public:
   /// call while the same points may touch: a guess needs no better.
   void improve(std::span<GuessPoint> points, const Eigen::VectorXd& free);
 
-  /// How much a sweep would change the forces now that the points have been linearised anew and the surface
+  /// How much a sweep would change the forces now that the points have been measured anew and the surface
   /// is at d, in parts of the largest one. The points must be those of the last call.
   double misfit(std::span<const GuessPoint> points, const Eigen::VectorXd& d) const;
   /// Points and what they do to one another.
   void forget();
 
 private:
-  /// What forces along some of their rows do to the gaps or slips of points, kept from call to call.
-  struct Coupling {
-    struct Name {
-      std::size_t zone = 0;
-      std::size_t index = 0;
-      bool operator==(const Name&) const = default;
-    };
-    std::vector<Name> points;
-    Eigen::MatrixXd matrix;
+  struct Name {
+    std::size_t zone = 0;
+    std::size_t index = 0;
+    bool operator==(const Name&) const = default;
   };
-  Eigen::VectorXd moved(std::span<const GuessPoint> points, const Eigen::VectorXd& free, int first_row,
-                        int last_row) const;
-  bool choose_more(std::span<GuessPoint> points, const Eigen::VectorXd& free);
-  void couple(std::span<GuessPoint* const> points, Eigen::Index first_row, Eigen::Index rows,
-              Coupling& coupling);
+  void add_motion(std::span<const GuessPoint> points, int first, int last, Eigen::VectorXd& d);
+  bool choose_more(std::span<GuessPoint> points, const Eigen::VectorXd& d);
+  void couple();
+  void project(std::span<const std::size_t> chosen, int first, Eigen::Index axes,
+               Eigen::MatrixXd& matrix) const;
   void press(const Eigen::VectorXd& without);
-  void rub(std::span<GuessPoint> points, const Eigen::VectorXd& free);
+  void rub(std::span<GuessPoint> points, const Eigen::VectorXd& without);
+  double give_of(std::size_t chosen) const;
 
   Compliance& compliance_;
   TouchedSurface& surface_;
   double factor_;
-  std::vector<GuessPoint*> chosen_, sliding_;
-  Coupling pressing_, rubbing_;
-  std::vector<PointRows> rows_; ///< storage of couple
+  Eigen::Index components_;
+  std::vector<GuessPoint*> chosen_; ///< those that may touch
+  std::vector<Name> coupled_;       ///< those that between_ is of
+  Eigen::MatrixXd between_;         ///< e of each for unit forces on each, components_ rows a point
+  Eigen::MatrixXd pressing_;        ///< the same from pressing forces to gaps
+  std::vector<std::size_t> sliding_; ///< of those chosen
+  Eigen::MatrixXd rubbing_;          ///< the same from their friction to their slips
+  std::vector<PointRows> rows_;      ///< storage of couple
+  Eigen::VectorXd force_;            ///< storage of add_motion
+  std::vector<std::size_t> all_;     ///< storage of press
+  mutable Eigen::VectorXd moved_;    ///< storage of project
 };
 
 /// Sweeps on w = values + matrix F,  F ≥ 0, w ≥ 0, F·w = 0, until one changes neither which F are positive

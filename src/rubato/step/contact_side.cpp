@@ -82,33 +82,52 @@ ContactSide::ContactSide(const Model& model, const time::Scheme& scheme, Effecti
 }
 
 contact::ZoneLaw ContactSide::law_of(std::size_t zone, const Held& held) const {
-  return {&model_.zones[zone], coefficients_[zone],
+  return {&model_.zones[zone], &coefficients_[zone],
           variant_.friction_part * model_.zones[zone].settings.friction, held[zone].thresholds};
 }
 
 ContactIterate ContactSide::at(const State& trial, const Held& held) const {
   ContactIterate iterate;
-  measure(trial, held, iterate);
+  evaluate(trial, held, iterate);
   return iterate;
 }
 
-void ContactSide::measure(const State& trial, const Held& held, ContactIterate& into) const {
-  const contact::Configuration configuration{&model_.mesh,         &model_.dofs, &trial.motion.u,
-                                             &committed_.motion.u, trial.t,      committed_.t};
+contact::Configuration ContactSide::at_end(const State& trial) const {
+  return {&model_.mesh, &model_.dofs, &trial.motion.u, &committed_.motion.u, trial.t, committed_.t};
+}
+
+/// `measure` is for points whose frames move.
+template <class Measure>
+void ContactSide::measure_by(const Measure& measure, const State& trial, const Held& held,
+                             ContactIterate& into) const {
+  const auto configuration = at_end(trial);
   into.points.resize(model_.zones.size());
   into.status.resize(model_.zones.size());
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto& zone = model_.zones[z];
     const auto& multipliers = trial.zones[z].multipliers;
-    if (!frames_.empty())
-      contact::evaluate_in_held_frames(frames_[z], zone, multipliers, configuration, into.points[z]);
-    else if (held[z].frames.empty())
-      contact::evaluate(system_.neighbours[z], multipliers, configuration, into.points[z]);
+    if (has_held_frames(z, held))
+      contact::evaluate_in_held_frames(frames_.empty() ? held[z].frames : frames_[z], zone, multipliers,
+                                       configuration, into.points[z]);
     else
-      contact::evaluate_in_held_frames(held[z].frames, zone, multipliers, configuration, into.points[z]);
+      measure(system_.neighbours[z], multipliers, configuration, into.points[z]);
     const auto& given = held[z].status.empty() ? trial.zones[z].status : held[z].status;
     keep_given_status(zone, into.points[z], given, into.status[z]);
   }
+}
+
+void ContactSide::evaluate(const State& trial, const Held& held, ContactIterate& into) const {
+  measure_by([](auto&&... of) { contact::evaluate(of...); }, trial, held, into);
+}
+
+void ContactSide::measure(const State& trial, const Held& held, ContactIterate& into) const {
+  measure_by(contact::measure, trial, held, into);
+}
+
+void ContactSide::differentiate(const State& trial, const Held& held, std::size_t zone, std::size_t point,
+                                ContactIterate& iterate) const {
+  if (!has_held_frames(zone, held))
+    contact::differentiate(model_.zones[zone], point, at_end(trial), iterate.points[zone][point]);
 }
 
 void ContactSide::renew_status(const Held& held, ContactIterate& iterate) const {
@@ -148,11 +167,9 @@ void ContactSide::finish(const Held& held, const ContactIterate& iterate, State&
 
 /// Results tell where points are, not how fast they part.
 void ContactSide::measure_places(State& trial) const {
-  const contact::Configuration end{&model_.mesh,         &model_.dofs, &trial.motion.u,
-                                   &committed_.motion.u, trial.t,      committed_.t};
   std::vector<PointEvaluation> points;
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
-    contact::evaluate(system_.neighbours[z], trial.zones[z].multipliers, end, points);
+    contact::measure(system_.neighbours[z], trial.zones[z].multipliers, at_end(trial), points);
     for (std::size_t i = 0; i < points.size(); ++i) {
       trial.zones[z].outcomes[i].gap = points[i].variables.gap;
       trial.zones[z].outcomes[i].slip = points[i].variables.slip;

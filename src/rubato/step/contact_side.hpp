@@ -45,7 +45,12 @@ public:
   /// Contact at `trial` as `held` has it, with the statuses of `trial` where a point can have them.
   ContactIterate at(const State& trial, const Held& held) const;
   /// The same in storage that an earlier iterate left.
+  void evaluate(const State& trial, const Held& held, ContactIterate& into) const;
+  /// The same without the derivatives of points whose frames move.
   void measure(const State& trial, const Held& held, ContactIterate& into) const;
+  /// Those derivatives, of one point at the same `trial`.
+  void differentiate(const State& trial, const Held& held, std::size_t zone, std::size_t point,
+                     ContactIterate& iterate) const;
   /// Statuses that the points of an iterate call for, where no loop holds them.
   void renew_status(const Held& held, ContactIterate& iterate) const;
   /// How the zone behaves in this attempt.
@@ -62,6 +67,12 @@ public:
   void finish(const Held& held, const ContactIterate& iterate, State& trial) const;
 
 private:
+  contact::Configuration at_end(const State& trial) const;
+  template <class Measure>
+  void measure_by(const Measure& measure, const State& trial, const Held& held, ContactIterate& into) const;
+  bool has_held_frames(std::size_t zone, const Held& held) const {
+    return !frames_.empty() || !held[zone].frames.empty();
+  }
   void measure_places(State& trial) const;
   bool geometry_settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const;
   bool gaps_closed(const ContactIterate& now) const;

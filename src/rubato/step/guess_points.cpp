@@ -17,25 +17,21 @@ constexpr double rounding = 1e-9;
 void set_relations(const Model& model, const Compliance& compliance, const contact::Kinematics& k,
                    const VectorXd& moved, GuessPoint& guess) {
   const auto& position = compliance.position_of_dof();
-  const int tangents = k.components - 1;
-  guess.value << k.gap, k.slip;
-  guess.positions.clear();
-  guess.slopes.resize(1 + tangents, k.unknowns());
-  Index next = 0;
-  for (std::size_t node = 0; node < k.nodes.size(); ++node)
-    for (int i = 0; i < k.components; ++i) {
+  guess.frame << k.normal, k.tangents;
+  guess.shares.clear();
+  Eigen::Vector3d come = Eigen::Vector3d::Zero();
+  for (std::size_t node = 0; node < k.nodes.size(); ++node) {
+    const double weight = k.shape[static_cast<Index>(node)];
+    for (int i = 0; weight != 0 && i < k.components; ++i) {
       const int at = position[static_cast<std::size_t>(model.dofs.dof(k.nodes[node], i))];
       if (at < 0)
         continue;
-      const auto q = static_cast<Index>(node) * k.components + i;
-      guess.positions.push_back(at);
-      guess.slopes(0, next) = k.d_gap[q];
-      for (int a = 0; a < tangents; ++a)
-        guess.slopes(1 + a, next) = k.d_slip(a, q);
-      guess.value.head(1 + tangents) -= guess.slopes.col(next++) * moved[at];
+      guess.shares.push_back({at, i, weight});
+      come[i] += weight * moved[at];
     }
-  if (next < guess.slopes.cols())
-    guess.slopes.conservativeResize(Eigen::NoChange, next);
+  }
+  guess.value << k.gap, k.slip;
+  guess.value -= guess.frame.transpose() * come;
 }
 
 void set_forces(const contact::PointOutcome& outcome, const contact::SlavePoint& point,
@@ -48,7 +44,7 @@ void set_forces(const contact::PointOutcome& outcome, const contact::SlavePoint&
 
 } // namespace
 
-bool linearise(const Model& model, const ContactSide& side, const Held& held, const Compliance& compliance,
+bool measure_points(const Model& model, const ContactSide& side, const Held& held, const Compliance& compliance,
                const ContactIterate& contact, const VectorXd& moved, const State& state, GuessForces forces,
                std::vector<GuessPoint>& points) {
   std::size_t count = 0;
@@ -69,7 +65,7 @@ bool linearise(const Model& model, const ContactSide& side, const Held& held, co
       guess.zone = z;
       guess.index = i;
       guess.friction = law.friction;
-      guess.softness = soft ? 1 / (law.coefficients.normal[i] * zone.points[i].weight) : 0.0;
+      guess.softness = soft ? 1 / (law.coefficients->normal[i] * zone.points[i].weight) : 0.0;
       set_relations(model, compliance, *kinematics, moved, guess);
       if (!known || forces == GuessForces::of_last_step)
         set_forces(state.zones[z].outcomes[i], zone.points[i], *kinematics, guess);
@@ -82,10 +78,13 @@ bool linearise(const Model& model, const ContactSide& side, const Held& held, co
 
 VectorXd force_on_surface(std::span<const GuessPoint> points, Index positions) {
   VectorXd force = VectorXd::Zero(positions);
-  for (const auto& point : points)
-    for (std::size_t q = 0; point.force[0] != 0 && q < point.positions.size(); ++q)
-      force[point.positions[q]] -=
-          point.slopes.col(static_cast<Index>(q)).dot(point.force.head(point.slopes.rows()));
+  for (const auto& point : points) {
+    if (point.force[0] == 0)
+      continue;
+    const Eigen::Vector3d in_space = point.frame * point.force;
+    for (const auto& share : point.shares)
+      force[share.position] -= share.weight * in_space[share.component];
+  }
   return force;
 }
 

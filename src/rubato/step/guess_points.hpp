@@ -12,11 +12,11 @@
 
 namespace rubato::step {
 
-/// Linearises every point that may touch, where `contact` measured it with the surface at d = `moved`. Forces
+/// Every point that may touch, in the frame where `contact` measured it with the surface at d = `moved`. Forces
 /// are taken from the last step's outcomes in `state`, or kept from what `points` hold already. Whether these
 /// are the points they were.
 enum class GuessForces { of_last_step, kept };
-bool linearise(const model::Model& model, const ContactSide& side, const Held& held,
+bool measure_points(const model::Model& model, const ContactSide& side, const Held& held,
                const Compliance& compliance, const ContactIterate& contact, const Eigen::VectorXd& moved,
                const State& state, GuessForces forces, std::vector<GuessPoint>& points);
 

@@ -60,7 +60,7 @@ StepReport Newton::ended(Outcome outcome) {
 
 void Newton::evaluate_contact(const State& trial, const Held& held, int iteration) {
   std::swap(previous_, now_);
-  side_.measure(trial, held, now_);
+  side_.evaluate(trial, held, now_);
   if (iteration > 0)
     side_.renew_status(held, now_);
   contact_ = contact::ContactSystem(trial.motion.u.size(), model_.multiplier_count);

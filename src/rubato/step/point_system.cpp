@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/point_system.hpp"
 
-#include "rubato/step/linear_step.hpp"
-
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -17,11 +15,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Equations of a multiplier with entries below this part of the largest one are empty: the point stands
-/// between parts that are held.
-constexpr double empty_row = 1e-13;
 /// Part of the first residual that refinement leaves: Newton's next iteration takes the rest.
 constexpr double refined_enough = 1e-9;
+/// The same with factors of the last matrix: an iteration saved with them is to be worth a whole one.
+constexpr double refined_with_kept = 1e-12;
 /// The same where rounding lets it come no further.
 constexpr double refined_to_rounding = 1e-6;
 /// A round of refinement that leaves more than this part of the least error is slow. Forces and places take
@@ -29,6 +26,8 @@ constexpr double refined_to_rounding = 1e-6;
 constexpr double slow_round = 0.5;
 constexpr int most_slow_rounds = 3;
 constexpr int most_rounds = 30;
+/// Systems up to this size are solved whole at once.
+constexpr Index small = 160;
 /// Whole systems beyond this size take too long to give up on.
 constexpr Index largest_whole = 3000;
 
@@ -36,43 +35,6 @@ constexpr Index largest_whole = 3000;
 VectorXd row_sizes(const MatrixXd& matrix) {
   VectorXd sizes = matrix.cwiseAbs().rowwise().maxCoeff();
   return (sizes.array() > 0).select(sizes, 1.0);
-}
-
-contact::PointVector column_sizes(const contact::MultiplierColumns& matrix) {
-  contact::PointVector sizes = matrix.cwiseAbs().colwise().maxCoeff().transpose();
-  for (auto& size : sizes)
-    size = size > 0 ? size : 1.0;
-  return sizes;
-}
-
-using RowSizes = decltype(ActivePoint::row_scale);
-
-/// Sizes of the rows of Z_m over E_m, one for all rows that are components of one vector: a component that is
-/// rounding only must not be blown up to the size of the others.
-RowSizes vector_sizes(const contact::MultiplierColumns& by_multiplier, Index components) {
-  RowSizes sizes = by_multiplier.cwiseAbs().rowwise().maxCoeff();
-  const auto join = [&](Index first, Index count) {
-    if (count > 0)
-      sizes.segment(first, count).setConstant(sizes.segment(first, count).maxCoeff());
-  };
-  join(0, components);
-  if (const Index tangents = components - 1; by_multiplier.cols() >= tangents)
-    join(sizes.size() - tangents, tangents);
-  for (auto& size : sizes)
-    size = size > 0 ? size : 1.0;
-  return sizes;
-}
-
-/// Multipliers that nothing can change stay as they are.
-void mend_empty_rows(contact::FactoredResponse& r, MatrixXd& by_q) {
-  const Index d = r.components;
-  const double scale = r.spread.topRows(d).lpNorm<Eigen::Infinity>();
-  for (Index row = d; row < d + r.multipliers(); ++row)
-    if (r.by_multiplier.row(row).isZero(0) && by_q.row(row).lpNorm<Eigen::Infinity>() <= empty_row * scale) {
-      r.by_multiplier(row, row - d) = 1;
-      by_q.row(row).setZero();
-      r.equations[row - d] = 0;
-    }
 }
 
 } // namespace
@@ -84,23 +46,28 @@ PointSystem::PointSystem(Compliance& compliance, TouchedSurface& surface, double
 
 void PointSystem::clear() {
   count_ = 0;
-  force_ = VectorXd::Zero(static_cast<Index>(compliance_.surface().size()));
+  force_.setZero(static_cast<Index>(compliance_.surface().size()));
   forces_ = places_ = 0;
 }
 
-void PointSystem::add(std::size_t zone, std::size_t index, Status status,
-                      const contact::FactoredResponse& response) {
+void PointSystem::forget() {
+  clear();
+  factors_.reset();
+}
+
+contact::FactoredResponse& PointSystem::add(std::size_t zone, std::size_t index) {
   if (count_ == points_.size())
     points_.emplace_back();
   auto& point = points_[count_++];
   point.zone = zone;
   point.index = index;
-  point.status = status;
-  point.response = response;
-  const auto& r = point.response;
+  return point.response;
+}
+
+/// Puts the point on the surface: displacements that supports hold leave its response.
+void PointSystem::place(ActivePoint& point) {
+  auto& r = point.response;
   const auto& position = compliance_.position_of_dof();
-  point.spread.resize(r.spread.rows(), r.spread.cols());
-  point.by_q.resize(r.by_q.rows(), r.by_q.cols());
   point.positions.clear();
   Index kept = 0;
   for (std::size_t q = 0; q < r.dofs.size(); ++q) {
@@ -108,48 +75,30 @@ void PointSystem::add(std::size_t zone, std::size_t index, Status status,
     if (at < 0)
       continue;
     point.positions.push_back(at);
-    point.spread.col(kept) = r.spread.col(static_cast<Index>(q));
-    point.by_q.col(kept++) = r.by_q.col(static_cast<Index>(q));
-    force_[at] += r.spread.col(static_cast<Index>(q)).head(r.components).dot(r.force);
+    if (const auto from = static_cast<Index>(q); kept < from) {
+      r.spread.col(kept) = r.spread.col(from);
+      r.by_q.col(kept) = r.by_q.col(from);
+    }
+    for (int a = 0; a < r.components; ++a)
+      force_[at] += r.spread(a, kept) * r.force[a];
+    ++kept;
   }
-  if (kept < point.spread.cols()) {
-    point.spread.conservativeResize(Eigen::NoChange, kept);
-    point.by_q.conservativeResize(Eigen::NoChange, kept);
+  if (kept < r.spread.cols()) {
+    r.spread.conservativeResize(Eigen::NoChange, kept);
+    r.by_q.conservativeResize(Eigen::NoChange, kept);
   }
   point.rows.first = forces_;
   point.first_slope = places_;
   forces_ += point.components();
   places_ += point.slopes();
-  eliminate_multipliers(point);
-}
-
-/// The combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm.
-void PointSystem::eliminate_multipliers(ActivePoint& point) {
-  auto& r = point.response;
-  mend_empty_rows(r, point.by_q);
-  const Index d = r.components;
-  const Index m = r.multipliers();
-  const Index q = point.by_q.cols();
-  auto& all = combined_; // on δz, on δq, right side
-  all.setZero(d + m, d + q + 1);
-  all.topLeftCorner(d, d).setIdentity();
-  all.middleCols(d, q) = -point.by_q.topRows(d + m);
-  all.col(d + q).tail(m) = r.equations;
-  if (m > 0) {
-    point.column_scale = column_sizes(r.by_multiplier).cwiseInverse();
-    const contact::MultiplierColumns by_multiplier = r.by_multiplier * point.column_scale.asDiagonal();
-    point.row_scale = vector_sizes(by_multiplier, d).cwiseInverse();
-    point.by_multiplier.compute(point.row_scale.asDiagonal() * by_multiplier);
-    all.array().colwise() *= point.row_scale.array();
-    all.applyOnTheLeft(point.by_multiplier.householderQ().adjoint());
-  }
-  point.by_force = all.block(m, 0, d, d);
-  point.rows.left = all.block(m, d, d, q);
-  point.rows.right = point.spread.topRows(d);
-  point.right = all.col(d + q).tail(d);
 }
 
 std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
+  const bool kept = is_factored();
+  for (auto& point : active()) {
+    place(point);
+    eliminate_multipliers(point, kept);
+  }
   if (points().empty())
     return no_change();
   touch_surface();
@@ -157,8 +106,13 @@ std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
   VectorXd c;
   surface_.multiply(on_places, c);
   c = d0(surface_.positions()) - force_weight_ * c;
-  auto change = refined(c);
-  return change ? change : solved_whole(c);
+  if (kept)
+    if (auto change = refined(c, refined_with_kept))
+      return change;
+  if (forces_ + places_ > small && factor(points().front().components()))
+    if (auto change = refined(c, refined_enough))
+      return change;
+  return solved_whole(c);
 }
 
 void PointSystem::touch_surface() {
@@ -173,74 +127,145 @@ void PointSystem::touch_surface() {
   }
 }
 
-/// The matrix of δz alone, places held.
-bool PointSystem::factor_forces() {
-  std::vector<const PointRows*> rows;
+/// δz of each point, and δξ, of all as many as any has.
+Index PointSystem::rows_of_whole() const {
+  Index rows = 0;
   for (const auto& point : points())
-    rows.push_back(&point.rows);
-  MatrixXd matrix = between_points(surface_, rows, -force_weight_, false);
+    rows = std::max<Index>(rows, point.components() + point.slopes());
+  return rows;
+}
+
+/// Of the first rows of each point: δz and, beyond them, δξ.
+MatrixXd PointSystem::matrix_of(Index rows) const {
+  std::vector<const PointRows*> all;
   for (const auto& point : points())
-    matrix.block(point.first(), point.first(), point.components(), point.components()) += point.by_force;
+    all.push_back(&point.rows);
+  MatrixXd matrix = between_points(surface_, all, rows, -force_weight_, false);
+  Index first = 0;
+  for (const auto& point : points()) {
+    const Index d = point.components();
+    matrix.block(first, first, d, d) += point.by_force;
+    matrix.diagonal().segment(first + d, rows - d).array() += 1;
+    first += rows;
+  }
+  return matrix;
+}
+
+bool PointSystem::factor(Index rows) {
+  MatrixXd matrix = matrix_of(rows);
   column_scale_ = row_sizes(matrix.transpose()).cwiseInverse();
   matrix *= column_scale_.asDiagonal();
   row_scale_ = row_sizes(matrix).cwiseInverse();
   matrix = row_scale_.asDiagonal() * matrix;
   factors_ = linalg::DenseLu::of(std::move(matrix));
+  factored_rows_ = rows;
+  factored_.clear();
+  for (const auto& point : points())
+    factored_.emplace_back(point.zone, point.index);
   return factors_.has_value();
 }
 
-std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c) {
-  if (!factor_forces())
-    return std::nullopt;
+/// Only in the plane: in space slips turn from one iterate to the next, and the matrix with them.
+bool PointSystem::is_factored() const {
+  const auto is_named = [](const ActivePoint& point, const auto& name) {
+    return std::pair(point.zone, point.index) == name;
+  };
+  return factors_ && std::ranges::equal(points(), factored_, is_named) && !points().empty() &&
+         points().front().components() == 2;
+}
+
+/// What the factors answer to what is left of the equations.
+PointSystem::Change PointSystem::correction(const Change& left) const {
+  const VectorXd right = row_scale_.cwiseProduct(joined(left, factored_rows_));
+  auto change = split(column_scale_.cwiseProduct(factors_->solve(right)), factored_rows_);
+  if (factored_rows_ == points().front().components()) {
+    change.places = left.places;
+    change.places = places_after(change);
+  }
+  return change;
+}
+
+/// The first rows of each point, one after the other; rows that a point has none of are 0.
+VectorXd PointSystem::joined(const Change& change, Index rows) const {
+  VectorXd all = VectorXd::Zero(static_cast<Index>(count_) * rows);
+  Index first = 0;
+  for (const auto& point : points()) {
+    const Index d = point.components();
+    all.segment(first, d) = change.force.segment(point.first(), d);
+    if (rows > d)
+      all.segment(first + d, point.slopes()) = change.places.segment(point.first_slope, point.slopes());
+    first += rows;
+  }
+  return all;
+}
+
+PointSystem::Change PointSystem::split(const VectorXd& all, Index rows) const {
+  auto change = no_change();
+  Index first = 0;
+  for (const auto& point : points()) {
+    const Index d = point.components();
+    change.force.segment(point.first(), d) = all.segment(first, d);
+    if (rows > d)
+      change.places.segment(point.first_slope, point.slopes()) = all.segment(first + d, point.slopes());
+    first += rows;
+  }
+  return change;
+}
+
+std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c, double enough) {
   auto change = no_change();
   double first = 0;
   double least = std::numeric_limits<double>::infinity();
   int slow_rounds = 0;
   for (int round = 0; round < most_rounds; ++round) {
     const auto left = residual(c, change);
-    const VectorXd scaled = row_scale_.cwiseProduct(left.force);
-    const double size = scaled.lpNorm<Eigen::Infinity>();
+    const double size = largest_force_row(left);
     const double moves = left.places.size() > 0 ? left.places.lpNorm<Eigen::Infinity>() : 0.0;
     if (round == 0)
       first = size;
     const double error = first > 0 ? std::max(size / first, moves) : moves;
-    if (round > 0 && error <= refined_enough)
+    if (round > 0 && error <= enough)
       return change;
     slow_rounds = error <= slow_round * least ? 0 : slow_rounds + 1;
     if (slow_rounds == most_slow_rounds)
       return error <= refined_to_rounding ? std::optional(change) : std::nullopt;
     least = std::min(least, error);
-    Change by{column_scale_.cwiseProduct(factors_->solve(scaled)), left.places};
-    by.places = places_after(by);
+    const auto by = correction(left);
     change.force += by.force;
     change.places += by.places;
   }
   return std::nullopt;
 }
 
-/// Column by column from what unit changes do.
-std::optional<PointSystem::Change> PointSystem::solved_whole(const VectorXd& c) {
-  const Index size = forces_ + places_;
-  if (size > largest_whole)
-    return std::nullopt;
-  const auto joined = [&](const Change& change) {
-    VectorXd all(size);
-    all << change.force, change.places;
-    return all;
-  };
-  const auto split = [&](const VectorXd& all) { return Change{all.head(forces_), all.tail(places_)}; };
-  const VectorXd right = joined(residual(c, no_change()));
-  MatrixXd matrix(size, size);
-  for (Index k = 0; k < size; ++k)
-    matrix.col(k) = right - joined(residual(c, split(VectorXd::Unit(size, k))));
-  auto solution = solve_dense(matrix, right);
-  if (!solution) {
-    // Points that say the same share what they carry: the smallest such forces.
-    solution = matrix.completeOrthogonalDecomposition().solve(right);
-    if (!solution->allFinite())
-      return std::nullopt;
+/// Of the equations of δz, as they were scaled to be factored.
+double PointSystem::largest_force_row(const Change& left) const {
+  double largest = 0;
+  Index first = 0;
+  for (const auto& point : points()) {
+    for (Index a = 0; a < point.components(); ++a)
+      largest = std::max(largest, std::abs(row_scale_[first + a] * left.force[point.first() + a]));
+    first += factored_rows_;
   }
-  return split(*solution);
+  return largest;
+}
+
+std::optional<PointSystem::Change> PointSystem::solved_whole(const VectorXd& c) {
+  const Index rows = rows_of_whole();
+  if (static_cast<Index>(count_) * rows > largest_whole)
+    return std::nullopt;
+  for (auto& point : active())
+    point.rows.fill_up(rows);
+  const auto left = residual(c, no_change());
+  if (factor(rows))
+    return correction(left);
+  return least(left, rows);
+}
+
+/// Points that say the same share what they carry: the smallest such forces.
+std::optional<PointSystem::Change> PointSystem::least(const Change& left, Index rows) const {
+  const MatrixXd matrix = matrix_of(rows);
+  const VectorXd solution = matrix.completeOrthogonalDecomposition().solve(joined(left, rows));
+  return solution.allFinite() ? std::optional(split(solution, rows)) : std::nullopt;
 }
 
 PointSystem::Change PointSystem::no_change() const {
@@ -249,7 +274,8 @@ PointSystem::Change PointSystem::no_change() const {
 
 /// Cᵀ (δz, δξ) of a point at one of its displacements.
 double PointSystem::force_on(const ActivePoint& point, std::size_t q, const Change& change) {
-  const double* of_q = point.spread.data() + static_cast<Index>(q) * point.spread.rows();
+  const auto& spread = point.response.spread;
+  const double* of_q = spread.data() + static_cast<Index>(q) * spread.rows();
   const double* force = change.force.data() + point.first();
   const double* places = change.places.data() + point.first_slope;
   double sum = 0;
@@ -262,8 +288,9 @@ double PointSystem::force_on(const ActivePoint& point, std::size_t q, const Chan
 
 /// P δq of a point, added to δξ.
 void PointSystem::add_places(const ActivePoint& point, const VectorXd& d, double* places) {
-  const Index rows = point.by_q.rows();
-  const double* slopes = point.by_q.data() + rows - point.slopes();
+  const auto& by_q = point.response.by_q;
+  const Index rows = by_q.rows();
+  const double* slopes = by_q.data() + rows - point.slopes();
   for (std::size_t q = 0; q < point.rows.places.size(); ++q)
     for (int a = 0; a < point.slopes(); ++a)
       places[a] += slopes[static_cast<Index>(q) * rows + a] * d[point.rows.places[q]];
@@ -275,6 +302,8 @@ VectorXd PointSystem::motion(const Change& change) const {
   for (const auto& point : points())
     for (std::size_t q = 0; q < point.rows.places.size(); ++q)
       force[point.rows.places[q]] += force_on(point, q, change);
+  if (force.isZero(0))
+    return force;
   VectorXd moved;
   surface_.multiply(force, moved);
   return moved;
@@ -292,7 +321,7 @@ PointSystem::Change PointSystem::residual(const VectorXd& c, const Change& chang
         forces[a] -= point.by_force(a, b) * change.force[point.first() + b];
     }
     const double* seen = point.rows.left.data();
-    for (std::size_t q = 0; q < point.rows.places.size(); ++q, seen += count)
+    for (std::size_t q = 0; q < point.rows.places.size(); ++q, seen += point.rows.left.rows())
       for (int a = 0; a < count; ++a)
         forces[a] -= seen[a] * d[point.rows.places[q]];
     add_places(point, d, left.places.data() + point.first_slope);
@@ -319,14 +348,7 @@ VectorXd PointSystem::force_after(const Change& change) const {
 
 contact::PointVector PointSystem::multipliers_of(const ActivePoint& point, const Change& change,
                                                  const VectorXd& moved) const {
-  const auto& r = point.response;
-  const Index d = r.components;
-  const Index m = r.multipliers();
-  RowSizes right(d + m);
-  right << change.force.segment(point.first(), d), -r.equations;
-  for (std::size_t q = 0; q < point.positions.size(); ++q)
-    right -= point.by_q.col(static_cast<Index>(q)).head(d + m) * moved[point.positions[q]];
-  return point.column_scale.cwiseProduct(point.by_multiplier.solve(point.row_scale.cwiseProduct(right)));
+  return multiplier_change(point, change.force.segment(point.first(), point.components()), moved);
 }
 
 } // namespace rubato::step

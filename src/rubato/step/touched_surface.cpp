@@ -2,7 +2,6 @@
 #include "rubato/step/touched_surface.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 
 namespace rubato::step {
@@ -20,50 +19,72 @@ void answer_to(const TouchedSurface& surface, const PointRows& point, MatrixXd& 
   for (std::size_t q = 0; q < point.places.size(); ++q)
     for (int row = 0; row < Rows; ++row)
       if (const double part = point.right(row, static_cast<Index>(q)); part != 0)
-        surface.add_column(point.places[q], part, by_place.col(row));
+        surface.add_column(point.places[q], part, by_place.col(row).data());
   by_row = by_place.transpose();
 }
 
+/// What one point sees of what another one moves.
 template <int Rows>
-void fill(const TouchedSurface& surface, std::span<const PointRows* const> points, double factor,
-          bool symmetric, MatrixXd& matrix) {
+Eigen::Matrix<double, Rows, Rows> seen_by(const PointRows& point,
+                                          const Eigen::Matrix<double, Rows, Eigen::Dynamic>& moved) {
+  Eigen::Matrix<double, Rows, Rows> block = Eigen::Matrix<double, Rows, Rows>::Zero();
+  for (std::size_t q = 0; q < point.places.size(); ++q)
+    block += point.left.template block<Rows, 1>(0, static_cast<Index>(q)) *
+             moved.col(point.places[q]).transpose();
+  return block;
+}
+
+template <int Rows>
+MatrixXd filled(const TouchedSurface& surface, std::span<const PointRows* const> points, double factor,
+                bool symmetric) {
   using Block = Eigen::Matrix<double, Rows, Rows>;
+  const auto count = static_cast<Index>(points.size());
+  MatrixXd matrix(count * Rows, count * Rows);
   MatrixXd by_place;
   Eigen::Matrix<double, Rows, Eigen::Dynamic> moved;
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    answer_to<Rows>(surface, *points[j], by_place, moved);
-    for (std::size_t i = 0; i < (symmetric ? j + 1 : points.size()); ++i) {
-      const auto& point = *points[i];
-      Block block = Block::Zero();
-      for (std::size_t q = 0; q < point.places.size(); ++q)
-        block += point.left.template block<Rows, 1>(0, static_cast<Index>(q)) *
-                 moved.col(point.places[q]).transpose();
-      block *= factor;
-      matrix.template block<Rows, Rows>(point.first, points[j]->first) = block;
+  for (Index j = 0; j < count; ++j) {
+    answer_to<Rows>(surface, *points[static_cast<std::size_t>(j)], by_place, moved);
+    for (Index i = 0; i < (symmetric ? j + 1 : count); ++i) {
+      const Block block = factor * seen_by<Rows>(*points[static_cast<std::size_t>(i)], moved);
+      matrix.template block<Rows, Rows>(i * Rows, j * Rows) = block;
       if (symmetric)
-        matrix.template block<Rows, Rows>(points[j]->first, point.first) = block.transpose();
+        matrix.template block<Rows, Rows>(j * Rows, i * Rows) = block.transpose();
     }
   }
+  return matrix;
+}
+
+void fill_up_with_zeros(MatrixXd& matrix, Index rows) {
+  const Index known = matrix.rows();
+  if (known >= rows)
+    return;
+  matrix.conservativeResize(rows, Eigen::NoChange);
+  matrix.bottomRows(rows - known).setZero();
 }
 
 } // namespace
 
 void TouchedSurface::forget() {
+  for (const int position : positions_)
+    places_[static_cast<std::size_t>(position)] = -1;
   positions_.clear();
   body_of_.clear();
   bodies_.clear();
 }
 
 void TouchedSurface::touch(std::span<const int> positions) {
-  std::vector<int> wanted(positions.begin(), positions.end());
-  std::ranges::sort(wanted);
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  if (std::ranges::includes(positions_, wanted))
-    return;
-  std::vector<int> all;
-  std::ranges::set_union(positions_, wanted, std::back_inserter(all));
-  positions_ = std::move(all);
   places_.resize(compliance_->surface().size(), -1);
+  const auto known = positions_.size();
+  for (const int position : positions)
+    if (auto& place = places_[static_cast<std::size_t>(position)]; place < 0) {
+      place = 0;
+      positions_.push_back(position);
+    }
+  if (positions_.size() == known)
+    return;
+  std::ranges::sort(positions_);
+  for (std::size_t place = 0; place < positions_.size(); ++place)
+    places_[static_cast<std::size_t>(positions_[place])] = static_cast<int>(place);
   body_of_.clear();
   bodies_.clear();
   const auto& starts = compliance_->factor().body_starts();
@@ -73,10 +94,8 @@ void TouchedSurface::touch(std::span<const int> positions) {
     if (begin == end)
       continue;
     body_of_.insert(body_of_.end(), static_cast<std::size_t>(end - begin), static_cast<int>(bodies_.size()));
-    bodies_.push_back({begin - positions_.begin(), compliance_->between({begin, end})});
+    bodies_.push_back({begin - positions_.begin(), compliance_->within_body({begin, end})});
   }
-  for (std::size_t place = 0; place < positions_.size(); ++place)
-    places_[static_cast<std::size_t>(positions_[place])] = static_cast<int>(place);
 }
 
 void TouchedSurface::multiply(const VectorXd& force, VectorXd& moved) const {
@@ -85,26 +104,35 @@ void TouchedSurface::multiply(const VectorXd& force, VectorXd& moved) const {
     moved.segment(body.first, body.s.rows()).noalias() = body.s * force.segment(body.first, body.s.rows());
 }
 
-void TouchedSurface::add_column(int place, double factor, Eigen::Ref<VectorXd> moved) const {
+void TouchedSurface::add_column(int place, double factor, double* moved) const {
   const auto& body = bodies_[static_cast<std::size_t>(body_of_[static_cast<std::size_t>(place)])];
-  moved.segment(body.first, body.s.rows()) += factor * body.s.col(place - body.first);
+  const double* column = body.s.col(place - body.first).data();
+  double* to = moved + body.first;
+  for (Index i = 0; i < body.s.rows(); ++i)
+    to[i] += factor * column[i];
 }
 
-MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
+void PointRows::fill_up(Index rows) {
+  fill_up_with_zeros(left, rows);
+  fill_up_with_zeros(right, rows);
+}
+
+MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
                         double factor, bool symmetric) {
-  if (points.empty())
-    return {};
-  const Index rows = points.front()->rows();
-  MatrixXd matrix(points.back()->first + rows, points.back()->first + rows);
-  if (rows == 1)
-    fill<1>(surface, points, factor, symmetric, matrix);
-  else if (rows == 2)
-    fill<2>(surface, points, factor, symmetric, matrix);
-  else if (rows == 3)
-    fill<3>(surface, points, factor, symmetric, matrix);
-  else
-    throw std::invalid_argument("contact points have one to three forces each");
-  return matrix;
+  switch (rows) {
+  case 1:
+    return filled<1>(surface, points, factor, symmetric);
+  case 2:
+    return filled<2>(surface, points, factor, symmetric);
+  case 3:
+    return filled<3>(surface, points, factor, symmetric);
+  case 4:
+    return filled<4>(surface, points, factor, symmetric);
+  case 5:
+    return filled<5>(surface, points, factor, symmetric);
+  default:
+    throw std::invalid_argument("contact points have one to five unknowns each");
+  }
 }
 
 } // namespace rubato::step

@@ -28,8 +28,8 @@ public:
 
   /// moved = S force, both one a place.
   void multiply(const Eigen::VectorXd& force, Eigen::VectorXd& moved) const;
-  /// moved += factor · (column of S)
-  void add_column(int place, double factor, Eigen::Ref<Eigen::VectorXd> moved) const;
+  /// moved += factor · (column of S), one a place.
+  void add_column(int place, double factor, double* moved) const;
 
 private:
   struct Body {
@@ -43,20 +43,21 @@ private:
   std::vector<Body> bodies_;
 };
 
-/// A contact point's forces and equations over places: forces F (rows() of them) put rightᵀ F there, and its
+/// A contact point's forces and equations over places: forces F (one a row) put rightᵀ F there, and its
 /// equations see left · d.
 struct PointRows {
   std::vector<int> places;
   Eigen::MatrixXd left;
   Eigen::MatrixXd right;
-  Eigen::Index first = 0; ///< of its rows among those of all points
+  Eigen::Index first = 0; ///< of its forces among those of all points
 
-  Eigen::Index rows() const { return left.rows(); }
+  /// Adds rows of zeros up to this many.
+  void fill_up(Eigen::Index rows);
 };
 
-/// factor · left S rightᵀ between all points, at most three rows each. `symmetric`: left and right are the
-/// same, so only half is computed.
+/// factor · left S rightᵀ between all points, of the first `rows` rows of each, at most five. `symmetric`:
+/// left and right are the same, so only half is computed.
 Eigen::MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
-                               double factor, bool symmetric);
+                               Eigen::Index rows, double factor, bool symmetric);
 
 } // namespace rubato::step

@@ -26,10 +26,9 @@ inline System system_at(const TwoFaces& setup, const Eigen::VectorXd& u, const E
   std::vector<contact::Status> status;
   for (const auto& point : points)
     status.push_back(point.kinematics ? wanted : contact::Status::open);
-  const contact::ZoneLaw law{
-      &setup.zone,
-      {std::vector<double>(points.size(), 3.0), std::vector<double>(points.size(), 2.0)},
-      setup.zone.settings.friction};
+  const contact::ZoneCoefficients coefficients{std::vector<double>(points.size(), 3.0),
+                                               std::vector<double>(points.size(), 2.0)};
+  const contact::ZoneLaw law{&setup.zone, &coefficients, setup.zone.settings.friction};
   contact::ContactSystem system(setup.dofs.dof_count, multipliers.size());
   contact::add_contributions(law, points, status, setup.dofs, 0, system);
   System dense;

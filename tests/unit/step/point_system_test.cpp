@@ -14,7 +14,6 @@ namespace rubato::step {
 namespace {
 
 using contact::FactoredResponse;
-using contact::Status;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -83,7 +82,7 @@ TEST_P(PointSystemWith, SolvesEachPointsEquations) {
   for (std::size_t i = 0; i < 12; ++i) {
     auto response = made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam());
     response.spread *= unit;
-    system.add(0, i, Status::stick, response);
+    system.add(0, i) = response;
   }
   const auto& dofs = bulk.compliance.dof_of_position();
   const VectorXd d0 = random.matrix(static_cast<Index>(dofs.size()), 1);
@@ -127,8 +126,8 @@ TEST(PointSystem, SharesAForceAmongPointsThatSayTheSame) {
   held.equations = VectorXd::Constant(1, -1);
   TouchedSurface surface(bulk.compliance);
   PointSystem system(bulk.compliance, surface, force_weight);
-  system.add(0, 0, Status::stick, held);
-  system.add(0, 1, Status::stick, held);
+  system.add(0, 0) = held;
+  system.add(0, 1) = held;
   const auto change = system.solve(VectorXd::Zero(static_cast<Index>(bulk.compliance.surface().size())));
   ASSERT_TRUE(change);
   EXPECT_NEAR(change->force[0], change->force[1], 1e-9 * std::abs(change->force[0]));

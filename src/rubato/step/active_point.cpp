@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/active_point.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <cmath>
+
+namespace rubato::step {
+namespace {
+
+using Eigen::Dynamic;
+using Eigen::Index;
+
+/// Equations of a multiplier with entries below this part of the largest one are empty: the point stands
+/// between parts that are held.
+constexpr double empty_row = 1e-13;
+/// Volume of what unit vectors of one space leave in another, below which these have little in common.
+constexpr double little = 0.5;
+
+/// Multipliers that nothing can change stay as they are.
+void mend_empty_rows(contact::FactoredResponse& r) {
+  const Index d = r.components;
+  for (Index row = d; row < d + r.multipliers(); ++row)
+    if (r.by_multiplier.row(row).isZero(0) &&
+        r.by_q.row(row).lpNorm<Eigen::Infinity>() <=
+            empty_row * r.spread.topRows(d).lpNorm<Eigen::Infinity>()) {
+      r.by_multiplier(row, row - d) = 1;
+      r.by_q.row(row).setZero();
+      r.equations[row - d] = 0;
+    }
+}
+
+constexpr int sum_of(int a, int b) {
+  return a == Dynamic || b == Dynamic ? Dynamic : a + b;
+}
+
+/// The work of eliminate_multipliers, compiled for D components and M multipliers of a point, or for any.
+template <int D, int M> class Elimination {
+public:
+  Elimination(ActivePoint& point, bool kept)
+      : point_(point), r_(point.response), d_(r_.components), m_(r_.multipliers()), kept_(kept) {}
+
+  void run() {
+    Wide combinations = Wide::Identity(d_, d_ + m_);
+    if (m_ > 0)
+      factor(combinations);
+    point_.by_force = combinations.template leftCols<D>(d_);
+    point_.right = combinations.template rightCols<M>(m_) * r_.equations.template head<M>(m_);
+    auto& left = point_.rows.left;
+    left.resize(d_ + r_.slopes, r_.by_q.cols());
+    for (Index q = 0; q < left.cols(); ++q) {
+      left.col(q).template head<D>(d_) = -(combinations * r_.by_q.col(q).template head<rows>(d_ + m_));
+      left.col(q).tail(r_.slopes) = -r_.by_q.col(q).tail(r_.slopes);
+    }
+    point_.rows.right = r_.spread;
+  }
+
+private:
+  static constexpr int rows = sum_of(D, M);
+  /// No more than six of anything.
+  template <int Rows, int Columns>
+  using Small = Eigen::Matrix<double, Rows, Columns, 0, Rows == Dynamic ? 6 : Rows, Columns == Dynamic ? 6 : Columns>;
+  using Tall = Small<rows, M>;
+  using Wide = Small<D, rows>;
+  using Inverse = Small<M, rows>;
+  using RowSizes = Small<rows, 1>;
+  using ColumnSizes = Small<M, 1>;
+
+  /// Of Z_m over E_m with rows and columns of order one.
+  void factor(Wide& combinations) {
+    Tall matrix = r_.by_multiplier;
+    const ColumnSizes by_column = inverse_of(ColumnSizes(matrix.cwiseAbs().colwise().maxCoeff()));
+    matrix *= by_column.asDiagonal();
+    const RowSizes by_row = inverse_of(vector_sizes(matrix));
+    matrix = (by_row.asDiagonal() * matrix).eval();
+    const Eigen::HouseholderQR<Tall> qr(matrix);
+    const Small<rows, rows> q = qr.householderQ();
+    Inverse inverse = q.template leftCols<M>(m_).transpose();
+    qr.matrixQR().template topRows<M>(m_).template triangularView<Eigen::Upper>().solveInPlace(inverse);
+    point_.inverse = by_column.asDiagonal() * inverse * by_row.asDiagonal();
+    Wide basis = q.template rightCols<D>(d_).transpose();
+    if (kept_)
+      turn_towards_last(basis);
+    point_.basis = basis;
+    combinations = basis * by_row.asDiagonal();
+  }
+
+  /// Towards the basis of the last one's space; not where the two spaces have little in common.
+  void turn_towards_last(Wide& basis) const {
+    if (point_.basis.rows() != d_ || point_.basis.cols() != d_ + m_)
+      return;
+    const Wide last = point_.basis;
+    const Small<D, D> turn = last * basis.transpose();
+    if (std::abs(turn.determinant()) >= little)
+      basis = (turn * basis).eval();
+  }
+
+  /// Sizes of the rows, one for all that are components of one vector: a component that is rounding only must
+  /// not be blown up to the size of the others.
+  RowSizes vector_sizes(const Tall& matrix) const {
+    RowSizes sizes = matrix.cwiseAbs().rowwise().maxCoeff();
+    const auto join = [&](Index first, Index count) {
+      if (count > 0)
+        sizes.segment(first, count).setConstant(sizes.segment(first, count).maxCoeff());
+    };
+    join(0, d_);
+    if (const Index tangents = d_ - 1; m_ >= tangents)
+      join(sizes.size() - tangents, tangents);
+    return sizes;
+  }
+
+  template <class Sizes> static Sizes inverse_of(Sizes sizes) {
+    for (auto& size : sizes)
+      size = size > 0 ? 1 / size : 1.0;
+    return sizes;
+  }
+
+  ActivePoint& point_;
+  const contact::FactoredResponse& r_;
+  Index d_, m_;
+  bool kept_;
+};
+
+} // namespace
+
+void eliminate_multipliers(ActivePoint& point, bool kept) {
+  auto& r = point.response;
+  mend_empty_rows(r);
+  if (r.components == 3 && r.multipliers() == 3)
+    Elimination<3, 3>(point, kept).run();
+  else if (r.components == 2 && r.multipliers() == 2)
+    Elimination<2, 2>(point, kept).run();
+  else
+    Elimination<Dynamic, Dynamic>(point, kept).run();
+}
+
+contact::PointVector multiplier_change(const ActivePoint& point,
+                                       const Eigen::Ref<const Eigen::VectorXd>& force,
+                                       const Eigen::VectorXd& moved) {
+  const auto& r = point.response;
+  const Index d = r.components;
+  const Index m = r.multipliers();
+  Eigen::Matrix<double, Dynamic, 1, 0, 6, 1> right(d + m);
+  right << force, -r.equations;
+  for (std::size_t q = 0; q < point.positions.size(); ++q)
+    right -= r.by_q.col(static_cast<Index>(q)).head(d + m) * moved[point.positions[q]];
+  return point.inverse * right;
+}
+
+} // namespace rubato::step

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// A point in contact as the points' linear system sees it: linearised, its own multipliers eliminated.
+#pragma once
+
+#include "rubato/contact/factored_response.hpp"
+#include "rubato/step/touched_surface.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace rubato::step {
+
+struct ActivePoint {
+  /// Up to d rows, d + m columns.
+  using Combinations = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 6>;
+
+  std::size_t zone = 0;
+  std::size_t index = 0;
+  /// Its columns are those displacements that no support holds, once the system has been solved.
+  contact::FactoredResponse response;
+  std::vector<int> positions; ///< of those columns, on the surface
+  /// What is left of the equations: A₁ δz + A₂ δq = b and δξ − P δq = 0.
+  PointRows rows; ///< A₂ over −P, and N over H
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> by_force; ///< A₁
+  contact::PointVector right;                                              ///< b
+  Combinations basis;           ///< of the rows of Z_m over E_m, scaled: those without δm, orthonormal
+  Combinations inverse;         ///< of Z_m over E_m, to the left
+  Eigen::Index first_slope = 0; ///< of its δξ among those of all points
+
+  Eigen::Index first() const { return rows.first; }
+  int components() const { return response.components; }
+  int slopes() const { return response.slopes; }
+};
+
+/// Takes the combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm. `kept`: the
+/// same, as nearly as may be, as the ones the point had before.
+void eliminate_multipliers(ActivePoint& point, bool kept);
+
+/// δm of a point whose force changes by `force` while the surface moves by `moved`, one a position.
+contact::PointVector multiplier_change(const ActivePoint& point,
+                                       const Eigen::Ref<const Eigen::VectorXd>& force,
+                                       const Eigen::VectorXd& moved);
+
+} // namespace rubato::step
