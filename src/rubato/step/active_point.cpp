@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/active_point.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
-
-#include <cmath>
 
 namespace rubato::step {
 namespace {
@@ -15,8 +12,6 @@ using Eigen::Index;
 /// Equations of a multiplier with entries below this part of the largest one are empty: the point stands
 /// between parts that are held.
 constexpr double empty_row = 1e-13;
-/// Volume of what unit vectors of one space leave in another, below which these have little in common.
-constexpr double little = 0.5;
 
 /// Multipliers that nothing can change stay as they are.
 void mend_empty_rows(contact::FactoredResponse& r) {
@@ -38,8 +33,8 @@ constexpr int sum_of(int a, int b) {
 /// The work of eliminate_multipliers, compiled for D components and M multipliers of a point, or for any.
 template <int D, int M> class Elimination {
 public:
-  Elimination(ActivePoint& point, bool kept)
-      : point_(point), r_(point.response), d_(r_.components), m_(r_.multipliers()), kept_(kept) {}
+  explicit Elimination(ActivePoint& point)
+      : point_(point), r_(point.response), d_(r_.components), m_(r_.multipliers()) {}
 
   void run() {
     Wide combinations = Wide::Identity(d_, d_ + m_);
@@ -79,21 +74,7 @@ private:
     Inverse inverse = q.template leftCols<M>(m_).transpose();
     qr.matrixQR().template topRows<M>(m_).template triangularView<Eigen::Upper>().solveInPlace(inverse);
     point_.inverse = by_column.asDiagonal() * inverse * by_row.asDiagonal();
-    Wide basis = q.template rightCols<D>(d_).transpose();
-    if (kept_)
-      turn_towards_last(basis);
-    point_.basis = basis;
-    combinations = basis * by_row.asDiagonal();
-  }
-
-  /// Towards the basis of the last one's space; not where the two spaces have little in common.
-  void turn_towards_last(Wide& basis) const {
-    if (point_.basis.rows() != d_ || point_.basis.cols() != d_ + m_)
-      return;
-    const Wide last = point_.basis;
-    const Small<D, D> turn = last * basis.transpose();
-    if (std::abs(turn.determinant()) >= little)
-      basis = (turn * basis).eval();
+    combinations = q.template rightCols<D>(d_).transpose() * by_row.asDiagonal();
   }
 
   /// Sizes of the rows, one for all that are components of one vector: a component that is rounding only must
@@ -119,20 +100,19 @@ private:
   ActivePoint& point_;
   const contact::FactoredResponse& r_;
   Index d_, m_;
-  bool kept_;
 };
 
 } // namespace
 
-void eliminate_multipliers(ActivePoint& point, bool kept) {
+void eliminate_multipliers(ActivePoint& point) {
   auto& r = point.response;
   mend_empty_rows(r);
   if (r.components == 3 && r.multipliers() == 3)
-    Elimination<3, 3>(point, kept).run();
+    Elimination<3, 3>(point).run();
   else if (r.components == 2 && r.multipliers() == 2)
-    Elimination<2, 2>(point, kept).run();
+    Elimination<2, 2>(point).run();
   else
-    Elimination<Dynamic, Dynamic>(point, kept).run();
+    Elimination<Dynamic, Dynamic>(point).run();
 }
 
 contact::PointVector multiplier_change(const ActivePoint& point,

@@ -13,9 +13,6 @@
 namespace rubato::step {
 
 struct ActivePoint {
-  /// Up to d rows, d + m columns.
-  using Combinations = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 6>;
-
   std::size_t zone = 0;
   std::size_t index = 0;
   /// Its columns are those displacements that no support holds, once the system has been solved.
@@ -25,8 +22,8 @@ struct ActivePoint {
   PointRows rows; ///< A₂ over −P, and N over H
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> by_force; ///< A₁
   contact::PointVector right;                                              ///< b
-  Combinations basis;           ///< of the rows of Z_m over E_m, scaled: those without δm, orthonormal
-  Combinations inverse;         ///< of Z_m over E_m, to the left
+  /// Of Z_m over E_m, to the left.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 6> inverse;
   Eigen::Index first_slope = 0; ///< of its δξ among those of all points
 
   Eigen::Index first() const { return rows.first; }
@@ -34,9 +31,8 @@ struct ActivePoint {
   int slopes() const { return response.slopes; }
 };
 
-/// Takes the combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm. `kept`: the
-/// same, as nearly as may be, as the ones the point had before.
-void eliminate_multipliers(ActivePoint& point, bool kept);
+/// Takes the combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm.
+void eliminate_multipliers(ActivePoint& point);
 
 /// δm of a point whose force changes by `force` while the surface moves by `moved`, one a position.
 contact::PointVector multiplier_change(const ActivePoint& point,

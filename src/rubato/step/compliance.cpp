@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/compliance.hpp"
 
+#include "rubato/linalg/column_sum.hpp"
+
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace rubato::step {
@@ -16,42 +17,6 @@ using Eigen::Index;
 constexpr int block_size = 32;
 /// Surfaces up to this size get all their columns at once.
 constexpr int small_surface = 256;
-
-/// Adds multiples of columns to a sum, several in one pass over it.
-class Columns {
-public:
-  Columns(double* sum, int size) : sum_(sum), size_(size) {}
-
-  void add(double factor, const double* column) {
-    factors_[count_] = factor;
-    columns_[count_] = column;
-    if (++count_ < at_once)
-      return;
-    count_ = 0;
-    const auto [a, b, c, d] = factors_;
-    const double* const p = columns_[0];
-    const double* const q = columns_[1];
-    const double* const r = columns_[2];
-    const double* const s = columns_[3];
-    for (int i = 0; i < size_; ++i)
-      sum_[i] += (a * p[i] + b * q[i]) + (c * r[i] + d * s[i]);
-  }
-
-  void add_rest() {
-    for (std::size_t k = 0; k < count_; ++k)
-      for (int i = 0; i < size_; ++i)
-        sum_[i] += factors_[k] * columns_[k][i];
-    count_ = 0;
-  }
-
-private:
-  static constexpr std::size_t at_once = 4;
-  double* sum_;
-  int size_;
-  std::size_t count_ = 0;
-  std::array<double, at_once> factors_{};
-  std::array<const double*, at_once> columns_{};
-};
 
 } // namespace
 
@@ -111,11 +76,11 @@ Eigen::MatrixXd Compliance::within_body(std::span<const int> positions) {
 
 void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
   for (const auto& body : bodies_) {
-    Columns some(d.data() + body.first, body.size);
+    linalg::ColumnSum sum(d.data() + body.first, body.size);
     for (int i = body.first; i < body.first + body.size; ++i)
       if (force[i] != 0)
-        some.add(factor * force[i], column(i));
-    some.add_rest();
+        sum.add(factor * force[i], column(i));
+    sum.add_rest();
   }
 }
 

@@ -17,8 +17,6 @@ using Eigen::VectorXd;
 
 /// Part of the first residual that refinement leaves: Newton's next iteration takes the rest.
 constexpr double refined_enough = 1e-9;
-/// The same with factors of the last matrix: an iteration saved with them is to be worth a whole one.
-constexpr double refined_with_kept = 1e-12;
 /// The same where rounding lets it come no further.
 constexpr double refined_to_rounding = 1e-6;
 /// A round of refinement that leaves more than this part of the least error is slow. Forces and places take
@@ -27,7 +25,7 @@ constexpr double slow_round = 0.5;
 constexpr int most_slow_rounds = 3;
 constexpr int most_rounds = 30;
 /// Systems up to this size are solved whole at once.
-constexpr Index small = 160;
+constexpr Index small = 60;
 /// Whole systems beyond this size take too long to give up on.
 constexpr Index largest_whole = 3000;
 
@@ -48,11 +46,6 @@ void PointSystem::clear() {
   count_ = 0;
   force_.setZero(static_cast<Index>(compliance_.surface().size()));
   forces_ = places_ = 0;
-}
-
-void PointSystem::forget() {
-  clear();
-  factors_.reset();
 }
 
 contact::FactoredResponse& PointSystem::add(std::size_t zone, std::size_t index) {
@@ -94,10 +87,9 @@ void PointSystem::place(ActivePoint& point) {
 }
 
 std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
-  const bool kept = is_factored();
   for (auto& point : active()) {
     place(point);
-    eliminate_multipliers(point, kept);
+    eliminate_multipliers(point);
   }
   if (points().empty())
     return no_change();
@@ -106,11 +98,8 @@ std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
   VectorXd c;
   surface_.multiply(on_places, c);
   c = d0(surface_.positions()) - force_weight_ * c;
-  if (kept)
-    if (auto change = refined(c, refined_with_kept))
-      return change;
   if (forces_ + places_ > small && factor(points().front().components()))
-    if (auto change = refined(c, refined_enough))
+    if (auto change = refined(c))
       return change;
   return solved_whole(c);
 }
@@ -159,19 +148,7 @@ bool PointSystem::factor(Index rows) {
   matrix = row_scale_.asDiagonal() * matrix;
   factors_ = linalg::DenseLu::of(std::move(matrix));
   factored_rows_ = rows;
-  factored_.clear();
-  for (const auto& point : points())
-    factored_.emplace_back(point.zone, point.index);
   return factors_.has_value();
-}
-
-/// Only in the plane: in space slips turn from one iterate to the next, and the matrix with them.
-bool PointSystem::is_factored() const {
-  const auto is_named = [](const ActivePoint& point, const auto& name) {
-    return std::pair(point.zone, point.index) == name;
-  };
-  return factors_ && std::ranges::equal(points(), factored_, is_named) && !points().empty() &&
-         points().front().components() == 2;
 }
 
 /// What the factors answer to what is left of the equations.
@@ -212,7 +189,7 @@ PointSystem::Change PointSystem::split(const VectorXd& all, Index rows) const {
   return change;
 }
 
-std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c, double enough) {
+std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c) {
   auto change = no_change();
   double first = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -224,7 +201,7 @@ std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c, doubl
     if (round == 0)
       first = size;
     const double error = first > 0 ? std::max(size / first, moves) : moves;
-    if (round > 0 && error <= enough)
+    if (round > 0 && error <= refined_enough)
       return change;
     slow_rounds = error <= slow_round * least ? 0 : slow_rounds + 1;
     if (slow_rounds == most_slow_rounds)

@@ -7,8 +7,8 @@
 /// surface then moves from where the points were measured:
 ///   A₁ δz + A₂ δq = b,   δξ − P δq = 0,   δq = d₀ − f₁ S (f_c + Cᵀ (δz, δξ))   at each point.
 /// Of few points the whole dense matrix is factored, of many that of the forces alone: the moving places
-/// change little beside the forces. With factors of this matrix or, while the points are the same, of the
-/// last one, the whole is refined; where that does not converge, it is factored.
+/// change little beside the forces, and the whole is refined with it; where that does not converge, it is
+/// factored.
 #pragma once
 
 #include "rubato/linalg/dense_lu.hpp"
@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace rubato::step {
@@ -30,8 +29,6 @@ public:
   PointSystem(Compliance& compliance, TouchedSurface& surface, double force_weight);
 
   void clear();
-  /// Of the factors too.
-  void forget();
   /// The response of one more point, to be filled in by the caller.
   contact::FactoredResponse& add(std::size_t zone, std::size_t index);
   std::span<const ActivePoint> points() const { return {points_.data(), count_}; }
@@ -55,13 +52,12 @@ private:
   Eigen::Index rows_of_whole() const;
   Eigen::MatrixXd matrix_of(Eigen::Index rows) const;
   bool factor(Eigen::Index rows);
-  bool is_factored() const;
   Change correction(const Change& left) const;
   double largest_force_row(const Change& left) const;
   Eigen::VectorXd joined(const Change& change, Eigen::Index rows) const;
   Change split(const Eigen::VectorXd& all, Eigen::Index rows) const;
   std::optional<Change> least(const Change& left, Eigen::Index rows) const;
-  std::optional<Change> refined(const Eigen::VectorXd& c, double enough);
+  std::optional<Change> refined(const Eigen::VectorXd& c);
   std::optional<Change> solved_whole(const Eigen::VectorXd& c);
   static double force_on(const ActivePoint& point, std::size_t q, const Change& change);
   static void add_places(const ActivePoint& point, const Eigen::VectorXd& d, double* places);
@@ -79,9 +75,8 @@ private:
   Eigen::Index places_ = 0; ///< how many δξ
   TouchedSurface& surface_;
   std::optional<linalg::DenseLu> factors_;
-  std::vector<std::pair<std::size_t, std::size_t>> factored_; ///< zone and index of their points
-  Eigen::Index factored_rows_ = 0;                            ///< of each: δz alone, or δξ too
-  Eigen::VectorXd row_scale_, column_scale_;                  ///< of the factored matrix
+  Eigen::Index factored_rows_ = 0;           ///< of each point: δz alone, or δξ too
+  Eigen::VectorXd row_scale_, column_scale_; ///< of the factored matrix
 };
 
 } // namespace rubato::step

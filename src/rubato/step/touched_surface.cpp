@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/touched_surface.hpp"
 
+#include "rubato/linalg/column_sum.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -16,27 +18,29 @@ template <int Rows>
 void answer_to(const TouchedSurface& surface, const PointRows& point, MatrixXd& by_place,
                Eigen::Matrix<double, Rows, Eigen::Dynamic>& by_row) {
   by_place.setZero(surface.size(), Rows);
-  for (std::size_t q = 0; q < point.places.size(); ++q)
-    for (int row = 0; row < Rows; ++row)
-      if (const double part = point.right(row, static_cast<Index>(q)); part != 0)
-        surface.add_column(point.places[q], part, by_place.col(row).data());
+  for (int row = 0; row < Rows; ++row)
+    surface.add_motion(point.places, point.right.row(row), by_place.col(row).data());
   by_row = by_place.transpose();
 }
 
-/// What one point sees of what another one moves.
-template <int Rows>
+/// What one point sees of what another one moves. Most entries of rows that are shape functions are zero.
+template <int Rows, bool Sparse>
 Eigen::Matrix<double, Rows, Rows> seen_by(const PointRows& point,
                                           const Eigen::Matrix<double, Rows, Eigen::Dynamic>& moved) {
+  using Row = Eigen::Matrix<double, 1, Rows>;
   Eigen::Matrix<double, Rows, Rows> block = Eigen::Matrix<double, Rows, Rows>::Zero();
-  for (std::size_t q = 0; q < point.places.size(); ++q)
-    block += point.left.template block<Rows, 1>(0, static_cast<Index>(q)) *
-             moved.col(point.places[q]).transpose();
+  const double* left = point.left.data();
+  for (std::size_t q = 0; q < point.places.size(); ++q, left += point.left.rows()) {
+    const Row at_place = moved.col(point.places[q]).transpose();
+    for (int row = 0; row < Rows; ++row)
+      if (!Sparse || left[row] != 0)
+        block.row(row) += left[row] * at_place;
+  }
   return block;
 }
 
-template <int Rows>
-MatrixXd filled(const TouchedSurface& surface, std::span<const PointRows* const> points, double factor,
-                bool symmetric) {
+template <int Rows, bool Symmetric>
+MatrixXd filled(const TouchedSurface& surface, std::span<const PointRows* const> points, double factor) {
   using Block = Eigen::Matrix<double, Rows, Rows>;
   const auto count = static_cast<Index>(points.size());
   MatrixXd matrix(count * Rows, count * Rows);
@@ -44,10 +48,10 @@ MatrixXd filled(const TouchedSurface& surface, std::span<const PointRows* const>
   Eigen::Matrix<double, Rows, Eigen::Dynamic> moved;
   for (Index j = 0; j < count; ++j) {
     answer_to<Rows>(surface, *points[static_cast<std::size_t>(j)], by_place, moved);
-    for (Index i = 0; i < (symmetric ? j + 1 : count); ++i) {
-      const Block block = factor * seen_by<Rows>(*points[static_cast<std::size_t>(i)], moved);
+    for (Index i = 0; i < (Symmetric ? j + 1 : count); ++i) {
+      const Block block = factor * seen_by<Rows, Symmetric>(*points[static_cast<std::size_t>(i)], moved);
       matrix.template block<Rows, Rows>(i * Rows, j * Rows) = block;
-      if (symmetric)
+      if (Symmetric)
         matrix.template block<Rows, Rows>(j * Rows, i * Rows) = block.transpose();
     }
   }
@@ -104,12 +108,18 @@ void TouchedSurface::multiply(const VectorXd& force, VectorXd& moved) const {
     moved.segment(body.first, body.s.rows()).noalias() = body.s * force.segment(body.first, body.s.rows());
 }
 
-void TouchedSurface::add_column(int place, double factor, double* moved) const {
-  const auto& body = bodies_[static_cast<std::size_t>(body_of_[static_cast<std::size_t>(place)])];
-  const double* column = body.s.col(place - body.first).data();
-  double* to = moved + body.first;
-  for (Index i = 0; i < body.s.rows(); ++i)
-    to[i] += factor * column[i];
+void TouchedSurface::add_motion(std::span<const int> places,
+                                const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& force,
+                                double* moved) const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto& body = bodies_[b];
+    linalg::ColumnSum sum(moved + body.first, body.s.rows());
+    for (std::size_t q = 0; q < places.size(); ++q)
+      if (const double part = force[static_cast<Index>(q)];
+          part != 0 && body_of_[static_cast<std::size_t>(places[q])] == static_cast<int>(b))
+        sum.add(part, body.s.col(places[q] - body.first).data());
+    sum.add_rest();
+  }
 }
 
 void PointRows::fill_up(Index rows) {
@@ -117,22 +127,33 @@ void PointRows::fill_up(Index rows) {
   fill_up_with_zeros(right, rows);
 }
 
-MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
-                        double factor, bool symmetric) {
+namespace {
+
+template <bool Symmetric>
+MatrixXd filled_by_rows(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
+                        double factor) {
   switch (rows) {
   case 1:
-    return filled<1>(surface, points, factor, symmetric);
+    return filled<1, Symmetric>(surface, points, factor);
   case 2:
-    return filled<2>(surface, points, factor, symmetric);
+    return filled<2, Symmetric>(surface, points, factor);
   case 3:
-    return filled<3>(surface, points, factor, symmetric);
+    return filled<3, Symmetric>(surface, points, factor);
   case 4:
-    return filled<4>(surface, points, factor, symmetric);
+    return filled<4, Symmetric>(surface, points, factor);
   case 5:
-    return filled<5>(surface, points, factor, symmetric);
+    return filled<5, Symmetric>(surface, points, factor);
   default:
     throw std::invalid_argument("contact points have one to five unknowns each");
   }
+}
+
+} // namespace
+
+MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
+                        double factor, bool symmetric) {
+  return symmetric ? filled_by_rows<true>(surface, points, rows, factor)
+                   : filled_by_rows<false>(surface, points, rows, factor);
 }
 
 } // namespace rubato::step

@@ -28,8 +28,10 @@ public:
 
   /// moved = S force, both one a place.
   void multiply(const Eigen::VectorXd& force, Eigen::VectorXd& moved) const;
-  /// moved += factor · (column of S), one a place.
-  void add_column(int place, double factor, double* moved) const;
+  /// moved += S force, one a place, with the force given by its entries at some places.
+  void add_motion(std::span<const int> places,
+                  const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& force,
+                  double* moved) const;
 
 private:
   struct Body {
