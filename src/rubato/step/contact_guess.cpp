@@ -23,7 +23,11 @@ constexpr int most_sweeps = 50;
 constexpr double good_enough = 1e-2;
 constexpr int most_sets = 30;
 /// Points that the forces of others push into the master join in so many rounds.
-constexpr int most_rounds = 4;
+constexpr int most_rounds = 8;
+/// Those join first that are pushed in by this part of the deepest.
+constexpr double deep = 0.6;
+/// So many points are coupled anew each time, which makes the guess a little better.
+constexpr std::size_t few = 48;
 
 /// Gap and slips with the surface at d.
 Vector3d measures_of(const GuessPoint& point, const VectorXd& d) {
@@ -91,6 +95,8 @@ ContactGuess::ContactGuess(Compliance& compliance, TouchedSurface& surface, doub
     : compliance_(compliance), surface_(surface), factor_(factor), components_(components) {}
 
 void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free) {
+  if (count_ <= few)
+    forget();
   chosen_.clear();
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
@@ -144,7 +150,10 @@ double ContactGuess::give_of(std::size_t chosen) const {
 void ContactGuess::forget() {
   chosen_.clear();
   sliding_.clear();
-  coupled_.clear();
+  for (std::size_t k = 0; k < count_; ++k)
+    numbers_[coupled_[k].zone][coupled_[k].index] = 0;
+  count_ = 0;
+  between_.resize(0, 0);
 }
 
 /// Moves the surface by some of the forces of all points: of the gap, 0, and the slips, 1 and 2.
@@ -162,47 +171,74 @@ void ContactGuess::add_motion(std::span<const GuessPoint> points, int first, int
   compliance_.add(factor_, force_, d);
 }
 
-/// Points that press or penetrate join those that are chosen already. Whether there are any.
+/// Points that press, and those that penetrate deepest, join those that are chosen already. Whether there are
+/// any.
 bool ContactGuess::choose_more(std::span<GuessPoint> points, const VectorXd& d) {
-  const auto known = chosen_.size();
-  for (auto& point : points)
-    if ((point.force[0] > 0 || measures_of(point, d)[0] < 0) &&
-        std::find(chosen_.begin(), chosen_.begin() + static_cast<std::ptrdiff_t>(known), &point) ==
-            chosen_.begin() + static_cast<std::ptrdiff_t>(known))
-      chosen_.push_back(&point);
-  return chosen_.size() > known;
+  const auto known = static_cast<std::ptrdiff_t>(chosen_.size());
+  const auto is_known = [&](const GuessPoint& point) {
+    return std::find(chosen_.begin(), chosen_.begin() + known, &point) != chosen_.begin() + known;
+  };
+  gaps_.resize(points.size());
+  double deepest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    gaps_[i] = is_known(points[i]) ? 0.0 : measures_of(points[i], d)[0];
+    deepest = std::min(deepest, gaps_[i]);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if ((gaps_[i] < 0 && gaps_[i] <= deep * deepest) || (points[i].force[0] > 0 && !is_known(points[i])))
+      chosen_.push_back(&points[i]);
+  return static_cast<std::ptrdiff_t>(chosen_.size()) > known;
 }
 
+/// What the chosen points do to one another. Places of the surface shift when there are new ones.
 void ContactGuess::couple() {
-  const auto is_named = [](const GuessPoint* point, const Name& name) {
-    return Name{point->zone, point->index} == name;
-  };
-  if (std::ranges::equal(chosen_, coupled_, is_named))
+  const auto known = count_;
+  coupled_of_.clear();
+  for (const auto* point : chosen_)
+    coupled_of_.push_back(number_of(*point));
+  if (count_ == known)
     return;
-  coupled_.clear();
   std::vector<int> positions;
-  for (const auto* point : chosen_) {
-    coupled_.push_back({point->zone, point->index});
-    for (const auto& share : point->shares)
-      positions.push_back(share.position);
-  }
+  for (std::size_t k = known; k < count_; ++k)
+    positions.insert(positions.end(), coupled_[k].positions.begin(), coupled_[k].positions.end());
   surface_.touch(positions);
-  rows_.resize(std::max(rows_.size(), chosen_.size()));
-  std::vector<const PointRows*> pointers;
-  for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    const auto& shares = chosen_[k]->shares;
-    auto& rows = rows_[k];
-    rows.places.resize(shares.size());
-    rows.right.setZero(components_, static_cast<Index>(shares.size()));
-    for (std::size_t q = 0; q < shares.size(); ++q) {
-      rows.places[q] = surface_.place_of(shares[q].position);
-      rows.right(shares[q].component, static_cast<Index>(q)) = shares[q].weight;
-    }
-    rows.left = rows.right;
-    rows.first = static_cast<Index>(k) * components_;
-    pointers.push_back(&rows);
+  std::vector<const PointRows*> rows;
+  for (std::size_t k = 0; k < count_; ++k) {
+    auto& point = coupled_[k];
+    point.rows.places.resize(point.positions.size());
+    std::ranges::transform(point.positions, point.rows.places.begin(),
+                           [&](int position) { return surface_.place_of(position); });
+    rows.push_back(&point.rows);
   }
-  between_ = between_points(surface_, pointers, components_, factor_, true);
+  extend_between_points(surface_, rows, components_, factor_, between_);
+}
+
+/// Among the coupled ones, which it joins when it is new.
+std::size_t ContactGuess::number_of(const GuessPoint& point) {
+  numbers_.resize(std::max(numbers_.size(), point.zone + 1));
+  auto& of_zone = numbers_[point.zone];
+  of_zone.resize(std::max(of_zone.size(), point.index + 1), 0);
+  auto& number = of_zone[point.index];
+  if (number == 0) {
+    add_coupled(point);
+    number = count_;
+  }
+  return number - 1;
+}
+
+void ContactGuess::add_coupled(const GuessPoint& point) {
+  if (count_ == coupled_.size())
+    coupled_.emplace_back();
+  auto& coupled = coupled_[count_++];
+  coupled.zone = point.zone;
+  coupled.index = point.index;
+  coupled.positions.clear();
+  coupled.rows.right.setZero(components_, static_cast<Index>(point.shares.size()));
+  for (const auto& share : point.shares) {
+    coupled.rows.right(share.component, static_cast<Index>(coupled.positions.size())) = share.weight;
+    coupled.positions.push_back(share.position);
+  }
+  coupled.rows.left = coupled.rows.right;
 }
 
 /// What forces along some axes of points do to the measures along theirs: `axes` columns from `first` of each
@@ -214,14 +250,14 @@ void ContactGuess::project(std::span<const std::size_t> chosen, int first, Index
     const auto of = chosen[static_cast<std::size_t>(j)];
     for (Index b = 0; b < axes; ++b) {
       const double* along = chosen_[of]->frame.col(first + b).data();
-      const double* column = between_.col(static_cast<Index>(of) * components_).data();
+      const double* column = between_.col(static_cast<Index>(coupled_of_[of]) * components_).data();
       moved_.setZero(between_.rows());
       for (Index c = 0; c < components_; ++c, column += between_.rows())
         for (Index row = 0; row < between_.rows(); ++row)
           moved_[row] += along[c] * column[row];
       for (Index i = 0; i < count; ++i) {
         const auto on = chosen[static_cast<std::size_t>(i)];
-        const double* seen = moved_.data() + static_cast<Index>(on) * components_;
+        const double* seen = moved_.data() + static_cast<Index>(coupled_of_[on]) * components_;
         for (Index a = 0; a < axes; ++a) {
           const double* axis = chosen_[on]->frame.col(first + a).data();
           double sum = 0;

@@ -43,8 +43,8 @@ public:
   /// Improves the forces of the points: first the pressing ones, so that no gap is negative, then those along
   /// the slips for the pressing ones found, so that none exceeds μ times them and slips go against them
   /// (Tresca's problem). Points that have no force and don't penetrate get none. Both by projected
-  /// Gauss–Seidel sweeps, then by active sets. What the points do to one another is taken over from the last
-  /// call while the same points may touch: a guess needs no better.
+  /// Gauss–Seidel sweeps, then by active sets. What points do to one another is computed when they press or
+  /// penetrate first; of many points it is kept until they are forgotten: a guess needs no better.
   void improve(std::span<GuessPoint> points, const Eigen::VectorXd& free);
 
   /// How much a sweep would change the forces now that the points have been measured anew and the surface
@@ -54,14 +54,18 @@ public:
   void forget();
 
 private:
-  struct Name {
+  /// A point as it was when it was chosen first, and the places of its shares.
+  struct Coupled {
     std::size_t zone = 0;
     std::size_t index = 0;
-    bool operator==(const Name&) const = default;
+    std::vector<int> positions;
+    PointRows rows;
   };
   void add_motion(std::span<const GuessPoint> points, int first, int last, Eigen::VectorXd& d);
   bool choose_more(std::span<GuessPoint> points, const Eigen::VectorXd& d);
   void couple();
+  std::size_t number_of(const GuessPoint& point);
+  void add_coupled(const GuessPoint& point);
   void project(std::span<const std::size_t> chosen, int first, Eigen::Index axes,
                Eigen::MatrixXd& matrix) const;
   void press(const Eigen::VectorXd& without);
@@ -72,16 +76,19 @@ private:
   TouchedSurface& surface_;
   double factor_;
   Eigen::Index components_;
-  std::vector<GuessPoint*> chosen_; ///< those that may touch
-  std::vector<Name> coupled_;       ///< those that between_ is of
-  Eigen::MatrixXd between_;         ///< e of each for unit forces on each, components_ rows a point
-  Eigen::MatrixXd pressing_;        ///< the same from pressing forces to gaps
-  std::vector<std::size_t> sliding_; ///< of those chosen
-  Eigen::MatrixXd rubbing_;          ///< the same from their friction to their slips
-  std::vector<PointRows> rows_;      ///< storage of couple
-  Eigen::VectorXd force_;            ///< storage of add_motion
-  std::vector<std::size_t> all_;     ///< storage of press
-  mutable Eigen::VectorXd moved_;    ///< storage of project
+  std::vector<GuessPoint*> chosen_;               ///< those that may touch
+  std::vector<std::size_t> coupled_of_;           ///< their numbers among the coupled ones
+  std::vector<std::size_t> sliding_;              ///< of those chosen
+  std::vector<Coupled> coupled_;                  ///< the first count_ of them; others are storage
+  std::size_t count_ = 0;
+  std::vector<std::vector<std::size_t>> numbers_; ///< of the coupled ones by zone and index, from 1; 0: none
+  Eigen::MatrixXd between_;  ///< e of each coupled point for unit forces on each, components_ rows a point
+  Eigen::MatrixXd pressing_; ///< the same from pressing forces of chosen points to gaps
+  Eigen::MatrixXd rubbing_;  ///< the same from friction of sliding ones to their slips
+  Eigen::VectorXd force_;          ///< storage of add_motion
+  std::vector<std::size_t> all_;   ///< storage of press
+  std::vector<double> gaps_;       ///< storage of choose_more
+  mutable Eigen::VectorXd moved_;  ///< storage of project
 };
 
 /// Sweeps on w = values + matrix F,  F ≥ 0, w ≥ 0, F·w = 0, until one changes neither which F are positive

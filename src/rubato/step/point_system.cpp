@@ -129,7 +129,7 @@ MatrixXd PointSystem::matrix_of(Index rows) const {
   std::vector<const PointRows*> all;
   for (const auto& point : points())
     all.push_back(&point.rows);
-  MatrixXd matrix = between_points(surface_, all, rows, -force_weight_, false);
+  MatrixXd matrix = between_points(surface_, all, rows, -force_weight_);
   Index first = 0;
   for (const auto& point : points()) {
     const Index d = point.components();

@@ -39,23 +39,47 @@ Eigen::Matrix<double, Rows, Rows> seen_by(const PointRows& point,
   return block;
 }
 
-template <int Rows, bool Symmetric>
-MatrixXd filled(const TouchedSurface& surface, std::span<const PointRows* const> points, double factor) {
+/// Whether points see what they move themselves, so that the matrix is symmetric.
+enum class Kind { general, symmetric };
+
+/// Columns of the points from `first` on; of a symmetric matrix their rows too.
+template <int Rows, Kind kind>
+void fill(const TouchedSurface& surface, std::span<const PointRows* const> points, Index first, double factor,
+          MatrixXd& matrix) {
   using Block = Eigen::Matrix<double, Rows, Rows>;
+  constexpr bool symmetric = kind == Kind::symmetric;
   const auto count = static_cast<Index>(points.size());
-  MatrixXd matrix(count * Rows, count * Rows);
   MatrixXd by_place;
   Eigen::Matrix<double, Rows, Eigen::Dynamic> moved;
-  for (Index j = 0; j < count; ++j) {
+  for (Index j = first; j < count; ++j) {
     answer_to<Rows>(surface, *points[static_cast<std::size_t>(j)], by_place, moved);
-    for (Index i = 0; i < (Symmetric ? j + 1 : count); ++i) {
-      const Block block = factor * seen_by<Rows, Symmetric>(*points[static_cast<std::size_t>(i)], moved);
+    for (Index i = 0; i < (symmetric ? j + 1 : count); ++i) {
+      const Block block =
+          factor * seen_by<Rows, symmetric>(*points[static_cast<std::size_t>(i)], moved);
       matrix.template block<Rows, Rows>(i * Rows, j * Rows) = block;
-      if (Symmetric)
+      if (symmetric)
         matrix.template block<Rows, Rows>(j * Rows, i * Rows) = block.transpose();
     }
   }
-  return matrix;
+}
+
+template <Kind kind>
+void fill_by_rows(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
+                  Index first, double factor, MatrixXd& matrix) {
+  switch (rows) {
+  case 1:
+    return fill<1, kind>(surface, points, first, factor, matrix);
+  case 2:
+    return fill<2, kind>(surface, points, first, factor, matrix);
+  case 3:
+    return fill<3, kind>(surface, points, first, factor, matrix);
+  case 4:
+    return fill<4, kind>(surface, points, first, factor, matrix);
+  case 5:
+    return fill<5, kind>(surface, points, first, factor, matrix);
+  default:
+    throw std::invalid_argument("contact points have one to five unknowns each");
+  }
 }
 
 void fill_up_with_zeros(MatrixXd& matrix, Index rows) {
@@ -127,33 +151,20 @@ void PointRows::fill_up(Index rows) {
   fill_up_with_zeros(right, rows);
 }
 
-namespace {
-
-template <bool Symmetric>
-MatrixXd filled_by_rows(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
+MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
                         double factor) {
-  switch (rows) {
-  case 1:
-    return filled<1, Symmetric>(surface, points, factor);
-  case 2:
-    return filled<2, Symmetric>(surface, points, factor);
-  case 3:
-    return filled<3, Symmetric>(surface, points, factor);
-  case 4:
-    return filled<4, Symmetric>(surface, points, factor);
-  case 5:
-    return filled<5, Symmetric>(surface, points, factor);
-  default:
-    throw std::invalid_argument("contact points have one to five unknowns each");
-  }
+  const Index size = static_cast<Index>(points.size()) * rows;
+  MatrixXd matrix(size, size);
+  fill_by_rows<Kind::general>(surface, points, rows, 0, factor, matrix);
+  return matrix;
 }
 
-} // namespace
-
-MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
-                        double factor, bool symmetric) {
-  return symmetric ? filled_by_rows<true>(surface, points, rows, factor)
-                   : filled_by_rows<false>(surface, points, rows, factor);
+void extend_between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
+                           Index rows, double factor, MatrixXd& matrix) {
+  const Index known = matrix.rows() / rows;
+  const Index size = static_cast<Index>(points.size()) * rows;
+  matrix.conservativeResize(size, size);
+  fill_by_rows<Kind::symmetric>(surface, points, rows, known, factor, matrix);
 }
 
 } // namespace rubato::step

@@ -57,9 +57,12 @@ struct PointRows {
   void fill_up(Eigen::Index rows);
 };
 
-/// factor · left S rightᵀ between all points, of the first `rows` rows of each, at most five. `symmetric`:
-/// left and right are the same, so only half is computed.
+/// factor · left S rightᵀ between all points, of the first `rows` rows of each, at most five.
 Eigen::MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
-                               Eigen::Index rows, double factor, bool symmetric);
+                               Eigen::Index rows, double factor);
+
+/// The same of points whose left and right are the same, where `matrix` has the first of them already.
+void extend_between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
+                           Eigen::Index rows, double factor, Eigen::MatrixXd& matrix);
 
 } // namespace rubato::step
