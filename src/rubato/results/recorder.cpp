@@ -349,17 +349,18 @@ private:
   }
 
   void write_attempt(const Attempt& attempt, const step::StepReport& report) {
-    ordered_json json{{"begin", attempt.begin},
-                      {"end", attempt.end},
-                      {"cut_level", attempt.cut_level},
-                      {"accepted", attempt.accepted},
-                      {"outcome", step::to_string(report.outcome)},
-                      {"iterations", report.iterations},
-                      {"residual", report.residual},
-                      {"status_changes", report.status_changes},
-                      {"geometry_by_loop", report.geometry_by_loop},
-                      {"friction_continuation", report.friction_continuation},
-                      {"seconds", attempt.seconds}};
+    ordered_json json; // filled entry by entry: a list of them would be copied twice, in every step
+    json["begin"] = attempt.begin;
+    json["end"] = attempt.end;
+    json["cut_level"] = attempt.cut_level;
+    json["accepted"] = attempt.accepted;
+    json["outcome"] = step::to_string(report.outcome);
+    json["iterations"] = report.iterations;
+    json["residual"] = report.residual;
+    json["status_changes"] = report.status_changes;
+    json["geometry_by_loop"] = report.geometry_by_loop;
+    json["friction_continuation"] = report.friction_continuation;
+    json["seconds"] = attempt.seconds;
     for (const auto& round : report.rounds)
       json["rounds"].push_back({{"level", step::to_string(round.level)},
                                 {"round", round.round},

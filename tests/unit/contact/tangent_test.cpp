@@ -69,6 +69,24 @@ bool far_from_a_kink(const contact::Pair& pair, CellType type) {
   return true;
 }
 
+TEST_P(ContactTangent, MeasuresWithoutDerivativesAreTheSame) {
+  const auto configuration = setup.configuration(setup.u);
+  const auto pairs = contact::find_pairs(setup.zone, configuration);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (!pairs[p].paired())
+      continue;
+    const auto whole = contact::evaluate_kinematics(setup.zone, setup.zone.points[p], pairs[p], configuration);
+    contact::Kinematics measured;
+    contact::measure_kinematics(setup.zone, setup.zone.points[p], pairs[p], configuration, measured);
+    EXPECT_EQ(measured.nodes, whole.nodes);
+    EXPECT_EQ(measured.shape, whole.shape);
+    EXPECT_EQ(measured.gap, whole.gap);
+    EXPECT_EQ(measured.slip, whole.slip);
+    EXPECT_EQ(measured.normal, whole.normal);
+    EXPECT_EQ(measured.tangents, whole.tangents);
+  }
+}
+
 TEST_P(ContactTangent, KinematicsVaryAsTheySay) {
   const auto configuration = setup.configuration(setup.u);
   const auto pairs = contact::find_pairs(setup.zone, configuration);

@@ -17,7 +17,7 @@ Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns) {
 }
 
 TEST(DenseLu, SolvesGeneralSystems) {
-  for (const Eigen::Index size : {1, 2, 7, 150}) {
+  for (const Eigen::Index size : {1, 2, 7, 48, 49, 150}) {
     const Eigen::MatrixXd matrix = random_matrix(size, size);
     const Eigen::VectorXd wanted = random_matrix(size, 1);
     const auto lu = DenseLu::of(matrix);
@@ -37,6 +37,9 @@ TEST(DenseLu, RefusesSingularAndInfiniteMatrices) {
   matrix.col(3) = 2 * matrix.col(1) - matrix.col(0);
   EXPECT_FALSE(DenseLu::of(matrix));
   EXPECT_FALSE(DenseLu::of(Eigen::MatrixXd::Zero(3, 3)));
+  Eigen::MatrixXd large = random_matrix(60, 60);
+  large.row(17) = large.row(2) + large.row(40);
+  EXPECT_FALSE(DenseLu::of(large));
   matrix(2, 2) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(DenseLu::of(matrix));
 }

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/linalg/elastic_block.hpp"
+#include <limits>
+#include <numeric>
 #include <random>
 
 namespace rubato::step {
@@ -66,6 +69,92 @@ TEST(RubbingSweeps, TurnAgainstTheSlipInThePlane) {
   sweep_rubbing(springs, Eigen::Vector2d(30, 40), VectorXd::Constant(1, 5), 2, forces);
   EXPECT_NEAR(forces[0], -3, 1e-12);
   EXPECT_NEAR(forces[1], -4, 1e-12);
+}
+
+/// Points that press a block of elastic cells, each on a node of its own, all pushed in along z.
+class PushedBlock : public testing::Test {
+protected:
+  PushedBlock() : compliance_(factored(), numbers(), matrix_.rows()), surface_(compliance_) {
+    for (int i = 0; i < 8; ++i) {
+      GuessPoint point;
+      point.index = static_cast<std::size_t>(i);
+      for (int c = 0; c < 3; ++c)
+        point.shares.push_back({compliance_.position_of_dof()[static_cast<std::size_t>(9 * i + c)], c, 1});
+      point.frame << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+      point.value << (i % 3 == 0 ? 0.5 : -1.0 - i), 0.2 * i, -0.1;
+      point.value *= unit();
+      point.friction = 0.3;
+      points_.push_back(point);
+    }
+  }
+
+  std::vector<int> numbers() const {
+    std::vector<int> all(static_cast<std::size_t>(matrix_.rows()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+  linalg::SplitFactor factored() const {
+    return *linalg::SplitFactor::of(matrix_, numbers(), std::numeric_limits<std::size_t>::max());
+  }
+  static double unit() { return 1e-3; }
+
+  /// The surface under the points' forces.
+  VectorXd moved() {
+    VectorXd force = VectorXd::Zero(matrix_.rows());
+    for (const auto& point : points_)
+      for (const auto& share : point.shares)
+        force[share.position] += share.weight * (point.frame * point.force)[share.component];
+    VectorXd d = VectorXd::Zero(matrix_.rows());
+    compliance_.add(1, force, d);
+    return d;
+  }
+
+  Eigen::Vector3d measures(const GuessPoint& point, const VectorXd& d) const {
+    Eigen::Vector3d e = Eigen::Vector3d::Zero();
+    for (const auto& share : point.shares)
+      e[share.component] += share.weight * d[share.position];
+    return point.value + point.frame.transpose() * e;
+  }
+
+  linalg::SparseMatrix matrix_ = test::elastic_block(5, 4, 3);
+  Compliance compliance_;
+  TouchedSurface surface_;
+  std::vector<GuessPoint> points_;
+};
+
+TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
+  ContactGuess guess(compliance_, surface_, 1, 3);
+  for (int round = 0; round < 20; ++round)
+    guess.improve(points_, VectorXd::Zero(matrix_.rows()));
+  const VectorXd d = moved();
+  double largest = 0;
+  for (const auto& point : points_)
+    largest = std::max(largest, point.force[0]);
+  EXPECT_GT(largest, 0);
+  EXPECT_LE(guess.misfit(points_, d), 1e-2);
+  int pressed = 0;
+  for (const auto& point : points_) {
+    pressed += point.force[0] > 0 ? 1 : 0;
+    EXPECT_GE(point.force[0], 0);
+    const double gap = measures(point, d)[0];
+    EXPECT_GE(gap, -0.02 * unit());
+    EXPECT_LE(point.force[0] > 0 ? gap : 0.0, 0.02 * unit());
+    EXPECT_LE(point.force.tail<2>().norm(), (1 + 1e-12) * point.friction * point.force[0]);
+  }
+  EXPECT_GT(pressed, 2);
+  EXPECT_LT(pressed, 8);
+}
+
+TEST_F(PushedBlock, FindsTheSameForcesAgain) {
+  ContactGuess guess(compliance_, surface_, 1, 3);
+  guess.improve(points_, VectorXd::Zero(matrix_.rows()));
+  const auto first = points_;
+  for (auto& point : points_)
+    point.force.setZero();
+  guess.forget();
+  guess.improve(points_, VectorXd::Zero(matrix_.rows()));
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    EXPECT_EQ(points_[i].force, first[i].force);
 }
 
 } // namespace

@@ -70,7 +70,12 @@ struct Bulk {
   }
 };
 
-class PointSystemWith : public testing::TestWithParam<double> {};
+struct Points {
+  double slope_size;
+  std::size_t count;
+};
+
+class PointSystemWith : public testing::TestWithParam<Points> {};
 
 TEST_P(PointSystemWith, SolvesEachPointsEquations) {
   Bulk bulk;
@@ -79,8 +84,8 @@ TEST_P(PointSystemWith, SolvesEachPointsEquations) {
   Random random(17);
   TouchedSurface surface(bulk.compliance);
   PointSystem system(bulk.compliance, surface, force_weight);
-  for (std::size_t i = 0; i < 12; ++i) {
-    auto response = made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam());
+  for (std::size_t i = 0; i < GetParam().count; ++i) {
+    auto response = made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam().slope_size);
     response.spread *= unit;
     system.add(0, i) = response;
   }
@@ -110,8 +115,14 @@ TEST_P(PointSystemWith, SolvesEachPointsEquations) {
   }
 }
 
-// From places that hardly matter, which refinement takes care of, to ones that matter as much as forces.
-INSTANTIATE_TEST_SUITE_P(SlopesOfSize, PointSystemWith, testing::Values(0, 1e-3, 1e-1, 1, 10));
+// From places that hardly matter to ones that matter as much as forces. Few points are solved for at once,
+// of many the forces first, refined with the places.
+INSTANTIATE_TEST_SUITE_P(Few, PointSystemWith,
+                         testing::Values(Points{0, 12}, Points{1e-3, 12}, Points{1e-1, 12}, Points{1, 12},
+                                         Points{10, 12}));
+INSTANTIATE_TEST_SUITE_P(Many, PointSystemWith,
+                         testing::Values(Points{0, 20}, Points{1e-3, 20}, Points{1e-1, 20}, Points{1, 20},
+                                         Points{10, 20}));
 
 TEST(PointSystem, SharesAForceAmongPointsThatSayTheSame) {
   Bulk bulk;
@@ -144,6 +155,31 @@ TEST(PointSystem, WithoutPointsChangesNothing) {
   ASSERT_TRUE(change);
   EXPECT_EQ(change->force.size(), 0);
   EXPECT_TRUE(system.force_after(*change).isZero(0));
+}
+
+TEST(TouchedSurface, ExtendsWhatPointsDoToOneAnother) {
+  Bulk bulk;
+  Random random(3);
+  TouchedSurface surface(bulk.compliance);
+  std::vector<int> all(30);
+  std::iota(all.begin(), all.end(), 0);
+  surface.touch(all);
+  std::vector<PointRows> points(5);
+  for (auto& point : points) {
+    for (int q = 0; q < 6; ++q)
+      point.places.push_back(surface.place_of(random.below(30)));
+    point.right = random.matrix(3, 6);
+    point.right(1, 2) = 0;
+    point.left = point.right;
+  }
+  std::vector<const PointRows*> some;
+  for (const auto& point : points)
+    some.push_back(&point);
+  const MatrixXd whole = between_points(surface, some, 3, 0.5);
+  MatrixXd extended;
+  extend_between_points(surface, std::span(some).first(2), 3, 0.5, extended);
+  extend_between_points(surface, some, 3, 0.5, extended);
+  EXPECT_LE((extended - whole).lpNorm<Eigen::Infinity>(), 1e-14 * whole.lpNorm<Eigen::Infinity>());
 }
 
 TEST(TouchedSurface, TakesMoreAndKeepsWhatItHas) {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/dense_cholesky.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+namespace rubato::linalg {
+namespace {
+
+Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns) {
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return uniform(generator); });
+}
+
+TEST(DenseCholesky, SolvesByTheLowerTriangle) {
+  for (const Eigen::Index size : {1, 2, 7, 48, 49, 150}) {
+    const Eigen::MatrixXd root = random_matrix(size, size);
+    const Eigen::MatrixXd matrix = root * root.transpose() + Eigen::MatrixXd::Identity(size, size);
+    const Eigen::VectorXd wanted = random_matrix(size, 1);
+    const Eigen::MatrixXd lower = matrix.triangularView<Eigen::Lower>();
+    EXPECT_LT((solve_positive_definite(lower, matrix * wanted) - wanted).lpNorm<Eigen::Infinity>(), 1e-10)
+        << size;
+  }
+}
+
+TEST(DenseCholesky, KnowsIndefiniteMatrices) {
+  for (const Eigen::Index size : {3, 60}) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size, size);
+    matrix(1, 1) = -1;
+    EXPECT_TRUE(solve_positive_definite(matrix, Eigen::VectorXd::Ones(size)).array().isNaN().all()) << size;
+  }
+}
+
+TEST(DenseCholesky, OfNothingSolvesNothing) {
+  EXPECT_EQ(solve_positive_definite(Eigen::MatrixXd(0, 0), Eigen::VectorXd(0)).size(), 0);
+}
+
+TEST(DenseCholesky, ThrowsForSizesThatDoNotMatch) {
+  EXPECT_THROW(solve_positive_definite(Eigen::MatrixXd::Identity(3, 3), Eigen::VectorXd::Ones(2)),
+               std::invalid_argument);
+}
+
+} // namespace
+} // namespace rubato::linalg
