@@ -164,7 +164,8 @@ using Measure = decltype(measure_kinematics);
 
 /// `measure` says how much of the kinematics is wanted.
 void evaluate_pairs(const Zone& zone, std::span<const Pair> pairs, const VectorXd& multipliers,
-                    const Configuration& configuration, Measure& measure, std::vector<PointEvaluation>& into) {
+                    const Configuration& configuration, Measure& measure,
+                    std::vector<PointEvaluation>& into) {
   into.resize(zone.points.size());
   for (std::size_t i = 0; i < zone.points.size(); ++i) {
     auto& evaluation = into[i];

@@ -56,13 +56,14 @@ public:
              Kinematics& out)
       : zone_(zone), point_(point), projection_(pair.projection), configuration_(configuration),
         face_(zone.master.faces[static_cast<std::size_t>(pair.master_face)]), out_(out),
-        coordinates_(deformed(face_, configuration)), clamped_(face_, coordinates_, projection_.clamped),
+        coordinates_(deformed(face_, configuration)),
+        clamped_(face_geometry(face_.type, coordinates_, projection_.clamped)),
         slave_position_(position(point, configuration)),
         slave_count_(static_cast<Index>(point.nodes.size())) {
     if (!adds_free_tangents())
       return;
-    free_.emplace(face_, coordinates_, projection_.xi);
-    added_tangents_ = clamped_.at.tangents + free_->at.tangents;
+    free_ = face_geometry(face_.type, coordinates_, projection_.xi);
+    added_tangents_ = clamped_.tangents + free_->tangents;
   }
 
   /// All but derivatives.
@@ -80,7 +81,7 @@ public:
     collect_slopes();
     if constexpr (!Inside) {
       if (!free_)
-        free_.emplace(face_, coordinates_, projection_.xi);
+        free_ = face_geometry(face_.type, coordinates_, projection_.xi);
       collect_free_weights();
     }
     vary_projection();
@@ -118,15 +119,17 @@ private:
     out_.shape.resize(count);
     for (Index i = 0; i < slave_count_; ++i)
       out_.shape[i] = point_.shape[static_cast<std::size_t>(i)];
+    const auto values = face_values(face_.type, projection_.clamped);
     for (Index j = 0; j < face_.node_count; ++j)
-      out_.shape[slave_count_ + j] = -clamped_.shape.values[static_cast<std::size_t>(j)];
+      out_.shape[slave_count_ + j] = -values[static_cast<std::size_t>(j)];
   }
 
   void collect_slopes() {
+    const auto shape = face_shape(face_.type, projection_.clamped);
     out_.shape_slope.setZero(out_.shape.size(), 2);
     for (Index j = 0; j < face_.node_count; ++j)
       for (int a = 0; a < Dimension; ++a)
-        out_.shape_slope(slave_count_ + j, a) = -gradient(clamped_.shape, j, a);
+        out_.shape_slope(slave_count_ + j, a) = -gradient(shape, j, a);
   }
 
   static double gradient(const FaceShape& shape, Index node, int direction) {
@@ -134,7 +137,7 @@ private:
   }
 
   void collect_free_weights() {
-    const auto& shape = free().shape;
+    const auto shape = face_shape(face_.type, projection_.xi);
     for (Index j = 0; j < face_.node_count; ++j) {
       free_weights_(0, j) = -shape.values[static_cast<std::size_t>(j)];
       for (int a = 0; a < Dimension; ++a)
@@ -145,15 +148,15 @@ private:
   /// dξ̄, and dξ where it differs.
   void vary_projection() {
     const auto& place = free();
-    const Vector3d r = slave_position_ - place.at.position;
+    const Vector3d r = slave_position_ - place.position;
     Eigen::Matrix<double, Dimension, columns> right = Eigen::Matrix<double, Dimension, columns>::Zero();
     Eigen::Matrix<double, Dimension, Dimension> slope;
     for (int a = 0; a < Dimension; ++a) {
-      const Vector3d t = place.at.tangents.col(a);
+      const Vector3d t = place.tangents.col(a);
       motion(right.row(a), free_start, 0) = in_space(t);
       motion(right.row(a), free_start, 1 + a) = in_space(r);
       for (int b = 0; b < Dimension; ++b)
-        slope(a, b) = t.dot(place.at.tangents.col(b)) - r.dot(curvature(place, a, b));
+        slope(a, b) = t.dot(place.tangents.col(b)) - r.dot(curvature(place, a, b));
     }
     d_free_.setZero();
     d_free_.template topRows<Dimension>() = slope.inverse() * right;
@@ -163,13 +166,13 @@ private:
       rows_.template topRows<2>() = projection_.clamp_derivative * d_free_;
   }
 
-  static const Vector3d& curvature(const PlaceOnFace& place, int a, int b) {
-    return place.at.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+  static const Vector3d& curvature(const FaceGeometry& place, int a, int b) {
+    return place.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
   }
 
   /// Adds v · d x,_a at a reference point that moves by d_xi.
   template <class Rows>
-  static void add_tangent(const Vector3d& v, int a, const PlaceOnFace& place, int start, const Rows& d_xi,
+  static void add_tangent(const Vector3d& v, int a, const FaceGeometry& place, int start, const Rows& d_xi,
                           Local<1>& sum) {
     motion(sum, start, 1 + a) += in_space(v);
     for (int b = 0; b < Dimension; ++b)
@@ -183,7 +186,7 @@ private:
   }
 
   const Eigen::Matrix<double, 3, 2>& directions() const {
-    return adds_free_tangents() ? added_tangents_ : clamped_.at.tangents;
+    return adds_free_tangents() ? added_tangents_ : clamped_.tangents;
   }
   bool adds_free_tangents() const {
     return !Inside && zone_.settings.clamped_normal == deck::ClampedNormal::code_aster;
@@ -211,7 +214,7 @@ private:
     }
   }
 
-  const PlaceOnFace& free() const {
+  const FaceGeometry& free() const {
     if constexpr (Inside)
       return clamped_;
     else
@@ -309,7 +312,7 @@ private:
                        along;
   }
 
-  Vector3d apart() const { return slave_position_ - clamped_.at.position; }
+  Vector3d apart() const { return slave_position_ - clamped_.position; }
 
   void measure_gap() { out_.gap = normal().dot(apart()); }
 
@@ -318,7 +321,7 @@ private:
     factors_(0, beta) = -apart().dot(tangent(0));
     factors_(0, gamma) = -apart().dot(tangent(1));
     for (int a = 0; a < Dimension; ++a)
-      factors_(0, xi1 + a) = -normal().dot(clamped_.at.tangents.col(a));
+      factors_(0, xi1 + a) = -normal().dot(clamped_.tangents.col(a));
   }
 
   Vector3d increment(Index node) const {
@@ -405,8 +408,8 @@ private:
   const Face& face_;
   Kinematics& out_;
   FaceCoordinates coordinates_;
-  PlaceOnFace clamped_;
-  std::optional<PlaceOnFace> free_; ///< where it differs and has been asked for
+  FaceGeometry clamped_;
+  std::optional<FaceGeometry> free_;           ///< where it differs and has been asked for
   Eigen::Matrix<double, 3, 2> added_tangents_; ///< of both, where the frame takes them
   Vector3d slave_position_;
   Index slave_count_;

@@ -152,10 +152,34 @@ template <class Kind> class FaceMap {
 public:
   FaceMap(const FaceCoordinates& nodes, const fem::ReferenceCell& cell) : nodes_(nodes), cell_(cell) {}
   FaceGeometry at(const Vector2d& xi) const { return geometry_of<Kind>(nodes_, shape_of<Kind>(cell_, xi)); }
+  Vector3d position(const Vector2d& xi) const {
+    std::array<double, 9> values;
+    cell_.values({xi[0], xi[1], 0}, std::span(values).template first<Kind::nodes>());
+    return weighted_sum<Kind::nodes, 1>(nodes_, values.data());
+  }
 
 private:
   const FaceCoordinates& nodes_;
   const fem::ReferenceCell& cell_;
+};
+
+/// x = a + ξ b
+template <> class FaceMap<FaceKind<1, 2>> {
+public:
+  FaceMap(const FaceCoordinates& nodes, const fem::ReferenceCell& /*unused*/)
+      : a_(0.5 * (nodes.col(1) + nodes.col(0))), b_(0.5 * (nodes.col(1) - nodes.col(0))) {}
+  FaceGeometry at(const Vector2d& xi) const {
+    FaceGeometry geometry;
+    geometry.position = position(xi);
+    geometry.tangents << b_, Vector3d::UnitZ();
+    for (auto& row : geometry.curvatures)
+      row.fill(Vector3d::Zero());
+    return geometry;
+  }
+  Vector3d position(const Vector2d& xi) const { return a_ + xi[0] * b_; }
+
+private:
+  Vector3d a_, b_;
 };
 
 /// x = a + ξ b + η c + ξη d
@@ -173,11 +197,12 @@ public:
     FaceGeometry geometry;
     geometry.tangents.col(0) = b_ + xi[1] * d_;
     geometry.tangents.col(1) = c_ + xi[0] * d_;
-    geometry.position = a_ + xi[0] * geometry.tangents.col(0) + xi[1] * c_;
+    geometry.position = position(xi);
     geometry.curvatures[0] = {Vector3d::Zero(), d_};
     geometry.curvatures[1] = {d_, Vector3d::Zero()};
     return geometry;
   }
+  Vector3d position(const Vector2d& xi) const { return a_ + xi[0] * (b_ + xi[1] * d_) + xi[1] * c_; }
 
 private:
   Vector3d a_, b_, c_, d_;
@@ -271,10 +296,14 @@ FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Ve
 
 Vector3d face_position(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
   const auto& cell = fem::reference_cell(type);
+  return with_kind(type, [&](auto kind) { return FaceMap<decltype(kind)>(nodes, cell).position(xi); });
+}
+
+std::array<double, 9> face_values(CellType type, const Vector2d& xi) {
+  const auto& cell = fem::reference_cell(type);
   std::array<double, 9> values;
   cell.values({xi[0], xi[1], 0}, std::span(values).first(static_cast<std::size_t>(cell.node_count)));
-  return with_kind(type,
-                   [&](auto kind) { return weighted_sum<decltype(kind)::nodes, 1>(nodes, values.data()); });
+  return values;
 }
 
 void clamp_to_face(CellType type, Projection& projection) {

@@ -22,6 +22,8 @@ struct FaceShape {
 };
 
 FaceShape face_shape(mesh::CellType type, const Eigen::Vector2d& xi);
+/// The shape functions alone.
+std::array<double, 9> face_values(mesh::CellType type, const Eigen::Vector2d& xi);
 
 /// Position and parametric derivatives of a face at one reference point. In 2D the second direction is e_z,
 /// so that tangent₁ × tangent₂ is the outward normal there as well.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// LU factors of a dense general matrix: LAPACK's, of small ones Eigen's, which are done before LAPACK has begun.
+/// LU factors of a dense general matrix: LAPACK's, of small ones Eigen's, which are done before LAPACK has
+/// begun.
 #pragma once
 
 #include <Eigen/Core>

@@ -17,9 +17,8 @@ constexpr double empty_row = 1e-13;
 void mend_empty_rows(contact::FactoredResponse& r) {
   const Index d = r.components;
   for (Index row = d; row < d + r.multipliers(); ++row)
-    if (r.by_multiplier.row(row).isZero(0) &&
-        r.by_q.row(row).lpNorm<Eigen::Infinity>() <=
-            empty_row * r.spread.topRows(d).lpNorm<Eigen::Infinity>()) {
+    if (r.by_multiplier.row(row).isZero(0) && r.by_q.row(row).lpNorm<Eigen::Infinity>() <=
+                                                  empty_row * r.spread.topRows(d).lpNorm<Eigen::Infinity>()) {
       r.by_multiplier(row, row - d) = 1;
       r.by_q.row(row).setZero();
       r.equations[row - d] = 0;
@@ -55,7 +54,8 @@ private:
   static constexpr int rows = sum_of(D, M);
   /// No more than six of anything.
   template <int Rows, int Columns>
-  using Small = Eigen::Matrix<double, Rows, Columns, 0, Rows == Dynamic ? 6 : Rows, Columns == Dynamic ? 6 : Columns>;
+  using Small =
+      Eigen::Matrix<double, Rows, Columns, 0, Rows == Dynamic ? 6 : Rows, Columns == Dynamic ? 6 : Columns>;
   using Tall = Small<rows, M>;
   using Wide = Small<D, rows>;
   using Inverse = Small<M, rows>;

@@ -19,7 +19,7 @@ struct ActivePoint {
   contact::FactoredResponse response;
   std::vector<int> positions; ///< of those columns, on the surface
   /// What is left of the equations: A₁ δz + A₂ δq = b and δξ − P δq = 0.
-  PointRows rows; ///< A₂ over −P, and N over H
+  PointRows rows;                                                          ///< A₂ over −P, and N over H
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> by_force; ///< A₁
   contact::PointVector right;                                              ///< b
   /// Of Z_m over E_m, to the left.

@@ -17,7 +17,7 @@ using model::Model;
 /// Frames that the guess of the contact goes through.
 constexpr int guess_rounds = 10;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
-constexpr double settled_guess = 1e-2;
+constexpr double settled_guess = 3e-3;
 
 /// Which of their points stick and which slip is often not unique: the last step's statuses are the better
 /// start then, and the one that other codes take.
@@ -60,8 +60,8 @@ bool can_condense(const Model& model, const EffectiveSystem& system) {
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                      const State& committed, double t, const ContactSide& side)
     : model_(model), scheme_(scheme), system_(system), side_(side),
-      equilibrium_(model, scheme, system, committed, t), scratch_(scratch_of(system, scheme, model.dofs.components)),
-      scale_(committed.force_scale) {}
+      equilibrium_(model, scheme, system, committed, t),
+      scratch_(scratch_of(system, scheme, model.dofs.components)), scale_(committed.force_scale) {}
 
 StepReport Condensed::run(State& trial, const Held& held) {
   report_ = {};
@@ -127,7 +127,8 @@ void Condensed::start_from(const State& trial) {
 }
 
 /// Contact in frames that follow the surface, until the forces fit the frames they lead to, beginning where
-/// the forces of the last step would push it. Points that press in the end touch at first, all others are open.
+/// the forces of the last step would push it. Points that press in the end touch at first, all others are
+/// open.
 void Condensed::guess_contact(State& trial, const Held& held) {
   auto& guess = scratch_.guess;
   auto& points = scratch_.guess_points;
@@ -135,7 +136,7 @@ void Condensed::guess_contact(State& trial, const Held& held) {
   for (int round = 0; round < guess_rounds; ++round) {
     side_.measure(trial, held, now());
     const bool same = measure_points(model_, side_, held, *system_.compliance, now(), moved_, trial,
-                                round == 0 ? GuessForces::of_last_step : GuessForces::kept, points);
+                                     round == 0 ? GuessForces::of_last_step : GuessForces::kept, points);
     if (!same)
       guess.forget();
     else if (round > 0 && guess.misfit(points, moved_) <= settled_guess) {

@@ -40,8 +40,10 @@ Vector3d measures_of(const GuessPoint& point, const VectorXd& d) {
 /// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle.
 void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled) {
   VectorXd forces = settled;
-  VectorXd open = gaps + matrix * forces;
+  VectorXd open = gaps;
+  open.noalias() += matrix * forces;
   std::vector<int> set;
+  set.reserve(static_cast<std::size_t>(forces.size()));
   for (int round = 0; round < most_sets; ++round) {
     set.clear();
     for (Index k = 0; k < forces.size(); ++k)
@@ -50,7 +52,8 @@ void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& set
     const VectorXd pressed = linalg::solve_positive_definite(matrix(set, set), -gaps(set));
     forces.setZero();
     forces(set) = pressed;
-    open = gaps + matrix * forces;
+    open = gaps;
+    open.noalias() += matrix * forces;
     open(set).setZero();
     if ((forces.array() >= 0).all() && (open.array() >= 0).all()) {
       settled = forces;
@@ -63,25 +66,30 @@ void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& set
 void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits,
                     VectorXd& settled) {
   VectorXd forces = settled;
-  VectorXd moved = slips + matrix * forces;
+  VectorXd moved = slips;
+  moved.noalias() += matrix * forces;
+  VectorXd next, held;
+  std::vector<int> sticking;
+  sticking.reserve(static_cast<std::size_t>(forces.size()));
   for (int round = 0; round < most_sets; ++round) {
-    std::vector<int> sticking;
-    VectorXd bound = VectorXd::Zero(forces.size());
+    sticking.clear();
+    next.setZero(forces.size()); // at the bounds first
     for (Index k = 0; k < forces.size(); ++k) {
       const double pulled = forces[k] - moved[k] / std::max(matrix(k, k), 1e-300);
       if (matrix(k, k) > 0 && std::abs(pulled) < limits[k])
         sticking.push_back(static_cast<int>(k));
       else
-        bound[k] = std::copysign(limits[k], pulled);
+        next[k] = std::copysign(limits[k], pulled);
     }
-    const VectorXd held = slips + matrix * bound;
-    VectorXd next = bound;
+    held = slips;
+    held.noalias() += matrix * next;
     const VectorXd pulled_back = linalg::solve_positive_definite(matrix(sticking, sticking), -held(sticking));
     for (std::size_t k = 0; k < sticking.size(); ++k)
       next[sticking[k]] = pulled_back[static_cast<Index>(k)];
     const bool same = (next - forces).lpNorm<Eigen::Infinity>() <= 1e-9 * limits.maxCoeff();
     forces = next;
-    moved = slips + matrix * forces;
+    moved = slips;
+    moved.noalias() += matrix * forces;
     if (same) {
       settled = forces;
       return;
@@ -198,11 +206,11 @@ void ContactGuess::couple() {
     coupled_of_.push_back(number_of(*point));
   if (count_ == known)
     return;
-  std::vector<int> positions;
   for (std::size_t k = known; k < count_; ++k)
-    positions.insert(positions.end(), coupled_[k].positions.begin(), coupled_[k].positions.end());
-  surface_.touch(positions);
+    surface_.add(coupled_[k].positions);
+  surface_.touch_added();
   std::vector<const PointRows*> rows;
+  rows.reserve(count_);
   for (std::size_t k = 0; k < count_; ++k) {
     auto& point = coupled_[k];
     point.rows.places.resize(point.positions.size());
@@ -243,7 +251,7 @@ void ContactGuess::add_coupled(const GuessPoint& point) {
 
 /// What forces along some axes of points do to the measures along theirs: `axes` columns from `first` of each
 /// frame.
-void ContactGuess::project(std::span<const std::size_t> chosen, int first, Index axes, MatrixXd& matrix) const {
+void ContactGuess::project(std::span<const std::size_t> chosen, int first, Index axes, MatrixXd& matrix) {
   const auto count = static_cast<Index>(chosen.size());
   matrix.resize(count * axes, count * axes);
   for (Index j = 0; j < count; ++j) {
@@ -322,7 +330,8 @@ void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& without) {
 }
 
 void sweep_pressing(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces) {
-  VectorXd open = values + matrix * forces;
+  VectorXd open = values;
+  open.noalias() += matrix * forces;
   for (int round = 0; round < most_sweeps; ++round) {
     bool turned = false;
     double largest_change = 0;
@@ -345,7 +354,8 @@ void sweep_pressing(const MatrixXd& matrix, const VectorXd& values, VectorXd& fo
 
 void sweep_rubbing(const MatrixXd& matrix, const VectorXd& values, const VectorXd& limits, int tangents,
                    VectorXd& forces) {
-  VectorXd slips = values + matrix * forces;
+  VectorXd slips = values;
+  slips.noalias() += matrix * forces;
   for (int round = 0; round < most_sweeps; ++round) {
     double largest_change = 0;
     for (Index i = 0; i < limits.size(); ++i) {

@@ -44,9 +44,9 @@ void set_forces(const contact::PointOutcome& outcome, const contact::SlavePoint&
 
 } // namespace
 
-bool measure_points(const Model& model, const ContactSide& side, const Held& held, const Compliance& compliance,
-               const ContactIterate& contact, const VectorXd& moved, const State& state, GuessForces forces,
-               std::vector<GuessPoint>& points) {
+bool measure_points(const Model& model, const ContactSide& side, const Held& held,
+                    const Compliance& compliance, const ContactIterate& contact, const VectorXd& moved,
+                    const State& state, GuessForces forces, std::vector<GuessPoint>& points) {
   std::size_t count = 0;
   bool same = true;
   for (std::size_t z = 0; z < model.zones.size(); ++z) {

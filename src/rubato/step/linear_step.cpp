@@ -167,6 +167,27 @@ MatrixXd dense(const Triplets& triplets, const Numbering& rows, const Numbering&
   return matrix;
 }
 
+/// Solves with rows and columns scaled to entries of order one: pressures and displacements differ by 15
+/// orders. Nothing comes back when the matrix is singular.
+std::optional<VectorXd> solve_dense(MatrixXd matrix, VectorXd right) {
+  const VectorXd column_scale = matrix.cwiseAbs().colwise().maxCoeff().cwiseInverse().transpose();
+  matrix = matrix * column_scale.asDiagonal();
+  const VectorXd row_scale = matrix.cwiseAbs().rowwise().maxCoeff().cwiseInverse();
+  if (!column_scale.allFinite() || !row_scale.allFinite())
+    return std::nullopt;
+  matrix = row_scale.asDiagonal() * matrix;
+  right = row_scale.cwiseProduct(right);
+  const auto lu = linalg::DenseLu::of(matrix);
+  if (!lu)
+    return std::nullopt;
+  VectorXd solution = lu->solve(right);
+  // One refinement: the condensed answer is to be the whole system's to rounding.
+  solution += lu->solve(right - matrix * solution);
+  if (!solution.allFinite())
+    return std::nullopt;
+  return VectorXd(column_scale.cwiseProduct(solution));
+}
+
 } // namespace
 
 std::optional<LinearSolution> solve_full(const LinearProblem& problem) {
@@ -229,25 +250,6 @@ std::optional<LinearSolution> solve_condensed(const LinearProblem& problem, Comp
   force(coupled.unknowns.items()) -= k * local->head(surface) + g * local->tail(multipliers);
   solution.displacement = compliance.solve(force);
   return solution;
-}
-
-std::optional<VectorXd> solve_dense(MatrixXd matrix, VectorXd right) {
-  const VectorXd column_scale = matrix.cwiseAbs().colwise().maxCoeff().cwiseInverse().transpose();
-  matrix = matrix * column_scale.asDiagonal();
-  const VectorXd row_scale = matrix.cwiseAbs().rowwise().maxCoeff().cwiseInverse();
-  if (!column_scale.allFinite() || !row_scale.allFinite())
-    return std::nullopt;
-  matrix = row_scale.asDiagonal() * matrix;
-  right = row_scale.cwiseProduct(right);
-  const auto lu = linalg::DenseLu::of(matrix);
-  if (!lu)
-    return std::nullopt;
-  VectorXd solution = lu->solve(right);
-  // One refinement: the condensed answer is to be the whole system's to rounding.
-  solution += lu->solve(right - matrix * solution);
-  if (!solution.allFinite())
-    return std::nullopt;
-  return VectorXd(column_scale.cwiseProduct(solution));
 }
 
 std::vector<int> surface_unknowns(const model::Model& model) {

@@ -37,10 +37,6 @@ std::optional<LinearSolution> solve_full(const LinearProblem& problem);
 /// Nothing comes back when the dense system is singular or larger than pays; solve_full is to be tried then.
 std::optional<LinearSolution> solve_condensed(const LinearProblem& problem, Compliance& compliance);
 
-/// Solves with rows and columns scaled to entries of order one: pressures and displacements differ by 15
-/// orders. Nothing comes back when the matrix is singular.
-std::optional<Eigen::VectorXd> solve_dense(Eigen::MatrixXd matrix, Eigen::VectorXd right);
-
 /// The free unknowns of every contact surface of the model, ascending.
 std::vector<int> surface_unknowns(const model::Model& model);
 

@@ -105,10 +105,9 @@ std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
 }
 
 void PointSystem::touch_surface() {
-  std::vector<int> positions;
   for (const auto& point : points())
-    positions.insert(positions.end(), point.positions.begin(), point.positions.end());
-  surface_.touch(positions);
+    surface_.add(point.positions);
+  surface_.touch_added();
   for (auto& point : active()) {
     point.rows.places.resize(point.positions.size());
     std::ranges::transform(point.positions, point.rows.places.begin(),
@@ -127,6 +126,7 @@ Index PointSystem::rows_of_whole() const {
 /// Of the first rows of each point: δz and, beyond them, δξ.
 MatrixXd PointSystem::matrix_of(Index rows) const {
   std::vector<const PointRows*> all;
+  all.reserve(count_);
   for (const auto& point : points())
     all.push_back(&point.rows);
   MatrixXd matrix = between_points(surface_, all, rows, -force_weight_);

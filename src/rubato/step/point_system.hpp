@@ -37,7 +37,7 @@ public:
     Eigen::VectorXd force;  ///< δz, point after point
     Eigen::VectorXd places; ///< δξ, point after point
   };
-  /// `d0`: one a position. Nothing comes back when the system is singular.
+  /// Once for the points added. `d0`: one a position. Nothing comes back when the system is singular.
   std::optional<Change> solve(const Eigen::VectorXd& d0);
   /// f_c with a change.
   Eigen::VectorXd force_after(const Change& change) const;

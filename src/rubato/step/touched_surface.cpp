@@ -54,8 +54,7 @@ void fill(const TouchedSurface& surface, std::span<const PointRows* const> point
   for (Index j = first; j < count; ++j) {
     answer_to<Rows>(surface, *points[static_cast<std::size_t>(j)], by_place, moved);
     for (Index i = 0; i < (symmetric ? j + 1 : count); ++i) {
-      const Block block =
-          factor * seen_by<Rows, symmetric>(*points[static_cast<std::size_t>(i)], moved);
+      const Block block = factor * seen_by<Rows, symmetric>(*points[static_cast<std::size_t>(i)], moved);
       matrix.template block<Rows, Rows>(i * Rows, j * Rows) = block;
       if (symmetric)
         matrix.template block<Rows, Rows>(j * Rows, i * Rows) = block.transpose();
@@ -96,20 +95,29 @@ void TouchedSurface::forget() {
   for (const int position : positions_)
     places_[static_cast<std::size_t>(position)] = -1;
   positions_.clear();
+  placed_ = 0;
   body_of_.clear();
   bodies_.clear();
 }
 
 void TouchedSurface::touch(std::span<const int> positions) {
+  add(positions);
+  touch_added();
+}
+
+void TouchedSurface::add(std::span<const int> positions) {
   places_.resize(compliance_->surface().size(), -1);
-  const auto known = positions_.size();
   for (const int position : positions)
     if (auto& place = places_[static_cast<std::size_t>(position)]; place < 0) {
       place = 0;
       positions_.push_back(position);
     }
-  if (positions_.size() == known)
+}
+
+void TouchedSurface::touch_added() {
+  if (positions_.size() == placed_)
     return;
+  placed_ = positions_.size();
   std::ranges::sort(positions_);
   for (std::size_t place = 0; place < positions_.size(); ++place)
     places_[static_cast<std::size_t>(positions_[place])] = static_cast<int>(place);

@@ -21,6 +21,9 @@ public:
   /// Takes these positions too, each of which may occur several times; every one gets a place. Places change
   /// when there are new ones.
   void touch(std::span<const int> positions);
+  /// The same in two steps, for positions that come piece by piece: places are there after the second.
+  void add(std::span<const int> positions);
+  void touch_added();
   Eigen::Index size() const { return static_cast<Eigen::Index>(positions_.size()); }
   /// The position of every place.
   const std::vector<int>& positions() const { return positions_; }
@@ -40,6 +43,7 @@ private:
   };
   Compliance* compliance_;
   std::vector<int> positions_;
+  std::size_t placed_ = 0;   ///< how many positions have a place
   std::vector<int> places_;  ///< by position, −1 where nothing touches
   std::vector<int> body_of_; ///< by place
   std::vector<Body> bodies_;

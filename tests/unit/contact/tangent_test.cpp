@@ -75,7 +75,8 @@ TEST_P(ContactTangent, MeasuresWithoutDerivativesAreTheSame) {
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     if (!pairs[p].paired())
       continue;
-    const auto whole = contact::evaluate_kinematics(setup.zone, setup.zone.points[p], pairs[p], configuration);
+    const auto whole =
+        contact::evaluate_kinematics(setup.zone, setup.zone.points[p], pairs[p], configuration);
     contact::Kinematics measured;
     contact::measure_kinematics(setup.zone, setup.zone.points[p], pairs[p], configuration, measured);
     EXPECT_EQ(measured.nodes, whole.nodes);
