@@ -27,11 +27,10 @@ Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd 
   if (size == 0)
     return right_side;
   if (size <= small) {
-    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(matrix);
+    const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
     if (factor.info() == Eigen::Success)
-      factor.solveInPlace(right_side);
-    else
-      right_side.setConstant(std::numeric_limits<double>::quiet_NaN());
+      return factor.solve(right_side);
+    right_side.setConstant(std::numeric_limits<double>::quiet_NaN());
     return right_side;
   }
   use_one_blas_thread_by_default();

@@ -10,7 +10,6 @@
 namespace rubato::step {
 namespace {
 
-using contact::Status;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
