@@ -26,8 +26,6 @@ constexpr int most_sets = 30;
 constexpr int most_rounds = 8;
 /// Those join first that are pushed in by this part of the deepest.
 constexpr double deep = 0.6;
-/// So many points are coupled anew each time, which makes the guess a little better.
-constexpr std::size_t few = 48;
 
 /// Gap and slips with the surface at d.
 Vector3d measures_of(const GuessPoint& point, const VectorXd& d) {
@@ -103,9 +101,7 @@ ContactGuess::ContactGuess(Compliance& compliance, TouchedSurface& surface, doub
     : compliance_(compliance), surface_(surface), factor_(factor), components_(components) {}
 
 void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free) {
-  if (count_ <= few)
-    forget();
-  chosen_.clear();
+  forget();
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
   VectorXd d = unpressed;

@@ -44,7 +44,7 @@ public:
   /// the slips for the pressing ones found, so that none exceeds μ times them and slips go against them
   /// (Tresca's problem). Points that have no force and don't penetrate get none. Both by projected
   /// Gauss–Seidel sweeps, then by active sets. What points do to one another is computed when they press or
-  /// penetrate first; of many points it is kept until they are forgotten: a guess needs no better.
+  /// penetrate first in a call: kept for the next one, it leads to other points that stick.
   void improve(std::span<GuessPoint> points, const Eigen::VectorXd& free);
 
   /// How much a sweep would change the forces now that the points have been measured anew and the surface
