@@ -24,9 +24,9 @@ struct ActivePoint {
   contact::PointVector right;                                              ///< b
   /// Of Z_m over E_m, to the left.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 6> inverse;
-  Eigen::Index first_slope = 0; ///< of its δξ among those of all points
+  Eigen::Index first = 0;       ///< of its δz among those of all points
+  Eigen::Index first_slope = 0; ///< of its δξ
 
-  Eigen::Index first() const { return rows.first; }
   int components() const { return response.components; }
   int slopes() const { return response.slopes; }
 };

@@ -154,9 +154,6 @@ double ContactGuess::give_of(std::size_t chosen) const {
 void ContactGuess::forget() {
   chosen_.clear();
   sliding_.clear();
-  for (std::size_t k = 0; k < count_; ++k)
-    numbers_[coupled_[k].zone][coupled_[k].index] = 0;
-  count_ = 0;
   between_.resize(0, 0);
 }
 
@@ -196,53 +193,28 @@ bool ContactGuess::choose_more(std::span<GuessPoint> points, const VectorXd& d) 
 
 /// What the chosen points do to one another. Places of the surface shift when there are new ones.
 void ContactGuess::couple() {
-  const auto known = count_;
-  coupled_of_.clear();
   for (const auto* point : chosen_)
-    coupled_of_.push_back(number_of(*point));
-  if (count_ == known)
-    return;
-  for (std::size_t k = known; k < count_; ++k)
-    surface_.add(coupled_[k].positions);
+    for (const auto& share : point->shares)
+      surface_.add({&share.position, 1});
   surface_.touch_added();
+  rows_.resize(std::max(rows_.size(), chosen_.size()));
   std::vector<const PointRows*> rows;
-  rows.reserve(count_);
-  for (std::size_t k = 0; k < count_; ++k) {
-    auto& point = coupled_[k];
-    point.rows.places.resize(point.positions.size());
-    std::ranges::transform(point.positions, point.rows.places.begin(),
-                           [&](int position) { return surface_.place_of(position); });
-    rows.push_back(&point.rows);
+  rows.reserve(chosen_.size());
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    place(*chosen_[k], rows_[k]);
+    rows.push_back(&rows_[k]);
   }
   extend_between_points(surface_, rows, components_, factor_, between_);
 }
 
-/// Among the coupled ones, which it joins when it is new.
-std::size_t ContactGuess::number_of(const GuessPoint& point) {
-  numbers_.resize(std::max(numbers_.size(), point.zone + 1));
-  auto& of_zone = numbers_[point.zone];
-  of_zone.resize(std::max(of_zone.size(), point.index + 1), 0);
-  auto& number = of_zone[point.index];
-  if (number == 0) {
-    add_coupled(point);
-    number = count_;
-  }
-  return number - 1;
-}
-
-void ContactGuess::add_coupled(const GuessPoint& point) {
-  if (count_ == coupled_.size())
-    coupled_.emplace_back();
-  auto& coupled = coupled_[count_++];
-  coupled.zone = point.zone;
-  coupled.index = point.index;
-  coupled.positions.clear();
-  coupled.rows.right.setZero(components_, static_cast<Index>(point.shares.size()));
+void ContactGuess::place(const GuessPoint& point, PointRows& rows) const {
+  rows.places.clear();
+  rows.right.setZero(components_, static_cast<Index>(point.shares.size()));
   for (const auto& share : point.shares) {
-    coupled.rows.right(share.component, static_cast<Index>(coupled.positions.size())) = share.weight;
-    coupled.positions.push_back(share.position);
+    rows.right(share.component, static_cast<Index>(rows.places.size())) = share.weight;
+    rows.places.push_back(surface_.place_of(share.position));
   }
-  coupled.rows.left = coupled.rows.right;
+  rows.left = rows.right;
 }
 
 /// What forces along some axes of points do to the measures along theirs: `axes` columns from `first` of each
@@ -254,14 +226,14 @@ void ContactGuess::project(std::span<const std::size_t> chosen, int first, Index
     const auto of = chosen[static_cast<std::size_t>(j)];
     for (Index b = 0; b < axes; ++b) {
       const double* along = chosen_[of]->frame.col(first + b).data();
-      const double* column = between_.col(static_cast<Index>(coupled_of_[of]) * components_).data();
+      const double* column = between_.col(static_cast<Index>(of) * components_).data();
       moved_.setZero(between_.rows());
       for (Index c = 0; c < components_; ++c, column += between_.rows())
         for (Index row = 0; row < between_.rows(); ++row)
           moved_[row] += along[c] * column[row];
       for (Index i = 0; i < count; ++i) {
         const auto on = chosen[static_cast<std::size_t>(i)];
-        const double* seen = moved_.data() + static_cast<Index>(coupled_of_[on]) * components_;
+        const double* seen = moved_.data() + static_cast<Index>(on) * components_;
         for (Index a = 0; a < axes; ++a) {
           const double* axis = chosen_[on]->frame.col(first + a).data();
           double sum = 0;

@@ -54,18 +54,10 @@ public:
   void forget();
 
 private:
-  /// A point as it was when it was chosen first, and the places of its shares.
-  struct Coupled {
-    std::size_t zone = 0;
-    std::size_t index = 0;
-    std::vector<int> positions;
-    PointRows rows;
-  };
   void add_motion(std::span<const GuessPoint> points, int first, int last, Eigen::VectorXd& d);
   bool choose_more(std::span<GuessPoint> points, const Eigen::VectorXd& d);
   void couple();
-  std::size_t number_of(const GuessPoint& point);
-  void add_coupled(const GuessPoint& point);
+  void place(const GuessPoint& point, PointRows& rows) const;
   void project(std::span<const std::size_t> chosen, int first, Eigen::Index axes, Eigen::MatrixXd& matrix);
   void press(const Eigen::VectorXd& without);
   void rub(std::span<GuessPoint> points, const Eigen::VectorXd& without);
@@ -75,16 +67,13 @@ private:
   TouchedSurface& surface_;
   double factor_;
   Eigen::Index components_;
-  std::vector<GuessPoint*> chosen_;     ///< those that may touch
-  std::vector<std::size_t> coupled_of_; ///< their numbers among the coupled ones
-  std::vector<std::size_t> sliding_;    ///< of those chosen
-  std::vector<Coupled> coupled_;        ///< the first count_ of them; others are storage
-  std::size_t count_ = 0;
-  std::vector<std::vector<std::size_t>> numbers_; ///< of the coupled ones by zone and index, from 1; 0: none
-  Eigen::MatrixXd between_;  ///< e of each coupled point for unit forces on each, components_ rows a point
-  Eigen::MatrixXd pressing_; ///< the same from pressing forces of chosen points to gaps
-  Eigen::MatrixXd rubbing_;  ///< the same from friction of sliding ones to their slips
-  Eigen::VectorXd force_;    ///< storage of add_motion
+  std::vector<GuessPoint*> chosen_;  ///< those that may touch
+  std::vector<std::size_t> sliding_; ///< of those chosen
+  std::vector<PointRows> rows_;      ///< of those chosen; the others are storage
+  Eigen::MatrixXd between_;      ///< e of each chosen point for unit forces on each, components_ rows a point
+  Eigen::MatrixXd pressing_;     ///< the same from pressing forces of chosen points to gaps
+  Eigen::MatrixXd rubbing_;      ///< the same from friction of sliding ones to their slips
+  Eigen::VectorXd force_;        ///< storage of add_motion
   std::vector<std::size_t> all_; ///< storage of press
   std::vector<double> gaps_;     ///< storage of choose_more
   Eigen::VectorXd moved_;        ///< storage of project

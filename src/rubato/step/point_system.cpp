@@ -79,7 +79,7 @@ void PointSystem::place(ActivePoint& point) {
     r.spread.conservativeResize(Eigen::NoChange, kept);
     r.by_q.conservativeResize(Eigen::NoChange, kept);
   }
-  point.rows.first = forces_;
+  point.first = forces_;
   point.first_slope = places_;
   forces_ += point.components();
   places_ += point.slopes();
@@ -167,7 +167,7 @@ VectorXd PointSystem::joined(const Change& change, Index rows) const {
   Index first = 0;
   for (const auto& point : points()) {
     const Index d = point.components();
-    all.segment(first, d) = change.force.segment(point.first(), d);
+    all.segment(first, d) = change.force.segment(point.first, d);
     if (rows > d)
       all.segment(first + d, point.slopes()) = change.places.segment(point.first_slope, point.slopes());
     first += rows;
@@ -180,7 +180,7 @@ PointSystem::Change PointSystem::split(const VectorXd& all, Index rows) const {
   Index first = 0;
   for (const auto& point : points()) {
     const Index d = point.components();
-    change.force.segment(point.first(), d) = all.segment(first, d);
+    change.force.segment(point.first, d) = all.segment(first, d);
     if (rows > d)
       change.places.segment(point.first_slope, point.slopes()) = all.segment(first + d, point.slopes());
     first += rows;
@@ -219,7 +219,7 @@ double PointSystem::largest_force_row(const Change& left) const {
   Index first = 0;
   for (const auto& point : points()) {
     for (Index a = 0; a < point.components(); ++a)
-      largest = std::max(largest, std::abs(row_scale_[first + a] * left.force[point.first() + a]));
+      largest = std::max(largest, std::abs(row_scale_[first + a] * left.force[point.first + a]));
     first += factored_rows_;
   }
   return largest;
@@ -252,7 +252,7 @@ PointSystem::Change PointSystem::no_change() const {
 double PointSystem::force_on(const ActivePoint& point, std::size_t q, const Change& change) {
   const auto& spread = point.response.spread;
   const double* of_q = spread.data() + static_cast<Index>(q) * spread.rows();
-  const double* force = change.force.data() + point.first();
+  const double* force = change.force.data() + point.first;
   const double* places = change.places.data() + point.first_slope;
   double sum = 0;
   for (int a = 0; a < point.components(); ++a)
@@ -290,11 +290,11 @@ PointSystem::Change PointSystem::residual(const VectorXd& c, const Change& chang
   Change left{VectorXd(forces_), -change.places};
   for (const auto& point : points()) {
     const int count = point.components();
-    double* forces = left.force.data() + point.first();
+    double* forces = left.force.data() + point.first;
     for (int a = 0; a < count; ++a) {
       forces[a] = point.right[a];
       for (int b = 0; b < count; ++b)
-        forces[a] -= point.by_force(a, b) * change.force[point.first() + b];
+        forces[a] -= point.by_force(a, b) * change.force[point.first + b];
     }
     const double* seen = point.rows.left.data();
     for (std::size_t q = 0; q < point.rows.places.size(); ++q, seen += point.rows.left.rows())
@@ -324,7 +324,7 @@ VectorXd PointSystem::force_after(const Change& change) const {
 
 contact::PointVector PointSystem::multipliers_of(const ActivePoint& point, const Change& change,
                                                  const VectorXd& moved) const {
-  return multiplier_change(point, change.force.segment(point.first(), point.components()), moved);
+  return multiplier_change(point, change.force.segment(point.first, point.components()), moved);
 }
 
 } // namespace rubato::step

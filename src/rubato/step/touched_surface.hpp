@@ -55,7 +55,6 @@ struct PointRows {
   std::vector<int> places;
   Eigen::MatrixXd left;
   Eigen::MatrixXd right;
-  Eigen::Index first = 0; ///< of its forces among those of all points
 
   /// Adds rows of zeros up to this many.
   void fill_up(Eigen::Index rows);

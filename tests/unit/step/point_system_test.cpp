@@ -102,7 +102,7 @@ TEST_P(PointSystemWith, SolvesEachPointsEquations) {
     for (Index k = 0; k < 8; ++k)
       q[k] = moved[bulk.compliance
                        .position_of_dof()[static_cast<std::size_t>(r.dofs[static_cast<std::size_t>(k)])]];
-    const VectorXd z = change->force.segment(point.first(), 3);
+    const VectorXd z = change->force.segment(point.first, 3);
     const double size = std::max(1.0, z.lpNorm<Eigen::Infinity>());
     EXPECT_LE((r.by_q.topRows(3) * q + r.by_multiplier.topRows(3) * m - z).lpNorm<Eigen::Infinity>(),
               1e-7 * size);
