@@ -97,6 +97,18 @@ void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorX
 
 } // namespace
 
+void add_force(std::span<const GuessPoint> points, int first, int last, VectorXd& force) {
+  for (const auto& point : points) {
+    if (point.force[0] == 0)
+      continue;
+    Vector3d in_space = Vector3d::Zero();
+    for (int a = first; a <= last; ++a)
+      in_space += point.force[a] * point.frame.col(a);
+    for (const auto& share : point.shares)
+      force[share.position] += share.weight * in_space[share.component];
+  }
+}
+
 ContactGuess::ContactGuess(Compliance& compliance, TouchedSurface& surface, double factor, int components)
     : compliance_(compliance), surface_(surface), factor_(factor), components_(components) {}
 
@@ -157,18 +169,10 @@ void ContactGuess::forget() {
   between_.resize(0, 0);
 }
 
-/// Moves the surface by some of the forces of all points: of the gap, 0, and the slips, 1 and 2.
+/// Moves the surface by some of the forces of all points.
 void ContactGuess::add_motion(std::span<const GuessPoint> points, int first, int last, VectorXd& d) {
   force_.setZero(d.size());
-  for (const auto& point : points) {
-    if (point.force[0] == 0)
-      continue;
-    Vector3d force = Vector3d::Zero();
-    for (int a = first; a <= last; ++a)
-      force += point.force[a] * point.frame.col(a);
-    for (const auto& share : point.shares)
-      force_[share.position] += share.weight * force[share.component];
-  }
+  add_force(points, first, last, force_);
   compliance_.add(factor_, force_, d);
 }
 

@@ -34,6 +34,10 @@ struct GuessPoint {
   double friction = 0; ///< μ
 };
 
+/// Adds Σ weight · frame F, of the forces from `first` to `last` (0 along the gap, 1 and 2 along the slips),
+/// to `force`, one a position.
+void add_force(std::span<const GuessPoint> points, int first, int last, Eigen::VectorXd& force);
+
 class ContactGuess {
 public:
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many

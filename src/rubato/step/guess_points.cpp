@@ -78,14 +78,8 @@ bool measure_points(const Model& model, const ContactSide& side, const Held& hel
 
 VectorXd force_on_surface(std::span<const GuessPoint> points, Index positions) {
   VectorXd force = VectorXd::Zero(positions);
-  for (const auto& point : points) {
-    if (point.force[0] == 0)
-      continue;
-    const Eigen::Vector3d in_space = point.frame * point.force;
-    for (const auto& share : point.shares)
-      force[share.position] -= share.weight * in_space[share.component];
-  }
-  return force;
+  add_force(points, 0, 2, force);
+  return -force;
 }
 
 void take_guess(const Model& model, std::span<const GuessPoint> points, State& state) {
