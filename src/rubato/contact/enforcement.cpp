@@ -163,21 +163,24 @@ PointState measured(const Zone& zone, const SlavePoint& point, const VectorXd& m
 using Measure = decltype(measure_kinematics);
 
 /// `measure` says how much of the kinematics is wanted.
+void evaluate_pair(const Zone& zone, std::size_t point, const Pair& pair, const VectorXd& multipliers,
+                   const Configuration& configuration, Measure& measure, PointEvaluation& into) {
+  into.pair = pair;
+  if (!pair.paired())
+    into.kinematics.reset();
+  else if (!into.kinematics)
+    into.kinematics.emplace();
+  if (into.kinematics)
+    measure(zone, zone.points[point], pair, configuration, *into.kinematics);
+  into.variables = measured(zone, zone.points[point], multipliers, into.kinematics);
+}
+
 void evaluate_pairs(const Zone& zone, std::span<const Pair> pairs, const VectorXd& multipliers,
                     const Configuration& configuration, Measure& measure,
                     std::vector<PointEvaluation>& into) {
   into.resize(zone.points.size());
-  for (std::size_t i = 0; i < zone.points.size(); ++i) {
-    auto& evaluation = into[i];
-    evaluation.pair = pairs[i];
-    if (!pairs[i].paired())
-      evaluation.kinematics.reset();
-    else if (!evaluation.kinematics)
-      evaluation.kinematics.emplace();
-    if (evaluation.kinematics)
-      measure(zone, zone.points[i], pairs[i], configuration, *evaluation.kinematics);
-    evaluation.variables = measured(zone, zone.points[i], multipliers, evaluation.kinematics);
-  }
+  for (std::size_t i = 0; i < zone.points.size(); ++i)
+    evaluate_pair(zone, i, pairs[i], multipliers, configuration, measure, into[i]);
 }
 
 void measure_again(const Zone& zone, const VectorXd& multipliers, const Configuration& configuration,
@@ -283,6 +286,14 @@ void measure(NeighbourList& neighbours, const VectorXd& multipliers, const Confi
              std::vector<PointEvaluation>& into) {
   neighbours.update(configuration);
   evaluate_pairs(neighbours.zone(), neighbours.pairs(), multipliers, configuration, measure_kinematics, into);
+}
+
+void measure(NeighbourList& neighbours, const VectorXd& multipliers, const Configuration& configuration,
+             std::span<const std::size_t> points, std::vector<PointEvaluation>& into) {
+  neighbours.update(configuration, points);
+  for (const auto i : points)
+    evaluate_pair(neighbours.zone(), i, neighbours.pairs()[i], multipliers, configuration, measure_kinematics,
+                  into[i]);
 }
 
 void differentiate(const Zone& zone, std::size_t point, const Configuration& configuration,

@@ -76,6 +76,11 @@ void evaluate(NeighbourList& neighbours, const Eigen::VectorXd& multipliers,
 void measure(NeighbourList& neighbours, const Eigen::VectorXd& multipliers,
              const Configuration& configuration, std::vector<PointEvaluation>& into);
 
+/// The same of some of the points: the others stay as `into` has them.
+void measure(NeighbourList& neighbours, const Eigen::VectorXd& multipliers,
+             const Configuration& configuration, std::span<const std::size_t> points,
+             std::vector<PointEvaluation>& into);
+
 /// The derivatives of a paired point that was measured at this configuration.
 void differentiate(const Zone& zone, std::size_t point, const Configuration& configuration,
                    PointEvaluation& evaluation);

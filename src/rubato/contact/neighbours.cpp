@@ -52,11 +52,27 @@ NeighbourList::NeighbourList(const Zone& zone)
 void NeighbourList::update(const Configuration& configuration) {
   if (zone_->obstacle)
     return;
+  follow(configuration);
+  for (std::size_t i = 0; i < slave_.size(); ++i)
+    pair(i);
+}
+
+void NeighbourList::update(const Configuration& configuration, std::span<const std::size_t> points) {
+  if (zone_->obstacle)
+    return;
+  follow(configuration);
+  for (const auto i : points)
+    pair(i);
+}
+
+void NeighbourList::follow(const Configuration& configuration) {
   locate(configuration);
   if (searches_ == 0 || 2 * moved_since_search() > margin_)
     search();
-  for (std::size_t i = 0; i < slave_.size(); ++i)
-    pairs_[i] = pair_around(*zone_, nearest_of(i), slave_[i], configuration, pairs_[i].master_face);
+}
+
+void NeighbourList::pair(std::size_t point) {
+  pairs_[point] = pair_around(*zone_, nearest_of(point), slave_[point], master_, pairs_[point].master_face);
 }
 
 void NeighbourList::locate(const Configuration& configuration) {

@@ -24,6 +24,8 @@ public:
   /// Takes the pairs to a configuration. Allocates only when it searches. Before an obstacle there is nothing
   /// to search.
   void update(const Configuration& configuration);
+  /// The same of some of the slave points: the other pairs stay what they were.
+  void update(const Configuration& configuration, std::span<const std::size_t> points);
   /// What find_pairs gives there, one a slave point.
   std::span<const Pair> pairs() const { return pairs_; }
 
@@ -31,6 +33,8 @@ public:
   int searches() const { return searches_; }
 
 private:
+  void follow(const Configuration& configuration);
+  void pair(std::size_t point);
   void locate(const Configuration& configuration);
   double moved_since_search() const;
   void search();

@@ -55,11 +55,18 @@ bool is_farther(const Face& face, const FaceCoordinates& nodes, const Vector3d& 
   return squared > (1 + rounding) * distance * distance;
 }
 
+FaceCoordinates coordinates_of(const Face& face, std::span<const Vector3d> of_surface) {
+  FaceCoordinates coordinates(3, face.node_count);
+  for (int i = 0; i < face.node_count; ++i)
+    coordinates.col(i) = of_surface[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
+  return coordinates;
+}
+
 /// Tries one more face.
-void consider(const Zone& zone, int face_index, const Vector3d& point, const Configuration& configuration,
+void consider(const Zone& zone, int face_index, const Vector3d& point, std::span<const Vector3d> master,
               Candidate& best) {
   const auto& face = zone.master.faces[static_cast<std::size_t>(face_index)];
-  const auto nodes = deformed(face, configuration);
+  const auto nodes = coordinates_of(face, master);
   const bool one_inside = best.face >= 0 && best.projection.inside();
   if (one_inside && is_farther(face, nodes, point, best.distance))
     return;
@@ -81,16 +88,16 @@ std::size_t nearest_node(const NodeTree& tree, const Vector3d& point) {
 
 } // namespace
 
-Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, const Configuration& configuration,
+Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::span<const Vector3d> master,
                  int guess) {
   const auto& faces = zone.master.faces_of_node[node];
   const bool guessed = std::ranges::find(faces, guess) != faces.end();
   Candidate best;
   if (guessed)
-    consider(zone, guess, x, configuration, best);
+    consider(zone, guess, x, master, best);
   for (const int face : faces)
     if (!guessed || face != guess)
-      consider(zone, face, x, configuration, best);
+      consider(zone, face, x, master, best);
   if (!(best.projection.overshoot <= largest_overshoot))
     return {};
   return {best.face, best.projection};
@@ -124,7 +131,7 @@ std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuratio
   pairs.reserve(zone.points.size());
   for (const auto& point : zone.points) {
     const Vector3d x = position(point, configuration);
-    pairs.push_back(pair_around(zone, nearest_node(tree, x), x, configuration));
+    pairs.push_back(pair_around(zone, nearest_node(tree, x), x, cloud.points));
   }
   return pairs;
 }

@@ -5,6 +5,7 @@
 #include "rubato/contact/projection.hpp"
 #include "rubato/contact/zone.hpp"
 
+#include <span>
 #include <vector>
 
 namespace rubato::contact {
@@ -24,10 +25,10 @@ struct Pair {
 /// lies more than half a reference length outside the face it got is unpaired.
 std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuration);
 
-/// The same for one point at `x`; `node` is the position of its nearest node in the master's nodes. `guess`
-/// is the face it is likely to get or −1: the answer doesn't depend on it, the time it takes does.
+/// The same for one point at `x`; `master` tells where the master's nodes are, `node` which of them is nearest.
+/// `guess` is the face it is likely to get or −1: the answer doesn't depend on it, the time it takes does.
 Pair pair_around(const Zone& zone, std::size_t node, const Eigen::Vector3d& x,
-                 const Configuration& configuration, int guess = -1);
+                 std::span<const Eigen::Vector3d> master, int guess = -1);
 
 /// Current coordinates of a face's nodes.
 FaceCoordinates deformed(const Face& face, const Configuration& configuration);

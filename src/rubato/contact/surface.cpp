@@ -16,10 +16,13 @@ void collect_nodes(Surface& surface) {
 
 void collect_neighbours(Surface& surface) {
   surface.faces_of_node.resize(surface.nodes.size());
-  for (std::size_t f = 0; f < surface.faces.size(); ++f)
-    for (const auto node : surface.faces[f].node_span())
-      surface.faces_of_node[static_cast<std::size_t>(surface.position_of(node))].push_back(
-          static_cast<int>(f));
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    auto& face = surface.faces[f];
+    for (std::size_t i = 0; i < face.node_span().size(); ++i) {
+      face.positions[i] = surface.position_of(face.nodes[i]);
+      surface.faces_of_node[static_cast<std::size_t>(face.positions[i])].push_back(static_cast<int>(f));
+    }
+  }
 }
 
 void measure_edges(Surface& surface, const mesh::Mesh& mesh) {

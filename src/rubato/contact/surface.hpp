@@ -18,6 +18,7 @@ struct Face {
   mesh::CellType type = mesh::CellType::seg2;
   int node_count = 0;
   std::array<mesh::NodeIndex, 9> nodes{};
+  std::array<int, 9> positions{}; ///< of these nodes in their surface's, once it is made
   mesh::CellIndex cell = 0; ///< the face's own cell in the mesh
 
   std::span<const mesh::NodeIndex> node_span() const {

@@ -14,28 +14,37 @@ public:
   void add(double factor, const double* column) {
     factors_[count_] = factor;
     columns_[count_] = column;
-    if (++count_ < at_once)
-      return;
-    count_ = 0;
-    const auto [a, b, c, d] = factors_;
-    const double* const p = columns_[0];
-    const double* const q = columns_[1];
-    const double* const r = columns_[2];
-    const double* const s = columns_[3];
-    for (std::ptrdiff_t i = 0; i < size_; ++i)
-      sum_[i] += (a * p[i] + b * q[i]) + (c * r[i] + d * s[i]);
+    if (++count_ == at_once)
+      add_columns<at_once>();
   }
 
   /// What add has not come to yet: to be called in the end.
   void add_rest() {
-    for (std::size_t k = 0; k < count_; ++k)
-      for (std::ptrdiff_t i = 0; i < size_; ++i)
-        sum_[i] += factors_[k] * columns_[k][i];
-    count_ = 0;
+    if (count_ == 3)
+      add_columns<3>();
+    else if (count_ == 2)
+      add_columns<2>();
+    else if (count_ == 1)
+      add_columns<1>();
   }
 
 private:
   static constexpr std::size_t at_once = 4;
+
+  template <std::size_t Count> void add_columns() {
+    // Without the promise that nothing overlaps every call would check it.
+    double* const __restrict sum = sum_;
+    const auto factors = factors_;
+    const auto columns = columns_;
+    for (std::ptrdiff_t i = 0; i < size_; ++i) {
+      double part = factors[0] * columns[0][i];
+      for (std::size_t k = 1; k < Count; ++k)
+        part += factors[k] * columns[k][i];
+      sum[i] += part;
+    }
+    count_ = 0;
+  }
+
   double* sum_;
   std::ptrdiff_t size_;
   std::size_t count_ = 0;

@@ -14,6 +14,7 @@ void dtrsv_(const char* triangle, const char* transposed, const char* diagonal, 
 void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* diagonal,
             const int* rows, const int* columns, const double* factor, const double* matrix,
             const int* stride, double* values, const int* values_stride);
+void dpotri_(const char* triangle, const int* size, double* factor, const int* stride, int* info);
 }
 
 namespace rubato::linalg {
@@ -34,14 +35,17 @@ void solve_in_place(const TrailingTriangle& triangle, Side side, Eigen::Ref<Vect
     dtrsv_("L", &transposed, "N", &size, triangle.values, &stride, values.data(), &one);
 }
 
-void solve_in_place(const TrailingTriangle& triangle, Side side, MatrixXd& values) {
-  const auto size = static_cast<int>(triangle.size);
+/// Of columns that are zero above row `first`; the solution is taken from there on.
+void solve_in_place(const TrailingTriangle& triangle, Side side, MatrixXd& values, Index first) {
+  const auto size = static_cast<int>(triangle.size - first);
   const auto columns = static_cast<int>(values.cols());
   const auto stride = static_cast<int>(triangle.stride);
+  const auto values_stride = static_cast<int>(values.rows());
   const auto transposed = static_cast<char>(side);
   const double one = 1;
   if (values.size() > 0)
-    dtrsm_("L", "L", &transposed, "N", &size, &columns, &one, triangle.values, &stride, values.data(), &size);
+    dtrsm_("L", "L", &transposed, "N", &size, &columns, &one, triangle.values + first * (triangle.stride + 1),
+           &stride, values.data() + first, &values_stride);
 }
 
 /// Of every unknown the number of its body: unknowns belong together when the matrix couples them.
@@ -154,7 +158,9 @@ VectorXd SplitFactor::forward(const VectorXd& right_side) const {
   VectorXd half_way(size_);
   Index first = 0;
   for (const auto& body : bodies_) {
-    half_way.segment(first, body.size()) = body.engine->solve(CHOLMOD_L, right_side(body.unknowns));
+    auto part = half_way.segment(first, body.size());
+    std::ranges::transform(body.unknowns, part.begin(), [&](int unknown) { return right_side[unknown]; });
+    part = body.engine->solve(CHOLMOD_L, part);
     first += body.size();
   }
   return half_way;
@@ -164,7 +170,9 @@ VectorXd SplitFactor::backward(const VectorXd& half_way) const {
   VectorXd solution(size_);
   Index first = 0;
   for (const auto& body : bodies_) {
-    solution(body.unknowns) = body.engine->solve(CHOLMOD_Lt, half_way.segment(first, body.size()));
+    const VectorXd part = body.engine->solve(CHOLMOD_Lt, half_way.segment(first, body.size()));
+    for (Index i = 0; i < part.size(); ++i)
+      solution[body.unknowns[static_cast<std::size_t>(i)]] = part[i];
     first += body.size();
   }
   return solution;
@@ -196,13 +204,25 @@ void SplitFactor::load_surface(const VectorXd& force, VectorXd& half_way) const 
   }
 }
 
-MatrixXd SplitFactor::compliance(std::size_t body, std::span<const int> places) const {
+MatrixXd SplitFactor::compliance(std::size_t body) const {
   const auto& triangle = bodies_[body].triangle;
-  MatrixXd columns = MatrixXd::Zero(triangle.size, static_cast<Index>(places.size()));
-  for (std::size_t j = 0; j < places.size(); ++j)
-    columns(places[j], static_cast<Index>(j)) = 1;
-  solve_in_place(triangle, Side::lower, columns);
-  solve_in_place(triangle, Side::transposed, columns);
+  MatrixXd inverse(triangle.size, triangle.size);
+  for (Index j = 0; j < triangle.size; ++j)
+    std::copy_n(triangle.values + j * triangle.stride + j, triangle.size - j, &inverse(j, j));
+  const auto size = static_cast<int>(triangle.size);
+  int info = 0;
+  if (size > 0)
+    dpotri_("L", &size, inverse.data(), &size, &info);
+  inverse.triangularView<Eigen::StrictlyUpper>() = inverse.transpose();
+  return inverse;
+}
+
+MatrixXd SplitFactor::compliance(std::size_t body, Index first, Index count) const {
+  const auto& triangle = bodies_[body].triangle;
+  MatrixXd columns = MatrixXd::Zero(triangle.size, count);
+  columns.middleRows(first, count).diagonal().setOnes();
+  solve_in_place(triangle, Side::lower, columns, first);
+  solve_in_place(triangle, Side::transposed, columns, 0);
   return columns;
 }
 

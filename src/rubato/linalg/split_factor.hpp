@@ -48,8 +48,11 @@ public:
   const std::vector<int>& surface() const { return surface_; }
   /// Positions at which one body's end and the next one's begin, 0 first.
   const std::vector<int>& body_starts() const { return body_starts_; }
-  /// S of a body for unit forces at some of its positions (counted from its first): one column each.
-  Eigen::MatrixXd compliance(std::size_t body, std::span<const int> places) const;
+  /// S of a body.
+  Eigen::MatrixXd compliance(std::size_t body) const;
+  /// The same for unit forces at `count` of its positions from `first` on (counted from its first): one
+  /// column each. All columns take three times as long by this.
+  Eigen::MatrixXd compliance(std::size_t body, Eigen::Index first, Eigen::Index count) const;
 
   /// Memory the factor holds.
   std::size_t factor_bytes() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// What a bulk that keeps its effective matrix A answers to forces on its contact surfaces: A factored once,
-/// and the surface compliance S = B A⁻¹ Bᵀ, B picking the contact unknowns. Columns of S are computed when
-/// first asked for: few contact points are ever active.
+/// and the surface compliance S = B A⁻¹ Bᵀ, B picking the contact unknowns. S of a body is computed when
+/// first asked for: whole, or of large surfaces some columns only, as few contact points are ever active.
 #pragma once
 
 #include "rubato/linalg/split_factor.hpp"
@@ -13,10 +13,19 @@
 
 namespace rubato::step {
 
+struct ForceAt {
+  int position = 0;
+  double force = 0;
+};
+
 class Compliance {
 public:
+  /// Surfaces of bodies up to this size have S computed whole: three seconds at most.
+  static constexpr Eigen::Index usual_largest_whole = 5000;
+
   /// `free_dofs`: the dof of every unknown; `dofs`: how many there are.
-  Compliance(linalg::SplitFactor factor, std::span<const int> free_dofs, Eigen::Index dofs);
+  Compliance(linalg::SplitFactor factor, std::span<const int> free_dofs, Eigen::Index dofs,
+             Eigen::Index largest_whole = usual_largest_whole);
 
   const linalg::SplitFactor& factor() const { return factor_; }
   /// A⁻¹ force
@@ -36,26 +45,25 @@ public:
   Eigen::MatrixXd within_body(std::span<const int> positions);
   /// d += factor S force, one a position; cheap where most of the force is zero.
   void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
-  /// Computes what is still missing of the columns of these positions, with their neighbours': many at once
-  /// cost far less than one by one.
-  void prepare(std::span<const int> positions);
+  /// The same with the force given by its entries.
+  void add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
 
-private:
-  /// A range of positions that forces on others do not move.
-  struct Body {
-    int first = 0;
-    int size = 0;
-  };
-  void compute(std::size_t body, int first, int count);
+  /// What a unit force at a position moves of its body, computed when first asked for.
   const double* column(int position);
 
+private:
+  int body_of(int position) const { return body_of_[static_cast<std::size_t>(position)]; }
+  int first_of_body(int body) const { return factor_.body_starts()[static_cast<std::size_t>(body)]; }
+  void compute(int body, Eigen::Index place);
+
   linalg::SplitFactor factor_;
+  Eigen::Index largest_whole_;
   std::vector<int> dofs_;
   std::vector<int> positions_;
   std::vector<int> position_of_unknown_;
-  std::vector<Body> bodies_;
-  std::vector<int> body_of_;             ///< by position
-  std::vector<Eigen::VectorXd> columns_; ///< by position: of its body, empty until used
+  std::vector<int> body_of_;       ///< by position
+  std::vector<Eigen::MatrixXd> s_; ///< by body: empty until used
+  std::vector<char> known_;        ///< by position: whether its column is computed
 };
 
 } // namespace rubato::step

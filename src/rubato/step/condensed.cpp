@@ -42,7 +42,7 @@ CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme
 
 CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components)
     : surface(compliance), points(compliance, surface, force_weight),
-      guess(compliance, surface, force_weight, components) {}
+      guess(compliance, force_weight, components) {}
 
 void CondensedScratch::forget() {
   surface.forget();
@@ -132,20 +132,22 @@ void Condensed::start_from(const State& trial) {
 void Condensed::guess_contact(State& trial, const Held& held) {
   auto& guess = scratch_.guess;
   auto& points = scratch_.guess_points;
-  move_surface(trial.contact_force(system_.compliance->dof_of_position()), trial);
+  auto& touching = scratch_.touching;
+  const auto& compliance = *system_.compliance;
+  touching.resize(model_.zones.size());
+  move_surface(trial.contact_force(compliance.dof_of_position()), trial);
+  side_.measure(trial, held, now());
+  take_points(model_, side_, held, compliance, now(), moved_, trial, points);
+  measured_ = true;
   for (int round = 0; round < guess_rounds; ++round) {
-    side_.measure(trial, held, now());
-    const bool same = measure_points(model_, side_, held, *system_.compliance, now(), moved_, trial,
-                                     round == 0 ? GuessForces::of_last_step : GuessForces::kept, points);
-    if (!same)
-      guess.forget();
-    else if (round > 0 && guess.misfit(points, moved_) <= settled_guess) {
-      measured_ = true;
-      return;
-    }
-    guess.improve(points, free_);
+    guess.improve(points, free_, moved_);
     take_guess(model_, points, trial);
     move_surface(force_on_surface(points, free_.size()), trial);
+    find_touching(points, moved_, touching);
+    side_.measure(trial, held, touching, now());
+    move_frames(model_, compliance, now(), moved_, touching, points);
+    if (guess.misfit(points, moved_) <= settled_guess)
+      return;
   }
 }
 

@@ -37,6 +37,7 @@ struct CondensedScratch {
   PointSystem points;
   ContactGuess guess;
   std::vector<GuessPoint> guess_points;
+  PointsOfZones touching;
   std::vector<PointInContact> in_contact;
   Eigen::VectorXd force; ///< theirs on the surface, one a position
 

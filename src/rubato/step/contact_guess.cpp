@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -27,12 +27,26 @@ constexpr int most_rounds = 8;
 /// Those join first that are pushed in by this part of the deepest.
 constexpr double deep = 0.6;
 
-/// Gap and slips with the surface at d.
-Vector3d measures_of(const GuessPoint& point, const VectorXd& d) {
+/// Off its place on the master, with the surface at d.
+Vector3d moved_of(const GuessPoint& point, const VectorXd& d) {
   Vector3d moved = Vector3d::Zero();
   for (const auto& share : point.shares)
-    moved[share.component] += share.weight * d[share.position];
-  return point.value + point.frame.transpose() * moved;
+    add_moved(share, d, moved);
+  return moved;
+}
+
+/// F of matrix F + values = 0 among those of a set.
+VectorXd solve_among(std::span<const int> set, const MatrixXd& matrix, const VectorXd& values) {
+  const auto size = static_cast<Index>(set.size());
+  MatrixXd among(size, size);
+  VectorXd right(size);
+  for (Index j = 0; j < size; ++j) {
+    const int of = set[static_cast<std::size_t>(j)];
+    right[j] = -values[of];
+    for (Index i = 0; i < size; ++i)
+      among(i, j) = matrix(set[static_cast<std::size_t>(i)], of);
+  }
+  return linalg::solve_positive_definite(std::move(among), std::move(right));
 }
 
 /// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle.
@@ -47,12 +61,14 @@ void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& set
     for (Index k = 0; k < forces.size(); ++k)
       if (matrix(k, k) > 0 && (forces[k] > 0 || (forces[k] == 0 && open[k] < 0)))
         set.push_back(static_cast<int>(k));
-    const VectorXd pressed = linalg::solve_positive_definite(matrix(set, set), -gaps(set));
+    const VectorXd pressed = solve_among(set, matrix, gaps);
     forces.setZero();
-    forces(set) = pressed;
+    for (std::size_t k = 0; k < set.size(); ++k)
+      forces[set[k]] = pressed[static_cast<Index>(k)];
     open = gaps;
     open.noalias() += matrix * forces;
-    open(set).setZero();
+    for (const int k : set)
+      open[k] = 0;
     if ((forces.array() >= 0).all() && (open.array() >= 0).all()) {
       settled = forces;
       return;
@@ -81,7 +97,7 @@ void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorX
     }
     held = slips;
     held.noalias() += matrix * next;
-    const VectorXd pulled_back = linalg::solve_positive_definite(matrix(sticking, sticking), -held(sticking));
+    const VectorXd pulled_back = solve_among(sticking, matrix, held);
     for (std::size_t k = 0; k < sticking.size(); ++k)
       next[sticking[k]] = pulled_back[static_cast<Index>(k)];
     const bool same = (next - forces).lpNorm<Eigen::Infinity>() <= 1e-9 * limits.maxCoeff();
@@ -97,6 +113,10 @@ void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorX
 
 } // namespace
 
+Vector3d measures_of(const GuessPoint& point, const VectorXd& d) {
+  return point.value + point.frame.transpose() * moved_of(point, d);
+}
+
 void add_force(std::span<const GuessPoint> points, int first, int last, VectorXd& force) {
   for (const auto& point : points) {
     if (point.force[0] == 0)
@@ -105,26 +125,26 @@ void add_force(std::span<const GuessPoint> points, int first, int last, VectorXd
     for (int a = first; a <= last; ++a)
       in_space += point.force[a] * point.frame.col(a);
     for (const auto& share : point.shares)
-      force[share.position] += share.weight * in_space[share.component];
+      for (std::size_t c = 0; c < 3; ++c)
+        if (const int at = share.positions[c]; at >= 0)
+          force[at] += share.weight * in_space[static_cast<Index>(c)];
   }
 }
 
-ContactGuess::ContactGuess(Compliance& compliance, TouchedSurface& surface, double factor, int components)
-    : compliance_(compliance), surface_(surface), factor_(factor), components_(components) {}
+ContactGuess::ContactGuess(Compliance& compliance, double factor, int components)
+    : compliance_(compliance), factor_(factor), components_(components) {}
 
-void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free) {
+void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free, VectorXd d) {
   forget();
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
-  VectorXd d = unpressed;
-  add_motion(points, 0, 0, d);
   for (int round = 0; round < most_rounds && choose_more(points, d); ++round) {
-    couple();
     press(unpressed);
     d = unpressed;
     add_motion(points, 0, 0, d);
   }
-  rub(points, free + d - unpressed);
+  d += free - unpressed;
+  rub(points, d);
 }
 
 double ContactGuess::misfit(std::span<const GuessPoint> points, const VectorXd& d) const {
@@ -166,7 +186,7 @@ double ContactGuess::give_of(std::size_t chosen) const {
 void ContactGuess::forget() {
   chosen_.clear();
   sliding_.clear();
-  between_.resize(0, 0);
+  pressing_.resize(0, 0);
 }
 
 /// Moves the surface by some of the forces of all points.
@@ -195,67 +215,52 @@ bool ContactGuess::choose_more(std::span<GuessPoint> points, const VectorXd& d) 
   return static_cast<std::ptrdiff_t>(chosen_.size()) > known;
 }
 
-/// What the chosen points do to one another. Places of the surface shift when there are new ones.
-void ContactGuess::couple() {
-  for (const auto* point : chosen_)
-    for (const auto& share : point->shares)
-      surface_.add({&share.position, 1});
-  surface_.touch_added();
-  rows_.resize(std::max(rows_.size(), chosen_.size()));
-  std::vector<const PointRows*> rows;
-  rows.reserve(chosen_.size());
-  for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    place(*chosen_[k], rows_[k]);
-    rows.push_back(&rows_[k]);
-  }
-  extend_between_points(surface_, rows, components_, factor_, between_);
+/// Moves the surface by a unit force along an axis of the frame of a point.
+void ContactGuess::push(const GuessPoint& point, int axis) {
+  pushing_.clear();
+  for (const auto& share : point.shares)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const int at = share.positions[c]; at >= 0)
+        pushing_.push_back({at, share.weight * point.frame(static_cast<Index>(c), axis)});
+  moved_.setZero(static_cast<Index>(compliance_.surface().size()));
+  compliance_.add(factor_, pushing_, moved_);
 }
 
-void ContactGuess::place(const GuessPoint& point, PointRows& rows) const {
-  rows.places.clear();
-  rows.right.setZero(components_, static_cast<Index>(point.shares.size()));
-  for (const auto& share : point.shares) {
-    rows.right(share.component, static_cast<Index>(rows.places.size())) = share.weight;
-    rows.places.push_back(surface_.place_of(share.position));
-  }
-  rows.left = rows.right;
-}
-
-/// What forces along some axes of points do to the measures along theirs: `axes` columns from `first` of each
-/// frame.
-void ContactGuess::project(std::span<const std::size_t> chosen, int first, Index axes, MatrixXd& matrix) {
-  const auto count = static_cast<Index>(chosen.size());
-  matrix.resize(count * axes, count * axes);
-  for (Index j = 0; j < count; ++j) {
-    const auto of = chosen[static_cast<std::size_t>(j)];
-    for (Index b = 0; b < axes; ++b) {
-      const double* along = chosen_[of]->frame.col(first + b).data();
-      const double* column = between_.col(static_cast<Index>(of) * components_).data();
-      moved_.setZero(between_.rows());
-      for (Index c = 0; c < components_; ++c, column += between_.rows())
-        for (Index row = 0; row < between_.rows(); ++row)
-          moved_[row] += along[c] * column[row];
-      for (Index i = 0; i < count; ++i) {
-        const auto on = chosen[static_cast<std::size_t>(i)];
-        const double* seen = moved_.data() + static_cast<Index>(on) * components_;
-        for (Index a = 0; a < axes; ++a) {
-          const double* axis = chosen_[on]->frame.col(first + a).data();
-          double sum = 0;
-          for (Index c = 0; c < components_; ++c)
-            sum += axis[c] * seen[c];
-          matrix(i * axes + a, j * axes + b) = sum;
-        }
-      }
+/// By the rows and columns of the points chosen last.
+void ContactGuess::couple_pressing() {
+  const Index known = pressing_.rows();
+  const auto count = static_cast<Index>(chosen_.size());
+  pressing_.conservativeResize(count, count);
+  for (Index j = known; j < count; ++j) {
+    push(*chosen_[static_cast<std::size_t>(j)], 0);
+    for (Index i = 0; i <= j; ++i) {
+      const auto& seeing = *chosen_[static_cast<std::size_t>(i)];
+      pressing_(i, j) = pressing_(j, i) = seeing.frame.col(0).dot(moved_of(seeing, moved_));
     }
   }
+}
+
+void ContactGuess::couple_rubbing() {
+  const Index tangents = components_ - 1;
+  const auto count = static_cast<Index>(sliding_.size());
+  rubbing_.resize(count * tangents, count * tangents);
+  for (Index j = 0; j < count; ++j)
+    for (Index b = 0; b < tangents; ++b) {
+      push(*chosen_[sliding_[static_cast<std::size_t>(j)]], static_cast<int>(1 + b));
+      for (Index i = 0; i <= j; ++i) {
+        const auto& seeing = *chosen_[sliding_[static_cast<std::size_t>(i)]];
+        const Vector3d moved = moved_of(seeing, moved_);
+        for (Index a = 0; a < tangents; ++a)
+          rubbing_(i * tangents + a, j * tangents + b) = rubbing_(j * tangents + b, i * tangents + a) =
+              seeing.frame.col(1 + a).dot(moved);
+      }
+    }
 }
 
 /// `without`: the surface without pressing forces.
 void ContactGuess::press(const VectorXd& without) {
   const auto count = static_cast<Index>(chosen_.size());
-  all_.resize(chosen_.size());
-  std::iota(all_.begin(), all_.end(), 0);
-  project(all_, 0, 1, pressing_);
+  couple_pressing();
   VectorXd gaps(count);
   VectorXd forces(count);
   MatrixXd matrix = pressing_;
@@ -283,7 +288,7 @@ void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& without) {
   if (sliding_.empty())
     return;
   const Index tangents = components_ - 1;
-  project(sliding_, 1, tangents, rubbing_);
+  couple_rubbing();
   VectorXd slips(rubbing_.rows());
   VectorXd forces(rubbing_.rows());
   VectorXd limits(static_cast<Index>(sliding_.size()));

@@ -3,22 +3,29 @@
 /// iterations, which from the free motion would let go of one row of points after the other.
 #pragma once
 
-#include "rubato/step/touched_surface.hpp"
+#include "rubato/step/compliance.hpp"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace rubato::step {
 
-/// What a contact point takes of one displacement of the surface.
+/// What a contact point takes of the displacement of one node.
 struct Share {
-  int position = 0;
-  int component = 0; ///< in space
+  std::array<int, 3> positions{-1, -1, -1}; ///< on the surface, by component; −1 of those that are held
   double weight = 0;
 };
+
+/// Adds weight · d, d one a position.
+inline void add_moved(const Share& share, const Eigen::VectorXd& d, Eigen::Vector3d& moved) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if (const int at = share.positions[c]; at >= 0)
+      moved[static_cast<Eigen::Index>(c)] += share.weight * d[at];
+}
 
 /// A point that may touch, in a frame that is held. With e = Σ weight · d, how far the surface moves it off
 /// its place on the master, its gap and slips are `value` + frameᵀ e, and its forces F along them put
@@ -30,9 +37,13 @@ struct GuessPoint {
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity(); ///< n, τ₁, τ₂
   Eigen::Vector3d value = Eigen::Vector3d::Zero();     ///< where d = 0 [length]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< pressing ≥ 0, and along the slips [force]
+  double gap = 0;      ///< where its frame was measured [length]
   double softness = 0; ///< penetration a unit of force makes: of penalties [length/force]
   double friction = 0; ///< μ
 };
+
+/// Gap and slips with the surface at d.
+Eigen::Vector3d measures_of(const GuessPoint& point, const Eigen::VectorXd& d);
 
 /// Adds Σ weight · frame F, of the forces from `first` to `last` (0 along the gap, 1 and 2 along the slips),
 /// to `force`, one a position.
@@ -41,15 +52,16 @@ void add_force(std::span<const GuessPoint> points, int first, int last, Eigen::V
 class ContactGuess {
 public:
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
-  /// dimensions as `components`. Compliance and surface must outlive this.
-  ContactGuess(Compliance& compliance, TouchedSurface& surface, double factor, int components);
+  /// dimensions as `components`. `compliance` must outlive this.
+  ContactGuess(Compliance& compliance, double factor, int components);
 
-  /// Improves the forces of the points: first the pressing ones, so that no gap is negative, then those along
-  /// the slips for the pressing ones found, so that none exceeds μ times them and slips go against them
-  /// (Tresca's problem). Points that have no force and don't penetrate get none. Both by projected
-  /// Gauss–Seidel sweeps, then by active sets. What points do to one another is computed when they press or
-  /// penetrate first in a call: kept for the next one, it leads to other points that stick.
-  void improve(std::span<GuessPoint> points, const Eigen::VectorXd& free);
+  /// Improves the forces of the points, which have been measured with the surface at d: first the pressing
+  /// ones, so that no gap is negative, then those along the slips for the pressing ones found, so that none
+  /// exceeds μ times them and slips go against them (Tresca's problem). Points that have no force and don't
+  /// penetrate get none. Both by projected Gauss–Seidel sweeps, then by active sets. What points do to one
+  /// another is computed when they press or penetrate first in a call: kept for the next one, it leads to
+  /// other points that stick.
+  void improve(std::span<GuessPoint> points, const Eigen::VectorXd& free, Eigen::VectorXd d);
 
   /// How much a sweep would change the forces now that the points have been measured anew and the surface
   /// is at d, in parts of the largest one. The points must be those of the last call.
@@ -60,27 +72,24 @@ public:
 private:
   void add_motion(std::span<const GuessPoint> points, int first, int last, Eigen::VectorXd& d);
   bool choose_more(std::span<GuessPoint> points, const Eigen::VectorXd& d);
-  void couple();
-  void place(const GuessPoint& point, PointRows& rows) const;
-  void project(std::span<const std::size_t> chosen, int first, Eigen::Index axes, Eigen::MatrixXd& matrix);
+  void push(const GuessPoint& point, int axis);
+  void couple_pressing();
+  void couple_rubbing();
   void press(const Eigen::VectorXd& without);
   void rub(std::span<GuessPoint> points, const Eigen::VectorXd& without);
   double give_of(std::size_t chosen) const;
 
   Compliance& compliance_;
-  TouchedSurface& surface_;
   double factor_;
   Eigen::Index components_;
   std::vector<GuessPoint*> chosen_;  ///< those that may touch
   std::vector<std::size_t> sliding_; ///< of those chosen
-  std::vector<PointRows> rows_;      ///< of those chosen; the others are storage
-  Eigen::MatrixXd between_;      ///< e of each chosen point for unit forces on each, components_ rows a point
-  Eigen::MatrixXd pressing_;     ///< the same from pressing forces of chosen points to gaps
-  Eigen::MatrixXd rubbing_;      ///< the same from friction of sliding ones to their slips
-  Eigen::VectorXd force_;        ///< storage of add_motion
-  std::vector<std::size_t> all_; ///< storage of press
-  std::vector<double> gaps_;     ///< storage of choose_more
-  Eigen::VectorXd moved_;        ///< storage of project
+  Eigen::MatrixXd pressing_;          ///< gaps of chosen points for unit pressing forces on each
+  Eigen::MatrixXd rubbing_;           ///< slips of sliding ones for unit friction on each
+  Eigen::VectorXd force_;             ///< storage of add_motion
+  std::vector<ForceAt> pushing_;      ///< storage of push
+  Eigen::VectorXd moved_;             ///< of the surface by the last push
+  std::vector<double> gaps_;          ///< storage of choose_more
 };
 
 /// Sweeps on w = values + matrix F,  F ≥ 0, w ≥ 0, F·w = 0, until one changes neither which F are positive

@@ -96,7 +96,7 @@ contact::Configuration ContactSide::at_end(const State& trial) const {
   return {&model_.mesh, &model_.dofs, &trial.motion.u, &committed_.motion.u, trial.t, committed_.t};
 }
 
-/// `measure` is for points whose frames move.
+/// `measure` takes points of a zone whose frames move to the configuration.
 template <class Measure>
 void ContactSide::measure_by(const Measure& measure, const State& trial, const Held& held,
                              ContactIterate& into) const {
@@ -105,23 +105,37 @@ void ContactSide::measure_by(const Measure& measure, const State& trial, const H
   into.status.resize(model_.zones.size());
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto& zone = model_.zones[z];
-    const auto& multipliers = trial.zones[z].multipliers;
     if (has_held_frames(z, held))
-      contact::evaluate_in_held_frames(frames_.empty() ? held[z].frames : frames_[z], zone, multipliers,
-                                       configuration, into.points[z]);
+      contact::evaluate_in_held_frames(frames_.empty() ? held[z].frames : frames_[z], zone,
+                                       trial.zones[z].multipliers, configuration, into.points[z]);
     else
-      measure(system_.neighbours[z], multipliers, configuration, into.points[z]);
+      measure(z, configuration);
     const auto& given = held[z].status.empty() ? trial.zones[z].status : held[z].status;
     keep_given_status(zone, into.points[z], given, into.status[z]);
   }
 }
 
 void ContactSide::evaluate(const State& trial, const Held& held, ContactIterate& into) const {
-  measure_by([](auto&&... of) { contact::evaluate(of...); }, trial, held, into);
+  const auto all = [&](std::size_t z, const auto& configuration) {
+    contact::evaluate(system_.neighbours[z], trial.zones[z].multipliers, configuration, into.points[z]);
+  };
+  measure_by(all, trial, held, into);
 }
 
 void ContactSide::measure(const State& trial, const Held& held, ContactIterate& into) const {
-  measure_by(contact::measure, trial, held, into);
+  const auto all = [&](std::size_t z, const auto& configuration) {
+    contact::measure(system_.neighbours[z], trial.zones[z].multipliers, configuration, into.points[z]);
+  };
+  measure_by(all, trial, held, into);
+}
+
+void ContactSide::measure(const State& trial, const Held& held,
+                          std::span<const std::vector<std::size_t>> points, ContactIterate& iterate) const {
+  const auto some = [&](std::size_t z, const auto& configuration) {
+    contact::measure(system_.neighbours[z], trial.zones[z].multipliers, configuration, points[z],
+                     iterate.points[z]);
+  };
+  measure_by(some, trial, held, iterate);
 }
 
 void ContactSide::differentiate(const State& trial, const Held& held, std::size_t zone, std::size_t point,

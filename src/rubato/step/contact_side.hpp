@@ -8,6 +8,8 @@
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace rubato::step {
@@ -48,6 +50,9 @@ public:
   void evaluate(const State& trial, const Held& held, ContactIterate& into) const;
   /// The same without the derivatives of points whose frames move.
   void measure(const State& trial, const Held& held, ContactIterate& into) const;
+  /// The same of some points of each zone, in an iterate that has the others: these stay where they were.
+  void measure(const State& trial, const Held& held, std::span<const std::vector<std::size_t>> points,
+               ContactIterate& iterate) const;
   /// Those derivatives, of one point at the same `trial`.
   void differentiate(const State& trial, const Held& held, std::size_t zone, std::size_t point,
                      ContactIterate& iterate) const;

@@ -2,6 +2,7 @@
 #include "rubato/step/guess_points.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace rubato::step {
 namespace {
@@ -13,6 +14,8 @@ using model::Model;
 
 /// A friction force this little below its limit, relatively, is at it.
 constexpr double rounding = 1e-9;
+/// Part of its gap that leaves a point without doubt open where frames are held.
+constexpr double still_open = 0.5;
 
 void set_relations(const Model& model, const Compliance& compliance, const contact::Kinematics& k,
                    const VectorXd& moved, GuessPoint& guess) {
@@ -21,17 +24,28 @@ void set_relations(const Model& model, const Compliance& compliance, const conta
   guess.shares.clear();
   Eigen::Vector3d come = Eigen::Vector3d::Zero();
   for (std::size_t node = 0; node < k.nodes.size(); ++node) {
-    const double weight = k.shape[static_cast<Index>(node)];
-    for (int i = 0; weight != 0 && i < k.components; ++i) {
-      const int at = position[static_cast<std::size_t>(model.dofs.dof(k.nodes[node], i))];
-      if (at < 0)
-        continue;
-      guess.shares.push_back({at, i, weight});
-      come[i] += weight * moved[at];
+    Share share{.weight = k.shape[static_cast<Index>(node)]};
+    bool free = false;
+    for (int c = 0; c < k.components; ++c) {
+      const int at = position[static_cast<std::size_t>(model.dofs.dof(k.nodes[node], c))];
+      share.positions[static_cast<std::size_t>(c)] = at;
+      free = free || at >= 0;
     }
+    if (share.weight == 0 || !free)
+      continue;
+    guess.shares.push_back(share);
+    add_moved(share, moved, come);
   }
+  guess.gap = k.gap;
   guess.value << k.gap, k.slip;
   guess.value -= guess.frame.transpose() * come;
+}
+
+/// Nothing faces it.
+void release(GuessPoint& guess) {
+  guess.shares.clear();
+  guess.value[0] = std::numeric_limits<double>::infinity();
+  guess.force.setZero();
 }
 
 void set_forces(const contact::PointOutcome& outcome, const contact::SlavePoint& point,
@@ -44,11 +58,10 @@ void set_forces(const contact::PointOutcome& outcome, const contact::SlavePoint&
 
 } // namespace
 
-bool measure_points(const Model& model, const ContactSide& side, const Held& held,
-                    const Compliance& compliance, const ContactIterate& contact, const VectorXd& moved,
-                    const State& state, GuessForces forces, std::vector<GuessPoint>& points) {
+void take_points(const Model& model, const ContactSide& side, const Held& held, const Compliance& compliance,
+                 const ContactIterate& contact, const VectorXd& moved, const State& state,
+                 std::vector<GuessPoint>& points) {
   std::size_t count = 0;
-  bool same = true;
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
     const auto law = side.law_of(z, held);
@@ -57,8 +70,6 @@ bool measure_points(const Model& model, const ContactSide& side, const Held& hel
       const auto& kinematics = contact.points[z][i].kinematics;
       if (!kinematics || zone.points[i].excluded)
         continue;
-      const bool known = count < points.size() && points[count].zone == z && points[count].index == i;
-      same = same && known;
       if (count == points.size())
         points.emplace_back();
       auto& guess = points[count++];
@@ -67,13 +78,32 @@ bool measure_points(const Model& model, const ContactSide& side, const Held& hel
       guess.friction = law.friction;
       guess.softness = soft ? 1 / (law.coefficients->normal[i] * zone.points[i].weight) : 0.0;
       set_relations(model, compliance, *kinematics, moved, guess);
-      if (!known || forces == GuessForces::of_last_step)
-        set_forces(state.zones[z].outcomes[i], zone.points[i], *kinematics, guess);
+      set_forces(state.zones[z].outcomes[i], zone.points[i], *kinematics, guess);
     }
   }
-  same = same && count == points.size();
   points.resize(count);
-  return same;
+}
+
+void find_touching(std::span<const GuessPoint> points, const VectorXd& d, PointsOfZones& touching) {
+  for (auto& of_zone : touching)
+    of_zone.clear();
+  for (const auto& point : points)
+    if (point.force[0] > 0 || measures_of(point, d)[0] <= std::max(0.0, still_open * point.gap))
+      touching[point.zone].push_back(point.index);
+}
+
+void move_frames(const Model& model, const Compliance& compliance, const ContactIterate& contact,
+                 const VectorXd& moved, const PointsOfZones& touching, std::span<GuessPoint> points) {
+  auto point = points.begin();
+  for (std::size_t z = 0; z < touching.size(); ++z)
+    for (const auto index : touching[z]) {
+      while (point->zone != z || point->index != index)
+        ++point;
+      if (const auto& kinematics = contact.points[z][index].kinematics)
+        set_relations(model, compliance, *kinematics, moved, *point);
+      else
+        release(*point);
+    }
 }
 
 VectorXd force_on_surface(std::span<const GuessPoint> points, Index positions) {

@@ -12,13 +12,21 @@
 
 namespace rubato::step {
 
-/// Every point that may touch, in the frame where `contact` measured it with the surface at d = `moved`.
-/// Forces are taken from the last step's outcomes in `state`, or kept from what `points` hold already.
-/// Whether these are the points they were.
-enum class GuessForces { of_last_step, kept };
-bool measure_points(const model::Model& model, const ContactSide& side, const Held& held,
-                    const Compliance& compliance, const ContactIterate& contact, const Eigen::VectorXd& moved,
-                    const State& state, GuessForces forces, std::vector<GuessPoint>& points);
+/// Every point that may touch, in the frame where `contact` measured it with the surface at d = `moved`, with
+/// its force of the last step, from the outcomes in `state`.
+void take_points(const model::Model& model, const ContactSide& side, const Held& held,
+                 const Compliance& compliance, const ContactIterate& contact, const Eigen::VectorXd& moved,
+                 const State& state, std::vector<GuessPoint>& points);
+
+/// Those of each zone that have a force or none but penetrate with the surface at d: others keep their frames
+/// meanwhile.
+using PointsOfZones = std::vector<std::vector<std::size_t>>;
+void find_touching(std::span<const GuessPoint> points, const Eigen::VectorXd& d, PointsOfZones& touching);
+
+/// Takes these to the frames where `contact` measured them anew. Points that have nothing to touch any more
+/// lose their forces.
+void move_frames(const model::Model& model, const Compliance& compliance, const ContactIterate& contact,
+                 const Eigen::VectorXd& moved, const PointsOfZones& touching, std::span<GuessPoint> points);
 
 /// What their forces put on the surface, internal side, one a position [force].
 Eigen::VectorXd force_on_surface(std::span<const GuessPoint> points, Eigen::Index positions);

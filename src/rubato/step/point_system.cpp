@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -15,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Part of the first residual that refinement leaves: Newton's next iteration takes the rest.
-constexpr double refined_enough = 1e-9;
+constexpr double refined_enough = 1e-7;
 /// The same where rounding lets it come no further.
 constexpr double refined_to_rounding = 1e-6;
 /// A round of refinement that leaves more than this part of the least error is slow. Forces and places take
@@ -27,6 +28,29 @@ constexpr int most_rounds = 30;
 constexpr Index small = 60;
 /// Whole systems beyond this size take too long to give up on.
 constexpr Index largest_whole = 3000;
+
+/// Cᵀ (δz, δξ) of a point: what it puts on its displacements.
+class ForceOf {
+public:
+  ForceOf(const ActivePoint& point, const PointSystem::Change& change)
+      : spread_(point.response.spread.data()), rows_(point.response.spread.rows()) {
+    const Index d = point.components();
+    std::copy_n(change.force.data() + point.first, d, all_.begin());
+    std::copy_n(change.places.data() + point.first_slope, point.slopes(), all_.begin() + d);
+  }
+  double on(std::size_t q) const {
+    const double* of_q = spread_ + static_cast<Index>(q) * rows_;
+    double sum = 0;
+    for (Index row = 0; row < rows_; ++row)
+      sum += of_q[row] * all_[static_cast<std::size_t>(row)];
+    return sum;
+  }
+
+private:
+  const double* spread_;
+  Index rows_;
+  std::array<double, 5> all_{};
+};
 
 /// Largest entry of each row, 1 where there is none.
 VectorXd row_sizes(const MatrixXd& matrix) {
@@ -93,10 +117,10 @@ std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
   if (points().empty())
     return no_change();
   touch_surface();
-  const VectorXd on_places = force_(surface_.positions());
+  const VectorXd on_places = at_places(force_);
   VectorXd c;
   surface_.multiply(on_places, c);
-  c = d0(surface_.positions()) - force_weight_ * c;
+  c = at_places(d0) - force_weight_ * c;
   if (forces_ + places_ > small && factor(points().front().components()))
     if (auto change = refined(c))
       return change;
@@ -112,6 +136,14 @@ void PointSystem::touch_surface() {
     std::ranges::transform(point.positions, point.rows.places.begin(),
                            [&](int position) { return surface_.place_of(position); });
   }
+}
+
+/// Of values, one a position.
+VectorXd PointSystem::at_places(const VectorXd& values) const {
+  VectorXd chosen(surface_.size());
+  std::ranges::transform(surface_.positions(), chosen.begin(),
+                         [&](int position) { return values[position]; });
+  return chosen;
 }
 
 /// δz of each point, and δξ, of all as many as any has.
@@ -248,20 +280,6 @@ PointSystem::Change PointSystem::no_change() const {
   return {VectorXd::Zero(forces_), VectorXd::Zero(places_)};
 }
 
-/// Cᵀ (δz, δξ) of a point at one of its displacements.
-double PointSystem::force_on(const ActivePoint& point, std::size_t q, const Change& change) {
-  const auto& spread = point.response.spread;
-  const double* of_q = spread.data() + static_cast<Index>(q) * spread.rows();
-  const double* force = change.force.data() + point.first;
-  const double* places = change.places.data() + point.first_slope;
-  double sum = 0;
-  for (int a = 0; a < point.components(); ++a)
-    sum += of_q[a] * force[a];
-  for (int a = 0; a < point.slopes(); ++a)
-    sum += of_q[point.components() + a] * places[a];
-  return sum;
-}
-
 /// P δq of a point, added to δξ.
 void PointSystem::add_places(const ActivePoint& point, const VectorXd& d, double* places) {
   const auto& by_q = point.response.by_q;
@@ -275,9 +293,11 @@ void PointSystem::add_places(const ActivePoint& point, const VectorXd& d, double
 /// S Cᵀ (δz, δξ), one a place.
 VectorXd PointSystem::motion(const Change& change) const {
   VectorXd force = VectorXd::Zero(surface_.size());
-  for (const auto& point : points())
+  for (const auto& point : points()) {
+    const ForceOf force_of(point, change);
     for (std::size_t q = 0; q < point.rows.places.size(); ++q)
-      force[point.rows.places[q]] += force_on(point, q, change);
+      force[point.rows.places[q]] += force_of.on(q);
+  }
   if (force.isZero(0))
     return force;
   VectorXd moved;
@@ -316,9 +336,11 @@ VectorXd PointSystem::places_after(const Change& change) const {
 
 VectorXd PointSystem::force_after(const Change& change) const {
   VectorXd force = force_;
-  for (const auto& point : points())
+  for (const auto& point : points()) {
+    const ForceOf force_of(point, change);
     for (std::size_t q = 0; q < point.positions.size(); ++q)
-      force[point.positions[q]] += force_on(point, q, change);
+      force[point.positions[q]] += force_of.on(q);
+  }
   return force;
 }
 

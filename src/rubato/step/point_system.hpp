@@ -49,6 +49,7 @@ private:
   std::span<ActivePoint> active() { return {points_.data(), count_}; }
   void place(ActivePoint& point);
   void touch_surface();
+  Eigen::VectorXd at_places(const Eigen::VectorXd& values) const;
   Eigen::Index rows_of_whole() const;
   Eigen::MatrixXd matrix_of(Eigen::Index rows) const;
   bool factor(Eigen::Index rows);
@@ -59,7 +60,6 @@ private:
   std::optional<Change> least(const Change& left, Eigen::Index rows) const;
   std::optional<Change> refined(const Eigen::VectorXd& c);
   std::optional<Change> solved_whole(const Eigen::VectorXd& c);
-  static double force_on(const ActivePoint& point, std::size_t q, const Change& change);
   static void add_places(const ActivePoint& point, const Eigen::VectorXd& d, double* places);
   Eigen::VectorXd motion(const Change& change) const;
   Change residual(const Eigen::VectorXd& c, const Change& change) const;

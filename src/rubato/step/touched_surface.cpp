@@ -23,61 +23,34 @@ void answer_to(const TouchedSurface& surface, const PointRows& point, MatrixXd& 
   by_row = by_place.transpose();
 }
 
-/// What one point sees of what another one moves. Most entries of rows that are shape functions are zero.
-template <int Rows, bool Sparse>
+/// What one point sees of what another one moves.
+template <int Rows>
 Eigen::Matrix<double, Rows, Rows> seen_by(const PointRows& point,
                                           const Eigen::Matrix<double, Rows, Eigen::Dynamic>& moved) {
-  using Row = Eigen::Matrix<double, 1, Rows>;
+  using Column = Eigen::Map<const Eigen::Matrix<double, Rows, 1>>;
   Eigen::Matrix<double, Rows, Rows> block = Eigen::Matrix<double, Rows, Rows>::Zero();
   const double* left = point.left.data();
-  for (std::size_t q = 0; q < point.places.size(); ++q, left += point.left.rows()) {
-    const Row at_place = moved.col(point.places[q]).transpose();
-    for (int row = 0; row < Rows; ++row)
-      if (!Sparse || left[row] != 0)
-        block.row(row) += left[row] * at_place;
+  for (const int place : point.places) {
+    const Column sees(left);
+    const double* at_place = moved.data() + place * Rows;
+    for (int column = 0; column < Rows; ++column)
+      block.col(column) += at_place[column] * sees;
+    left += point.left.rows();
   }
   return block;
 }
 
-/// Whether points see what they move themselves, so that the matrix is symmetric.
-enum class Kind { general, symmetric };
-
-/// Columns of the points from `first` on; of a symmetric matrix their rows too.
-template <int Rows, Kind kind>
-void fill(const TouchedSurface& surface, std::span<const PointRows* const> points, Index first, double factor,
+template <int Rows>
+void fill(const TouchedSurface& surface, std::span<const PointRows* const> points, double factor,
           MatrixXd& matrix) {
-  using Block = Eigen::Matrix<double, Rows, Rows>;
-  constexpr bool symmetric = kind == Kind::symmetric;
   const auto count = static_cast<Index>(points.size());
   MatrixXd by_place;
   Eigen::Matrix<double, Rows, Eigen::Dynamic> moved;
-  for (Index j = first; j < count; ++j) {
+  for (Index j = 0; j < count; ++j) {
     answer_to<Rows>(surface, *points[static_cast<std::size_t>(j)], by_place, moved);
-    for (Index i = 0; i < (symmetric ? j + 1 : count); ++i) {
-      const Block block = factor * seen_by<Rows, symmetric>(*points[static_cast<std::size_t>(i)], moved);
-      matrix.template block<Rows, Rows>(i * Rows, j * Rows) = block;
-      if (symmetric)
-        matrix.template block<Rows, Rows>(j * Rows, i * Rows) = block.transpose();
-    }
-  }
-}
-
-template <Kind kind>
-void fill_by_rows(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
-                  Index first, double factor, MatrixXd& matrix) {
-  switch (rows) {
-  case 1:
-    return fill<1, kind>(surface, points, first, factor, matrix);
-  case 2:
-    return fill<2, kind>(surface, points, first, factor, matrix);
-  case 3:
-    return fill<3, kind>(surface, points, first, factor, matrix);
-  case 4:
-    return fill<4, kind>(surface, points, first, factor, matrix);
-  case 5:
-    return fill<5, kind>(surface, points, first, factor, matrix);
-  default:
-    throw std::invalid_argument("contact points have one to five unknowns each");
+    for (Index i = 0; i < count; ++i)
+      matrix.template block<Rows, Rows>(i * Rows, j * Rows) =
+          factor * seen_by<Rows>(*points[static_cast<std::size_t>(i)], moved);
   }
 }
 
@@ -98,11 +71,6 @@ void TouchedSurface::forget() {
   placed_ = 0;
   body_of_.clear();
   bodies_.clear();
-}
-
-void TouchedSurface::touch(std::span<const int> positions) {
-  add(positions);
-  touch_added();
 }
 
 void TouchedSurface::add(std::span<const int> positions) {
@@ -163,16 +131,26 @@ MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows
                         double factor) {
   const Index size = static_cast<Index>(points.size()) * rows;
   MatrixXd matrix(size, size);
-  fill_by_rows<Kind::general>(surface, points, rows, 0, factor, matrix);
+  switch (rows) {
+  case 1:
+    fill<1>(surface, points, factor, matrix);
+    break;
+  case 2:
+    fill<2>(surface, points, factor, matrix);
+    break;
+  case 3:
+    fill<3>(surface, points, factor, matrix);
+    break;
+  case 4:
+    fill<4>(surface, points, factor, matrix);
+    break;
+  case 5:
+    fill<5>(surface, points, factor, matrix);
+    break;
+  default:
+    throw std::invalid_argument("contact points have one to five unknowns each");
+  }
   return matrix;
-}
-
-void extend_between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
-                           Index rows, double factor, MatrixXd& matrix) {
-  const Index known = matrix.rows() / rows;
-  const Index size = static_cast<Index>(points.size()) * rows;
-  matrix.conservativeResize(size, size);
-  fill_by_rows<Kind::symmetric>(surface, points, rows, known, factor, matrix);
 }
 
 } // namespace rubato::step

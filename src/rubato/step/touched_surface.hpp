@@ -18,11 +18,9 @@ public:
   explicit TouchedSurface(Compliance& compliance) : compliance_(&compliance) {}
 
   void forget();
-  /// Takes these positions too, each of which may occur several times; every one gets a place. Places change
-  /// when there are new ones.
-  void touch(std::span<const int> positions);
-  /// The same in two steps, for positions that come piece by piece: places are there after the second.
+  /// Takes these positions too, each of which may occur several times; they have places after touch_added.
   void add(std::span<const int> positions);
+  /// Gives every position added a place. Places change when there are new ones.
   void touch_added();
   Eigen::Index size() const { return static_cast<Eigen::Index>(positions_.size()); }
   /// The position of every place.
@@ -63,9 +61,5 @@ struct PointRows {
 /// factor · left S rightᵀ between all points, of the first `rows` rows of each, at most five.
 Eigen::MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
                                Eigen::Index rows, double factor);
-
-/// The same of points whose left and right are the same, where `matrix` has the first of them already.
-void extend_between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
-                           Eigen::Index rows, double factor, Eigen::MatrixXd& matrix);
 
 } // namespace rubato::step

@@ -1,40 +1,68 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A resumed run asks for columns in another order than one that was never stopped.
-#include "rubato/deck/read.hpp"
 #include "rubato/step/compliance.hpp"
-#include "rubato/step/effective_system.hpp"
 
 #include <gtest/gtest.h>
 
-#include "decks.hpp"
+#include "unit/linalg/elastic_block.hpp"
+#include <limits>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace rubato::step {
 namespace {
 
-class ComplianceOf : public testing::TestWithParam<const char*> {};
-
-TEST_P(ComplianceOf, HasTheSameBitsInWhateverOrderItIsAskedFor) {
-  const auto model = model::build_model(
-      deck::parse_deck(test::two_beams, "deck.yaml", {{{"mesh.refine", GetParam()}}}).runs.front());
-  const auto scheme = time::make_scheme(model.study.time);
-  auto by_one = make_effective_system(model, scheme, 1e-3);
-  auto backwards = make_effective_system(model, scheme, 1e-3);
-  auto whole = make_effective_system(model, scheme, 1e-3);
-  std::vector<int> all(whole.compliance->surface().size());
+/// Of two blocks that nothing couples.
+Compliance of_blocks(Eigen::Index largest_whole) {
+  const auto block = test::elastic_block(5, 4, 3);
+  const auto size = static_cast<int>(block.rows());
+  linalg::SparseMatrix both(2 * size, 2 * size);
+  for (int j = 0; j < 2 * size; ++j)
+    for (linalg::SparseMatrix::InnerIterator entry(block, j % size); entry; ++entry)
+      both.insert(entry.row() + j / size * size, j) = (1 + j / size) * entry.value();
+  std::vector<int> all(static_cast<std::size_t>(2 * size));
   std::iota(all.begin(), all.end(), 0);
-  for (const int position : all)
-    by_one.compliance->prepare(std::vector{position});
-  for (std::size_t i = all.size(); i > 0; i -= std::min<std::size_t>(i, 7))
-    backwards.compliance->prepare(std::vector{all[i - 1], all[i / 2]});
-  const Eigen::MatrixXd expected = whole.compliance->between(all);
-  EXPECT_EQ(by_one.compliance->between(all), expected);
-  EXPECT_EQ(backwards.compliance->between(all), expected);
+  const auto no_limit = std::numeric_limits<std::size_t>::max();
+  return {*linalg::SplitFactor::of(both, all, no_limit), all, 2 * size, largest_whole};
 }
 
-INSTANTIATE_TEST_SUITE_P(SurfacesCutInto, ComplianceOf, testing::Values("1", "8"),
-                         [](const auto& chosen) { return std::string(chosen.param); });
+std::vector<int> positions_of(const Compliance& compliance) {
+  std::vector<int> all(compliance.surface().size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+class ComplianceOf : public testing::TestWithParam<int> {};
+
+TEST_P(ComplianceOf, HasTheSameBitsInWhateverOrderItIsAskedFor) {
+  auto by_one = of_blocks(GetParam());
+  auto backwards = of_blocks(GetParam());
+  auto whole = of_blocks(GetParam());
+  const auto all = positions_of(whole);
+  for (const int position : all)
+    by_one.column(position);
+  for (std::size_t i = all.size(); i > 0; i -= std::min<std::size_t>(i, 7)) {
+    backwards.column(all[i - 1]);
+    backwards.column(all[i / 2]);
+  }
+  const Eigen::MatrixXd expected = whole.between(all);
+  EXPECT_EQ(by_one.between(all), expected);
+  EXPECT_EQ(backwards.between(all), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(SurfacesWholeUpTo, ComplianceOf, testing::Values(0, 5000),
+                         [](const auto& chosen) { return std::to_string(chosen.param); });
+
+TEST(Compliance, IsTheSameWholeAndByColumns) {
+  auto whole = of_blocks(5000);
+  auto by_columns = of_blocks(0);
+  const auto all = positions_of(whole);
+  const Eigen::MatrixXd expected = whole.between(all);
+  EXPECT_EQ(expected, expected.transpose());
+  EXPECT_LE((by_columns.between(all) - expected).lpNorm<Eigen::Infinity>(),
+            1e-12 * expected.lpNorm<Eigen::Infinity>());
+}
 
 } // namespace
 } // namespace rubato::step

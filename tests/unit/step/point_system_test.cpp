@@ -157,37 +157,14 @@ TEST(PointSystem, WithoutPointsChangesNothing) {
   EXPECT_TRUE(system.force_after(*change).isZero(0));
 }
 
-TEST(TouchedSurface, ExtendsWhatPointsDoToOneAnother) {
-  Bulk bulk;
-  Random random(3);
-  TouchedSurface surface(bulk.compliance);
-  std::vector<int> all(30);
-  std::iota(all.begin(), all.end(), 0);
-  surface.touch(all);
-  std::vector<PointRows> points(5);
-  for (auto& point : points) {
-    for (int q = 0; q < 6; ++q)
-      point.places.push_back(surface.place_of(random.below(30)));
-    point.right = random.matrix(3, 6);
-    point.right(1, 2) = 0;
-    point.left = point.right;
-  }
-  std::vector<const PointRows*> some;
-  for (const auto& point : points)
-    some.push_back(&point);
-  const MatrixXd whole = between_points(surface, some, 3, 0.5);
-  MatrixXd extended;
-  extend_between_points(surface, std::span(some).first(2), 3, 0.5, extended);
-  extend_between_points(surface, some, 3, 0.5, extended);
-  EXPECT_LE((extended - whole).lpNorm<Eigen::Infinity>(), 1e-14 * whole.lpNorm<Eigen::Infinity>());
-}
-
 TEST(TouchedSurface, TakesMoreAndKeepsWhatItHas) {
   Bulk bulk;
   TouchedSurface surface(bulk.compliance);
-  surface.touch(std::vector<int>{9, 4, 9});
+  surface.add(std::vector<int>{9, 4, 9});
+  surface.touch_added();
   EXPECT_EQ(surface.positions(), (std::vector<int>{4, 9}));
-  surface.touch(std::vector<int>{6, 4});
+  surface.add(std::vector<int>{6, 4});
+  surface.touch_added();
   EXPECT_EQ(surface.positions(), (std::vector<int>{4, 6, 9}));
   EXPECT_EQ(surface.place_of(6), 1);
   const Eigen::Vector3d force(1, -2, 3);
