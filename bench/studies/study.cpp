@@ -114,32 +114,54 @@ double peak_memory() {
   return 0;
 }
 
-/// Forward and backward [s], as often as a fair figure needs.
-double time_solves(const linalg::CholeskyFactor& factor, Eigen::Index size) {
+/// [s] of one call, of as many as a fair figure needs.
+template <class Call> double time_of(const Call& call) {
   constexpr double enough = 0.2;
   constexpr int fewest = 5;
-  const Eigen::VectorXd force = Eigen::VectorXd::Ones(size);
-  Eigen::VectorXd x = factor.solve(force);
+  call();
   const double start = processor_seconds();
   int count = 0;
   while (count < fewest || processor_seconds() - start < enough) {
-    x = factor.solve(force);
+    call();
     ++count;
   }
   return (processor_seconds() - start) / count;
 }
 
-/// What takes the model itself.
-void measure_model(deck::Study study, Measurement& found) {
-  study.solver = deck::Solver::full; // no second factor
-  const auto model = model::build_model(study);
-  const auto system = step::make_effective_system(model, time::make_scheme(study.time), study.time.step);
-  found.dofs = static_cast<int>(model.free_dofs.size());
-  found.contact_dofs = static_cast<int>(step::surface_unknowns(model).size());
-  const auto factor = linalg::CholeskyFactor::of(system.matrix);
+/// Forward and backward.
+double time_solves(const linalg::SparseMatrix& matrix) {
+  const auto factor = linalg::CholeskyFactor::of(matrix);
   if (!factor)
     throw std::runtime_error("the effective matrix is not positive definite");
-  found.solve = time_solves(*factor, system.matrix.rows());
+  const Eigen::VectorXd force = Eigen::VectorXd::Ones(matrix.rows());
+  Eigen::VectorXd x;
+  return time_of([&] { x = factor->solve(force); });
+}
+
+/// Down to the surface, and back from it with forces there.
+double time_halves(const linalg::SplitFactor& factor, Eigen::Index size) {
+  const Eigen::VectorXd force = Eigen::VectorXd::Ones(size);
+  const Eigen::VectorXd touched = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(factor.surface().size()));
+  Eigen::VectorXd x, half_way;
+  return time_of([&] {
+    half_way = factor.forward(force);
+    x = factor.surface_of(half_way);
+    factor.load_surface(touched, half_way);
+    x = factor.backward(half_way);
+  });
+}
+
+/// What takes the model itself.
+void measure_model(deck::Study study, Measurement& found) {
+  const auto scheme = time::make_scheme(study.time);
+  study.solver = deck::Solver::full; // one factor at a time
+  auto model = model::build_model(study);
+  found.dofs = static_cast<int>(model.free_dofs.size());
+  found.contact_dofs = static_cast<int>(step::surface_unknowns(model).size());
+  found.solve = time_solves(step::make_effective_system(model, scheme, study.time.step).matrix);
+  model.study.solver = deck::Solver::condensed;
+  const auto system = step::make_effective_system(model, scheme, study.time.step);
+  found.halves = time_halves(system.compliance->factor(), system.matrix.rows());
 }
 
 } // namespace
@@ -205,6 +227,7 @@ std::string to_json(const Measurement& m) {
                         {"step", m.step},
                         {"middle_step", m.middle_step},
                         {"solve", m.solve},
+                        {"halves", m.halves},
                         {"memory", m.memory},
                         {"full_step", m.full_step},
                         {"full_steps", m.full_steps}}
@@ -224,6 +247,7 @@ Measurement from_json(const std::string& text) {
           .step = json.at("step"),
           .middle_step = json.at("middle_step"),
           .solve = json.at("solve"),
+          .halves = json.at("halves"),
           .memory = json.at("memory"),
           .full_step = json.at("full_step"),
           .full_steps = json.at("full_steps")};

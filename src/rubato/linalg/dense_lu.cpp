@@ -3,6 +3,7 @@
 
 #include "rubato/linalg/blas_threads.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 // Debian packs no header for the LAPACK that OpenBLAS holds; these are its Fortran interfaces.
@@ -17,6 +18,8 @@ void dgecon_(const char* norm, const int* size, const double* factors, const int
 
 namespace rubato::linalg {
 namespace {
+
+using Eigen::VectorXd;
 
 constexpr double singular = 1e-15;
 /// Pivots within this factor leave no doubt: the estimate costs more than the factors of a small matrix.
@@ -45,7 +48,8 @@ double reciprocal_condition(const Eigen::MatrixXd& factors, double matrix_norm) 
 std::optional<DenseLu> DenseLu::of(Eigen::MatrixXd matrix) {
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("LU factors of a matrix that is not square");
-  if (!matrix.allFinite())
+  const VectorXd column_sums = matrix.cwiseAbs().colwise().sum();
+  if (!std::isfinite(column_sums.sum()))
     return std::nullopt;
   DenseLu lu;
   if (matrix.rows() > 0 && matrix.rows() <= small) {
@@ -58,7 +62,7 @@ std::optional<DenseLu> DenseLu::of(Eigen::MatrixXd matrix) {
   const auto size = static_cast<int>(lu.factors_.rows());
   if (size == 0)
     return lu;
-  const double norm = lu.factors_.cwiseAbs().colwise().sum().maxCoeff();
+  const double norm = column_sums.maxCoeff();
   lu.pivots_.resize(static_cast<std::size_t>(size));
   int info = 0;
   dgetrf_(&size, &size, lu.factors_.data(), &size, lu.pivots_.data(), &info);

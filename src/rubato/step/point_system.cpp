@@ -52,10 +52,22 @@ private:
   std::array<double, 5> all_{};
 };
 
-/// Largest entry of each row, 1 where there is none.
-VectorXd row_sizes(const MatrixXd& matrix) {
-  VectorXd sizes = matrix.cwiseAbs().rowwise().maxCoeff();
-  return (sizes.array() > 0).select(sizes, 1.0);
+/// 1 / size, 1 where there is none.
+double inverse_of(double size) { return size > 0 ? 1 / size : 1.0; }
+
+/// Scales columns, then rows, so that each has a largest entry of 1.
+void equilibrate(MatrixXd& matrix, VectorXd& row_scale, VectorXd& column_scale) {
+  row_scale.setZero(matrix.rows());
+  column_scale.resize(matrix.cols());
+  for (Index j = 0; j < matrix.cols(); ++j) {
+    auto column = matrix.col(j);
+    column_scale[j] = inverse_of(column.lpNorm<Eigen::Infinity>());
+    column *= column_scale[j];
+    row_scale = row_scale.cwiseMax(column.cwiseAbs());
+  }
+  row_scale = row_scale.unaryExpr(&inverse_of);
+  for (auto column : matrix.colwise())
+    column.array() *= row_scale.array();
 }
 
 } // namespace
@@ -173,10 +185,7 @@ MatrixXd PointSystem::matrix_of(Index rows) const {
 
 bool PointSystem::factor(Index rows) {
   MatrixXd matrix = matrix_of(rows);
-  column_scale_ = row_sizes(matrix.transpose()).cwiseInverse();
-  matrix *= column_scale_.asDiagonal();
-  row_scale_ = row_sizes(matrix).cwiseInverse();
-  matrix = row_scale_.asDiagonal() * matrix;
+  equilibrate(matrix, row_scale_, column_scale_);
   factors_ = linalg::DenseLu::of(std::move(matrix));
   factored_rows_ = rows;
   return factors_.has_value();
