@@ -270,6 +270,8 @@ SolverComparison compare_solvers(const Variant& variant) {
     steps[i] = result.steps;
     histories[i] = results::read_csv(folder / "run/probes.csv");
   }
+  const auto same_instant = [](const auto& a, const auto& b) { return a.front() == b.front(); };
+  const bool same_steps = std::ranges::equal(histories[0].rows, histories[1].rows, same_instant);
   double largest = 0;
   double difference = 0;
   for (const auto& whole : histories[1].rows) {
@@ -281,7 +283,7 @@ SolverComparison compare_solvers(const Variant& variant) {
         difference = std::max(difference, std::abs((*condensed)[i] - whole[i]));
     }
   }
-  return {difference / largest, steps[0], steps[1]};
+  return {difference / largest, steps[0], steps[1], same_steps};
 }
 
 } // namespace rubato::verification

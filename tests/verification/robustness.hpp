@@ -54,10 +54,9 @@ struct SolverComparison {
   /// Largest difference of the tips' histories, at the instants that both have, over their largest
   /// displacement; negative when one of them did not come to its end.
   double difference = -1;
-  int steps_condensed = 0; ///< where one cuts a step that the other takes whole, these differ
+  int steps_condensed = 0;
   int steps_whole = 0;
-
-  bool same_steps() const { return steps_condensed == steps_whole; }
+  bool same_steps = false; ///< neither cuts a step that the other takes whole
 };
 SolverComparison compare_solvers(const Variant& variant);
 

@@ -147,7 +147,7 @@ void write_robustness(const std::filesystem::path& folder) {
   double worst_of_same_steps = 0;
   for (const auto& entry : entries) {
     worst = std::max(worst, entry.solvers.difference);
-    if (entry.solvers.same_steps())
+    if (entry.solvers.same_steps)
       worst_of_same_steps = std::max(worst_of_same_steps, entry.solvers.difference);
   }
   page.paragraph(fmt::format("## Condensed against whole\n\n{} variants on unrefined meshes were solved both "

@@ -15,6 +15,9 @@ using Eigen::Vector3d;
 constexpr double largest_overshoot = 0.5;
 /// Squared distances this near to each other, relatively, may be the same.
 constexpr double rounding = 1e-9;
+/// Distances this near to each other, in edges of the surface, are the same: of faces that see a point beside
+/// the node they share rounding would choose one, and its normal.
+constexpr double same_distance = 1e-12;
 
 /// The nodes of a surface as nanoflann wants to see them.
 struct NodeCloud {
@@ -35,12 +38,14 @@ struct Candidate {
   double distance = INFINITY;
 
   /// Of equally good faces the first in the zone wins, in whatever order they are tried.
-  bool beats(const Candidate& other) const {
+  bool beats(const Candidate& other, double rounding_of_distance) const {
     if (other.face < 0)
       return true;
     if (projection.inside() != other.projection.inside())
       return projection.inside();
-    return distance < other.distance || (distance == other.distance && face < other.face);
+    if (std::abs(distance - other.distance) <= rounding_of_distance)
+      return face < other.face;
+    return distance < other.distance;
   }
 };
 
@@ -68,14 +73,15 @@ void consider(const Zone& zone, int face_index, const Vector3d& point, std::span
   const auto& face = zone.master.faces[static_cast<std::size_t>(face_index)];
   const auto nodes = coordinates_of(face, master);
   const bool one_inside = best.face >= 0 && best.projection.inside();
-  if (one_inside && is_farther(face, nodes, point, best.distance))
+  const double rounding_of_distance = same_distance * zone.master.longest_edge;
+  if (one_inside && is_farther(face, nodes, point, best.distance + rounding_of_distance))
     return;
   Candidate candidate{face_index, project(face.type, nodes, point, one_inside ? Wanted::inside : Wanted::any),
                       0};
   if (one_inside && !candidate.projection.inside())
     return;
   candidate.distance = (point - face_position(face.type, nodes, candidate.projection.clamped)).norm();
-  if (candidate.beats(best))
+  if (candidate.beats(best, rounding_of_distance))
     best = candidate;
 }
 

@@ -56,10 +56,12 @@ private:
   template <int Rows, int Columns>
   using Small =
       Eigen::Matrix<double, Rows, Columns, 0, Rows == Dynamic ? 6 : Rows, Columns == Dynamic ? 6 : Columns>;
+  using Square = Small<rows, rows>;
   using Tall = Small<rows, M>;
   using Wide = Small<D, rows>;
   using Inverse = Small<M, rows>;
-  using RowSizes = Small<rows, 1>;
+  using Column = Small<rows, 1>;
+  using RowSizes = Column;
   using ColumnSizes = Small<M, 1>;
 
   /// Of Z_m over E_m with rows and columns of order one.
@@ -70,11 +72,26 @@ private:
     const RowSizes by_row = inverse_of(vector_sizes(matrix));
     matrix = (by_row.asDiagonal() * matrix).eval();
     const Eigen::HouseholderQR<Tall> qr(matrix);
-    const Small<rows, rows> q = qr.householderQ();
+    const Square q = orthogonal_of(qr);
     Inverse inverse = q.template leftCols<M>(m_).transpose();
     qr.matrixQR().template topRows<M>(m_).template triangularView<Eigen::Upper>().solveInPlace(inverse);
     point_.inverse = by_column.asDiagonal() * inverse * by_row.asDiagonal();
     combinations = q.template rightCols<D>(d_).transpose() * by_row.asDiagonal();
+  }
+
+  /// Q whole: Eigen's own product of the reflections is not unrolled.
+  Square orthogonal_of(const Eigen::HouseholderQR<Tall>& qr) const {
+    Square q = Square::Identity(d_ + m_, d_ + m_);
+    Column v(d_ + m_);
+    for (Index k = m_ - 1; k >= 0; --k) {
+      v.setZero();
+      v[k] = 1;
+      for (Index i = k + 1; i < v.size(); ++i)
+        v[i] = qr.matrixQR()(i, k);
+      const Column reflected = qr.hCoeffs()[k] * (q.transpose() * v);
+      q -= v * reflected.transpose();
+    }
+    return q;
   }
 
   /// Sizes of the rows, one for all that are components of one vector: a component that is rounding only must

@@ -5,7 +5,11 @@
 #include "two_faces.hpp"
 #include "unit/step/decks.hpp"
 #include "unit/step/walk.hpp"
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace rubato::contact {
 namespace {
@@ -134,6 +138,32 @@ TEST(PairAround, DoesNotDependOnTheGuess) {
         }
       }
     }
+  }
+}
+
+/// Both faces see such a point beside their common node, at the same distance but for rounding.
+TEST(PairAround, TakesTheFirstFaceAboveAKink) {
+  const test::Walk straight(test::two_beams);
+  const auto& zone = straight.model.zones.front();
+  std::vector<Eigen::Vector3d> flat;
+  for (const auto node : zone.master.nodes)
+    flat.push_back(straight.model.mesh.points[static_cast<std::size_t>(node)]);
+  const std::size_t kink = flat.size() / 2;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Eigen::Vector3d shift(number(random), number(random), 0);
+    const Eigen::Matrix3d turn(Eigen::AngleAxisd(number(random), Eigen::Vector3d::UnitZ()));
+    const auto placed = [&](const Eigen::Vector3d& from_kink) { return Eigen::Vector3d(shift + turn * from_kink); };
+    std::vector<Eigen::Vector3d> master;
+    for (const auto& at : flat) {
+      const double along = at.x() - flat[kink].x();
+      master.push_back(placed({along, -0.3 * std::abs(along), 0}));
+    }
+    const Eigen::Vector3d above = placed(0.2 * zone.master.longest_edge * Eigen::Vector3d(0.2 * number(random), 1, 0));
+    const auto pair = pair_around(zone, kink, above, master);
+    EXPECT_EQ(pair.master_face, std::ranges::min(zone.master.faces_of_node[kink]));
+    EXPECT_FALSE(pair.projection.inside());
   }
 }
 
