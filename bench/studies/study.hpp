@@ -36,9 +36,9 @@ struct Measurement {
   double step = 0;        ///< [s] the loop with all it writes, a step
   double middle_step = 0; ///< [s] the median step
   double solve = 0;       ///< [s] forward and backward with a Cholesky factor of the same matrix
-  double halves = 0; ///< [s] the triangular solves of one condensed step: in halves, by way of the surface
-  double memory = 0;      ///< [bytes] peak of set-up and loop
-  double full_step = 0;   ///< [s] mean of the first `full_steps`, each iteration a factorisation
+  double halves = 0;    ///< [s] the triangular solves of one condensed step: in halves, by way of the surface
+  double memory = 0;    ///< [bytes] peak of set-up and loop
+  double full_step = 0; ///< [s] mean of the first `full_steps`, each iteration a factorisation
   int full_steps = 0;
 };
 

@@ -25,8 +25,9 @@ struct Pair {
 /// lies more than half a reference length outside the face it got is unpaired.
 std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuration);
 
-/// The same for one point at `x`; `master` tells where the master's nodes are, `node` which of them is nearest.
-/// `guess` is the face it is likely to get or −1: the answer doesn't depend on it, the time it takes does.
+/// The same for one point at `x`; `master` tells where the master's nodes are, `node` which of them is
+/// nearest. `guess` is the face it is likely to get or −1: the answer doesn't depend on it, the time it takes
+/// does.
 Pair pair_around(const Zone& zone, std::size_t node, const Eigen::Vector3d& x,
                  std::span<const Eigen::Vector3d> master, int guess = -1);
 

@@ -19,7 +19,7 @@ struct Face {
   int node_count = 0;
   std::array<mesh::NodeIndex, 9> nodes{};
   std::array<int, 9> positions{}; ///< of these nodes in their surface's, once it is made
-  mesh::CellIndex cell = 0; ///< the face's own cell in the mesh
+  mesh::CellIndex cell = 0;       ///< the face's own cell in the mesh
 
   std::span<const mesh::NodeIndex> node_span() const {
     return std::span(nodes).first(static_cast<std::size_t>(node_count));

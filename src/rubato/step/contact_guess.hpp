@@ -37,7 +37,7 @@ struct GuessPoint {
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity(); ///< n, τ₁, τ₂
   Eigen::Vector3d value = Eigen::Vector3d::Zero();     ///< where d = 0 [length]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< pressing ≥ 0, and along the slips [force]
-  double gap = 0;      ///< where its frame was measured [length]
+  double gap = 0;                                      ///< where its frame was measured [length]
   double softness = 0; ///< penetration a unit of force makes: of penalties [length/force]
   double friction = 0; ///< μ
 };
@@ -84,12 +84,12 @@ private:
   Eigen::Index components_;
   std::vector<GuessPoint*> chosen_;  ///< those that may touch
   std::vector<std::size_t> sliding_; ///< of those chosen
-  Eigen::MatrixXd pressing_;          ///< gaps of chosen points for unit pressing forces on each
-  Eigen::MatrixXd rubbing_;           ///< slips of sliding ones for unit friction on each
-  Eigen::VectorXd force_;             ///< storage of add_motion
-  std::vector<ForceAt> pushing_;      ///< storage of push
-  Eigen::VectorXd moved_;             ///< of the surface by the last push
-  std::vector<double> gaps_;          ///< storage of choose_more
+  Eigen::MatrixXd pressing_;         ///< gaps of chosen points for unit pressing forces on each
+  Eigen::MatrixXd rubbing_;          ///< slips of sliding ones for unit friction on each
+  Eigen::VectorXd force_;            ///< storage of add_motion
+  std::vector<ForceAt> pushing_;     ///< storage of push
+  Eigen::VectorXd moved_;            ///< of the surface by the last push
+  std::vector<double> gaps_;         ///< storage of choose_more
 };
 
 /// Sweeps on w = values + matrix F,  F ≥ 0, w ≥ 0, F·w = 0, until one changes neither which F are positive

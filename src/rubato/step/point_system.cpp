@@ -53,7 +53,9 @@ private:
 };
 
 /// 1 / size, 1 where there is none.
-double inverse_of(double size) { return size > 0 ? 1 / size : 1.0; }
+double inverse_of(double size) {
+  return size > 0 ? 1 / size : 1.0;
+}
 
 /// Scales columns, then rows, so that each has a largest entry of 1.
 void equilibrate(MatrixXd& matrix, VectorXd& row_scale, VectorXd& column_scale) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Zones measured iterate after iterate, in storage and with knowledge of the iterate before.
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "two_faces.hpp"
 #include "unit/step/decks.hpp"
 #include "unit/step/walk.hpp"
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -66,6 +65,33 @@ TEST(EvaluationInUsedStorage, GivesWhatAFreshOneGives) {
     }
   }
   EXPECT_GT(lost, 0) << "some points are to lose the master";
+}
+
+TEST(EvaluationInUsedStorage, TakesSomePointsAlong) {
+  const auto& model = beams().model;
+  const auto& zone = model.zones.front();
+  const VectorXd multipliers = VectorXd::Zero(zone.multiplier_count());
+  const VectorXd start = sliding(model, 0);
+  const VectorXd u = sliding(model, 0.3);
+  const Configuration before{&model.mesh, &model.dofs, &start, &start};
+  const Configuration after{&model.mesh, &model.dofs, &u, &start};
+  NeighbourList neighbours(zone);
+  std::vector<PointEvaluation> points;
+  measure(neighbours, multipliers, before, points);
+  const std::vector<std::size_t> chosen{1, 4, 5, 9};
+  measure(neighbours, multipliers, after, chosen, points);
+  const auto at_first = evaluate(zone, multipliers, before);
+  const auto now = evaluate(zone, multipliers, after);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const bool moved = std::ranges::count(chosen, p) > 0;
+    const auto& expected = moved ? now[p] : at_first[p];
+    EXPECT_EQ(points[p].pair.master_face, expected.pair.master_face);
+    EXPECT_EQ(points[p].variables.gap, expected.variables.gap);
+    EXPECT_EQ(neighbours.pairs()[p].master_face, expected.pair.master_face);
+    if (moved) {
+      EXPECT_NE(points[p].variables.gap, at_first[p].variables.gap);
+    }
+  }
 }
 
 TEST(EvaluationInUsedStorage, StaysInIt) {
@@ -154,13 +180,16 @@ TEST(PairAround, TakesTheFirstFaceAboveAKink) {
   for (int trial = 0; trial < 200; ++trial) {
     const Eigen::Vector3d shift(number(random), number(random), 0);
     const Eigen::Matrix3d turn(Eigen::AngleAxisd(number(random), Eigen::Vector3d::UnitZ()));
-    const auto placed = [&](const Eigen::Vector3d& from_kink) { return Eigen::Vector3d(shift + turn * from_kink); };
+    const auto placed = [&](const Eigen::Vector3d& from_kink) {
+      return Eigen::Vector3d(shift + turn * from_kink);
+    };
     std::vector<Eigen::Vector3d> master;
     for (const auto& at : flat) {
       const double along = at.x() - flat[kink].x();
       master.push_back(placed({along, -0.3 * std::abs(along), 0}));
     }
-    const Eigen::Vector3d above = placed(0.2 * zone.master.longest_edge * Eigen::Vector3d(0.2 * number(random), 1, 0));
+    const Eigen::Vector3d above =
+        placed(0.2 * zone.master.longest_edge * Eigen::Vector3d(0.2 * number(random), 1, 0));
     const auto pair = pair_around(zone, kink, above, master);
     EXPECT_EQ(pair.master_face, std::ranges::min(zone.master.faces_of_node[kink]));
     EXPECT_FALSE(pair.projection.inside());
