@@ -64,5 +64,25 @@ TEST(Compliance, IsTheSameWholeAndByColumns) {
             1e-12 * expected.lpNorm<Eigen::Infinity>());
 }
 
+TEST_P(ComplianceOf, MovesTheSurfaceByForcesGivenEitherWay) {
+  auto compliance = of_blocks(GetParam());
+  const auto all = positions_of(compliance);
+  const Eigen::MatrixXd s = compliance.between(all);
+  const auto size = static_cast<Eigen::Index>(all.size());
+  const std::vector<ForceAt> entries{{3, 1.5}, {40, -2}, {3, 0.5},  {100, 0},
+                                     {200, 4}, {41, 1},  {359, -3}, {7, 2}};
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(size);
+  for (const auto& at : entries)
+    force[at.position] += at.force;
+  const Eigen::VectorXd start = Eigen::VectorXd::LinSpaced(size, -1, 1);
+  const Eigen::VectorXd expected = start + 0.7 * s * force;
+  Eigen::VectorXd d = start;
+  compliance.add(0.7, force, d);
+  EXPECT_LE((d - expected).norm(), 1e-12 * expected.norm());
+  d = start;
+  compliance.add(0.7, entries, d);
+  EXPECT_LE((d - expected).norm(), 1e-12 * expected.norm());
+}
+
 } // namespace
 } // namespace rubato::step
