@@ -16,9 +16,8 @@ using model::Model;
 
 /// Augmentations tried one after the other. They do not change the answer, only which points are guessed to
 /// touch and to stick on the way there.
-constexpr std::array<Variant, 3> augmentations{
-    {{},
-     {.normal_multiple = 0.01, .tangential_multiple = 0.1, .guess_contact = false},
+constexpr std::array<Variant, 2> other_augmentations{
+    {{.normal_multiple = 0.01, .tangential_multiple = 0.1, .guess_contact = false},
      {.normal_multiple = 10, .tangential_multiple = 10, .guess_contact = false}}};
 /// Parts of μ tried one after the other, each from the last one's solution, when the whole of it fails.
 constexpr std::array<double, 5> friction_parts{0, 0.25, 0.5, 0.75, 1};
@@ -30,22 +29,34 @@ public:
            double t)
       : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t) {}
 
-  /// Each starts afresh; the first that converges ends it.
+  StepReport plainly(State& trial) { return afresh({}, trial); }
+
+  /// From where the last step ended: the iterates of the whole system's method.
+  StepReport without_guess(State& trial) { return afresh({.guess_contact = false}, trial); }
+
+  bool has_guess() const { return guesses_contact(model_, system_); }
+
+  /// The first that converges ends it.
   StepReport vary_augmentation(State& trial) {
     StepReport report;
-    for (const auto& variant : augmentations) {
-      trial = predict(model_, scheme_, system_, committed_, t_);
-      report = solve(variant, trial);
-      if (report.converged() || !has_augmentation())
+    for (const auto& variant : other_augmentations)
+      if (report = afresh(variant, trial); report.converged())
         break;
-    }
     return report;
+  }
+
+  /// Without one, every attempt is the same.
+  bool has_augmentation() const {
+    return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
+      return contact::is_exact(zone.settings.method) ||
+             (zone.settings.friction > 0 &&
+              zone.settings.friction_method == deck::FrictionMethod::augmented_lagrangian);
+    });
   }
 
   /// Points on the border of two faces may never settle on one of them while everything moves at once.
   StepReport loop_geometry(State& trial) {
-    trial = predict(model_, scheme_, system_, committed_, t_);
-    auto report = solve({.geometry_by_loop = true}, trial);
+    auto report = afresh({.geometry_by_loop = true}, trial);
     report.geometry_by_loop = true;
     return report;
   }
@@ -57,10 +68,7 @@ public:
   }
 
   /// A loop that goes round among sets of points that touch has no way out of them.
-  StepReport free_status(State& trial) {
-    trial = predict(model_, scheme_, system_, committed_, t_);
-    return solve({.status_by_newton = true}, trial);
-  }
+  StepReport free_status(State& trial) { return afresh({.status_by_newton = true}, trial); }
 
   bool has_status_loop() const {
     return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
@@ -86,6 +94,11 @@ public:
   }
 
 private:
+  StepReport afresh(const Variant& variant, State& trial) {
+    trial = predict(model_, scheme_, system_, committed_, t_);
+    return solve(variant, trial);
+  }
+
   /// Also counts what earlier attempts have cost.
   StepReport solve(const Variant& variant, State& trial) {
     const ContactSide side(model_, scheme_, system_, committed_, variant);
@@ -99,15 +112,6 @@ private:
     Solver solver(model_, scheme_, system_, committed_, t_, side);
     return solve_levels(
         model_, side, [&](State& to, const Held& held) { return solver.run(to, held); }, committed_, trial);
-  }
-
-  /// Without one, every attempt is the same.
-  bool has_augmentation() const {
-    return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
-      return contact::is_exact(zone.settings.method) ||
-             (zone.settings.friction > 0 &&
-              zone.settings.friction_method == deck::FrictionMethod::augmented_lagrangian);
-    });
   }
 
   const Model& model_;
@@ -151,7 +155,11 @@ State predict(const Model& model, const time::Scheme& scheme, const EffectiveSys
 StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial) {
   Attempts attempts(model, scheme, system, committed, t);
-  auto report = attempts.vary_augmentation(trial);
+  auto report = attempts.plainly(trial);
+  if (!report.converged() && attempts.has_guess())
+    report = attempts.without_guess(trial);
+  if (!report.converged() && attempts.has_augmentation())
+    report = attempts.vary_augmentation(trial);
   if (!report.converged() && attempts.has_newton_geometry())
     report = attempts.loop_geometry(trial);
   if (!report.converged() && attempts.has_status_loop())

@@ -57,6 +57,10 @@ bool can_condense(const Model& model, const EffectiveSystem& system) {
          });
 }
 
+bool guesses_contact(const Model& model, const EffectiveSystem& system) {
+  return can_condense(model, system) && std::ranges::none_of(model.zones, has_friction_springs);
+}
+
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                      const State& committed, double t, const ContactSide& side)
     : model_(model), scheme_(scheme), system_(system), side_(side),
@@ -70,7 +74,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
     start_from(trial);
     if (!equilibrium_.residual().allFinite())
       return ended(Outcome::not_finite);
-    if (side_.variant().guess_contact && std::ranges::none_of(model_.zones, has_friction_springs))
+    if (side_.variant().guess_contact && guesses_contact(model_, system_))
       guess_contact(trial, held);
   }
   CycleWatch cycle;

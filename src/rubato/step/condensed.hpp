@@ -22,6 +22,9 @@ namespace rubato::step {
 /// Whether every contact point of the model owns its multipliers and A is factored.
 bool can_condense(const model::Model& model, const EffectiveSystem& system);
 
+/// Whether a step on the points alone starts from a guess of their contact.
+bool guesses_contact(const model::Model& model, const EffectiveSystem& system);
+
 /// A point in contact and its force z (contact/factored_response.hpp).
 struct PointInContact {
   std::size_t zone = 0;
