@@ -61,7 +61,6 @@ private:
   using Wide = Small<D, rows>;
   using Inverse = Small<M, rows>;
   using Column = Small<rows, 1>;
-  using RowSizes = Column;
   using ColumnSizes = Small<M, 1>;
 
   /// Of Z_m over E_m with rows and columns of order one.
@@ -69,7 +68,7 @@ private:
     Tall matrix = r_.by_multiplier;
     const ColumnSizes by_column = inverse_of(ColumnSizes(matrix.cwiseAbs().colwise().maxCoeff()));
     matrix *= by_column.asDiagonal();
-    const RowSizes by_row = inverse_of(vector_sizes(matrix));
+    const Column by_row = inverse_of(vector_sizes(matrix));
     matrix = (by_row.asDiagonal() * matrix).eval();
     const Eigen::HouseholderQR<Tall> qr(matrix);
     const Square q = orthogonal_of(qr);
@@ -96,8 +95,8 @@ private:
 
   /// Sizes of the rows, one for all that are components of one vector: a component that is rounding only must
   /// not be blown up to the size of the others.
-  RowSizes vector_sizes(const Tall& matrix) const {
-    RowSizes sizes = matrix.cwiseAbs().rowwise().maxCoeff();
+  Column vector_sizes(const Tall& matrix) const {
+    Column sizes = matrix.cwiseAbs().rowwise().maxCoeff();
     const auto join = [&](Index first, Index count) {
       if (count > 0)
         sizes.segment(first, count).setConstant(sizes.segment(first, count).maxCoeff());

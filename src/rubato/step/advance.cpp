@@ -31,7 +31,8 @@ public:
 
   StepReport plainly(State& trial) { return afresh({}, trial); }
 
-  /// From where the last step ended: the iterates of the whole system's method.
+  /// From where the last step ended. Other augmentations start there too, and are tried instead where there
+  /// are any.
   StepReport without_guess(State& trial) { return afresh({.guess_contact = false}, trial); }
 
   bool has_guess() const { return guesses_contact(model_, system_); }
@@ -156,10 +157,10 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
                    const State& committed, double t, State& trial) {
   Attempts attempts(model, scheme, system, committed, t);
   auto report = attempts.plainly(trial);
-  if (!report.converged() && attempts.has_guess())
-    report = attempts.without_guess(trial);
   if (!report.converged() && attempts.has_augmentation())
     report = attempts.vary_augmentation(trial);
+  else if (!report.converged() && attempts.has_guess())
+    report = attempts.without_guess(trial);
   if (!report.converged() && attempts.has_newton_geometry())
     report = attempts.loop_geometry(trial);
   if (!report.converged() && attempts.has_status_loop())

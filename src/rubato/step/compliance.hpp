@@ -13,6 +13,7 @@
 
 namespace rubato::step {
 
+/// A force on one displacement of the surface.
 struct ForceAt {
   int position = 0;
   double force = 0;

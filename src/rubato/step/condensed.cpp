@@ -74,7 +74,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
     start_from(trial);
     if (!equilibrium_.residual().allFinite())
       return ended(Outcome::not_finite);
-    if (side_.variant().guess_contact && guesses_contact(model_, system_))
+    if (side_.variant().guess_contact && std::ranges::none_of(model_.zones, has_friction_springs))
       guess_contact(trial, held);
   }
   CycleWatch cycle;
@@ -142,7 +142,8 @@ void Condensed::guess_contact(State& trial, const Held& held) {
   move_surface(trial.contact_force(compliance.dof_of_position()), trial);
   side_.measure(trial, held, now());
   take_points(model_, side_, held, compliance, now(), moved_, trial, points);
-  measured_ = true;
+  // Only points that are guessed are followed.
+  measured_ = std::ranges::all_of(held, [](const HeldZone& zone) { return zone.status.empty(); });
   for (int round = 0; round < guess_rounds; ++round) {
     guess.improve(points, free_, moved_);
     take_guess(model_, points, trial);

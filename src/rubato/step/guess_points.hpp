@@ -18,9 +18,10 @@ void take_points(const model::Model& model, const ContactSide& side, const Held&
                  const Compliance& compliance, const ContactIterate& contact, const Eigen::VectorXd& moved,
                  const State& state, std::vector<GuessPoint>& points);
 
-/// Those of each zone that have a force or none but penetrate with the surface at d: others keep their frames
-/// meanwhile.
 using PointsOfZones = std::vector<std::vector<std::size_t>>;
+
+/// Those of each zone that have a force, or with the surface at d penetrate or have lost half of the gap that
+/// they were measured with. Others are open without doubt and may keep their frames.
 void find_touching(std::span<const GuessPoint> points, const Eigen::VectorXd& d, PointsOfZones& touching);
 
 /// Takes these to the frames where `contact` measured them anew. Points that have nothing to touch any more
