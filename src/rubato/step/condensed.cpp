@@ -58,7 +58,10 @@ bool can_condense(const Model& model, const EffectiveSystem& system) {
 }
 
 bool guesses_contact(const Model& model, const EffectiveSystem& system) {
-  return can_condense(model, system) && std::ranges::none_of(model.zones, has_friction_springs);
+  return can_condense(model, system) && std::ranges::none_of(model.zones, has_friction_springs) &&
+         std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
+           return zone.settings.status.by == deck::Iteration::newton;
+         });
 }
 
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
