@@ -2,6 +2,7 @@
 #include "rubato/step/compliance.hpp"
 
 #include "rubato/linalg/column_sum.hpp"
+#include "rubato/linalg/symmetric_product.hpp"
 
 #include <algorithm>
 
@@ -14,6 +15,9 @@ using Eigen::Index;
 /// products, few that are never asked for. The last digits of a column depend on its company there; as that
 /// is always the same, they don't depend on what was asked for before, and a resumed run has the same ones.
 constexpr Index block_size = 32;
+
+/// Where more of a force than this is not zero, half of the whole matrix is read sooner than its columns.
+constexpr double dense = 0.35;
 
 } // namespace
 
@@ -71,7 +75,14 @@ Eigen::MatrixXd Compliance::within_body(std::span<const int> positions) {
 void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
   const auto& starts = factor_.body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
-    linalg::ColumnSum sum(d.data() + starts[b], starts[b + 1] - starts[b]);
+    const Index size = starts[b + 1] - starts[b];
+    const auto of_body = force.segment(starts[b], size);
+    const auto forces = static_cast<double>((of_body.array() != 0).count());
+    if (size <= largest_whole_ && forces > dense * static_cast<double>(size)) {
+      linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
+      continue;
+    }
+    linalg::ColumnSum sum(d.data() + starts[b], size);
     for (int i = starts[b]; i < starts[b + 1]; ++i)
       if (force[i] != 0)
         sum.add(factor * force[i], column(i));
@@ -85,6 +96,12 @@ const double* Compliance::column(int position) {
   if (known_[static_cast<std::size_t>(position)] == 0)
     compute(body, place);
   return s_[static_cast<std::size_t>(body)].col(place).data();
+}
+
+/// S of a body that has it computed whole.
+const Eigen::MatrixXd& Compliance::whole(std::size_t body) {
+  column(first_of_body(static_cast<int>(body)));
+  return s_[body];
 }
 
 void Compliance::add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {

@@ -55,6 +55,7 @@ public:
 private:
   int body_of(int position) const { return body_of_[static_cast<std::size_t>(position)]; }
   int first_of_body(int body) const { return factor_.body_starts()[static_cast<std::size_t>(body)]; }
+  const Eigen::MatrixXd& whole(std::size_t body);
   void compute(int body, Eigen::Index place);
 
   linalg::SplitFactor factor_;

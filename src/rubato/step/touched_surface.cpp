@@ -2,6 +2,7 @@
 #include "rubato/step/touched_surface.hpp"
 
 #include "rubato/linalg/column_sum.hpp"
+#include "rubato/linalg/symmetric_product.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -103,9 +104,9 @@ void TouchedSurface::touch_added() {
 }
 
 void TouchedSurface::multiply(const VectorXd& force, VectorXd& moved) const {
-  moved.resize(size());
+  moved.setZero(size());
   for (const auto& body : bodies_)
-    moved.segment(body.first, body.s.rows()).noalias() = body.s * force.segment(body.first, body.s.rows());
+    linalg::add_symmetric_product(1, body.s, force.data() + body.first, moved.data() + body.first);
 }
 
 void TouchedSurface::add_motion(std::span<const int> places,

@@ -84,5 +84,19 @@ TEST_P(ComplianceOf, MovesTheSurfaceByForcesGivenEitherWay) {
   EXPECT_LE((d - expected).norm(), 1e-12 * expected.norm());
 }
 
+TEST_P(ComplianceOf, MovesTheSurfaceByForcesEverywhereOnOneBody) {
+  auto compliance = of_blocks(GetParam());
+  const auto all = positions_of(compliance);
+  const auto size = static_cast<Eigen::Index>(all.size());
+  Eigen::VectorXd force = Eigen::VectorXd::LinSpaced(size, -1, 3);
+  force.tail(size / 2).setZero();
+  const Eigen::VectorXd start = Eigen::VectorXd::LinSpaced(size, 2, 1);
+  Eigen::VectorXd d = start;
+  compliance.add(-0.7, force, d);
+  const Eigen::VectorXd expected = start - 0.7 * compliance.between(all) * force;
+  EXPECT_LE((d - expected).norm(), 1e-12 * expected.norm());
+  EXPECT_EQ(d.tail(size / 2), start.tail(size / 2));
+}
+
 } // namespace
 } // namespace rubato::step
