@@ -40,6 +40,11 @@ bool all_finite(const SparseMatrix& matrix) {
   return true;
 }
 
+/// 1 / size, 1 where there is none.
+double inverse_of(double size) {
+  return size > 0 ? 1 / size : 1.0;
+}
+
 } // namespace
 
 std::optional<EquilibratedMatrix> equilibrated(const SparseMatrix& matrix) {
@@ -63,6 +68,20 @@ std::optional<EquilibratedMatrix> equilibrated(const SparseMatrix& matrix) {
     result.columns.array() *= columns.array();
   }
   return result;
+}
+
+void equilibrate(Eigen::MatrixXd& matrix, Eigen::VectorXd& rows, Eigen::VectorXd& columns) {
+  rows.setZero(matrix.rows());
+  columns.resize(matrix.cols());
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+    auto column = matrix.col(j);
+    columns[j] = inverse_of(column.lpNorm<Eigen::Infinity>());
+    column *= columns[j];
+    rows = rows.cwiseMax(column.cwiseAbs());
+  }
+  rows = rows.unaryExpr(&inverse_of);
+  for (auto column : matrix.colwise())
+    column.array() *= rows.array();
 }
 
 } // namespace rubato::linalg

@@ -21,4 +21,8 @@ struct EquilibratedMatrix {
 /// symmetric. Nothing comes back when a row or column is all zero or a value is not finite.
 std::optional<EquilibratedMatrix> equilibrated(const SparseMatrix& matrix);
 
+/// The same of a dense matrix in place, its columns first, then its rows, each to a largest magnitude of 1;
+/// those that are all zero stay.
+void equilibrate(Eigen::MatrixXd& matrix, Eigen::VectorXd& rows, Eigen::VectorXd& columns);
+
 } // namespace rubato::linalg

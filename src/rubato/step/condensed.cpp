@@ -228,11 +228,12 @@ void Condensed::linearise(const State& trial, const Held& held) {
 
 bool Condensed::iterate(State& trial, const Held& held) {
   linearise(trial, held);
-  const auto change = scratch_.points.solve(free_ - moved_);
+  const auto change = scratch_.points.solve(free_ - moved_, force());
   if (!change)
     return false;
   const VectorXd before = moved_;
-  move_surface(scratch_.points.force_after(*change), trial);
+  scratch_.points.add_force(*change, scratch_.force);
+  move_surface(force(), trial);
   correct_multipliers(*change, moved_ - before, trial);
   return moved_.allFinite();
 }

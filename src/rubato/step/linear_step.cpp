@@ -3,6 +3,7 @@
 
 #include "rubato/linalg/dense_lu.hpp"
 #include "rubato/linalg/direct_solver.hpp"
+#include "rubato/linalg/equilibration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -170,12 +171,8 @@ MatrixXd dense(const Triplets& triplets, const Numbering& rows, const Numbering&
 /// Solves with rows and columns scaled to entries of order one: pressures and displacements differ by 15
 /// orders. Nothing comes back when the matrix is singular.
 std::optional<VectorXd> solve_dense(MatrixXd matrix, VectorXd right) {
-  const VectorXd column_scale = matrix.cwiseAbs().colwise().maxCoeff().cwiseInverse().transpose();
-  matrix = matrix * column_scale.asDiagonal();
-  const VectorXd row_scale = matrix.cwiseAbs().rowwise().maxCoeff().cwiseInverse();
-  if (!column_scale.allFinite() || !row_scale.allFinite())
-    return std::nullopt;
-  matrix = row_scale.asDiagonal() * matrix;
+  VectorXd row_scale, column_scale;
+  linalg::equilibrate(matrix, row_scale, column_scale);
   right = row_scale.cwiseProduct(right);
   const auto lu = linalg::DenseLu::of(matrix);
   if (!lu)

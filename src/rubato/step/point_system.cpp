@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/point_system.hpp"
 
+#include "rubato/linalg/equilibration.hpp"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -52,26 +54,6 @@ private:
   std::array<double, 5> all_{};
 };
 
-/// 1 / size, 1 where there is none.
-double inverse_of(double size) {
-  return size > 0 ? 1 / size : 1.0;
-}
-
-/// Scales columns, then rows, so that each has a largest entry of 1.
-void equilibrate(MatrixXd& matrix, VectorXd& row_scale, VectorXd& column_scale) {
-  row_scale.setZero(matrix.rows());
-  column_scale.resize(matrix.cols());
-  for (Index j = 0; j < matrix.cols(); ++j) {
-    auto column = matrix.col(j);
-    column_scale[j] = inverse_of(column.lpNorm<Eigen::Infinity>());
-    column *= column_scale[j];
-    row_scale = row_scale.cwiseMax(column.cwiseAbs());
-  }
-  row_scale = row_scale.unaryExpr(&inverse_of);
-  for (auto column : matrix.colwise())
-    column.array() *= row_scale.array();
-}
-
 } // namespace
 
 PointSystem::PointSystem(Compliance& compliance, TouchedSurface& surface, double force_weight)
@@ -81,7 +63,6 @@ PointSystem::PointSystem(Compliance& compliance, TouchedSurface& surface, double
 
 void PointSystem::clear() {
   count_ = 0;
-  force_.setZero(static_cast<Index>(compliance_.surface().size()));
   forces_ = places_ = 0;
 }
 
@@ -109,8 +90,6 @@ void PointSystem::place(ActivePoint& point) {
       r.spread.col(kept) = r.spread.col(from);
       r.by_q.col(kept) = r.by_q.col(from);
     }
-    for (int a = 0; a < r.components; ++a)
-      force_[at] += r.spread(a, kept) * r.force[a];
     ++kept;
   }
   if (kept < r.spread.cols()) {
@@ -123,7 +102,7 @@ void PointSystem::place(ActivePoint& point) {
   places_ += point.slopes();
 }
 
-std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
+std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0, const VectorXd& force) {
   for (auto& point : active()) {
     place(point);
     eliminate_multipliers(point);
@@ -131,9 +110,8 @@ std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0) {
   if (points().empty())
     return no_change();
   touch_surface();
-  const VectorXd on_places = at_places(force_);
   VectorXd c;
-  surface_.multiply(on_places, c);
+  surface_.multiply(at_places(force), c);
   c = at_places(d0) - force_weight_ * c;
   if (forces_ + places_ > small && factor(points().front().components()))
     if (auto change = refined(c))
@@ -187,7 +165,7 @@ MatrixXd PointSystem::matrix_of(Index rows) const {
 
 bool PointSystem::factor(Index rows) {
   MatrixXd matrix = matrix_of(rows);
-  equilibrate(matrix, row_scale_, column_scale_);
+  linalg::equilibrate(matrix, row_scale_, column_scale_);
   factors_ = linalg::DenseLu::of(std::move(matrix));
   factored_rows_ = rows;
   return factors_.has_value();
@@ -345,14 +323,12 @@ VectorXd PointSystem::places_after(const Change& change) const {
   return places;
 }
 
-VectorXd PointSystem::force_after(const Change& change) const {
-  VectorXd force = force_;
+void PointSystem::add_force(const Change& change, VectorXd& force) const {
   for (const auto& point : points()) {
     const ForceOf force_of(point, change);
     for (std::size_t q = 0; q < point.positions.size(); ++q)
       force[point.positions[q]] += force_of.on(q);
   }
-  return force;
 }
 
 contact::PointVector PointSystem::multipliers_of(const ActivePoint& point, const Change& change,

@@ -37,10 +37,11 @@ public:
     Eigen::VectorXd force;  ///< δz, point after point
     Eigen::VectorXd places; ///< δξ, point after point
   };
-  /// Once for the points added. `d0`: one a position. Nothing comes back when the system is singular.
-  std::optional<Change> solve(const Eigen::VectorXd& d0);
-  /// f_c with a change.
-  Eigen::VectorXd force_after(const Change& change) const;
+  /// Once for the points added, with d₀ and f_c one a position. Nothing comes back when the system is
+  /// singular.
+  std::optional<Change> solve(const Eigen::VectorXd& d0, const Eigen::VectorXd& force);
+  /// f_c += Cᵀ (δz, δξ)
+  void add_force(const Change& change, Eigen::VectorXd& force) const;
   /// δm of a point, given the whole change and how far the surface moved with it.
   contact::PointVector multipliers_of(const ActivePoint& point, const Change& change,
                                       const Eigen::VectorXd& moved) const;
@@ -70,7 +71,6 @@ private:
   double force_weight_;
   std::vector<ActivePoint> points_; ///< the first count_ of them; others are storage
   std::size_t count_ = 0;
-  Eigen::VectorXd force_;   ///< f_c, one a position
   Eigen::Index forces_ = 0; ///< how many δz
   Eigen::Index places_ = 0; ///< how many δξ
   TouchedSurface& surface_;

@@ -61,5 +61,19 @@ TEST(Equilibration, RefusesEmptyRowsAndColumnsAndWhatIsNotFinite) {
   EXPECT_FALSE(equilibrated(sparse(matrix)));
 }
 
+TEST(Equilibration, BringsDenseRowsAndColumnsToOne) {
+  Eigen::MatrixXd matrix(3, 3);
+  matrix << 2e11, 0, -1e3, 4e-7, 0, 5e-9, 0, 0, 0;
+  Eigen::MatrixXd scaled = matrix;
+  Eigen::VectorXd rows, columns;
+  equilibrate(scaled, rows, columns);
+  EXPECT_NEAR(scaled.row(0).lpNorm<Eigen::Infinity>(), 1, 1e-15);
+  EXPECT_NEAR(scaled.row(1).lpNorm<Eigen::Infinity>(), 1, 1e-15);
+  EXPECT_EQ(rows[2], 1);
+  EXPECT_EQ(columns[1], 1);
+  const Eigen::MatrixXd expected = rows.asDiagonal() * matrix * columns.asDiagonal();
+  EXPECT_LE((scaled - expected).lpNorm<Eigen::Infinity>(), 1e-15);
+}
+
 } // namespace
 } // namespace rubato::linalg

@@ -70,6 +70,16 @@ struct Bulk {
   }
 };
 
+/// Of all points, one a position.
+VectorXd force_of(std::span<const ActivePoint> points, const Compliance& compliance) {
+  VectorXd force = VectorXd::Zero(static_cast<Index>(compliance.surface().size()));
+  for (const auto& point : points)
+    for (std::size_t q = 0; q < point.response.dofs.size(); ++q)
+      force[compliance.position_of_dof()[static_cast<std::size_t>(point.response.dofs[q])]] +=
+          point.response.spread.col(static_cast<Index>(q)).head(3).dot(point.response.force);
+  return force;
+}
+
 struct Points {
   double slope_size;
   std::size_t count;
@@ -91,10 +101,12 @@ TEST_P(PointSystemWith, SolvesEachPointsEquations) {
   }
   const auto& dofs = bulk.compliance.dof_of_position();
   const VectorXd d0 = random.matrix(static_cast<Index>(dofs.size()), 1);
-  const auto change = system.solve(d0);
+  VectorXd force = force_of(system.points(), bulk.compliance);
+  const auto change = system.solve(d0, force);
   ASSERT_TRUE(change);
   const MatrixXd s = bulk.s(dofs, dofs);
-  const VectorXd moved = d0 - force_weight * s * system.force_after(*change);
+  system.add_force(*change, force);
+  const VectorXd moved = d0 - force_weight * s * force;
   for (const auto& point : system.points()) {
     const auto& r = point.response;
     const VectorXd m = system.multipliers_of(point, *change, moved);
@@ -139,7 +151,8 @@ TEST(PointSystem, SharesAForceAmongPointsThatSayTheSame) {
   PointSystem system(bulk.compliance, surface, force_weight);
   system.add(0, 0) = held;
   system.add(0, 1) = held;
-  const auto change = system.solve(VectorXd::Zero(static_cast<Index>(bulk.compliance.surface().size())));
+  const VectorXd none = VectorXd::Zero(static_cast<Index>(bulk.compliance.surface().size()));
+  const auto change = system.solve(none, none);
   ASSERT_TRUE(change);
   EXPECT_NEAR(change->force[0], change->force[1], 1e-9 * std::abs(change->force[0]));
   const double moved = -force_weight * bulk.s(7, 7) * unit * (change->force[0] + change->force[1]);
@@ -151,10 +164,12 @@ TEST(PointSystem, WithoutPointsChangesNothing) {
   TouchedSurface surface(bulk.compliance);
   PointSystem system(bulk.compliance, surface, force_weight);
   const auto size = static_cast<Index>(bulk.compliance.surface().size());
-  const auto change = system.solve(VectorXd::Ones(size));
+  VectorXd force = VectorXd::Zero(size);
+  const auto change = system.solve(VectorXd::Ones(size), force);
   ASSERT_TRUE(change);
   EXPECT_EQ(change->force.size(), 0);
-  EXPECT_TRUE(system.force_after(*change).isZero(0));
+  system.add_force(*change, force);
+  EXPECT_TRUE(force.isZero(0));
 }
 
 TEST(TouchedSurface, TakesMoreAndKeepsWhatItHas) {
