@@ -3,6 +3,10 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 namespace rubato::step {
 namespace {
 
@@ -12,6 +16,8 @@ using Eigen::Index;
 /// Equations of a multiplier with entries below this part of the largest one are empty: the point stands
 /// between parts that are held.
 constexpr double empty_row = 1e-13;
+/// Equations of size one that differ by less say the same.
+constexpr double no_pivot = 1e-10;
 
 /// Multipliers that nothing can change stay as they are.
 void mend_empty_rows(contact::FactoredResponse& r) {
@@ -118,6 +124,39 @@ private:
   Index d_, m_;
 };
 
+/// Equations of a point, a right side last.
+using Rows = Eigen::Matrix<double, Dynamic, Dynamic, Eigen::RowMajor>;
+
+/// Gauss–Jordan with full pivoting among the unknowns, rows in the order of their pivots. Rows that say the
+/// same as others are not reduced; then nothing may be taken from here.
+bool reduce(Rows& rows, Index unknowns) {
+  std::array<Index, 3> pivots{};
+  const Index count = rows.rows();
+  for (auto row : rows.rowwise())
+    if (const double size = row.head(unknowns).norm(); size > 0)
+      row /= size;
+  for (Index step = 0; step < count; ++step) {
+    Index at = 0;
+    Index pivot = 0;
+    if (rows.bottomLeftCorner(count - step, unknowns).cwiseAbs().maxCoeff(&at, &pivot) <= no_pivot)
+      return false;
+    rows.row(step).swap(rows.row(step + at));
+    rows.row(step) /= rows(step, pivot);
+    for (Index other = 0; other < count; ++other)
+      if (other != step)
+        rows.row(other) -= rows(other, pivot) * rows.row(step);
+    pivots[static_cast<std::size_t>(step)] = pivot;
+  }
+  std::array<Index, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.begin() + count, [&](Index a, Index b) {
+    return pivots[static_cast<std::size_t>(a)] < pivots[static_cast<std::size_t>(b)];
+  });
+  const Rows unordered = rows;
+  for (Index row = 0; row < count; ++row)
+    rows.row(row) = unordered.row(order[static_cast<std::size_t>(row)]);
+  return true;
+}
+
 } // namespace
 
 void eliminate_multipliers(ActivePoint& point) {
@@ -129,6 +168,19 @@ void eliminate_multipliers(ActivePoint& point) {
     Elimination<2, 2>(point).run();
   else
     Elimination<Dynamic, Dynamic>(point).run();
+}
+
+void reduce_equations(ActivePoint& point, double give) {
+  const Index d = point.components();
+  auto left = point.rows.left.topRows(d);
+  const Index unknowns = d + left.cols();
+  Rows all(d, unknowns + 1);
+  all << point.by_force, give * left, point.right;
+  if (!reduce(all, unknowns))
+    return;
+  point.by_force = all.leftCols(d);
+  left = all.middleCols(d, left.cols()) / give;
+  point.right = all.rightCols<1>();
 }
 
 contact::PointVector multiplier_change(const ActivePoint& point,

@@ -34,6 +34,11 @@ struct ActivePoint {
 /// Takes the combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm.
 void eliminate_multipliers(ActivePoint& point);
 
+/// Combines the equations of δz so that they depend on the point alone, not on how its multipliers were
+/// eliminated: unit columns at pivots among A₁ and `give` A₂, `give` what a force moves [length/force].
+/// Points that differ little then have equations that differ little.
+void reduce_equations(ActivePoint& point, double give);
+
 /// δm of a point whose force changes by `force` while the surface moves by `moved`, one a position.
 contact::PointVector multiplier_change(const ActivePoint& point,
                                        const Eigen::Ref<const Eigen::VectorXd>& force,

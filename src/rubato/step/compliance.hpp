@@ -51,6 +51,8 @@ public:
 
   /// What a unit force at a position moves of its body, computed when first asked for.
   const double* column(int position);
+  /// What it moves itself.
+  double own(int position) { return column(position)[position - first_of_body(body_of(position))]; }
 
 private:
   int body_of(int position) const { return body_of_[static_cast<std::size_t>(position)]; }

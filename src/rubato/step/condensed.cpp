@@ -46,7 +46,7 @@ CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, 
 
 void CondensedScratch::forget() {
   surface.forget();
-  points.clear();
+  points.forget();
   guess.forget();
 }
 

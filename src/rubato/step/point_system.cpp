@@ -26,6 +26,8 @@ constexpr double refined_to_rounding = 1e-6;
 constexpr double slow_round = 0.5;
 constexpr int most_slow_rounds = 3;
 constexpr int most_rounds = 30;
+/// The same by factors of Newton's last iteration: new ones are better than more rounds.
+constexpr int most_rounds_by_last = 6;
 /// Systems up to this size are solved whole at once.
 constexpr Index small = 60;
 /// Whole systems beyond this size take too long to give up on.
@@ -54,11 +56,20 @@ private:
   std::array<double, 5> all_{};
 };
 
+std::pair<std::size_t, std::size_t> id_of(const ActivePoint& point) {
+  return {point.zone, point.index};
+}
+
 } // namespace
 
 PointSystem::PointSystem(Compliance& compliance, TouchedSurface& surface, double force_weight)
     : compliance_(compliance), force_weight_(force_weight), surface_(surface) {
   clear();
+}
+
+void PointSystem::forget() {
+  clear();
+  factors_.reset();
 }
 
 void PointSystem::clear() {
@@ -113,10 +124,29 @@ std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0, const 
   VectorXd c;
   surface_.multiply(at_places(force), c);
   c = at_places(d0) - force_weight_ * c;
-  if (forces_ + places_ > small && factor(points().front().components()))
-    if (auto change = refined(c))
+  if (forces_ + places_ > small)
+    if (auto change = solved_for_forces(c))
       return change;
   return solved_whole(c);
+}
+
+/// By the factors of the iteration before while they serve.
+std::optional<PointSystem::Change> PointSystem::solved_for_forces(const VectorXd& c) {
+  for (auto& point : active())
+    if (!point.positions.empty())
+      reduce_equations(point, force_weight_ * compliance_.own(point.positions.front()));
+  if (has_factors_of_these())
+    if (auto change = refined(c, most_rounds_by_last))
+      return change;
+  if (!factor(points().front().components()))
+    return std::nullopt;
+  return refined(c, most_rounds);
+}
+
+/// Of the same points.
+bool PointSystem::has_factors_of_these() const {
+  return factors_ && factored_rows_ == points().front().components() &&
+         std::ranges::equal(factored_points_, points(), {}, {}, &id_of);
 }
 
 void PointSystem::touch_surface() {
@@ -168,6 +198,8 @@ bool PointSystem::factor(Index rows) {
   linalg::equilibrate(matrix, row_scale_, column_scale_);
   factors_ = linalg::DenseLu::of(std::move(matrix));
   factored_rows_ = rows;
+  factored_points_.resize(count_);
+  std::ranges::transform(points(), factored_points_.begin(), &id_of);
   return factors_.has_value();
 }
 
@@ -209,12 +241,12 @@ PointSystem::Change PointSystem::split(const VectorXd& all, Index rows) const {
   return change;
 }
 
-std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c) {
+std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c, int rounds) {
   auto change = no_change();
   double first = 0;
   double least = std::numeric_limits<double>::infinity();
   int slow_rounds = 0;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const auto left = residual(c, change);
     const double size = largest_force_row(left);
     const double moves = left.places.size() > 0 ? left.places.lpNorm<Eigen::Infinity>() : 0.0;

@@ -8,7 +8,7 @@
 ///   A₁ δz + A₂ δq = b,   δξ − P δq = 0,   δq = d₀ − f₁ S (f_c + Cᵀ (δz, δξ))   at each point.
 /// Of few points the whole dense matrix is factored, of many that of the forces alone: the moving places
 /// change little beside the forces, and the whole is refined with it; where that does not converge, it is
-/// factored.
+/// factored. The same points are refined with the factors that an iteration before has left.
 #pragma once
 
 #include "rubato/linalg/dense_lu.hpp"
@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rubato::step {
@@ -28,7 +29,10 @@ public:
   /// Both must outlive this.
   PointSystem(Compliance& compliance, TouchedSurface& surface, double force_weight);
 
+  /// Begins another iteration with no points; factors are kept for the same ones.
   void clear();
+  /// Factors too.
+  void forget();
   /// The response of one more point, to be filled in by the caller.
   contact::FactoredResponse& add(std::size_t zone, std::size_t index);
   std::span<const ActivePoint> points() const { return {points_.data(), count_}; }
@@ -53,13 +57,15 @@ private:
   Eigen::VectorXd at_places(const Eigen::VectorXd& values) const;
   Eigen::Index rows_of_whole() const;
   Eigen::MatrixXd matrix_of(Eigen::Index rows) const;
+  bool has_factors_of_these() const;
   bool factor(Eigen::Index rows);
   Change correction(const Change& left) const;
   double largest_force_row(const Change& left) const;
   Eigen::VectorXd joined(const Change& change, Eigen::Index rows) const;
   Change split(const Eigen::VectorXd& all, Eigen::Index rows) const;
   std::optional<Change> least(const Change& left, Eigen::Index rows) const;
-  std::optional<Change> refined(const Eigen::VectorXd& c);
+  std::optional<Change> solved_for_forces(const Eigen::VectorXd& c);
+  std::optional<Change> refined(const Eigen::VectorXd& c, int rounds);
   std::optional<Change> solved_whole(const Eigen::VectorXd& c);
   static void add_places(const ActivePoint& point, const Eigen::VectorXd& d, double* places);
   Eigen::VectorXd motion(const Change& change) const;
@@ -75,6 +81,7 @@ private:
   Eigen::Index places_ = 0; ///< how many δξ
   TouchedSurface& surface_;
   std::optional<linalg::DenseLu> factors_;
+  std::vector<std::pair<std::size_t, std::size_t>> factored_points_; ///< zone and index
   Eigen::Index factored_rows_ = 0;           ///< of each point: δz alone, or δξ too
   Eigen::VectorXd row_scale_, column_scale_; ///< of the factored matrix
 };

@@ -85,22 +85,9 @@ struct Points {
   std::size_t count;
 };
 
-class PointSystemWith : public testing::TestWithParam<Points> {};
-
-TEST_P(PointSystemWith, SolvesEachPointsEquations) {
-  Bulk bulk;
-  // In units that make the compliance of order one.
-  const double unit = 1 / bulk.s.diagonal().maxCoeff();
-  Random random(17);
-  TouchedSurface surface(bulk.compliance);
-  PointSystem system(bulk.compliance, surface, force_weight);
-  for (std::size_t i = 0; i < GetParam().count; ++i) {
-    auto response = made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam().slope_size);
-    response.spread *= unit;
-    system.add(0, i) = response;
-  }
+/// How far the changes that a system comes to are from fulfilling the equations of its points.
+void expect_solved(PointSystem& system, Bulk& bulk, const VectorXd& d0) {
   const auto& dofs = bulk.compliance.dof_of_position();
-  const VectorXd d0 = random.matrix(static_cast<Index>(dofs.size()), 1);
   VectorXd force = force_of(system.points(), bulk.compliance);
   const auto change = system.solve(d0, force);
   ASSERT_TRUE(change);
@@ -125,6 +112,52 @@ TEST_P(PointSystemWith, SolvesEachPointsEquations) {
         (r.by_q.bottomRows(2) * q - change->places.segment(point.first_slope, 2)).lpNorm<Eigen::Infinity>(),
         1e-7 * size);
   }
+}
+
+class PointSystemWith : public testing::TestWithParam<Points> {
+protected:
+  std::vector<FactoredResponse> points() {
+    std::vector<FactoredResponse> all;
+    for (std::size_t i = 0; i < GetParam().count; ++i) {
+      all.push_back(made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam().slope_size));
+      // In units that make the compliance of order one.
+      all.back().spread /= bulk.s.diagonal().maxCoeff();
+    }
+    return all;
+  }
+  VectorXd way() { return random.matrix(static_cast<Index>(bulk.compliance.surface().size()), 1); }
+  void take(const std::vector<FactoredResponse>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      system.add(0, i) = points[i];
+  }
+
+  Bulk bulk;
+  Random random{17};
+  TouchedSurface surface{bulk.compliance};
+  PointSystem system{bulk.compliance, surface, force_weight};
+};
+
+TEST_P(PointSystemWith, SolvesEachPointsEquations) {
+  take(points());
+  expect_solved(system, bulk, way());
+}
+
+// With the factors of points that differ little, of points that differ much, and of others.
+TEST_P(PointSystemWith, SolvesThoseOfTheNextIterations) {
+  auto some = points();
+  take(some);
+  expect_solved(system, bulk, way());
+  for (const double change : {1e-6, 1e-3, 1.0}) {
+    for (auto& point : some)
+      point.by_q += change * random.matrix(point.by_q.rows(), point.by_q.cols());
+    system.clear();
+    take(some);
+    expect_solved(system, bulk, way());
+  }
+  some.erase(some.begin() + 3);
+  system.clear();
+  take(some);
+  expect_solved(system, bulk, way());
 }
 
 // From places that hardly matter to ones that matter as much as forces. Few points are solved for at once,
@@ -170,6 +203,36 @@ TEST(PointSystem, WithoutPointsChangesNothing) {
   EXPECT_EQ(change->force.size(), 0);
   system.add_force(*change, force);
   EXPECT_TRUE(force.isZero(0));
+}
+
+TEST(ActivePoint, HasReducedEquationsHoweverItsMultipliersWereEliminated) {
+  Random random(5);
+  ActivePoint point;
+  point.response = made_up(random, 8, 1);
+  eliminate_multipliers(point);
+  auto mixed = point;
+  const Eigen::Matrix3d mix = random.matrix(3, 3);
+  mixed.by_force = (mix * point.by_force).eval();
+  mixed.right = (mix * point.right).eval();
+  mixed.rows.left.topRows(3) = (mix * point.rows.left.topRows(3)).eval();
+  const double give = 0.01;
+  reduce_equations(point, give);
+  reduce_equations(mixed, give);
+  EXPECT_LE((point.by_force - mixed.by_force).norm(), 1e-10 * point.by_force.norm());
+  EXPECT_LE((point.rows.left - mixed.rows.left).norm(), 1e-10 * point.rows.left.norm());
+  EXPECT_LE((point.right - mixed.right).norm(), 1e-10 * point.right.norm());
+}
+
+TEST(ActivePoint, KeepsEquationsThatSayTheSame) {
+  ActivePoint point;
+  point.response.components = 2;
+  point.by_force = Eigen::Matrix2d::Ones();
+  point.right = Eigen::Vector2d(3, 3);
+  point.rows.left = MatrixXd::Constant(2, 4, 5);
+  reduce_equations(point, 0.1);
+  EXPECT_EQ(point.by_force, MatrixXd::Ones(2, 2));
+  EXPECT_EQ(point.rows.left, MatrixXd::Constant(2, 4, 5));
+  EXPECT_EQ(point.right, VectorXd::Constant(2, 3));
 }
 
 TEST(TouchedSurface, TakesMoreAndKeepsWhatItHas) {
