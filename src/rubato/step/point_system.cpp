@@ -143,9 +143,9 @@ std::optional<PointSystem::Change> PointSystem::solved_for_forces(const VectorXd
   return refined(c, most_rounds);
 }
 
-/// Of the same points.
+/// Of the same points. In held frames new factors solve to rounding, which loops around them count on.
 bool PointSystem::has_factors_of_these() const {
-  return factors_ && factored_rows_ == points().front().components() &&
+  return factors_ && places_ > 0 && factored_rows_ == points().front().components() &&
          std::ranges::equal(factored_points_, points(), {}, {}, &id_of);
 }
 
