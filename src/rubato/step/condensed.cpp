@@ -97,11 +97,14 @@ StepReport Condensed::run(State& trial, const Held& held) {
         return ended(Outcome::not_finite);
       start_from(trial);
     }
-    if (iteration > 0 && report_.status_changes > 0 && cycle.has_met(now(), force().norm()))
+    std::optional<double> part = 1.0;
+    if (iteration > 0 && report_.status_changes > 0)
+      part = cycle.part_of_next(now(), force().norm());
+    if (!part)
       return ended(Outcome::cycling);
     if (iteration == model_.study.newton.max_iterations)
       break;
-    if (!iterate(trial, held))
+    if (!iterate(trial, held, *part))
       return ended(Outcome::singular_matrix);
     ++report_.iterations;
   }
@@ -226,15 +229,15 @@ void Condensed::linearise(const State& trial, const Held& held) {
   }
 }
 
-bool Condensed::iterate(State& trial, const Held& held) {
+bool Condensed::iterate(State& trial, const Held& held, double part) {
   linearise(trial, held);
   const auto change = scratch_.points.solve(free_ - moved_, force());
   if (!change)
     return false;
   const VectorXd before = moved_;
   scratch_.points.add_force(*change, scratch_.force);
-  move_surface(force(), trial);
-  correct_multipliers(*change, moved_ - before, trial);
+  move_surface((1 - part) * applied_ + part * force(), trial);
+  correct_multipliers(*change, moved_ - before, part, trial);
   return moved_.allFinite();
 }
 
@@ -248,8 +251,8 @@ void Condensed::move_surface(const VectorXd& force, State& trial) {
     trial.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];
 }
 
-/// Open points have none.
-void Condensed::correct_multipliers(const PointSystem::Change& change, const VectorXd& moved,
+/// Open points have none in the end.
+void Condensed::correct_multipliers(const PointSystem::Change& change, const VectorXd& moved, double part,
                                     State& trial) const {
   const auto of_point = [&](std::size_t z, std::size_t i) {
     const auto& zone = model_.zones[z];
@@ -259,11 +262,11 @@ void Condensed::correct_multipliers(const PointSystem::Change& change, const Vec
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
     for (std::size_t i = 0; i < now().status[z].size(); ++i)
       if (now().status[z][i] == Status::open)
-        of_point(z, i).setZero();
+        of_point(z, i) *= 1 - part;
   const auto& points = scratch_.points;
   for (const auto& point : points.points())
     if (point.response.multipliers() > 0)
-      of_point(point.zone, point.index) += points.multipliers_of(point, change, moved);
+      of_point(point.zone, point.index) += part * points.multipliers_of(point, change, moved / part);
 }
 
 /// The whole motion that belongs to the forces on the surface.

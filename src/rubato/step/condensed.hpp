@@ -73,9 +73,9 @@ private:
   double surface_scale() const;
   std::vector<WorstNode> worst_on_surface() const;
   void linearise(const State& trial, const Held& held);
-  bool iterate(State& trial, const Held& held);
+  bool iterate(State& trial, const Held& held, double part);
   void move_surface(const Eigen::VectorXd& force, State& trial);
-  void correct_multipliers(const PointSystem::Change& change, const Eigen::VectorXd& moved,
+  void correct_multipliers(const PointSystem::Change& change, const Eigen::VectorXd& moved, double part,
                            State& trial) const;
   void move_bulk(State& trial);
   ContactForce contact_force() const;

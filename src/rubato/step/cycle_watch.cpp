@@ -10,6 +10,8 @@ namespace {
 /// Relative difference of forces that are the same.
 constexpr double rounding = 1e-9;
 
+constexpr int most_cycles = 3;
+
 } // namespace
 
 bool CycleWatch::has_met(const ContactIterate& iterate, double size_of_forces) {
@@ -19,6 +21,15 @@ bool CycleWatch::has_met(const ContactIterate& iterate, double size_of_forces) {
   if (!known)
     met_.push_back({iterate.status, size_of_forces});
   return known;
+}
+
+std::optional<double> CycleWatch::part_of_next(const ContactIterate& iterate, double size_of_forces) {
+  if (!has_met(iterate, size_of_forces))
+    return 1.0;
+  if (++cycles_ > most_cycles)
+    return std::nullopt;
+  met_.clear();
+  return 0.5;
 }
 
 } // namespace rubato::step

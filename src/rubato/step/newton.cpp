@@ -40,11 +40,14 @@ StepReport Newton::run(State& trial, const Held& held) {
       side_.finish(held, now_, trial);
       return ended(Outcome::converged);
     }
-    if (iteration > 0 && report_.status_changes > 0 && cycle.has_met(now_, force_.all.norm()))
+    std::optional<double> part = 1.0;
+    if (iteration > 0 && report_.status_changes > 0)
+      part = cycle.part_of_next(now_, force_.all.norm());
+    if (!part)
       return ended(Outcome::cycling);
     if (iteration == model_.study.newton.max_iterations)
       break;
-    if (!solve_and_correct(trial))
+    if (!solve_and_correct(*part, trial))
       return ended(Outcome::singular_matrix);
     ++report_.iterations;
   }
@@ -87,7 +90,7 @@ bool Newton::settled(const Held& held) {
          side_.settled(held, previous_, now_);
 }
 
-bool Newton::solve_and_correct(State& trial) {
+bool Newton::solve_and_correct(double part, State& trial) {
   const LinearProblem problem{model_, system_.matrix, scheme_.contact_weight(), contact_,
                               equilibrium_.residual()};
   std::optional<LinearSolution> solution;
@@ -100,11 +103,11 @@ bool Newton::solve_and_correct(State& trial) {
   if (!solution || !solution->displacement.allFinite() || !solution->multipliers.allFinite())
     return false;
   VectorXd d = VectorXd::Zero(trial.motion.u.size());
-  d(model_.free_dofs) = solution->displacement;
+  d(model_.free_dofs) = part * solution->displacement;
   time::correct(system_.coefficients, d, trial.motion);
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
-    trial.zones[z].multipliers +=
-        solution->multipliers.segment(model_.multiplier_offsets[z], model_.zones[z].multiplier_count());
+    trial.zones[z].multipliers += part * solution->multipliers.segment(model_.multiplier_offsets[z],
+                                                                       model_.zones[z].multiplier_count());
   return true;
 }
 

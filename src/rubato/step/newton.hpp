@@ -27,7 +27,7 @@ private:
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   void add_zone(std::size_t zone, const Held& held);
   bool settled(const Held& held);
-  bool solve_and_correct(State& trial);
+  bool solve_and_correct(double part, State& trial);
 
   const model::Model& model_;
   const time::Scheme& scheme_;

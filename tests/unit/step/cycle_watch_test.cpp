@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/condensed.hpp"
 #include "rubato/step/cycle_watch.hpp"
+#include "rubato/step/levels.hpp"
+#include "rubato/step/newton.hpp"
 
 #include <gtest/gtest.h>
 
 #include "unit/step/decks.hpp"
 #include "unit/step/walk.hpp"
 #include <algorithm>
+#include <optional>
 
 namespace rubato::step {
 namespace {
@@ -32,13 +36,29 @@ TEST(CycleWatch, LetsStatusesComeBackWithOtherForces) {
   EXPECT_FALSE(watch.has_met(with(Status::open, Status::stick), 1));
 }
 
+TEST(CycleWatch, TakesHalfOfACorrectionWhereIteratesComeBackUntilTheyDoTooOften) {
+  CycleWatch watch;
+  const auto part = [&](Status status) { return watch.part_of_next(with(status, Status::open), 1); };
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    EXPECT_EQ(part(Status::stick), 1.0);
+    EXPECT_EQ(part(Status::slip), 1.0);
+    EXPECT_EQ(part(Status::stick), 0.5);
+  }
+  EXPECT_EQ(part(Status::stick), 1.0);
+  EXPECT_EQ(part(Status::stick), std::nullopt);
+}
+
+/// Stiff penalties and much friction: a neighbourhood of these numbers cycles.
+test::Walk cycling_walk() {
+  return test::Walk(test::two_beams, {{"contact.interface.method", "penalty"},
+                                      {"contact.interface.friction", "1.5"},
+                                      {"contact.interface.coefficients", "{normal: 1e11, tangential: 1e11}"},
+                                      {"time.start", "at_rest_unloaded"},
+                                      {"time.on_failure", "{cut: 2, levels: 1}"}});
+}
+
 TEST(Cycles, EndAnAttemptAndNameTheirPoints) {
-  // Stiff penalties and much friction: a neighbourhood of these numbers cycles.
-  test::Walk walk(test::two_beams, {{"contact.interface.method", "penalty"},
-                                    {"contact.interface.friction", "1.5"},
-                                    {"contact.interface.coefficients", "{normal: 1e13, tangential: 1e12}"},
-                                    {"time.start", "at_rest_unloaded"},
-                                    {"time.on_failure", "{cut: 2, levels: 1}"}});
+  auto walk = cycling_walk();
   EXPECT_FALSE(walk.to_end());
   const auto cycling = std::ranges::find(walk.reports, Outcome::cycling, &StepReport::outcome);
   ASSERT_NE(cycling, walk.reports.end());
@@ -46,6 +66,31 @@ TEST(Cycles, EndAnAttemptAndNameTheirPoints) {
   EXPECT_EQ(cycling->restless.size(), static_cast<std::size_t>(cycling->status_changes));
   for (const auto& point : cycling->restless)
     EXPECT_NE(point.before, point.now);
+}
+
+/// From where the last step ended.
+template <class Solver> StepReport attempt(test::Walk& walk) {
+  const double t = walk.control.target();
+  auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
+  const ContactSide side(walk.model, walk.scheme, system, walk.state, {.guess_contact = false});
+  Solver solver(walk.model, walk.scheme, system, walk.state, t, side);
+  auto trial = predict(walk.model, walk.scheme, system, walk.state, t);
+  return solve_levels(
+      walk.model, side, [&](State& to, const Held& held) { return solver.run(to, held); }, walk.state, trial);
+}
+
+/// Halves of corrections too.
+TEST(Cycles, AreTheSameOfPointsAndOfTheWholeMotion) {
+  auto walk = cycling_walk();
+  EXPECT_FALSE(walk.to_end());
+  const auto condensed = attempt<Condensed>(walk);
+  const auto whole = attempt<Newton>(walk);
+  EXPECT_EQ(condensed.outcome, Outcome::cycling);
+  EXPECT_EQ(whole.outcome, Outcome::cycling);
+  EXPECT_EQ(condensed.iterations, whole.iterations);
+  ASSERT_EQ(condensed.restless.size(), whole.restless.size());
+  for (std::size_t i = 0; i < whole.restless.size(); ++i)
+    EXPECT_EQ(condensed.restless[i].node, whole.restless[i].node);
 }
 
 } // namespace
