@@ -127,8 +127,8 @@ private:
 /// Equations of a point, a right side last.
 using Rows = Eigen::Matrix<double, Dynamic, Dynamic, Eigen::RowMajor>;
 
-/// Gauss–Jordan with full pivoting among the unknowns, rows in the order of their pivots. Rows that say the
-/// same as others are not reduced; then nothing may be taken from here.
+/// Gauss–Jordan with full pivoting among the unknowns, rows in the order of their pivots. False when some say
+/// the same: they are of no use then.
 bool reduce(Rows& rows, Index unknowns) {
   std::array<Index, 3> pivots{};
   const Index count = rows.rows();

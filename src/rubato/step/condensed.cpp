@@ -234,10 +234,13 @@ bool Condensed::iterate(State& trial, const Held& held, double part) {
   const auto change = scratch_.points.solve(free_ - moved_, force());
   if (!change)
     return false;
+  VectorXd next = force();
+  scratch_.points.add_force(*change, next);
+  if (part < 1)
+    next = (1 - part) * applied_ + part * next;
   const VectorXd before = moved_;
-  scratch_.points.add_force(*change, scratch_.force);
-  move_surface((1 - part) * applied_ + part * force(), trial);
-  correct_multipliers(*change, moved_ - before, part, trial);
+  move_surface(next, trial);
+  correct_multipliers(*change, (moved_ - before) / part, part, trial);
   return moved_.allFinite();
 }
 
@@ -251,7 +254,7 @@ void Condensed::move_surface(const VectorXd& force, State& trial) {
     trial.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];
 }
 
-/// Open points have none in the end.
+/// `moved`: how far the whole change moves the surface. Open points have no multipliers in the end.
 void Condensed::correct_multipliers(const PointSystem::Change& change, const VectorXd& moved, double part,
                                     State& trial) const {
   const auto of_point = [&](std::size_t z, std::size_t i) {
@@ -266,7 +269,7 @@ void Condensed::correct_multipliers(const PointSystem::Change& change, const Vec
   const auto& points = scratch_.points;
   for (const auto& point : points.points())
     if (point.response.multipliers() > 0)
-      of_point(point.zone, point.index) += part * points.multipliers_of(point, change, moved / part);
+      of_point(point.zone, point.index) += part * points.multipliers_of(point, change, moved);
 }
 
 /// The whole motion that belongs to the forces on the surface.
