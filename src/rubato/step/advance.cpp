@@ -17,8 +17,8 @@ using model::Model;
 /// Augmentations tried one after the other. They do not change the answer, only which points are guessed to
 /// touch and to stick on the way there.
 constexpr std::array<Variant, 2> other_augmentations{
-    {{.normal_multiple = 0.01, .tangential_multiple = 0.1, .guess_contact = false},
-     {.normal_multiple = 10, .tangential_multiple = 10, .guess_contact = false}}};
+    {{.normal_multiple = 0.01, .tangential_multiple = 0.1, .start = Start::last_step},
+     {.normal_multiple = 10, .tangential_multiple = 10, .start = Start::last_step}}};
 /// Parts of μ tried one after the other, each from the last one's solution, when the whole of it fails.
 constexpr std::array<double, 5> friction_parts{0, 0.25, 0.5, 0.75, 1};
 
@@ -27,15 +27,17 @@ class Attempts {
 public:
   Attempts(const Model& model, const time::Scheme& scheme, EffectiveSystem& system, const State& committed,
            double t)
-      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t) {}
+      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t),
+        other_start_(other_start(model, system)) {}
 
   StepReport plainly(State& trial) { return afresh({}, trial); }
 
-  /// From where the last step ended. Other augmentations start there too, and are tried instead where there
-  /// are any.
-  StepReport without_guess(State& trial) { return afresh({.guess_contact = false}, trial); }
+  StepReport from_other_start(State& trial) { return afresh({.start = *other_start_}, trial); }
 
-  bool has_guess() const { return guesses_contact(model_, system_); }
+  /// Other augmentations start from the last step too, and are tried instead where there are any.
+  bool has_other_start() const {
+    return other_start_ && !(other_start_ == Start::last_step && has_augmentation());
+  }
 
   /// The first that converges ends it.
   StepReport vary_augmentation(State& trial) {
@@ -82,7 +84,8 @@ public:
     StepReport report;
     trial = predict(model_, scheme_, system_, committed_, t_);
     for (const double part : friction_parts) {
-      report = solve({.friction_part = part, .guess_contact = part == friction_parts.front()}, trial);
+      const auto start = part == friction_parts.front() ? Start::usual : Start::last_step;
+      report = solve({.friction_part = part, .start = start}, trial);
       if (!report.converged())
         break;
     }
@@ -120,6 +123,7 @@ private:
   EffectiveSystem& system_;
   const State& committed_;
   double t_;
+  std::optional<Start> other_start_;
   int spent_ = 0;
 };
 
@@ -157,10 +161,10 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
                    const State& committed, double t, State& trial) {
   Attempts attempts(model, scheme, system, committed, t);
   auto report = attempts.plainly(trial);
+  if (!report.converged() && attempts.has_other_start())
+    report = attempts.from_other_start(trial);
   if (!report.converged() && attempts.has_augmentation())
     report = attempts.vary_augmentation(trial);
-  else if (!report.converged() && attempts.has_guess())
-    report = attempts.without_guess(trial);
   if (!report.converged() && attempts.has_newton_geometry())
     report = attempts.loop_geometry(trial);
   if (!report.converged() && attempts.has_status_loop())

@@ -25,6 +25,11 @@ bool has_friction_springs(const contact::Zone& zone) {
   return zone.settings.friction > 0 && zone.settings.friction_method == deck::FrictionMethod::nodal_penalty;
 }
 
+bool starts_from_guess(const Model& model, Start start) {
+  return start == Start::guess ||
+         (start == Start::usual && std::ranges::none_of(model.zones, has_friction_springs));
+}
+
 bool owns_its_multipliers(const contact::Zone& zone) {
   return std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
 }
@@ -57,11 +62,14 @@ bool can_condense(const Model& model, const EffectiveSystem& system) {
          });
 }
 
-bool guesses_contact(const Model& model, const EffectiveSystem& system) {
-  return can_condense(model, system) && std::ranges::none_of(model.zones, has_friction_springs) &&
-         std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
-           return zone.settings.status.by == deck::Iteration::newton;
-         });
+std::optional<Start> other_start(const Model& model, const EffectiveSystem& system) {
+  const bool can_guess =
+      can_condense(model, system) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
+        return zone.settings.status.by == deck::Iteration::newton;
+      });
+  if (!can_guess)
+    return std::nullopt;
+  return starts_from_guess(model, Start::usual) ? Start::last_step : Start::guess;
 }
 
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
@@ -77,7 +85,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
     start_from(trial);
     if (!equilibrium_.residual().allFinite())
       return ended(Outcome::not_finite);
-    if (side_.variant().guess_contact && std::ranges::none_of(model_.zones, has_friction_springs))
+    if (starts_from_guess(model_, side_.variant().start))
       guess_contact(trial, held);
   }
   CycleWatch cycle;

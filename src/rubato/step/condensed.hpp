@@ -22,8 +22,8 @@ namespace rubato::step {
 /// Whether every contact point of the model owns its multipliers and A is factored.
 bool can_condense(const model::Model& model, const EffectiveSystem& system);
 
-/// Whether a step on the points alone starts from a guess of their contact.
-bool guesses_contact(const model::Model& model, const EffectiveSystem& system);
+/// What a step on the points alone can start from beside the usual; nothing where no status is guessed.
+std::optional<Start> other_start(const model::Model& model, const EffectiveSystem& system);
 
 /// A point in contact and its force z (contact/factored_response.hpp).
 struct PointInContact {

@@ -14,6 +14,13 @@
 
 namespace rubato::step {
 
+/// What an attempt on the points alone starts from.
+enum class Start {
+  usual,     ///< the guess, but where friction is by springs the last step
+  guess,     ///< forces that close the gaps of the free motion
+  last_step, ///< its statuses and multipliers
+};
+
 /// How an attempt at a step differs from the plain one.
 struct Variant {
   double friction_part = 1;       ///< of μ
@@ -21,7 +28,7 @@ struct Variant {
   double tangential_multiple = 1; ///< of c_t where it is an augmentation
   bool geometry_by_loop = false;  ///< also where the zone iterates it by Newton
   bool status_by_newton = false;  ///< also where the zone iterates it by a loop
-  bool guess_contact = true;      ///< start from forces that close the gaps of the free motion
+  Start start = Start::usual;
 };
 
 /// What outer loops hold of one zone while Newton iterates; empty: nothing.

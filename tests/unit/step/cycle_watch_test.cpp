@@ -72,7 +72,7 @@ TEST(Cycles, EndAnAttemptAndNameTheirPoints) {
 template <class Solver> StepReport attempt(test::Walk& walk) {
   const double t = walk.control.target();
   auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
-  const ContactSide side(walk.model, walk.scheme, system, walk.state, {.guess_contact = false});
+  const ContactSide side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
   Solver solver(walk.model, walk.scheme, system, walk.state, t, side);
   auto trial = predict(walk.model, walk.scheme, system, walk.state, t);
   return solve_levels(
