@@ -3,6 +3,7 @@
 /// A page sdnl140_<letters>, as in sdnl140_f, has the runs of these modelings only.
 #include "verification/verify.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,9 +12,10 @@
 #include <cstdio>
 #include <exception>
 #include <ranges>
-#include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubato::verification {
 
@@ -80,32 +82,43 @@ constexpr std::array<Entry, 17> entries{{{"v1", rubato::verification::write_bar_
 
 constexpr std::string_view modelings_prefix = "sdnl140_";
 
+/// What is wrong with the name of a page; nothing for a good one.
+std::string fault_of(const std::string& name) {
+  const bool known =
+      name.starts_with(modelings_prefix) || std::ranges::find(entries, name, &Entry::page) != entries.end();
+  return known
+             ? ""
+             : fmt::format("{} is no page; there are {}, {}<letters>", name,
+                           fmt::join(entries | std::views::transform(&Entry::page), ", "), modelings_prefix);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Makes the runs of the verification's pages and writes them.");
+  std::filesystem::path folder;
+  std::vector<std::string> pages;
+  app.add_option("folder", folder, "where FOLDER/<page>.md go")->required();
+  app.add_option("pages", pages, "which; all when none is named")->check(CLI::Validator(&fault_of, "PAGE"));
+  CLI11_PARSE(app, argc, argv);
+  std::filesystem::create_directories(folder);
+  for (const auto& entry : entries)
+    if (pages.empty() || std::ranges::find(pages, entry.page) != pages.end()) {
+      std::puts(fmt::format("{}.md", entry.page).c_str());
+      std::fflush(stdout);
+      entry.write(folder);
+    }
+  for (const auto& page : pages)
+    if (page.starts_with(modelings_prefix))
+      rubato::verification::write_sdnl140_of(folder, page.substr(modelings_prefix.size()));
+  return 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string_view> words(argv + 1, argv + argc);
-  if (words.empty()) {
-    std::fputs(
-        "usage: verify FOLDER [v1 … v11 sdnl140 sdnl140_<letters> convergence explicit condensed defaults "
-        "robustness]\n",
-        stderr);
-    return 2;
-  }
   try {
-    const std::filesystem::path folder(words.front());
-    std::filesystem::create_directories(folder);
-    for (const auto& entry : entries)
-      if (words.size() == 1 || std::ranges::find(words.begin() + 1, words.end(), entry.page) != words.end()) {
-        std::puts(fmt::format("{}.md", entry.page).c_str());
-        std::fflush(stdout);
-        entry.write(folder);
-      }
-    for (const auto word : words | std::views::drop(1))
-      if (word.starts_with(modelings_prefix))
-        rubato::verification::write_sdnl140_of(folder, std::string(word.substr(modelings_prefix.size())));
+    return run(argc, argv);
   } catch (const std::exception& error) {
     std::fputs(fmt::format("verify: {}\n", error.what()).c_str(), stderr);
     return 1;
   }
-  return 0;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/enforcement.hpp"
 
+#include "rubato/contact/held_frame.hpp"
+
 #include <cmath>
 #include <limits>
 

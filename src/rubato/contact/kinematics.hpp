@@ -75,15 +75,4 @@ void evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& 
 void measure_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                         const Configuration& configuration, Kinematics& into);
 
-/// The same point with its place on the master, normal and tangents held: only gap and slip follow the
-/// bodies. The relation is linear in q then.
-Kinematics with_held_frame(Kinematics kinematics);
-
-/// One place of a point that two faces claim in turn: their held frames half each, with the normal between
-/// theirs. It knows the nodes of both.
-Kinematics held_between(const Kinematics& a, const Kinematics& b);
-
-/// Gap and slip of a held frame at another configuration.
-void measure_in_held_frame(Kinematics& kinematics, const Configuration& configuration);
-
 } // namespace rubato::contact

@@ -11,13 +11,22 @@ extern "C" void dsymv_(const char* triangle, const int* size, const double* fact
                        double* sum, const int* sum_stride);
 
 namespace rubato::linalg {
+namespace {
+
+/// Eigen is done with such a matrix before BLAS has begun.
+constexpr int small = 48;
+
+} // namespace
 
 void add_symmetric_product(double factor, const Eigen::MatrixXd& matrix, const double* x, double* y) {
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("a symmetric matrix that is not square");
   const auto size = static_cast<int>(matrix.rows());
-  if (size == 0)
+  if (size <= small) {
+    Eigen::Map<Eigen::VectorXd>(y, size).noalias() +=
+        factor * matrix.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(x, size);
     return;
+  }
   use_one_blas_thread_by_default();
   const int one = 1;
   const double whole = 1;

@@ -18,6 +18,8 @@ constexpr Index block_size = 32;
 
 /// Where more of a force than this is not zero, half of the whole matrix is read sooner than its columns.
 constexpr double dense = 0.35;
+/// Columns of smaller surfaces are near anyway.
+constexpr Index smallest_dense = 64;
 
 } // namespace
 
@@ -77,8 +79,9 @@ void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorX
   for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
     const Index size = starts[b + 1] - starts[b];
     const auto of_body = force.segment(starts[b], size);
-    const auto forces = static_cast<double>((of_body.array() != 0).count());
-    if (size <= largest_whole_ && forces > dense * static_cast<double>(size)) {
+    const bool may_be_dense = size >= smallest_dense && size <= largest_whole_;
+    if (may_be_dense &&
+        static_cast<double>((of_body.array() != 0).count()) > dense * static_cast<double>(size)) {
       linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
       continue;
     }

@@ -105,9 +105,8 @@ StepReport Condensed::run(State& trial, const Held& held) {
         return ended(Outcome::not_finite);
       start_from(trial);
     }
-    std::optional<double> part = 1.0;
-    if (iteration > 0 && report_.status_changes > 0)
-      part = cycle.part_of_next(now(), force().norm());
+    const bool may_cycle = iteration > 0 && report_.status_changes > 0;
+    const auto part = may_cycle ? cycle.part_of_next(now(), force().norm()) : 1.0;
     if (!part)
       return ended(Outcome::cycling);
     if (iteration == model_.study.newton.max_iterations)

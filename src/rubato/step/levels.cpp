@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/levels.hpp"
 
+#include "rubato/contact/held_frame.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

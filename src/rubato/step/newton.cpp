@@ -40,9 +40,8 @@ StepReport Newton::run(State& trial, const Held& held) {
       side_.finish(held, now_, trial);
       return ended(Outcome::converged);
     }
-    std::optional<double> part = 1.0;
-    if (iteration > 0 && report_.status_changes > 0)
-      part = cycle.part_of_next(now_, force_.all.norm());
+    const bool may_cycle = iteration > 0 && report_.status_changes > 0;
+    const auto part = may_cycle ? cycle.part_of_next(now_, force_.all.norm()) : 1.0;
     if (!part)
       return ended(Outcome::cycling);
     if (iteration == model_.study.newton.max_iterations)

@@ -133,7 +133,7 @@ std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0, const 
 /// By the factors of the iteration before while they serve.
 std::optional<PointSystem::Change> PointSystem::solved_for_forces(const VectorXd& c) {
   for (auto& point : active())
-    if (!point.positions.empty())
+    if (keeps_factors() && !point.positions.empty())
       reduce_equations(point, force_weight_ * compliance_.own(point.positions.front()));
   if (has_factors_of_these())
     if (auto change = refined(c, most_rounds_by_last))
@@ -143,9 +143,13 @@ std::optional<PointSystem::Change> PointSystem::solved_for_forces(const VectorXd
   return refined(c, most_rounds);
 }
 
-/// Of the same points. In held frames new factors solve to rounding, which loops around them count on.
+/// In held frames new factors solve to rounding, which loops around them count on.
+bool PointSystem::keeps_factors() const {
+  return places_ > 0;
+}
+
 bool PointSystem::has_factors_of_these() const {
-  return factors_ && places_ > 0 && factored_rows_ == points().front().components() &&
+  return factors_ && keeps_factors() && factored_rows_ == points().front().components() &&
          std::ranges::equal(factored_points_, points(), {}, {}, &id_of);
 }
 

@@ -57,6 +57,7 @@ private:
   Eigen::VectorXd at_places(const Eigen::VectorXd& values) const;
   Eigen::Index rows_of_whole() const;
   Eigen::MatrixXd matrix_of(Eigen::Index rows) const;
+  bool keeps_factors() const;
   bool has_factors_of_these() const;
   bool factor(Eigen::Index rows);
   Change correction(const Change& left) const;

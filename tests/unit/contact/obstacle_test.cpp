@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Planes, cylinders and spheres: where they are, and every derivative against central differences.
+#include "rubato/contact/held_frame.hpp"
 #include "rubato/contact/obstacle.hpp"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Each derivative of the contact kinematics and of the whole contact system against central differences.
+#include "rubato/contact/held_frame.hpp"
+
 #include <gtest/gtest.h>
 
 #include "contact_system.hpp"

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/held_frame.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <utility>
+
+namespace rubato::contact {
+
+using Eigen::Vector3d;
+
+Kinematics with_held_frame(Kinematics k) {
+  const auto unknowns = k.unknowns();
+  k.d_projection.setZero(2, unknowns);
+  k.d_normal.setZero(3, unknowns);
+  for (auto& variation : k.d_tangent)
+    variation.setZero(3, unknowns);
+  k.d_slave_normal.resize(3, 0);
+  k.shape_slope.setZero(k.shape.size(), 2);
+  k.d_gap.resize(unknowns);
+  k.d_slip.setZero(2, unknowns);
+  for (Eigen::Index node = 0; node < k.shape.size(); ++node)
+    for (int i = 0; i < k.components; ++i) {
+      const auto column = node * k.components + i;
+      k.d_gap[column] = k.shape[node] * k.normal[i];
+      for (int a = 0; a < k.parametric_dimension; ++a)
+        k.d_slip(a, column) = k.shape[node] * k.tangents(i, a);
+    }
+  return k;
+}
+
+Kinematics held_between(const Kinematics& a, const Kinematics& b) {
+  Kinematics k = a;
+  k.nodes.insert(k.nodes.end(), b.nodes.begin(), b.nodes.end());
+  k.shape.resize(a.shape.size() + b.shape.size());
+  k.shape << 0.5 * a.shape, 0.5 * b.shape;
+  k.shape_slope.resize(k.shape.size(), 2);
+  k.normal = (a.normal + b.normal).normalized();
+  const Vector3d along = a.tangents.col(0) + b.tangents.col(0);
+  k.tangents.col(0) = (along - along.dot(k.normal) * k.normal).normalized();
+  k.tangents.col(1) = k.normal.cross(Vector3d(k.tangents.col(0)));
+  k.gap = 0.5 * (a.gap + b.gap);
+  k.slip = 0.5 * (a.slip + b.slip);
+  k.gap_origin = 0.5 * (a.gap_origin + b.gap_origin);
+  k.slip_origin = 0.5 * (a.slip_origin + b.slip_origin);
+  return with_held_frame(std::move(k));
+}
+
+void measure_in_held_frame(Kinematics& k, const Configuration& configuration) {
+  Vector3d apart = -k.foot;
+  Vector3d moved = -k.carried;
+  for (std::size_t node = 0; node < k.nodes.size(); ++node) {
+    const double shape = k.shape[static_cast<Eigen::Index>(node)];
+    apart += shape * configuration.position(k.nodes[node]);
+    moved += shape * configuration.increment(k.nodes[node]);
+  }
+  k.gap = k.normal.dot(apart) - k.gap_origin;
+  for (int a = 0; a < k.parametric_dimension; ++a)
+    k.slip[a] = k.tangents.col(a).dot(moved) - k.slip_origin[a];
+}
+
+} // namespace rubato::contact
