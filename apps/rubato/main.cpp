@@ -2,6 +2,8 @@
 #include "rubato/error.hpp"
 #include "rubato/linalg/blas_threads.hpp"
 #include "rubato/linalg/memory.hpp"
+#include "rubato/mesh/io/gmsh.hpp"
+#include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -74,7 +76,10 @@ void add_compare(CLI::App& program, Arguments& arguments) {
 
 void add_info(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand("info", "say what a mesh file holds and what looks wrong");
-  command->add_option("file", arguments.info.file, "mesh file (.med, .msh, .geo)")->required();
+  command
+      ->add_option("file", arguments.info.file,
+                   fmt::format("mesh file ({})", rubato::mesh::readable_endings()))
+      ->required();
   command->add_option("--mesh", arguments.info.mesh_name, "name of the mesh inside the file");
   command->callback([&arguments] { arguments.work = [&] { return app::info(arguments.info); }; });
 }
@@ -82,7 +87,10 @@ void add_info(CLI::App& program, Arguments& arguments) {
 void add_mesh(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand("mesh", "write the mesh of a deck, or convert a mesh file");
   auto& mesh = arguments.mesh;
-  command->add_option("source", mesh.source, "a deck (.yaml) or a mesh file")->required();
+  command
+      ->add_option("source", mesh.source,
+                   fmt::format("a deck (.yaml) or a mesh file ({})", rubato::mesh::readable_endings()))
+      ->required();
   command->add_option("output", mesh.output, "file to write (.med, .vtu)")->required();
   command->add_option("--set", mesh.settings, "change the deck: path.to.key=value")->allow_extra_args(false);
   command->add_option("--convert", mesh.convert, "linear, quadratic or full_quadratic");
@@ -93,6 +101,13 @@ void add_mesh(CLI::App& program, Arguments& arguments) {
 void add_list(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand("list", "list cells, schemes, methods, laws and formats");
   command->callback([&arguments] { arguments.work = [] { return app::list(); }; });
+}
+
+/// The version, and which of the parts that a build may lack this one has.
+std::string version_text() {
+  return fmt::format("rubato {}\nGmsh geometries (.geo): {}", version,
+                     rubato::mesh::is_gmsh_built_in() ? "built in; Gmsh's library is loaded when one is read"
+                                                      : "not built in (make deps GMSH=1, then build again)");
 }
 
 /// A first word that is no subcommand is better told with those there are.
@@ -109,7 +124,7 @@ void refuse_unknown_command(const CLI::App& program, const std::string& word) {
 
 int parse_and_work(int argc, char** argv) {
   CLI::App program("rubato: how elastic bodies move, touch, rub and part", "rubato");
-  program.set_version_flag("--version", fmt::format("rubato {}", version));
+  program.set_version_flag("--version", version_text());
   program.require_subcommand(1);
   Arguments arguments;
   add_run(program, arguments);

@@ -15,7 +15,7 @@ class BrokenGmshLibrary : public testing::Test {
 protected:
   BrokenGmshLibrary() {
     test::write_text(folder_ / RUBATO_GMSH_LIBRARY, "no library\n");
-    test::write_text(folder_ / "square.msh", "$MeshFormat\n");
+    test::write_text(folder_ / "square.geo", "Point(1) = {0, 0, 0};\n");
     if (const char* before = std::getenv(path_variable))
       before_ = before;
     setenv(path_variable, (folder_.path().string() + (before_ ? ":" + *before_ : "")).c_str(), 1);
@@ -40,11 +40,11 @@ TEST_F(BrokenGmshLibrary, IsNotLoadedByThoseWhoDoNotNeedIt) {
   EXPECT_EQ(outcome.err, "");
 }
 
-TEST_F(BrokenGmshLibrary, IsToldToWhoGivesAGmshFile) {
-  const auto outcome = run_program({"info", "square.msh"}, folder_.path());
+TEST_F(BrokenGmshLibrary, IsToldToWhoGivesAGmshGeometry) {
+  const auto outcome = run_program({"info", "square.geo"}, folder_.path());
   EXPECT_EQ(outcome.exit_code, 2);
   for (const std::string_view words :
-       {"error: mesh file 'square.msh' cannot be read by Gmsh: its library cannot", RUBATO_GMSH_LIBRARY,
+       {"error: mesh file 'square.geo' cannot be read by Gmsh: its library cannot", RUBATO_GMSH_LIBRARY,
         "install it or convert the mesh to MED\n"})
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
 }

@@ -8,10 +8,13 @@
 namespace rubato::test {
 
 /// `relative` below the folder of shared files: the environment's RUBATO_SHARED, else ../shared beside the
-/// sources.
+/// sources. An empty RUBATO_SHARED says that nothing is shared: then no file of that name exists. CTest gives
+/// it to every test that is not labelled `shared`.
 inline std::filesystem::path shared_file(const std::filesystem::path& relative) {
-  const char* folder = std::getenv("RUBATO_SHARED");
-  return std::filesystem::path(folder != nullptr ? folder : RUBATO_SHARED_DIR) / relative;
+  const char* variable = std::getenv("RUBATO_SHARED");
+  const std::filesystem::path folder = variable != nullptr ? variable : RUBATO_SHARED_DIR;
+  const std::filesystem::path nothing_is_below = "/dev/null";
+  return (folder.empty() ? nothing_is_below : folder) / relative;
 }
 
 } // namespace rubato::test

@@ -85,19 +85,8 @@ INSTANTIATE_TEST_SUITE_P(NodalPenalty, Document,
                                          DocumentRun{'e', "evol5", 5e-5}, DocumentRun{'f', "evol5", 5e-5}),
                          name_of);
 
-/// Largest difference of two runs' tips over the peak of the second.
 double apart(const deck::Study& one, const deck::Study& other) {
-  const auto a = finish(one).probes;
-  const auto b = finish(other).probes;
-  const auto column = static_cast<std::size_t>(a.column("tip.y"));
-  EXPECT_EQ(a.rows.size(), b.rows.size());
-  double largest = 0;
-  double peak = 0;
-  for (std::size_t i = 0; i < std::min(a.rows.size(), b.rows.size()); ++i) {
-    largest = std::max(largest, std::abs(a.rows[i][column] - b.rows[i][column]));
-    peak = std::max(peak, std::abs(b.rows[i][column]));
-  }
-  return largest / peak;
+  return largest_difference(finish(one), finish(other));
 }
 
 class Modelings : public testing::TestWithParam<char> {};

@@ -153,6 +153,23 @@ Deviation deviation(const results::Table& probes, const results::Table& referenc
   return found;
 }
 
+double largest_difference(const Finished& one, const Finished& other) {
+  const auto same_instant = [](const auto& a, const auto& b) {
+    return a.size() == b.size() && a.front() == b.front();
+  };
+  if (!std::ranges::equal(one.probes.rows, other.probes.rows, same_instant))
+    return std::nan("");
+  const auto& u = other.result.end.motion.u;
+  double largest = u.lpNorm<Eigen::Infinity>();
+  double difference = (one.result.end.motion.u - u).lpNorm<Eigen::Infinity>();
+  for (std::size_t i = 0; i < other.probes.rows.size(); ++i)
+    for (std::size_t j = 1; j < other.probes.rows[i].size(); ++j) {
+      largest = std::max(largest, std::abs(other.probes.rows[i][j]));
+      difference = std::max(difference, std::abs(one.probes.rows[i][j] - other.probes.rows[i][j]));
+    }
+  return difference / largest;
+}
+
 std::optional<results::Table> history(const std::string& name) {
   const auto file = sdnl140_folder() / "code_aster" / (name + ".csv");
   if (!std::filesystem::exists(file))

@@ -49,6 +49,10 @@ struct Deviation {
 /// `until`.
 Deviation deviation(const results::Table& probes, const results::Table& reference, double until = 1e300);
 
+/// Largest difference of two runs of one study, over the largest value of the second at any instant: of the
+/// probes at every instant and of all displacements at the end. Not a number where their instants differ.
+double largest_difference(const Finished& one, const Finished& other);
+
 /// code_aster/<name>.csv; nothing when it is not there.
 std::optional<results::Table> history(const std::string& name);
 

@@ -45,22 +45,6 @@ Finished solved(const Row& row, const char* solver) {
   return finish(study);
 }
 
-/// Largest difference of the tip at any instant and of all displacements at the end, over the largest of
-/// both.
-double difference(const Finished& condensed, const Finished& whole) {
-  if (condensed.probes.rows.size() != whole.probes.rows.size())
-    return std::nan("");
-  const auto& u = whole.result.end.motion.u;
-  double largest = u.lpNorm<Eigen::Infinity>();
-  double difference = (condensed.result.end.motion.u - u).lpNorm<Eigen::Infinity>();
-  for (std::size_t i = 0; i < whole.probes.rows.size(); ++i)
-    for (std::size_t j = 1; j < whole.probes.rows[i].size(); ++j) {
-      largest = std::max(largest, std::abs(whole.probes.rows[i][j]));
-      difference = std::max(difference, std::abs(condensed.probes.rows[i][j] - whole.probes.rows[i][j]));
-    }
-  return difference / largest;
-}
-
 std::string per_step(const run::RunResult& result) {
   return fmt::format("{:.1f}", static_cast<double>(result.iterations) / static_cast<double>(result.steps));
 }
@@ -82,7 +66,7 @@ void write_condensed(const std::filesystem::path& folder) {
     const auto whole = solved(row, "full");
     const bool complete = condensed.result.status == run::Status::complete;
     page.row({row.name, std::to_string(condensed.result.steps),
-              fmt::format("{:.1e}", difference(condensed, whole)), per_step(condensed.result),
+              fmt::format("{:.1e}", largest_difference(condensed, whole)), per_step(condensed.result),
               per_step(whole.result), fmt::format("{:.3f}", condensed.result.loop_seconds),
               fmt::format("{:.2f}", whole.result.loop_seconds),
               outcome_of(complete ? whole.result : condensed.result)});

@@ -23,7 +23,7 @@ constexpr double closing_gap = 1e-11;
 /// Where gaps close only on average over a face, single points keep small gaps of either sign. An
 /// augmentation as stiff as the body would answer each of them with a pressure of its own and make statuses
 /// flicker.
-constexpr double averaged_share = 1e-4;
+constexpr double averaged_share = 1;
 
 /// Penalties in units of the automatic augmentation.
 constexpr double normal_stiffening = 10;
@@ -223,7 +223,22 @@ void count_from(const Vector3d& relative, const Vector3d& way, const VelocityLaw
   k.slip_origin = law.step * (1 - law.theta) * (k.tangents.transpose() * relative);
 }
 
-/// Mean over the directions of the point's own stiffness, each node counted with its share.
+/// A uniform pressure puts no force on such a node, so that its own says nothing: its neighbours' does,
+/// unless nothing presses there.
+void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcomes) {
+  for (std::size_t i = 0; i < zone.points.size(); ++i) {
+    const auto& axis = zone.points[i].axis_pressure;
+    if (!axis)
+      continue;
+    const double beside = axis->weights[0] * outcomes[axis->points[0]].pressure +
+                          axis->weights[1] * outcomes[axis->points[1]].pressure;
+    if (beside > 0)
+      outcomes[i].pressure = beside;
+  }
+}
+
+} // namespace
+
 double resistance(const SlavePoint& point, const fem::DofMap& dofs,
                   const Eigen::Ref<const VectorXd>& diagonal) {
   double sum = 0;
@@ -236,8 +251,6 @@ double resistance(const SlavePoint& point, const fem::DofMap& dofs,
   }
   return sum / shares;
 }
-
-} // namespace
 
 ZoneState initial_state(const Zone& zone) {
   const bool active = zone.settings.initially_active.value_or(true);
@@ -421,7 +434,28 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
     outcome.normal = point.weight * traction[0] * points[i].kinematics->normal;
     outcome.tangential = point.weight * (points[i].kinematics->tangents * traction.tail<2>());
   }
+  recover_axis_pressures(*law.zone, all);
   return all;
+}
+
+MeanGap largest_mean_gap(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                        std::span<const Status> status) {
+  const auto& zone = *law.zone;
+  VectorXd sums = VectorXd::Zero(static_cast<Index>(zone.slave.nodes.size()));
+  VectorXd weights = VectorXd::Zero(sums.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& point = zone.points[i];
+    const double equation = respond(points[i].variables, status[i], law.of_point(i)).equations[0];
+    for (std::size_t j = 0; j < point.multipliers.size(); ++j) {
+      sums[point.multipliers[j]] += point.weight * point.multiplier_shape[j] * equation;
+      weights[point.multipliers[j]] += std::abs(point.weight * point.multiplier_shape[j]);
+    }
+  }
+  MeanGap largest;
+  for (Index i = 0; i < sums.size(); ++i)
+    if (const double mean = std::abs(sums[i]) / weights[i]; mean > largest.value)
+      largest = {mean, static_cast<int>(i)};
+  return largest;
 }
 
 void add_friction_force(std::span<const PointEvaluation> points, std::span<const PointOutcome> outcomes,

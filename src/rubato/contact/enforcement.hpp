@@ -56,6 +56,11 @@ struct ZoneCoefficients {
 ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dofs,
                                         const Eigen::Ref<const Eigen::VectorXd>& diagonal);
 
+/// Mean over the directions of the stiffness of the nodes that move a point, each counted with its share
+/// [force/length]. `diagonal` as above.
+double resistance(const SlavePoint& point, const fem::DofMap& dofs,
+                  const Eigen::Ref<const Eigen::VectorXd>& diagonal);
+
 /// A contact point at one configuration. Unpaired points have no kinematics and a gap of infinity.
 struct PointEvaluation {
   Pair pair;
@@ -166,6 +171,16 @@ void add_contributions(const ZoneLaw& law, std::span<const PointEvaluation> poin
 /// What the points of those statuses do.
 std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEvaluation> points,
                                    std::span<const Status> status);
+
+struct MeanGap {
+  double value = 0; ///< [length]
+  int position = 0; ///< of the node in the slave surface's nodes
+};
+
+/// Where gaps close on average only: the largest residual of a slave node's equation for its pressure,
+/// |Σ w ψ e| / Σ w |ψ| with e = −g in contact and −λ/c apart [length].
+MeanGap largest_mean_gap(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                        std::span<const Status> status);
 
 /// Adds what friction puts on the dofs, internal side, when the points do that.
 void add_friction_force(std::span<const PointEvaluation> points, std::span<const PointOutcome> outcomes,

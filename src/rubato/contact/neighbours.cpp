@@ -15,6 +15,11 @@ using Eigen::Vector3d;
 /// Part of the longest master edge: a wider margin makes searches rarer and each step's lists longer.
 constexpr double margin_in_edges = 0.75;
 
+/// How far beyond the border a point that hops stays on a face, in its reference lengths.
+constexpr double held_beyond = 0.25;
+/// The same of a point that counts as standing on the border.
+constexpr double on_border = 1e-4;
+
 /// Points as nanoflann wants to see them.
 struct Cloud {
   const std::vector<Vector3d>& points;
@@ -47,7 +52,23 @@ double farthest_motion(const std::vector<Vector3d>& from, const std::vector<Vect
 NeighbourList::NeighbourList(const Zone& zone)
     : zone_(&zone), margin_(margin_in_edges * zone.master.longest_edge), master_(zone.master.nodes.size()),
       slave_(zone.points.size()),
-      pairs_(zone.points.size(), zone.obstacle ? Pair::before_obstacle() : Pair()) {}
+      pairs_(zone.points.size(), zone.obstacle ? Pair::before_obstacle() : Pair()),
+      visits_(zone.points.size()) {}
+
+void NeighbourList::forget_visits() {
+  std::ranges::fill(visits_, Visits());
+}
+
+bool NeighbourList::release_strays() {
+  bool any = false;
+  for (auto& visits : visits_) {
+    if (visits.held < 0 || visits.released || visits.beyond <= on_border)
+      continue;
+    visits = {.faces = {visits.held, -1, -1, -1}, .released = true};
+    any = true;
+  }
+  return any;
+}
 
 void NeighbourList::update(const Configuration& configuration) {
   if (zone_->obstacle)
@@ -72,7 +93,33 @@ void NeighbourList::follow(const Configuration& configuration) {
 }
 
 void NeighbourList::pair(std::size_t point) {
+  auto& visits = visits_[point];
+  if (visits.held >= 0 && stays_on(point, visits.held))
+    return;
+  visits.held = -1;
+  const int before = visits.faces.front();
   pairs_[point] = pair_around(*zone_, nearest_of(point), slave_[point], master_, pairs_[point].master_face);
+  const int now = pairs_[point].master_face;
+  if (now < 0 || now == before)
+    return;
+  const bool back = std::ranges::find(visits.faces, now) != visits.faces.end();
+  std::ranges::copy_backward(std::span(visits.faces).first(visits.faces.size() - 1), visits.faces.end());
+  visits.faces.front() = now;
+  if (back && stays_on(point, std::min(before, now)))
+    visits.held = std::min(before, now);
+}
+
+/// Puts the point on a face, inside or a little beyond its border, if that is where it is.
+bool NeighbourList::stays_on(std::size_t point, int face) {
+  auto pair = pair_on(*zone_, face, slave_[point], master_);
+  if (!pair.projection.converged || !(pair.projection.overshoot <= held_beyond))
+    return false;
+  visits_[point].beyond = pair.projection.overshoot;
+  pair.projection.clamped = pair.projection.xi;
+  pair.projection.clamp_derivative.setIdentity();
+  pair.projection.overshoot = 0;
+  pairs_[point] = pair;
+  return true;
 }
 
 void NeighbourList::locate(const Configuration& configuration) {

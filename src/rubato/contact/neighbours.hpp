@@ -6,11 +6,18 @@
 /// node left out cannot have become the nearest before 2 (a + b) > s; only then the search is repeated. (L.
 /// Verlet, Computer "experiments" on classical fluids I, Phys. Rev. 159, 1967, keeps such lists of
 /// neighbours.)
+///
+/// Hopping. In a valley between two faces each of them pushes the point onto the other one, and on a ridge
+/// off itself: no iterate ends on the face that its forces were computed with, and the answer lies on their
+/// common edge. A point that comes back to a face it has left in the same attempt at a step therefore stays
+/// on one of the two, the first in the surface, continued a little beyond its border: normal and place are
+/// smooth there.
 #pragma once
 
 #include "rubato/contact/pairing.hpp"
 #include "rubato/contact/zone.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,8 +33,14 @@ public:
   void update(const Configuration& configuration);
   /// The same of some of the slave points: the other pairs stay what they were.
   void update(const Configuration& configuration, std::span<const std::size_t> points);
-  /// What find_pairs gives there, one a slave point.
+  /// What find_pairs gives there, one a slave point, but for points that hop between faces.
   std::span<const Pair> pairs() const { return pairs_; }
+
+  /// Forgets which faces the points have been on: Newton's iterations begin.
+  void forget_visits();
+  /// Lets points go that stay on a face and have come to stand more than a trace beyond its border, each
+  /// once: they may have hopped only on the way. Whether there were any.
+  bool release_strays();
 
   const Zone& zone() const { return *zone_; }
   int searches() const { return searches_; }
@@ -35,10 +48,19 @@ public:
 private:
   void follow(const Configuration& configuration);
   void pair(std::size_t point);
+  bool stays_on(std::size_t point, int face);
   void locate(const Configuration& configuration);
   double moved_since_search() const;
   void search();
   std::size_t nearest_of(std::size_t point) const;
+
+  /// Faces that a point has been on, the last one first.
+  struct Visits {
+    std::array<int, 4> faces{-1, -1, -1, -1};
+    int held = -1;     ///< the face that it stays on, beyond its border too, or −1
+    double beyond = 0; ///< how far it is outside that face, in its reference lengths
+    bool released = false;
+  };
 
   using Points = std::vector<Eigen::Vector3d>;
   const Zone* zone_;
@@ -50,6 +72,7 @@ private:
   std::vector<std::size_t> start_;        ///< of each slave point in near_; one more at the end
   std::vector<std::uint32_t> near_nodes_; ///< positions in the master's nodes
   std::vector<Pair> pairs_;
+  std::vector<Visits> visits_; ///< of each slave point in this attempt
   int searches_ = 0;
 };
 

@@ -109,6 +109,11 @@ Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::spa
   return {best.face, best.projection};
 }
 
+Pair pair_on(const Zone& zone, int face, const Vector3d& x, std::span<const Vector3d> master) {
+  const auto& of_zone = zone.master.faces[static_cast<std::size_t>(face)];
+  return {face, project(of_zone.type, coordinates_of(of_zone, master), x)};
+}
+
 FaceCoordinates deformed(const Face& face, const Configuration& configuration) {
   FaceCoordinates coordinates(3, face.node_count);
   for (int i = 0; i < face.node_count; ++i)

@@ -31,6 +31,9 @@ std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuratio
 Pair pair_around(const Zone& zone, std::size_t node, const Eigen::Vector3d& x,
                  std::span<const Eigen::Vector3d> master, int guess = -1);
 
+/// The projection of a point at `x` on one face of the master, however far beyond its border.
+Pair pair_on(const Zone& zone, int face, const Eigen::Vector3d& x, std::span<const Eigen::Vector3d> master);
+
 /// Current coordinates of a face's nodes.
 FaceCoordinates deformed(const Face& face, const Configuration& configuration);
 

@@ -25,9 +25,13 @@ FaceCoordinates undeformed(const mesh::Mesh& mesh, const Face& face) {
   return coordinates;
 }
 
-/// Part of the largest area of a point that is rounding: the end of a quadratic face on the axis of
-/// revolution has none.
+/// Part of the largest area of a point that is rounding.
 constexpr double no_area = 1e-12;
+/// Part of a face on the axis of revolution that lies nearer to its node there than to the next one, h/2
+/// away: (h/4)²/h².
+constexpr double axis_share = 1.0 / 16;
+/// Radius, in lengths of the surface's longest edge, that is rounding of 0.
+constexpr double on_axis = 1e-9;
 /// Gauss points that integrate a shape function over a ring exactly where its face is straight.
 constexpr int ring_points = 3;
 
@@ -59,6 +63,54 @@ void exclude_without_area(std::vector<SlavePoint>& points) {
   for (auto& point : points)
     if (std::abs(point.area) <= no_area * largest)
       point.excluded = true;
+}
+
+double ring_area(const mesh::Mesh& mesh, const Face& face, const ZoneGeometry& geometry) {
+  double sum = 0;
+  for (const auto& at : contact_rule(face.type, ring_points))
+    sum += at.weight * area_factor(mesh, face, at.xi, geometry);
+  return sum;
+}
+
+/// The other two points of a face, when all its nodes are points.
+std::optional<AxisPressure> pressure_beside(const mesh::Mesh& mesh, const Face& face, NodeIndex node,
+                                            const std::map<NodeIndex, std::size_t>& point_of_node) {
+  AxisPressure beside;
+  std::array<double, 2> squares{};
+  std::size_t found = 0;
+  for (const auto other : face.node_span()) {
+    const auto point = point_of_node.find(other);
+    if (other == node || point == point_of_node.end() || found == 2)
+      continue;
+    const double radius = mesh.points[static_cast<std::size_t>(other)].x();
+    beside.points[found] = point->second;
+    squares[found++] = radius * radius;
+  }
+  const double apart = squares[1] - squares[0];
+  if (found < 2 || apart == 0)
+    return std::nullopt;
+  beside.weights = {squares[1] / apart, -squares[0] / apart};
+  return beside;
+}
+
+/// The shape function of the node of a quadratic face on the axis has no integral over the ring: a uniform
+/// pressure puts no force there, and rounding or a bent face makes it anything. Such a node still touches: it
+/// gets the area around it. Where gaps close exactly its force doesn't depend on that; its pressure is taken
+/// from its neighbours.
+void give_axis_nodes_area(const mesh::Mesh& mesh, const Surface& slave,
+                          const std::map<NodeIndex, std::size_t>& point_of_node, const ZoneGeometry& geometry,
+                          std::vector<SlavePoint>& points) {
+  for (const auto& [node, index] : point_of_node) {
+    auto& point = points[index];
+    if (mesh.points[static_cast<std::size_t>(node)].x() > on_axis * slave.longest_edge)
+      continue;
+    const auto& face = slave.faces[static_cast<std::size_t>(point.stands_on.front().face)];
+    const double around = axis_share * ring_area(mesh, face, geometry);
+    if (point.area >= around)
+      continue;
+    point.area = around;
+    point.axis_pressure = pressure_beside(mesh, face, node, point_of_node);
+  }
 }
 
 bool is_excluded(std::span<const NodeIndex> excluded, NodeIndex node) {
@@ -130,6 +182,8 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const deck::ContactZ
         point.excluded = true;
     }
   }
+  if (geometry.measure == Measure::ring)
+    give_axis_nodes_area(mesh, slave, point_of_node, geometry, points);
   exclude_without_area(points);
   return points;
 }
@@ -157,6 +211,10 @@ Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Obstac
   auto zone = make_zone(mesh, settings, Surface(), std::move(slave), excluded_nodes, geometry);
   zone.obstacle = std::move(obstacle);
   return zone;
+}
+
+bool Zone::points_own_multipliers() const {
+  return std::ranges::all_of(points, [](const auto& point) { return point.node_position >= 0; });
 }
 
 std::span<const int> Zone::multiplier_variables() const {

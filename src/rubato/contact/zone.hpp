@@ -23,6 +23,13 @@ struct PointOnFace {
   Eigen::Vector2d xi = Eigen::Vector2d::Zero();
 };
 
+/// Where the pressure of a node on the axis of revolution is taken from: the other nodes of its face, by a
+/// parabola without slope on the axis, p = Σ weight · p(node).
+struct AxisPressure {
+  std::array<std::size_t, 2> points{}; ///< indices in the zone's points
+  std::array<double, 2> weights{};
+};
+
 /// Where contact is enforced. A slave node shared by several faces carries one point whose weight is the sum
 /// of theirs: its displacement, multiplier and master face are the same seen from each of them.
 struct SlavePoint {
@@ -35,6 +42,8 @@ struct SlavePoint {
   double weight = 0; ///< what tractions are multiplied with: the area, or 1 for nodal methods
   bool excluded = false;
   int node_position = -1; ///< position in the slave surface's nodes when the point stands on a node, else −1
+  /// Of a node on the axis of revolution whose shape function has no integral there.
+  std::optional<AxisPressure> axis_pressure;
 };
 
 struct Zone {
@@ -52,6 +61,10 @@ struct Zone {
   std::span<const int> multiplier_variables() const;
   int multipliers_per_node() const { return static_cast<int>(multiplier_variables().size()); }
   int multiplier_count() const { return static_cast<int>(slave.nodes.size()) * multipliers_per_node(); }
+
+  /// Whether every point stands on a node and has its multipliers for itself. Otherwise gaps close on average
+  /// over the faces only.
+  bool points_own_multipliers() const;
 };
 
 /// What the weight of a contact point is multiplied with: the thickness, or 2πr of the undeformed point.

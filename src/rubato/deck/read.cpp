@@ -203,6 +203,15 @@ Study parse_echo(std::string_view text, const std::string& file_name) {
   return parse(text, file_name, {}, OtherRuns::elsewhere).runs.front();
 }
 
+bool accepts(const Study& study, std::span<const Setting> settings) {
+  try {
+    parse(to_json(study), "", settings, OtherRuns::elsewhere);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 Deck read_deck(const std::filesystem::path& file, std::span<const Setting> settings) {
   if (std::filesystem::is_directory(file))
     throw InputError("found a folder, expected a deck file", {file.string()});

@@ -47,4 +47,7 @@ std::string to_json(const Study& study);
 /// as parse_deck does.
 Study parse_echo(std::string_view text, const std::string& file_name);
 
+/// Whether the study is still a sound one with these settings laid over it, as far as the deck alone tells.
+bool accepts(const Study& study, std::span<const Setting> settings);
+
 } // namespace rubato::deck

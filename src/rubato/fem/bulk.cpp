@@ -2,6 +2,7 @@
 #include "rubato/fem/bulk.hpp"
 
 #include "rubato/fem/reference_cell.hpp"
+#include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>
 
@@ -24,10 +25,8 @@ std::string middle_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
 } // namespace
 
 std::string cell_label(const mesh::Mesh& mesh, mesh::CellIndex cell) {
-  const auto [block, index] = mesh.place_of(cell);
-  const auto i = static_cast<std::size_t>(index);
-  const auto number = i < block->numbers.size() ? block->numbers[i] : cell + 1;
-  return fmt::format("cell {} ({}) at {}", number, mesh::topology(block->type).name, middle_of(mesh, cell));
+  return fmt::format("cell {} ({}) at {}", mesh::cell_name(mesh, cell),
+                     mesh::topology(mesh.type_of(cell)).name, middle_of(mesh, cell));
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #include "rubato/load/nodal_forces.hpp"
 
 #include "rubato/fem/shape_table.hpp"
+#include "rubato/mesh/names.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -19,9 +20,8 @@ using mesh::NodeIndex;
 void check_carried(const mesh::Mesh& mesh, const fem::DofMap& dofs, NodeIndex node) {
   if (dofs.has(node))
     return;
-  const auto i = static_cast<std::size_t>(node);
-  throw InputError(fmt::format("node N{} is loaded but carries no cell that could bear a force",
-                               i < mesh.node_numbers.size() ? mesh.node_numbers[i] : node + 1));
+  throw InputError(fmt::format("node {} is loaded but carries no cell that could bear a force",
+                               mesh::node_name(mesh, node)));
 }
 
 void add(const mesh::Mesh& mesh, const fem::DofMap& dofs, NodeIndex node, const Vector3d& value,

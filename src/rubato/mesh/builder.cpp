@@ -2,9 +2,11 @@
 #include "rubato/mesh/builder.hpp"
 
 #include "rubato/mesh/cell_parts.hpp"
+#include "rubato/mesh/names.hpp"
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace rubato::mesh {
 namespace {
@@ -42,6 +44,14 @@ void number_the_rest(std::span<std::int64_t> numbers, std::int64_t& last) {
       number = ++last;
 }
 
+/// Most meshes have no names: the list grows with the first one.
+void set_last(std::vector<std::string>& names, std::size_t size, std::string name) {
+  if (name.empty())
+    return;
+  names.resize(size);
+  names.back() = std::move(name);
+}
+
 } // namespace
 
 MeshBuilder::MeshBuilder(int dimension) {
@@ -54,22 +64,25 @@ MeshBuilder MeshBuilder::on_nodes_of(const Mesh& mesh) {
   MeshBuilder builder(mesh.dimension);
   builder.mesh_.points = mesh.points;
   builder.mesh_.node_numbers = mesh.node_numbers;
+  builder.mesh_.node_names = mesh.node_names;
   builder.mesh_.node_groups = mesh.node_groups;
   return builder;
 }
 
-NodeIndex MeshBuilder::add_node(const Eigen::Vector3d& point, std::int64_t number) {
+NodeIndex MeshBuilder::add_node(const Eigen::Vector3d& point, std::int64_t number, std::string name) {
   mesh_.points.push_back(point);
   mesh_.node_numbers.push_back(number);
+  set_last(mesh_.node_names, mesh_.points.size(), std::move(name));
   return mesh_.node_count() - 1;
 }
 
 MeshBuilder::CellHandle MeshBuilder::add_cell(CellType type, std::span<const NodeIndex> nodes,
-                                              std::int64_t number) {
+                                              std::int64_t number, std::string name) {
   auto& block = blocks_[static_cast<std::size_t>(type)];
   cells_.push_back({type, static_cast<CellIndex>(block.numbers.size())});
   block.nodes.insert(block.nodes.end(), nodes.begin(), nodes.end());
   block.numbers.push_back(number);
+  set_last(block.names, block.numbers.size(), std::move(name));
   return cell_count() - 1;
 }
 
@@ -128,6 +141,7 @@ Mesh MeshBuilder::build() && {
     if (!block.nodes.empty())
       mesh_.blocks.push_back(std::move(block));
   }
+  name_the_rest(mesh_);
   return std::move(mesh_);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The cells a mesh is made of: names, node counts, corners, edges and faces.
 ///
-/// Local numbering is VTK's (so results need no renumbering): corners, then mid-edge nodes, then face and
-/// body nodes; a cell of positive volume (area) has a positive Jacobian in that order. Faces are listed with
-/// their nodes in the order of the face's own cell type and their normal pointing out of the cell.
+/// Local numbering is VTK's, but for prisms, whose base VTK turns the other way round (mesh/io/vtu.cpp):
+/// corners, then mid-edge nodes, then face and body nodes; a cell of positive volume (area) has a positive
+/// Jacobian in that order. Faces are listed with their nodes in the order of the face's own cell type and
+/// their normal pointing out of the cell.
 ///   SEG3    0 1 | 2 in the middle
 ///   TRIA6   0 1 2 | 01 12 20 | TRIA7: + centre
 ///   QUAD8   0 1 2 3 | 01 12 23 30 | QUAD9: + centre

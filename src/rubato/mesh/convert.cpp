@@ -7,6 +7,7 @@
 #include "rubato/mesh/cell_parts.hpp"
 #include "rubato/mesh/corner_sets.hpp"
 #include "rubato/mesh/interpolation.hpp"
+#include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>
 
@@ -26,9 +27,11 @@ CornerSet corners_of(NodeSpan nodes, const CellTopology& shape) {
   return corner_set(nodes.first(static_cast<std::size_t>(shape.corner_count)));
 }
 
-std::int64_t number_of(const Mesh& mesh, CellIndex cell) {
-  const auto place = mesh.place_of(cell);
-  return place.block->numbers[static_cast<std::size_t>(place.index)];
+/// Adds what `cell` becomes, with its number and the name the file gave it.
+void add_as(MeshBuilder& builder, const Mesh& mesh, CellIndex cell, CellType type, NodeSpan nodes) {
+  const auto [block, index] = mesh.place_of(cell);
+  const auto i = static_cast<std::size_t>(index);
+  builder.add_cell(type, nodes, block->numbers[i], block->names.empty() ? "" : block->names[i]);
 }
 
 void keep_cell_groups(MeshBuilder& builder, const Mesh& mesh) {
@@ -125,7 +128,7 @@ public:
   Mesh build() && {
     for_each_cell(mesh_, [&](CellIndex cell, const CellTopology& shape, NodeSpan nodes) {
       if (stays(shape, nodes))
-        builder_.add_cell(shape.type, nodes, number_of(mesh_, cell));
+        add_as(builder_, mesh_, cell, shape.type, nodes);
       else
         add_full_cell(cell, shape, nodes);
     });
@@ -150,7 +153,7 @@ private:
         all.push_back(centre_of_side(cell, nodes, side));
       all.push_back(builder_.add_node(position(shape.type, nodes, builder_.points(), Vector3d::Zero())));
     }
-    builder_.add_cell(type, all, number_of(mesh_, cell));
+    add_as(builder_, mesh_, cell, type, all);
   }
 
   NodeIndex centre_of_side(CellIndex cell, NodeSpan nodes, const CellSide& side) {
@@ -158,7 +161,7 @@ private:
       throw InputError(
           fmt::format("cannot make HEXA27 of cell {}: it shares a face with a prism or a pyramid, which "
                       "has no node at the centre of that face",
-                      number_of(mesh_, cell)));
+                      cell_name(mesh_, cell)));
     std::array<NodeIndex, 8> face{};
     for (std::size_t i = 0; i < face.size(); ++i)
       face[i] = nodes[side.nodes[i]];
@@ -185,10 +188,11 @@ Mesh to_linear(const Mesh& mesh) {
   const auto kept = kept_nodes(mesh);
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (kept[i] >= 0)
-      builder.add_node(mesh.points[i], mesh.node_numbers[i]);
+      builder.add_node(mesh.points[i], mesh.node_numbers[i],
+                       mesh.node_names.empty() ? "" : mesh.node_names[i]);
   for_each_cell(mesh, [&](CellIndex cell, const CellTopology& shape, NodeSpan nodes) {
     const auto corners = nodes.first(static_cast<std::size_t>(shape.corner_count));
-    builder.add_cell(linear_type(shape.type), renumbered(corners, kept), number_of(mesh, cell));
+    add_as(builder, mesh, cell, linear_type(shape.type), renumbered(corners, kept));
   });
   for (const auto& group : mesh.node_groups)
     builder.add_to_node_group(group.name, renumbered(group.items, kept));
@@ -205,7 +209,7 @@ Mesh to_quadratic(const Mesh& mesh) {
     if (shape.order == 1)
       for (const auto& edge : shape.edges)
         all.push_back(middle_of_edge(builder, middles, corner_set(nodes, edge)));
-    builder.add_cell(quadratic_type(shape.type), all, number_of(mesh, cell));
+    add_as(builder, mesh, cell, quadratic_type(shape.type), all);
   });
   keep_cell_groups(builder, mesh);
   return std::move(builder).build();

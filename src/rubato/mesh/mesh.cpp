@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/mesh.hpp"
 
+#include "rubato/mesh/names.hpp"
+
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 
 namespace rubato::mesh {
@@ -11,24 +12,6 @@ namespace {
 const Group* find_group(const std::vector<Group>& groups, std::string_view name) {
   const auto found = std::ranges::find(groups, name, &Group::name);
   return found == groups.end() ? nullptr : &*found;
-}
-
-void sort_without_repeats(std::vector<NodeIndex>& nodes) {
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-}
-
-std::vector<NodeIndex> node_numbered(const Mesh& mesh, std::string_view text) {
-  if (!text.empty() && (text.front() == 'N' || text.front() == 'n'))
-    text.remove_prefix(1);
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size())
-    return {};
-  const auto found = std::ranges::find(mesh.node_numbers, number);
-  if (found == mesh.node_numbers.end())
-    return {};
-  return {static_cast<NodeIndex>(found - mesh.node_numbers.begin())};
 }
 
 } // namespace
@@ -63,18 +46,7 @@ const Group* Mesh::cell_group(std::string_view name) const {
 }
 
 std::vector<NodeIndex> nodes_named(const Mesh& mesh, std::string_view name) {
-  if (const auto* group = mesh.node_group(name))
-    return group->items;
-  if (const auto* group = mesh.cell_group(name)) {
-    std::vector<NodeIndex> nodes;
-    for (const auto cell : group->items) {
-      const auto of_cell = mesh.nodes_of(cell);
-      nodes.insert(nodes.end(), of_cell.begin(), of_cell.end());
-    }
-    sort_without_repeats(nodes);
-    return nodes;
-  }
-  return node_numbered(mesh, name);
+  return find_nodes(mesh, name).nodes;
 }
 
 std::vector<std::string> group_names(const Mesh& mesh) {

@@ -22,6 +22,7 @@ struct CellBlock {
   CellType type = CellType::point1;
   std::vector<NodeIndex> nodes;      ///< cell by cell, node_count(type) each
   std::vector<std::int64_t> numbers; ///< the file's own cell numbers, one a cell
+  std::vector<std::string> names = {}; ///< those the file gives its cells, one a cell; empty: it gives none
 
   CellIndex cell_count() const { return static_cast<CellIndex>(nodes.size()) / topology(type).node_count; }
   std::span<const NodeIndex> cell(CellIndex index_in_block) const {
@@ -40,7 +41,8 @@ struct Mesh {
   int dimension = 3;                      ///< of space: 2 (z = 0 everywhere) or 3
   std::vector<Eigen::Vector3d> points;    ///< node coordinates [length]
   std::vector<std::int64_t> node_numbers; ///< the file's own, one a node ("N90" means what the file means)
-  std::vector<CellBlock> blocks;          ///< at most one a cell type, in the order of CellType
+  std::vector<std::string> node_names; ///< those the file gives its nodes, one a node; empty: it gives none
+  std::vector<CellBlock> blocks;       ///< at most one a cell type, in the order of CellType
   std::vector<Group> node_groups;
   std::vector<Group> cell_groups; ///< a group of nodes and one of cells may share a name
 
@@ -59,8 +61,8 @@ struct Mesh {
   const Group* cell_group(std::string_view name) const;
 };
 
-/// The nodes a name stands for, ascending: a group of nodes, else the nodes of a group of cells, else a
-/// single node by its number in the file ("N90" or "90"). Empty when the name means nothing in this mesh.
+/// The nodes a name stands for, ascending; empty when it stands for none, or for two different things
+/// (names.hpp: the rules, and the reason).
 std::vector<NodeIndex> nodes_named(const Mesh& mesh, std::string_view name);
 
 /// Every group name, nodes' and cells', sorted and without repeats; for suggestions and listings.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace rubato::mesh {
 namespace {
@@ -144,9 +145,11 @@ std::span<const std::uint8_t> mirrored_numbering(CellType type) {
   return tables[static_cast<std::size_t>(type)];
 }
 
-CellIndex mend_orientation(Mesh& mesh) {
-  CellIndex mended = 0;
+std::vector<CellIndex> mend_orientation(Mesh& mesh) {
+  std::vector<CellIndex> mended;
+  CellIndex first = 0;
   for (auto& block : mesh.blocks) {
+    const auto first_of_block = std::exchange(first, first + block.cell_count());
     if (topology(block.type).dimension != mesh.dimension)
       continue;
     const auto mirror = mirrored_numbering(block.type);
@@ -155,7 +158,7 @@ CellIndex mend_orientation(Mesh& mesh) {
         continue;
       mirror_cell(std::span(block.nodes).subspan(static_cast<std::size_t>(i) * mirror.size(), mirror.size()),
                   mirror);
-      ++mended;
+      mended.push_back(first_of_block + i);
     }
   }
   return mended;

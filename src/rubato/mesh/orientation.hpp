@@ -21,8 +21,8 @@ double signed_measure(CellType type, std::span<const NodeIndex> nodes,
 /// It is its own inverse.
 std::span<const std::uint8_t> mirrored_numbering(CellType type);
 
-/// Mirrors the numbering of every bulk cell of negative measure, of any type; returns how many there were.
+/// Mirrors the numbering of every bulk cell of negative measure, of any type; returns these cells, ascending.
 /// The nodes stay where they are, and so do groups and cell numbers.
-CellIndex mend_orientation(Mesh& mesh);
+std::vector<CellIndex> mend_orientation(Mesh& mesh);
 
 } // namespace rubato::mesh

@@ -2,7 +2,9 @@
 #include "rubato/mesh/quality.hpp"
 
 #include "rubato/mesh/cell_parts.hpp"
+#include "rubato/mesh/names.hpp"
 #include "rubato/mesh/orientation.hpp"
+#include "rubato/mesh/rounding.hpp"
 #include "rubato/mesh/skin.hpp"
 
 #include <algorithm>
@@ -17,17 +19,19 @@ namespace {
 using Eigen::Vector3d;
 using NodeSpan = std::span<const NodeIndex>;
 
-constexpr double coincidence = 1e-9; ///< of the bounding box' diagonal
-
-void record(Findings& findings, std::int64_t number) {
+void record(Findings& findings, const std::string& name) {
   ++findings.count;
-  if (findings.first_numbers.size() < Findings::shown)
-    findings.first_numbers.push_back(number);
+  if (findings.first.size() < Findings::shown)
+    findings.first.push_back(name);
 }
 
-std::int64_t number_of(const Mesh& mesh, CellIndex cell) {
-  const auto place = mesh.place_of(cell);
-  return place.block->numbers[static_cast<std::size_t>(place.index)];
+void record_cell(Findings& findings, const Mesh& mesh, CellIndex cell) {
+  record(findings, cell_name(mesh, cell));
+}
+
+void record_node(Findings& findings, const Mesh& mesh, NodeIndex node) {
+  const auto i = static_cast<std::size_t>(node);
+  record(findings, mesh.node_names.empty() ? std::to_string(mesh.node_numbers[i]) : mesh.node_names[i]);
 }
 
 /// Nodes joined by cells: a forest with one tree for each connected set (union-find with path halving).
@@ -73,12 +77,14 @@ void measure_box(MeshReport& report, const Mesh& mesh) {
   }
 }
 
-TypeQuality examine_block(MeshReport& report, const Mesh& mesh, const CellBlock& block) {
-  TypeQuality quality{.type = block.type, .count = block.cell_count()};
+TypeQuality examine_block(MeshReport& report, const Mesh& mesh, const CellBlock& block,
+                          CellIndex first_cell) {
+  TypeQuality quality;
+  quality.type = block.type;
+  quality.count = block.cell_count();
   const bool bulk = topology(block.type).dimension == mesh.dimension;
   for (CellIndex i = 0; i < quality.count; ++i) {
     const auto nodes = block.cell(i);
-    const auto number = block.numbers[static_cast<std::size_t>(i)];
     if (bulk)
       report.bulk_measure += signed_measure(block.type, nodes, mesh.points, mesh.dimension);
     const auto jacobian = scaled_jacobian(block.type, nodes, mesh.points, mesh.dimension);
@@ -88,10 +94,10 @@ TypeQuality examine_block(MeshReport& report, const Mesh& mesh, const CellBlock&
     quality.mean_jacobian += *jacobian / quality.count;
     if (*jacobian < quality.smallest_jacobian) {
       quality.smallest_jacobian = *jacobian;
-      quality.worst_cell = number;
+      quality.worst_cell = cell_name(mesh, first_cell + i);
     }
     if (bulk && !(*jacobian > 0))
-      record(report.inverted_cells, number);
+      record_cell(report.inverted_cells, mesh, first_cell + i);
   }
   return quality;
 }
@@ -108,6 +114,13 @@ void measure_edges(MeshReport& report, const Mesh& mesh) {
     }
   });
   report.shortest_edge = std::isfinite(shortest) ? shortest : 0;
+}
+
+void find_flat_axis(MeshReport& report, const Mesh& mesh) {
+  const Vector3d extent = report.upper - report.lower;
+  for (int axis = 0; axis < mesh.dimension && !report.has_bulk_cells; ++axis)
+    if (extent[axis] <= coordinate_rounding * extent.norm())
+      report.flat_axis = axis;
 }
 
 GroupSummary summary_of_cells(const Mesh& mesh, const Group& group) {
@@ -133,6 +146,12 @@ void list_groups(MeshReport& report, const Mesh& mesh) {
       report.empty_groups.push_back(group.name);
 }
 
+void find_lost_nodes(MeshReport& report, const Mesh& mesh) {
+  for (NodeIndex node = 0; node < mesh.node_count(); ++node)
+    if (!mesh.points[static_cast<std::size_t>(node)].allFinite())
+      record_node(report.lost_nodes, mesh, node);
+}
+
 void find_free_nodes(MeshReport& report, const Mesh& mesh) {
   std::vector<bool> used(mesh.points.size(), false);
   for_each_cell(mesh, [&](CellIndex, const CellTopology&, NodeSpan nodes) {
@@ -141,7 +160,7 @@ void find_free_nodes(MeshReport& report, const Mesh& mesh) {
   });
   for (std::size_t i = 0; i < used.size(); ++i)
     if (!used[i])
-      record(report.free_nodes, mesh.node_numbers[i]);
+      record_node(report.free_nodes, mesh, static_cast<NodeIndex>(i));
 }
 
 /// Calls visit(node, other) for every two nodes nearer than `distance`. Nodes are sorted along a direction in
@@ -149,9 +168,11 @@ void find_free_nodes(MeshReport& report, const Mesh& mesh) {
 template <typename Visit>
 void for_each_near_pair(const std::vector<Vector3d>& points, double distance, Visit visit) {
   const Vector3d direction = Vector3d(1, std::numbers::sqrt2, std::numbers::pi).normalized();
-  std::vector<std::pair<double, NodeIndex>> order(points.size());
+  std::vector<std::pair<double, NodeIndex>> order;
+  order.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    order[i] = {direction.dot(points[i]), static_cast<NodeIndex>(i)};
+    if (points[i].allFinite())
+      order.emplace_back(direction.dot(points[i]), static_cast<NodeIndex>(i));
   std::ranges::sort(order);
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size() && order[j].first - order[i].first <= distance; ++j) {
@@ -165,18 +186,20 @@ void for_each_near_pair(const std::vector<Vector3d>& points, double distance, Vi
 void find_coincident_nodes(MeshReport& report, const Mesh& mesh, ConnectedNodes& connected) {
   std::vector<NodeIndex> duplicates;
   std::vector<NodeIndex> between_bodies;
-  for_each_near_pair(mesh.points, coincidence * (report.upper - report.lower).norm(),
-                     [&](NodeIndex first, NodeIndex second) {
-                       const bool two_bodies = connected.root(first) != connected.root(second) &&
-                                               connected.in_bulk(first) && connected.in_bulk(second);
-                       (two_bodies ? between_bodies : duplicates).push_back(second);
-                     });
+  const double size = (report.upper - report.lower).stableNorm();
+  if (!std::isfinite(size))
+    return;
+  for_each_near_pair(mesh.points, coordinate_rounding * size, [&](NodeIndex first, NodeIndex second) {
+    const bool two_bodies = connected.root(first) != connected.root(second) && connected.in_bulk(first) &&
+                            connected.in_bulk(second);
+    (two_bodies ? between_bodies : duplicates).push_back(second);
+  });
   for (auto* nodes : {&duplicates, &between_bodies}) {
     std::ranges::sort(*nodes);
     nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
   }
   for (const auto node : duplicates)
-    record(report.duplicate_nodes, mesh.node_numbers[static_cast<std::size_t>(node)]);
+    record_node(report.duplicate_nodes, mesh, node);
   report.coincident_between_bodies = static_cast<std::int64_t>(between_bodies.size());
 }
 
@@ -184,36 +207,45 @@ void find_stray_cells(MeshReport& report, const Mesh& mesh, ConnectedNodes& conn
   std::vector<CellIndex> faces;
   for_each_cell(mesh, [&](CellIndex cell, const CellTopology& shape, NodeSpan nodes) {
     if (!connected.in_bulk(nodes.front()))
-      record(report.loose_cells, number_of(mesh, cell));
+      record_cell(report.loose_cells, mesh, cell);
     else if (shape.dimension == mesh.dimension - 1)
       faces.push_back(cell);
   });
   for (const auto cell : oriented_faces(mesh, faces).unowned)
-    record(report.unowned_faces, number_of(mesh, cell));
+    record_cell(report.unowned_faces, mesh, cell);
 }
 
 } // namespace
 
 bool MeshReport::looks_right() const {
-  return free_nodes.count + inverted_cells.count + duplicate_nodes.count + loose_cells.count +
-                 unowned_faces.count ==
+  return lost_nodes.count + free_nodes.count + inverted_cells.count + duplicate_nodes.count +
+                 loose_cells.count + unowned_faces.count ==
              0 &&
          empty_groups.empty() && has_bulk_cells;
 }
 
-MeshReport examine(const Mesh& mesh) {
+MeshReport examine(const Mesh& as_read) {
   MeshReport report;
+  Mesh mesh = as_read;
+  for (const auto cell : mend_orientation(mesh))
+    record_cell(report.reversed_cells, mesh, cell);
   report.dimension = mesh.dimension;
   report.nodes = mesh.node_count();
+  report.names_nodes = !mesh.node_names.empty();
   measure_box(report, mesh);
-  for (const auto& block : mesh.blocks)
-    report.types.push_back(examine_block(report, mesh, block));
+  CellIndex first_cell = 0;
+  for (const auto& block : mesh.blocks) {
+    report.types.push_back(examine_block(report, mesh, block, first_cell));
+    first_cell += block.cell_count();
+  }
   measure_edges(report, mesh);
   list_groups(report, mesh);
 
   ConnectedNodes connected(mesh);
   report.connected_bodies = connected.body_count();
   report.has_bulk_cells = report.connected_bodies > 0;
+  find_flat_axis(report, mesh);
+  find_lost_nodes(report, mesh);
   find_free_nodes(report, mesh);
   find_coincident_nodes(report, mesh, connected);
   find_stray_cells(report, mesh, connected);

@@ -24,7 +24,7 @@ struct TypeQuality {
   bool has_jacobian = false;
   double smallest_jacobian = std::numeric_limits<double>::infinity();
   double mean_jacobian = 0;
-  std::int64_t worst_cell = 0; ///< its number
+  std::string worst_cell; ///< its name or number in the file
 };
 
 struct GroupSummary {
@@ -36,16 +36,17 @@ struct GroupSummary {
   std::size_t count = 0;
 };
 
-/// How many, and the first few of their numbers in the file.
+/// How many, and what the file calls the first few of them: names, or numbers where it gives no names.
 struct Findings {
   static constexpr std::size_t shown = 8;
   std::int64_t count = 0;
-  std::vector<std::int64_t> first_numbers;
+  std::vector<std::string> first;
 };
 
 struct MeshReport {
   int dimension = 3;
   NodeIndex nodes = 0;
+  bool names_nodes = false; ///< the file gives its nodes names: decks call them by these, not by numbers
   std::vector<TypeQuality> types;
   std::vector<GroupSummary> groups;
   Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< bounding box
@@ -56,8 +57,9 @@ struct MeshReport {
   int connected_bodies = 0; ///< sets of bulk cells that share nodes
 
   // What looks wrong.
+  Findings lost_nodes;      ///< nodes with a coordinate that is not finite
   Findings free_nodes;      ///< nodes of no cell
-  Findings inverted_cells;  ///< bulk cells whose Jacobian is not positive at some corner
+  Findings inverted_cells;  ///< bulk cells whose Jacobian is not positive at some corner, reversed or not
   Findings duplicate_nodes; ///< nodes at the place of another node of the same body (or of no body)
   Findings loose_cells;     ///< cells not connected to any bulk cell
   Findings unowned_faces;   ///< cells of one dimension less than space that are no side of a bulk cell
@@ -66,11 +68,14 @@ struct MeshReport {
   bool looks_right() const;
 
   // Worth a note only.
+  Findings reversed_cells; ///< bulk cells whose nodes ran the wrong way round: runs mend them
+  int flat_axis = -1; ///< of a mesh in space with nothing but faces: the axis along which it has no extent
   std::int64_t coincident_between_bodies =
       0; ///< nodes at the place of a node of another body: fine for contact
 };
 
-/// Nodes count as coincident when nearer than 1e-9 of the bounding box' diagonal.
+/// Cells count with the orientation that runs give them (mend_orientation). Nodes count as coincident when
+/// nearer than coordinate_rounding of the bounding box' diagonal.
 MeshReport examine(const Mesh& mesh);
 
 /// The least of the Jacobian determinants at the corners, each divided by the lengths of the edge tangents

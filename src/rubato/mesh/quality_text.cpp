@@ -27,6 +27,8 @@ void write_overview(Out out, const MeshReport& report) {
                    report.upper[a]);
   fmt::format_to(out, "  {} {:.6g}\n", report.dimension == 3 ? "volume" : "area", report.bulk_measure);
   fmt::format_to(out, "  edges from {:.6g} to {:.6g}\n", report.shortest_edge, report.longest_edge);
+  if (report.names_nodes)
+    fmt::format_to(out, "  nodes have names in the file: decks call them by these\n");
 }
 
 void write_types(Out out, const MeshReport& report) {
@@ -58,12 +60,20 @@ void write_groups(Out out, const MeshReport& report) {
     fmt::format_to(out, "none\n");
 }
 
-void write_findings(Out out, std::string_view what, const Findings& findings) {
+void write_findings(Out out, std::string_view what, const Findings& findings, std::string_view begin = "  ") {
   if (findings.count == 0)
     return;
-  const bool more = findings.count > static_cast<std::int64_t>(findings.first_numbers.size());
-  fmt::format_to(out, "  {} {}: {}{}\n", findings.count, what, fmt::join(findings.first_numbers, " "),
+  const bool more = findings.count > static_cast<std::int64_t>(findings.first.size());
+  fmt::format_to(out, "{}{} {}: {}{}\n", begin, findings.count, what, fmt::join(findings.first, " "),
                  more ? " …" : "");
+}
+
+std::string hint_of_flat_axis(const MeshReport& report) {
+  constexpr std::string_view axes = "xyz";
+  if (report.dimension != 3 || report.flat_axis < 0 || report.flat_axis > 1)
+    return {};
+  return fmt::format(" (all nodes share one {}; the plane of a plane model is x, y)",
+                     axes[static_cast<std::size_t>(report.flat_axis)]);
 }
 
 void write_faults(Out out, const MeshReport& report) {
@@ -72,7 +82,9 @@ void write_faults(Out out, const MeshReport& report) {
   } else {
     fmt::format_to(out, "\nwhat looks wrong:\n");
     if (!report.has_bulk_cells)
-      fmt::format_to(out, "  no {} to compute on\n", report.dimension == 3 ? "solid cells" : "surface cells");
+      fmt::format_to(out, "  no {} to compute on{}\n",
+                     report.dimension == 3 ? "solid cells" : "surface cells", hint_of_flat_axis(report));
+    write_findings(out, "nodes with a coordinate that is not finite", report.lost_nodes);
     write_findings(out, "nodes of no cell", report.free_nodes);
     write_findings(out, "inverted or flat cells", report.inverted_cells);
     write_findings(out, "nodes at the place of another node of their body", report.duplicate_nodes);
@@ -81,6 +93,7 @@ void write_faults(Out out, const MeshReport& report) {
     if (!report.empty_groups.empty())
       fmt::format_to(out, "  empty groups: {}\n", fmt::join(report.empty_groups, ", "));
   }
+  write_findings(out, "reversed cells, mended in a run", report.reversed_cells, "note: ");
   if (report.coincident_between_bodies > 0)
     fmt::format_to(out, "note: {} coincident nodes of different bodies: fine for contact\n",
                    report.coincident_between_bodies);

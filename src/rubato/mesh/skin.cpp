@@ -3,6 +3,7 @@
 
 #include "rubato/mesh/cell_parts.hpp"
 #include "rubato/mesh/corner_sets.hpp"
+#include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>
 
@@ -112,9 +113,9 @@ std::vector<Owner> owners_of(const Mesh& mesh, const CornerSets& wanted, const N
   return owners;
 }
 
-std::int64_t number_of(const Mesh& mesh, CellIndex cell) {
-  const auto place = mesh.place_of(cell);
-  return place.block->numbers[static_cast<std::size_t>(place.index)];
+/// "number 12", or the cell's name in the file.
+std::string called(const Mesh& mesh, CellIndex cell) {
+  return (mesh.place_of(cell).block->names.empty() ? "number " : "") + cell_name(mesh, cell);
 }
 
 } // namespace
@@ -166,8 +167,8 @@ std::vector<std::string> faults_of(const Mesh& mesh, const OrientedFaces& surfac
   std::vector<std::string> sentences;
   const auto tell = [&](const std::vector<CellIndex>& cells, std::string_view what) {
     if (!cells.empty())
-      sentences.push_back(fmt::format("{} cell{} (the first: number {} of {}) {}", cells.size(),
-                                      cells.size() == 1 ? "" : "s", number_of(mesh, cells.front()),
+      sentences.push_back(fmt::format("{} cell{} (the first: {} of {}) {}", cells.size(),
+                                      cells.size() == 1 ? "" : "s", called(mesh, cells.front()),
                                       topology(mesh.type_of(cells.front())).name, what));
   };
   tell(surface.not_faces, mesh.dimension == 3 ? "found where faces (triangles, quadrangles) are expected"

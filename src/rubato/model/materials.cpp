@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 
 #include <fmt/format.h>
@@ -47,14 +48,13 @@ public:
     if (count == 0)
       return;
     const auto first = *std::ranges::find_if(bulk_, bare);
-    const auto place = mesh_.place_of(first);
     const auto at = study_.materials.empty() ? Location{} : study_.materials.front().at;
     faults_.push_back(
         {at,
          fmt::format("{} of {} cells have no material, the first one is cell {} ({}); expected one for every "
                      "cell (`cells: all`, or a group)",
-                     count, bulk_.size(), place.block->numbers[static_cast<std::size_t>(place.index)],
-                     mesh::topology(place.block->type).name)});
+                     count, bulk_.size(), mesh::cell_name(mesh_, first),
+                     mesh::topology(mesh_.type_of(first)).name)});
   }
 
 private:

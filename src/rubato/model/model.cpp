@@ -5,8 +5,10 @@
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/generate.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/mesh/names.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/refine.hpp"
+#include "rubato/mesh/rounding.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/contact_mass.hpp"
 
@@ -110,6 +112,8 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   Model model;
   model.study = study;
   model.mesh = std::move(mesh);
+  if (study.physics == deck::Physics::axisymmetric)
+    mesh::snap_to_axis(model.mesh);
   std::vector<Fault> faults;
   model.bulk = make_bulk(study, model.mesh, faults);
   const auto known = faults.size();
@@ -223,9 +227,9 @@ SparseMatrix free_part(const Model& model, const SparseMatrix& matrix) {
 
 std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node) {
   const auto& x = mesh.points[static_cast<std::size_t>(node)];
-  const auto number = mesh.node_numbers[static_cast<std::size_t>(node)];
-  return mesh.dimension == 2 ? fmt::format("N{} ({:.6g}, {:.6g})", number, x[0], x[1])
-                             : fmt::format("N{} ({:.6g}, {:.6g}, {:.6g})", number, x[0], x[1], x[2]);
+  const auto name = mesh::node_name(mesh, node);
+  return mesh.dimension == 2 ? fmt::format("{} ({:.6g}, {:.6g})", name, x[0], x[1])
+                             : fmt::format("{} ({:.6g}, {:.6g}, {:.6g})", name, x[0], x[1], x[2]);
 }
 
 } // namespace rubato::model

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/mesh/names.hpp"
+
 #include "rubato/model/build.hpp"
 
 #include <fmt/format.h>
@@ -7,10 +9,10 @@
 namespace rubato::model {
 namespace {
 
-std::string unknown_group(const mesh::Mesh& mesh, const deck::Name& name, std::string_view expected) {
+std::string unknown_group(const mesh::Mesh& mesh, const deck::Name& name) {
   const auto names = mesh::group_names(mesh);
   const auto nearest = nearest_word(name.text, names);
-  auto text = fmt::format("found '{}', expected {}", name.text, expected);
+  const auto text = fmt::format("found '{}', expected a group of cells of the mesh", name.text);
   if (!nearest.empty())
     return text + fmt::format("; did you mean '{}'?", nearest);
   return text + (names.empty() ? std::string("; the mesh has no groups")
@@ -26,7 +28,7 @@ const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, s
       faults.push_back(
           {name.at, fmt::format("group '{}' holds nodes, expected a group of cells", name.text)});
     else
-      faults.push_back({name.at, unknown_group(mesh, name, "a group of cells of the mesh")});
+      faults.push_back({name.at, unknown_group(mesh, name)});
   } else if (group->items.empty()) {
     faults.push_back({name.at, fmt::format("group '{}' is empty, expected cells in it", name.text)});
     group = nullptr;
@@ -36,10 +38,10 @@ const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, s
 
 std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const deck::Name& name,
                                             std::vector<Fault>& faults) {
-  auto nodes = mesh::nodes_named(mesh, name.text);
-  if (nodes.empty())
-    faults.push_back({name.at, unknown_group(mesh, name, "a group or a node ('N90') of the mesh")});
-  return nodes;
+  auto found = mesh::find_nodes(mesh, name.text);
+  if (found.nodes.empty())
+    faults.push_back({name.at, found.fault});
+  return found.nodes;
 }
 
 std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const fem::DofMap& dofs,

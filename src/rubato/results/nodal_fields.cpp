@@ -46,6 +46,10 @@ void put_pressure(const contact::Zone& zone, const contact::ZoneState& state, st
   VectorXd share = VectorXd::Zero(pressure.size());
   for (Index i = 0; own && i < pressure.size(); ++i)
     pressure[i] = state.multipliers[i * zone.multipliers_per_node()];
+  for (const auto& point : zone.points)
+    if (own && point.axis_pressure)
+      pressure[point.node_position] =
+          state.outcomes[static_cast<std::size_t>(&point - zone.points.data())].pressure;
   for (std::size_t i = 0; !own && i < zone.points.size(); ++i) {
     const auto& point = zone.points[i];
     for (std::size_t j = 0; j < point.multipliers.size(); ++j) {

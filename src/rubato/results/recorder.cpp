@@ -3,6 +3,7 @@
 
 #include "rubato/deck/read.hpp"
 #include "rubato/mesh/io/med.hpp"
+#include "rubato/results/attempt_json.hpp"
 #include "rubato/results/history.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
@@ -63,7 +64,7 @@ const Eigen::VectorXd& field_of(const step::State& state, deck::ProbeField field
   return state.reaction;
 }
 
-ordered_json to_json(const CheckResult& r) {
+ordered_json check_json(const CheckResult& r) {
   ordered_json json{{"quantity", r.quantity},
                     {"at", r.at},
                     {"reference", r.reference},
@@ -248,38 +249,6 @@ private:
     med_copy_ = copy;
   }
 
-  ordered_json to_json(const Failure& failure) const {
-    const auto& report = failure.report;
-    ordered_json json{{"begin", failure.begin},
-                      {"end", failure.end},
-                      {"cut_level", failure.cut_level},
-                      {"outcome", step::to_string(report.outcome)},
-                      {"level", step::level_of(report.outcome)},
-                      {"iterations", report.iterations},
-                      {"residual", finite(report.residual)},
-                      {"tolerance", report.tolerance},
-                      {"worst_nodes", ordered_json::array()},
-                      {"status_changes", report.status_changes},
-                      {"restless", ordered_json::array()},
-                      {"advice", failure.advice}};
-    if (!failure.not_finite.empty())
-      json["not_finite"] = failure.not_finite;
-    for (const auto& worst : report.worst)
-      json["worst_nodes"].push_back(
-          {{"node", model::node_label(model_.mesh, worst.node)}, {"residual", finite(worst.residual)}});
-    for (const auto& point : report.restless)
-      json["restless"].push_back({{"zone", model_.zones[static_cast<std::size_t>(point.zone)].settings.name},
-                                  {"node", model::node_label(model_.mesh, point.node)},
-                                  {"before", contact::to_string(point.before)},
-                                  {"now", contact::to_string(point.now)}});
-    return json;
-  }
-
-  /// JSON knows no infinity.
-  static ordered_json finite(double value) {
-    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-  }
-
   /// Written beside and then renamed: whoever reads it meanwhile finds a whole one.
   void write_summary(const Ending& ending, const std::vector<CheckResult>& checks) const {
     ordered_json json{{"run", model_.study.name},
@@ -296,9 +265,9 @@ private:
                       {"checks", ordered_json::array()},
                       {"study", ordered_json::parse(deck::to_json(model_.study))}};
     if (ending.failure)
-      json["failure"] = to_json(*ending.failure);
+      json["failure"] = to_json(model_, *ending.failure);
     for (const auto& check : checks)
-      json["checks"].push_back(results::to_json(check));
+      json["checks"].push_back(check_json(check));
     write_whole(folder_ / summary_file, [&](const std::filesystem::path& beside) {
       auto file = opened(beside);
       file << json.dump(2) << '\n';
@@ -349,27 +318,7 @@ private:
   }
 
   void write_attempt(const Attempt& attempt, const step::StepReport& report) {
-    ordered_json json; // filled entry by entry: a list of them would be copied twice, in every step
-    json["begin"] = attempt.begin;
-    json["end"] = attempt.end;
-    json["cut_level"] = attempt.cut_level;
-    json["accepted"] = attempt.accepted;
-    json["outcome"] = step::to_string(report.outcome);
-    json["iterations"] = report.iterations;
-    json["residual"] = report.residual;
-    json["status_changes"] = report.status_changes;
-    json["geometry_by_loop"] = report.geometry_by_loop;
-    json["friction_continuation"] = report.friction_continuation;
-    json["seconds"] = attempt.seconds;
-    for (const auto& round : report.rounds)
-      json["rounds"].push_back({{"level", step::to_string(round.level)},
-                                {"round", round.round},
-                                {"iterations", round.iterations},
-                                {"change", round.change},
-                                {"settled", round.settled}});
-    if (!attempt.accepted && report.worst_node >= 0)
-      json["worst_node"] = model::node_label(model_.mesh, report.worst_node);
-    steps_.add(json.dump());
+    steps_.add(to_json(model_, attempt, report).dump());
   }
 
   bool has_fields() const { return model_.study.fields.vtu || model_.study.fields.med; }

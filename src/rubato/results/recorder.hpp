@@ -13,6 +13,7 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
+#include "rubato/results/attempt.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/results/run_status.hpp"
@@ -28,25 +29,6 @@
 #include <vector>
 
 namespace rubato::results {
-
-/// One attempt at a step.
-struct Attempt {
-  double begin = 0;
-  double end = 0;
-  int cut_level = 0;
-  bool accepted = false;
-  double seconds = 0; ///< processor time
-};
-
-/// The attempt that no step led on from.
-struct Failure {
-  double begin = 0;
-  double end = 0;
-  int cut_level = 0;
-  step::StepReport report;
-  std::string not_finite;          ///< the first thing that was not finite, in words; empty when all was
-  std::vector<std::string> advice; ///< what may help, each a few words
-};
 
 /// How a run ended.
 struct Ending {

@@ -16,6 +16,10 @@ namespace {
 
 constexpr std::size_t vector_size = 3;
 
+/// Of an instant. Nine steps of 0.001 add up to 0.009000000000000001: what rounding adds, over many steps
+/// more than the last digit, is not shown.
+constexpr int shown_digits = 12;
+
 std::vector<double> with_third_component(std::span<const double> values) {
   std::vector<double> padded(values.size() / 2 * vector_size, 0.0);
   for (std::size_t i = 0; i < values.size() / 2 * 2; ++i)
@@ -87,7 +91,7 @@ void PvdSeries::write() const {
           "file '{}' cannot be written: is there such a folder, and may you write into it?", path_.string()));
     stream << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
     for (const auto& entry : entries_)
-      stream << fmt::format(R"(<DataSet timestep="{}" part="0" file="{}"/>)", entry.time,
+      stream << fmt::format(R"(<DataSet timestep="{:.{}g}" part="0" file="{}"/>)", entry.time, shown_digits,
                             mesh::xml_escaped(entry.file.generic_string()))
              << '\n';
     stream << "</Collection>\n</VTKFile>\n";

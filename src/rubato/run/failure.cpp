@@ -1,24 +1,38 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/failure.hpp"
 
+#include "rubato/run/advice.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace rubato::run {
 namespace {
 
-using step::Outcome;
+using step::Criterion;
+using step::Unmet;
 
 /// A message names that many nodes and points; run.json has more.
 constexpr std::size_t named = 3;
 
-const contact::Zone& zone_of(const model::Model& model, const step::RestlessPoint& point) {
-  return model.zones[static_cast<std::size_t>(point.zone)];
+const std::string& zone_name(const model::Model& model, int zone) {
+  return model.zones[static_cast<std::size_t>(zone)].settings.name;
 }
 
-std::string worst_of(const model::Model& model, const step::StepReport& report) {
+std::string node_of(const model::Model& model, const Unmet& unmet) {
+  return model::node_label(model.mesh, unmet.node);
+}
+
+/// ", and of 3 more points"
+std::string others(const Unmet& unmet, std::string_view before) {
+  if (unmet.count < 2)
+    return "";
+  return fmt::format(", {}{} more point{}", before, unmet.count - 1, unmet.count > 2 ? "s" : "");
+}
+
+std::string residual_of(const model::Model& model, const step::StepReport& report) {
   std::vector<std::string> nodes;
   for (const auto& worst : report.worst)
     if (nodes.size() < named)
@@ -26,7 +40,9 @@ std::string worst_of(const model::Model& model, const step::StepReport& report) 
                                   nodes.empty() ? fmt::format("{:.2e}", worst.residual)
                                                 : fmt::format("{:.1e}", worst.residual),
                                   model::node_label(model.mesh, worst.node)));
-  return fmt::format("{}", fmt::join(nodes, ", "));
+  if (nodes.empty())
+    nodes.push_back(fmt::format("{:.2e}", report.residual));
+  return fmt::format("residual {} (wanted {:.0e})", fmt::join(nodes, ", "), report.tolerance);
 }
 
 std::string restless_of(const model::Model& model, const step::StepReport& report) {
@@ -34,61 +50,78 @@ std::string restless_of(const model::Model& model, const step::StepReport& repor
   for (const auto& point : report.restless)
     if (points.size() < named)
       points.push_back(fmt::format("{} of zone '{}' ({} and {})", model::node_label(model.mesh, point.node),
-                                   zone_of(model, point).settings.name, contact::to_string(point.before),
+                                   zone_name(model, point.zone), contact::to_string(point.before),
                                    contact::to_string(point.now)));
   return fmt::format("{} contact points kept changing their status, among them {}", report.status_changes,
                      fmt::join(points, ", "));
 }
 
-void advise_on_loops(const contact::Zone& zone, Outcome outcome, std::vector<std::string>& advice) {
-  const auto loop = [&](Outcome failed, const deck::Level& level, const char* name) {
-    if (outcome == failed && level.by == deck::Iteration::fixed_point)
-      advice.push_back(fmt::format("contact.{}.iterate.{}: newton", zone.settings.name, name));
-  };
-  loop(Outcome::geometry_unsettled, zone.settings.geometry, "geometry");
-  loop(Outcome::friction_unsettled, zone.settings.threshold, "friction");
-  loop(Outcome::status_unsettled, zone.settings.status, "status");
+std::string gap_of(const model::Model& model, const Unmet& unmet) {
+  return fmt::format("the gap of zone '{}' is not closed: {:.2e} at node {} (allowed {:.1e}){}",
+                     zone_name(model, unmet.zone), unmet.value, node_of(model, unmet), unmet.allowed,
+                     others(unmet, "and at "));
 }
 
-void advise_on_coefficients(const contact::Zone& zone, std::vector<std::string>& advice) {
-  const auto& settings = zone.settings;
-  const bool springs =
-      settings.friction > 0 && settings.friction_method != deck::FrictionMethod::augmented_lagrangian;
-  if (springs && settings.tangential_coefficient)
-    advice.push_back(fmt::format("a smaller contact.{}.coefficients.tangential than {:g}, or none",
-                                 settings.name, *settings.tangential_coefficient));
-  if (!contact::is_exact(settings.method) && settings.normal_coefficient)
-    advice.push_back(fmt::format("a smaller contact.{}.coefficients.normal than {:g}, or none", settings.name,
-                                 *settings.normal_coefficient));
+std::string projection_of(const model::Model& model, const Unmet& unmet) {
+  const bool obstacle = model.zones[static_cast<std::size_t>(unmet.zone)].obstacle.has_value();
+  return fmt::format(
+      "{} still moves: by {:.2e}{} at node {} (allowed {:.0e}){}",
+      obstacle ? fmt::format("the normal of the obstacle of zone '{}'", zone_name(model, unmet.zone))
+               : fmt::format("the projection on the master of zone '{}'", zone_name(model, unmet.zone)),
+      unmet.value, obstacle ? "" : " of a face", node_of(model, unmet), unmet.allowed,
+      others(unmet, "and at "));
+}
+
+std::string lost_of(const model::Model& model, const Unmet& unmet) {
+  return fmt::format("contact was lost at node {} of zone '{}'{}: touched before, it faces nothing now",
+                     node_of(model, unmet), zone_name(model, unmet.zone), others(unmet, "and at "));
+}
+
+std::string loose_of(const model::Model& model) {
+  std::vector<std::string> bodies;
+  for (const auto& body : loose_bodies(model))
+    bodies.push_back(
+        fmt::format("the body of node {} along {}", model::node_label(model.mesh, body.node), body.axes));
+  return bodies.empty() ? "" : fmt::format("nothing but contact holds {}", fmt::join(bodies, ", "));
+}
+
+std::string geometry_loop_of(const model::Model& model, const Unmet& unmet) {
+  if (!std::isfinite(unmet.value))
+    return "the geometry loop had one round, two are the least";
+  return fmt::format("displacements still change by {:.2e} of what the step moves, most at node {} (allowed "
+                     "{:.0e})",
+                     unmet.value, node_of(model, unmet), unmet.allowed);
+}
+
+std::string friction_loop_of(const model::Model& model, const Unmet& unmet) {
+  return fmt::format("friction pressures still change by {:.2e} of the largest, most at node {} of zone '{}' "
+                     "(allowed {:.0e})",
+                     unmet.value, node_of(model, unmet), zone_name(model, unmet.zone), unmet.allowed);
+}
+
+std::string sentence(const model::Model& model, const step::StepReport& report, const Unmet& unmet) {
+  switch (unmet.criterion) {
+  case Criterion::residual:
+    return residual_of(model, report);
+  case Criterion::status:
+    return restless_of(model, report);
+  case Criterion::gap:
+    return gap_of(model, unmet);
+  case Criterion::projection:
+    return projection_of(model, unmet);
+  case Criterion::point_lost:
+    return lost_of(model, unmet);
+  case Criterion::singular:
+    return loose_of(model);
+  case Criterion::geometry_loop:
+    return geometry_loop_of(model, unmet);
+  case Criterion::friction_loop:
+    return friction_loop_of(model, unmet);
+  }
+  return "";
 }
 
 } // namespace
-
-bool feeds_on_contact(const model::Model& model, const time::Scheme& scheme) {
-  return time::is_undamped(scheme) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
-           return contact::is_exact(zone.settings.method);
-         });
-}
-
-std::vector<std::string> advice(const model::Model& model, const time::Scheme& scheme,
-                                const step::StepReport& report) {
-  std::vector<std::string> advice;
-  if (report.outcome == Outcome::not_finite)
-    advice.emplace_back("look at the loads and the mesh there");
-  if (report.outcome == Outcome::singular_matrix)
-    advice.emplace_back("supports for bodies that only contact holds");
-  for (const auto& zone : model.zones) {
-    advise_on_loops(zone, report.outcome, advice);
-    advise_on_coefficients(zone, advice);
-  }
-  if (feeds_on_contact(model, scheme))
-    advice.emplace_back("time: {scheme: moreau_jean}, which gains no energy from contact");
-  advice.emplace_back("a shorter time.step");
-  if (!report.restless.empty())
-    advice.push_back(fmt::format("a look at the mesh around {}",
-                                 model::node_label(model.mesh, report.restless.front().node)));
-  return advice;
-}
 
 std::string explain(const model::Model& model, const results::Failure& failure) {
   const auto& report = failure.report;
@@ -96,10 +129,9 @@ std::string explain(const model::Model& model, const results::Failure& failure) 
                           failure.end, step::to_string(report.outcome), report.iterations);
   if (!failure.not_finite.empty())
     text += fmt::format("; the first that is not finite: {}", failure.not_finite);
-  else if (!report.worst.empty())
-    text += fmt::format("; residual {} (wanted {:.0e})", worst_of(model, report), report.tolerance);
-  if (!report.restless.empty())
-    text += "; " + restless_of(model, report);
+  for (const auto& unmet : report.unmet)
+    if (const auto line = sentence(model, report, unmet); !line.empty() && failure.not_finite.empty())
+      text += "; " + line;
   if (!failure.advice.empty())
     text += fmt::format("; what may help: {}", fmt::join(failure.advice, "; "));
   return text;

@@ -2,6 +2,7 @@
 #include "rubato/run/time_loop.hpp"
 
 #include "rubato/results/recorder.hpp"
+#include "rubato/run/advice.hpp"
 #include "rubato/run/checkpoints.hpp"
 #include "rubato/run/explicit_loop.hpp"
 #include "rubato/run/failure.hpp"
@@ -224,9 +225,21 @@ private:
     ++result_.steps;
     result_.iterations += report.iterations;
     energy_.note(trial.t, account_.ledger());
+    tell_rounding(trial.t, report);
     committed_ = std::move(trial);
     if (keeper_.is_due(result_.steps, committed_.t, attempt.end - attempt.begin) && !control_.finished())
       keep_checkpoint();
+  }
+
+  /// Once a run.
+  void tell_rounding(double t, const step::StepReport& report) {
+    if (report.rounding == 0 || told_rounding_)
+      return;
+    told_rounding_ = true;
+    watch_.say(
+        fmt::format("{}: at t = {:g} rounding of the forces leaves a residual of {:.1e} (wanted {:.0e}); "
+                    "the step counts as converged, and so do later ones",
+                    model_.study.name, t, report.rounding, report.tolerance));
   }
 
   /// A run that ends here is kept as it was before the attempt: resumed with other means, it makes it again.
@@ -241,7 +254,8 @@ private:
       return;
     }
     result_.status = Status::not_converged;
-    failure_ = {attempt.begin, attempt.end, attempt.cut_level, report, {}, advice(model_, scheme_, report)};
+    failure_ = {attempt.begin, attempt.end, attempt.cut_level, report, {}, {}};
+    failure_->advice = advice(model_, scheme_, *failure_);
     if (report.outcome == step::Outcome::not_finite)
       failure_->not_finite = step::first_not_finite(model_, attempt.end, trial, report);
     result_.message = explain(model_, *failure_);
@@ -262,6 +276,7 @@ private:
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;
   bool broken_off_ = false;
+  bool told_rounding_ = false;
   std::optional<results::Failure> failure_;
   RunResult result_;
 };

@@ -4,6 +4,8 @@
 #include "rubato/step/cycle_watch.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rubato::step {
@@ -18,21 +20,6 @@ using model::Model;
 constexpr int guess_rounds = 10;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
 constexpr double settled_guess = 3e-3;
-
-/// Which of their points stick and which slip is often not unique: the last step's statuses are the better
-/// start then, and the one that other codes take.
-bool has_friction_springs(const contact::Zone& zone) {
-  return zone.settings.friction > 0 && zone.settings.friction_method == deck::FrictionMethod::nodal_penalty;
-}
-
-bool starts_from_guess(const Model& model, Start start) {
-  return start == Start::guess ||
-         (start == Start::usual && std::ranges::none_of(model.zones, has_friction_springs));
-}
-
-bool owns_its_multipliers(const contact::Zone& zone) {
-  return std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
-}
 
 /// Nothing of an attempt before is seen but the storage it left.
 CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme, int components) {
@@ -58,16 +45,23 @@ void CondensedScratch::forget() {
 bool can_condense(const Model& model, const EffectiveSystem& system) {
   return system.compliance && !model.zones.empty() &&
          std::ranges::all_of(model.zones, [](const contact::Zone& zone) {
-           return owns_its_multipliers(zone) && zone.settings.method != deck::ContactMethod::nodal_pcg;
+           return zone.points_own_multipliers() && zone.settings.method != deck::ContactMethod::nodal_pcg;
+         });
+}
+
+bool can_guess(const Model& model, const EffectiveSystem& system) {
+  return system.compliance && !model.zones.empty() &&
+         std::ranges::none_of(model.zones, [](const contact::Zone& zone) {
+           return zone.settings.method == deck::ContactMethod::nodal_pcg;
          });
 }
 
 std::optional<Start> other_start(const Model& model, const EffectiveSystem& system) {
-  const bool can_guess =
-      can_condense(model, system) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
+  const bool guesses =
+      can_guess(model, system) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
         return zone.settings.status.by == deck::Iteration::newton;
       });
-  if (!can_guess)
+  if (!guesses)
     return std::nullopt;
   return starts_from_guess(model, Start::usual) ? Start::last_step : Start::guess;
 }
@@ -84,44 +78,49 @@ StepReport Condensed::run(State& trial, const Held& held) {
   if (!started_) {
     start_from(trial);
     if (!equilibrium_.residual().allFinite())
-      return ended(Outcome::not_finite);
+      return ended(Outcome::not_finite, held);
     if (starts_from_guess(model_, side_.variant().start))
       guess_contact(trial, held);
   }
+  side_.start_iterations();
   CycleWatch cycle;
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
     if (!force().allFinite())
-      return ended(Outcome::not_finite);
-    if (iteration > 0 && settled(held)) {
+      return ended(Outcome::not_finite, held);
+    if (iteration > 0 && settled(trial, held)) {
       move_bulk(trial);
       const auto force = contact_force();
       if (in_equilibrium(trial, force)) {
         equilibrium_.finish(force, trial);
         side_.finish(held, now(), trial);
-        return ended(Outcome::converged);
+        return ended(Outcome::converged, held);
       }
       if (!equilibrium_.residual().allFinite())
-        return ended(Outcome::not_finite);
+        return ended(Outcome::not_finite, held);
       start_from(trial);
     }
     const bool may_cycle = iteration > 0 && report_.status_changes > 0;
     const auto part = may_cycle ? cycle.part_of_next(now(), force().norm()) : 1.0;
     if (!part)
-      return ended(Outcome::cycling);
+      return ended(Outcome::cycling, held);
     if (iteration == model_.study.newton.max_iterations)
       break;
     if (!iterate(trial, held, *part))
-      return ended(Outcome::singular_matrix);
+      return ended(Outcome::singular_matrix, held);
     ++report_.iterations;
   }
-  return ended(Outcome::too_many_iterations);
+  return ended(Outcome::too_many_iterations, held);
 }
 
-StepReport Condensed::ended(Outcome outcome) {
+StepReport Condensed::ended(Outcome outcome, const Held& held) {
   report_.outcome = outcome;
-  if (!report_.converged())
+  if (!report_.converged()) {
     report_.worst = equilibrium_.residual().allFinite() ? worst_on_surface() : equilibrium_.worst();
+    if (outcome != Outcome::not_finite)
+      side_.name_unmet(held, report_.iterations > 0 ? &previous() : nullptr, now(), report_);
+    name_unbalance(report_);
+  }
   return report_;
 }
 
@@ -154,6 +153,10 @@ void Condensed::guess_contact(State& trial, const Held& held) {
   touching.resize(model_.zones.size());
   move_surface(trial.contact_force(compliance.dof_of_position()), trial);
   side_.measure(trial, held, now());
+  if (side_.has_lost_its_way(now())) {
+    return_surface(trial);
+    side_.measure(trial, held, now());
+  }
   take_points(model_, side_, held, compliance, now(), moved_, trial, points);
   // Only points that are guessed are followed.
   measured_ = std::ranges::all_of(held, [](const HeldZone& zone) { return zone.status.empty(); });
@@ -166,6 +169,15 @@ void Condensed::guess_contact(State& trial, const Held& held) {
     move_frames(model_, compliance, now(), moved_, touching, points);
     if (guess.misfit(points, moved_) <= settled_guess)
       return;
+  }
+}
+
+/// To where the step starts.
+void Condensed::return_surface(State& trial) {
+  const auto& dofs = system_.compliance->dof_of_position();
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    trial.motion.u[dofs[i]] = side_.committed().motion.u[dofs[i]];
+    moved_[static_cast<Index>(i)] = trial.motion.u[dofs[i]] - base_.u[dofs[i]];
   }
 }
 
@@ -202,11 +214,33 @@ void Condensed::collect_forces(const Held& held) {
   }
 }
 
-bool Condensed::settled(const Held& held) {
+bool Condensed::settled(const State& trial, const Held& held) {
   side_.collect_restless(held, previous(), now(), report_);
   measure_surface();
-  return report_.residual <= report_.tolerance && report_.status_changes == 0 &&
-         side_.settled(held, previous(), now());
+  const bool stalled = surface_stall_.stalls(report_.residual);
+  if (report_.status_changes > 0 || !side_.settled(held, previous(), now()))
+    return false;
+  const bool balanced = report_.residual <= report_.tolerance || (stalled && surface_within_rounding(trial));
+  return balanced && !side_.release_strays();
+}
+
+/// A force follows the gap by the stiffness there, and gaps are differences of places.
+bool Condensed::surface_within_rounding(const State& trial) const {
+  constexpr double last_digits = 16 * std::numeric_limits<double>::epsilon();
+  const auto& dofs = system_.compliance->dof_of_position();
+  double reach = 0;
+  for (const int dof : dofs) {
+    const auto& place = model_.mesh.points[static_cast<std::size_t>(model_.node_of(dof))];
+    reach = std::max(reach, place.lpNorm<Eigen::Infinity>() + std::abs(trial.motion.u[dof]));
+  }
+  const double allowed = report_.tolerance * surface_scale();
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    const double left =
+        scheme_.contact_weight() * std::abs(force()[static_cast<Index>(i)] - applied_[static_cast<Index>(i)]);
+    if (left > std::max(allowed, last_digits * system_.diagonal[dofs[i]] * reach))
+      return false;
+  }
+  return true;
 }
 
 /// Until the bulk has been solved for, forces are measured by what they were measured by in the last step.
@@ -313,7 +347,12 @@ bool Condensed::in_equilibrium(const State& trial, const ContactForce& force) {
   equilibrium_.evaluate(trial.motion, force);
   equilibrium_.measure(trial.motion, force, report_);
   scale_ = equilibrium_.scale();
-  return report_.residual <= report_.tolerance;
+  if (report_.residual <= report_.tolerance)
+    return true;
+  if (!bulk_stall_.stalls(report_.residual) || !equilibrium_.within_rounding(trial.motion, report_.tolerance))
+    return false;
+  report_.rounding = report_.residual;
+  return true;
 }
 
 } // namespace rubato::step

@@ -22,6 +22,9 @@ namespace rubato::step {
 /// Whether every contact point of the model owns its multipliers and A is factored.
 bool can_condense(const model::Model& model, const EffectiveSystem& system);
 
+/// Whether the contact of a step can be guessed before it is solved: A is factored.
+bool can_guess(const model::Model& model, const EffectiveSystem& system);
+
 /// What a step on the points alone can start from beside the usual; nothing where no status is guessed.
 std::optional<Start> other_start(const model::Model& model, const EffectiveSystem& system);
 
@@ -66,9 +69,11 @@ private:
 
   void start_from(const State& trial);
   void guess_contact(State& trial, const Held& held);
+  void return_surface(State& trial);
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   void collect_forces(const Held& held);
-  bool settled(const Held& held);
+  bool settled(const State& trial, const Held& held);
+  bool surface_within_rounding(const State& trial) const;
   void measure_surface();
   double surface_scale() const;
   std::vector<WorstNode> worst_on_surface() const;
@@ -80,7 +85,7 @@ private:
   void move_bulk(State& trial);
   ContactForce contact_force() const;
   bool in_equilibrium(const State& trial, const ContactForce& force);
-  StepReport ended(Outcome outcome);
+  StepReport ended(Outcome outcome, const Held& held);
 
   const model::Model& model_;
   const time::Scheme& scheme_;
@@ -91,6 +96,7 @@ private:
   StepReport report_;
   double scale_; ///< of forces, what the residual is measured by
 
+  StallWatch surface_stall_, bulk_stall_;
   bool started_ = false;
   bool measured_ = false; ///< whether now() is at the iterate already
   time::Motion base_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/contact_side.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubato::step {
@@ -17,6 +18,9 @@ constexpr double settled_geometry = 1e-6;
 /// Gap of a point in contact, in the zone's edges, that counts as closed.
 constexpr double closed_gap = 1e-9;
 
+/// Penetration in edges beyond which a projection may be on any face.
+constexpr double deep_in_edges = 0.5;
+
 /// Augmentations may be anything; penalties are the user's.
 void vary(const contact::Zone& zone, const Variant& variant, contact::ZoneCoefficients& coefficients) {
   if (contact::is_exact(zone.settings.method))
@@ -28,14 +32,28 @@ void vary(const contact::Zone& zone, const Variant& variant, contact::ZoneCoeffi
 }
 
 /// A point on the border of two faces may belong to either; its place is the same.
-bool same_place(const contact::Pair& here, const contact::Pair& there) {
-  return here.master_face != there.master_face ||
-         (here.projection.clamped - there.projection.clamped).norm() <= settled_geometry;
+double move_on_master(const contact::Pair& here, const contact::Pair& there) {
+  return here.master_face != there.master_face ? 0.0
+                                               : (here.projection.clamped - there.projection.clamped).norm();
 }
 
 /// Obstacles have no coordinates on them, their curvature is all that a place changes.
-bool same_normal(const PointEvaluation& here, const PointEvaluation& there) {
-  return (here.kinematics->normal - there.kinematics->normal).norm() <= settled_geometry;
+double turn_of_normal(const PointEvaluation& here, const PointEvaluation& there) {
+  return (here.kinematics->normal - there.kinematics->normal).norm();
+}
+
+/// Before the first step every point may have the status of one that touches, also where nothing faces it.
+bool touches(const contact::ZoneState& zone, std::size_t point) {
+  return zone.status[point] != Status::open && point < zone.outcomes.size() &&
+         std::isfinite(zone.outcomes[point].gap);
+}
+
+/// Counts a point that does not meet a criterion, and keeps the one that is furthest from it.
+void take(std::optional<Unmet>& worst, const Unmet& found) {
+  const int count = worst ? worst->count + 1 : 1;
+  if (!worst || !(found.value * worst->allowed <= worst->value * found.allowed))
+    worst = found;
+  worst->count = count;
 }
 
 /// The statuses a solve starts with, where a point can have them.
@@ -144,6 +162,29 @@ void ContactSide::differentiate(const State& trial, const Held& held, std::size_
     contact::differentiate(model_.zones[zone], point, at_end(trial), iterate.points[zone][point]);
 }
 
+bool ContactSide::has_lost_its_way(const ContactIterate& now) const {
+  for (std::size_t z = 0; z < now.points.size(); ++z)
+    for (std::size_t i = 0; i < now.points[z].size(); ++i) {
+      const bool faces = now.points[z][i].kinematics.has_value();
+      if (faces ? now.points[z][i].variables.gap < -deep_in_edges * model_.zones[z].edge()
+                : touches(committed_.zones[z], i) && !model_.zones[z].points[i].excluded)
+        return true;
+    }
+  return false;
+}
+
+void ContactSide::start_iterations() const {
+  for (auto& neighbours : system_.neighbours)
+    neighbours.forget_visits();
+}
+
+bool ContactSide::release_strays() const {
+  bool any = false;
+  for (auto& neighbours : system_.neighbours)
+    any = neighbours.release_strays() || any;
+  return any;
+}
+
 void ContactSide::renew_status(const Held& held, ContactIterate& iterate) const {
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
     if (held[z].status.empty())
@@ -164,7 +205,20 @@ void ContactSide::collect_restless(const Held& held, const ContactIterate& befor
 }
 
 bool ContactSide::settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const {
-  return geometry_settled(held, before, now) && gaps_closed(now);
+  return !moving_projection(held, before, now) && !open_gap(held, now);
+}
+
+void ContactSide::name_unmet(const Held& held, const ContactIterate* before, const ContactIterate& now,
+                             StepReport& report) const {
+  const auto add = [&](const std::optional<Unmet>& unmet) {
+    if (unmet)
+      report.unmet.push_back(*unmet);
+  };
+  add(lost_point(before, now));
+  name_restless(report);
+  if (before != nullptr)
+    add(moving_projection(held, *before, now));
+  add(open_gap(held, now));
 }
 
 void ContactSide::finish(const Held& held, const ContactIterate& iterate, State& trial) const {
@@ -192,30 +246,63 @@ void ContactSide::measure_places(State& trial) const {
   }
 }
 
-bool ContactSide::geometry_settled(const Held& held, const ContactIterate& before,
-                                   const ContactIterate& now) const {
+std::optional<Unmet> ContactSide::moving_projection(const Held& held, const ContactIterate& before,
+                                                    const ContactIterate& now) const {
+  std::optional<Unmet> worst;
   for (std::size_t z = 0; z < now.points.size(); ++z)
     for (std::size_t i = 0; held[z].frames.empty() && i < now.points[z].size(); ++i) {
       if (now.status[z][i] == Status::open)
         continue;
       const auto& here = now.points[z][i];
       const auto& there = before.points[z][i];
-      if (model_.zones[z].obstacle ? !same_normal(here, there) : !same_place(here.pair, there.pair))
-        return false;
+      const double moved =
+          model_.zones[z].obstacle ? turn_of_normal(here, there) : move_on_master(here.pair, there.pair);
+      if (!(moved <= settled_geometry))
+        take(worst, {Criterion::projection, static_cast<int>(z), named_node(z, i), moved, settled_geometry});
     }
-  return true;
+  return worst;
 }
 
-bool ContactSide::gaps_closed(const ContactIterate& now) const {
+std::optional<Unmet> ContactSide::open_gap(const Held& held, const ContactIterate& now) const {
+  std::optional<Unmet> worst;
   for (std::size_t z = 0; z < now.points.size(); ++z) {
     const auto& zone = model_.zones[z];
+    if (!contact::is_exact(zone.settings.method))
+      continue;
     const double allowed = closed_gap * zone.edge();
-    for (std::size_t i = 0; contact::is_exact(zone.settings.method) && i < now.points[z].size(); ++i)
-      if (now.status[z][i] != Status::open && zone.points[i].node_position >= 0 &&
-          std::abs(now.points[z][i].variables.gap) > allowed)
-        return false;
+    const auto check = [&](double gap, mesh::NodeIndex node) {
+      if (!(gap <= allowed))
+        take(worst, {Criterion::gap, static_cast<int>(z), node, gap, allowed});
+    };
+    if (!zone.points_own_multipliers()) {
+      const auto mean = contact::largest_mean_gap(law_of(z, held), now.points[z], now.status[z]);
+      check(mean.value, zone.slave.nodes[static_cast<std::size_t>(mean.position)]);
+      continue;
+    }
+    for (std::size_t i = 0; i < now.points[z].size(); ++i)
+      if (now.status[z][i] != Status::open)
+        check(std::abs(now.points[z][i].variables.gap), named_node(z, i));
   }
-  return true;
+  return worst;
+}
+
+/// A law of velocities has frames for the points that touch in this step only: none of the others is lost.
+std::optional<Unmet> ContactSide::lost_point(const ContactIterate* before, const ContactIterate& now) const {
+  std::optional<Unmet> lost;
+  for (std::size_t z = 0; frames_.empty() && z < now.points.size(); ++z)
+    for (std::size_t i = 0; i < now.points[z].size(); ++i) {
+      const bool touched =
+          touches(committed_.zones[z], i) || (before != nullptr && before->status[z][i] != Status::open);
+      if (touched && !now.points[z][i].kinematics && !model_.zones[z].points[i].excluded)
+        take(lost, {Criterion::point_lost, static_cast<int>(z), named_node(z, i), 1, 0});
+    }
+  if (lost)
+    lost->value = lost->count;
+  return lost;
+}
+
+mesh::NodeIndex ContactSide::named_node(std::size_t zone, std::size_t point) const {
+  return model_.zones[zone].points[point].nodes.front();
 }
 
 } // namespace rubato::step

@@ -9,6 +9,7 @@
 #include "rubato/step/state.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,12 +69,27 @@ public:
   /// How the zone behaves in this attempt.
   contact::ZoneLaw law_of(std::size_t zone, const Held& held) const;
   const Variant& variant() const { return variant_; }
+  const EffectiveSystem& system() const { return system_; }
+  /// Where the step starts.
+  const State& committed() const { return committed_; }
+  /// Whether the surfaces have come so far in an iterate that frames measured there say little: a point sank
+  /// in by more than half an edge, or one that was in contact faces nothing.
+  bool has_lost_its_way(const ContactIterate& now) const;
+
+  /// To be told when Newton's iterations begin: which faces points hop between is counted from there.
+  void start_iterations() const;
+  /// Lets points go that stay on a face they stand beyond (contact/neighbours.hpp). Whether there were any.
+  bool release_strays() const;
 
   /// Counts and names the points whose status changed between two iterates.
   void collect_restless(const Held& held, const ContactIterate& before, const ContactIterate& now,
                         StepReport& report) const;
   /// Whether no projection of a point in contact moved between two iterates, and exact gaps are closed.
   bool settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const;
+  /// Adds to the report of an attempt that fails what of contact is not settled. `before` is nothing when
+  /// `now` is the first iterate.
+  void name_unmet(const Held& held, const ContactIterate* before, const ContactIterate& now,
+                  StepReport& report) const;
 
   /// Stores in `trial` the statuses of an iterate and what its points do.
   void finish(const Held& held, const ContactIterate& iterate, State& trial) const;
@@ -86,8 +102,12 @@ private:
     return !frames_.empty() || !held[zone].frames.empty();
   }
   void measure_places(State& trial) const;
-  bool geometry_settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const;
-  bool gaps_closed(const ContactIterate& now) const;
+  std::optional<Unmet> moving_projection(const Held& held, const ContactIterate& before,
+                                         const ContactIterate& now) const;
+  std::optional<Unmet> open_gap(const Held& held, const ContactIterate& now) const;
+  std::optional<Unmet> lost_point(const ContactIterate* before, const ContactIterate& now) const;
+  /// How messages name a point.
+  mesh::NodeIndex named_node(std::size_t zone, std::size_t point) const;
 
   const model::Model& model_;
   EffectiveSystem& system_;

@@ -2,6 +2,7 @@
 #include "rubato/step/equilibrium.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rubato::step {
@@ -13,6 +14,14 @@ using model::Model;
 
 /// Rounding errors that a row of K u may gather, in units of the last digit of its largest term.
 constexpr double rounding_steps = 16;
+constexpr double last_digits = rounding_steps * std::numeric_limits<double>::epsilon();
+
+/// sum += factor |matrix| values
+void add_magnitudes(double factor, const model::SparseMatrix& matrix, const VectorXd& values, VectorXd& sum) {
+  for (int column = 0; column < matrix.outerSize(); ++column)
+    for (model::SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+      sum[entry.row()] += factor * std::abs(entry.value()) * values[entry.col()];
+}
 
 VectorXd history_forces(const time::Scheme& scheme, const State& committed) {
   VectorXd history = scheme.forces.before * committed.unbalance;
@@ -75,11 +84,34 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without
   // strain.
-  const double rounding = rounding_steps * std::numeric_limits<double>::epsilon() *
-                          system_.diagonal.lpNorm<Eigen::Infinity>() * motion.u.lpNorm<Eigen::Infinity>();
+  const double rounding =
+      last_digits * system_.diagonal.lpNorm<Eigen::Infinity>() * motion.u.lpNorm<Eigen::Infinity>();
   report.residual = largest == 0 || std::max(largest, scale_) <= rounding ? 0 : largest / scale_;
   report.worst_node =
       residual_.size() > 0 ? model_.node_of(model_.free_dofs[static_cast<std::size_t>(worst)]) : -1;
+}
+
+bool Equilibrium::within_rounding(const time::Motion& motion, double tolerance) const {
+  const VectorXd moved = motion.u.cwiseAbs();
+  VectorXd summed = VectorXd::Zero(moved.size());
+  add_magnitudes(system_.coefficients.stiffness, model_.stiffness, moved, summed);
+  if (scheme_.dynamic)
+    add_magnitudes(system_.coefficients.acceleration * scheme_.inertia.now, model_.mass, moved, summed);
+  add_places(summed);
+  const VectorXd level = last_digits * summed(model_.free_dofs);
+  return (residual_.array().abs() <= level.array().max(tolerance * scale_)).all();
+}
+
+/// A contact force follows the gap by the stiffness there, and a gap is a difference of places.
+void Equilibrium::add_places(VectorXd& summed) const {
+  for (const auto& zone : model_.zones)
+    for (const auto* surface : {&zone.master, &zone.slave})
+      for (const auto node : surface->nodes)
+        for (int i = 0; i < model_.dofs.components; ++i) {
+          const int dof = model_.dofs.dof(node, i);
+          summed[dof] += system_.diagonal[dof] *
+                         model_.mesh.points[static_cast<std::size_t>(node)].lpNorm<Eigen::Infinity>();
+        }
 }
 
 std::vector<WorstNode> Equilibrium::worst() const {

@@ -35,6 +35,9 @@ public:
   /// over the largest of reactions and applied forces (inertia, history and the forces of nodal methods among
   /// them), and of the momentum's rate.
   void measure(const time::Motion& motion, const ContactForce& contact, StepReport& report);
+  /// Whether every entry of the residual is within `tolerance` or no more than what rounding of the forces
+  /// that it sums may leave: 16 units in the last digit of (|A| |u|)_i, A being the effective matrix.
+  bool within_rounding(const time::Motion& motion, double tolerance) const;
   /// The nodes where the residual is largest.
   std::vector<WorstNode> worst() const;
   /// What the last measure held the residual against [force].
@@ -44,6 +47,7 @@ public:
 
 private:
   void take_motion(const time::Motion& motion);
+  void add_places(Eigen::VectorXd& summed) const;
 
   const model::Model& model_;
   const time::Scheme& scheme_;

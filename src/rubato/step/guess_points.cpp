@@ -14,6 +14,9 @@ using model::Model;
 
 /// A friction force this little below its limit, relatively, is at it.
 constexpr double rounding = 1e-9;
+/// Where gaps close on average, more points than the surface has motions share each node: what keeps the
+/// forces of points unique, in parts of what the nodes give.
+constexpr double averaged_softness = 0.1;
 /// Part of its gap that leaves a point without doubt open where frames are held.
 constexpr double still_open = 0.5;
 
@@ -48,12 +51,61 @@ void release(GuessPoint& guess) {
   guess.force.setZero();
 }
 
-void set_forces(const contact::PointOutcome& outcome, const contact::SlavePoint& point,
-                const contact::Kinematics& k, GuessPoint& guess) {
+void set_forces(const contact::PointOutcome& outcome, const contact::Kinematics& k, GuessPoint& guess) {
   guess.force.setZero();
-  guess.force[0] = std::max(0.0, outcome.pressure * point.area);
+  guess.force[0] = outcome.normal.norm();
   for (int a = 0; a + 1 < k.components; ++a)
     guess.force[1 + a] = outcome.tangential.dot(k.tangents.col(a));
+}
+
+/// Which of their points stick and which slip is often not unique: the last step's statuses are the better
+/// start then, and the one that other codes take.
+bool has_friction_springs(const contact::Zone& zone) {
+  return zone.settings.friction > 0 && zone.settings.friction_method == deck::FrictionMethod::nodal_penalty;
+}
+
+double friction_limit(const GuessPoint& guess) {
+  return guess.friction * guess.force[0];
+}
+
+Status status_of(const GuessPoint& guess) {
+  if (guess.force[0] == 0)
+    return Status::open;
+  const Eigen::Vector2d friction = guess.force.tail<2>();
+  return friction.norm() < (1 - rounding) * friction_limit(guess) ? Status::stick : Status::slip;
+}
+
+/// λ, Λ₁, Λ₂ of a point with that force.
+Eigen::Vector3d multipliers_of(const GuessPoint& guess, double weight) {
+  Eigen::Vector3d values = Eigen::Vector3d::Zero();
+  values[0] = guess.force[0] / weight;
+  if (const double limit = friction_limit(guess); limit > 0)
+    values.tail<2>() = -guess.force.tail<2>() / limit;
+  return values;
+}
+
+/// Of nodes that several points share: their mean, each counted with its weight and the node's part of it.
+void take_mean_multipliers(const contact::Zone& zone, std::size_t z, std::span<const GuessPoint> points,
+                           VectorXd& multipliers) {
+  const auto variables = zone.multiplier_variables();
+  const auto count = static_cast<Index>(variables.size());
+  VectorXd weights = VectorXd::Zero(multipliers.size());
+  VectorXd sums = VectorXd::Zero(multipliers.size());
+  for (const auto& guess : points) {
+    if (guess.zone != z)
+      continue;
+    const auto& point = zone.points[guess.index];
+    const auto values = multipliers_of(guess, point.weight);
+    for (std::size_t j = 0; j < point.multipliers.size(); ++j)
+      for (Index k = 0; k < count; ++k) {
+        const int variable = variables[static_cast<std::size_t>(k)];
+        const double part =
+            std::abs(point.weight * point.multiplier_shape[j]) * (variable == 0 ? 1.0 : guess.force[0]);
+        weights[point.multipliers[j] * count + k] += part;
+        sums[point.multipliers[j] * count + k] += part * values[variable];
+      }
+  }
+  multipliers = (weights.array() > 0).select(sums.array() / weights.array(), 0.0);
 }
 
 } // namespace
@@ -66,6 +118,7 @@ void take_points(const Model& model, const ContactSide& side, const Held& held, 
     const auto& zone = model.zones[z];
     const auto law = side.law_of(z, held);
     const bool soft = !contact::is_exact(zone.settings.method);
+    const bool averaged = !zone.points_own_multipliers();
     for (std::size_t i = 0; held[z].status.empty() && i < zone.points.size(); ++i) {
       const auto& kinematics = contact.points[z][i].kinematics;
       if (!kinematics || zone.points[i].excluded)
@@ -76,9 +129,12 @@ void take_points(const Model& model, const ContactSide& side, const Held& held, 
       guess.zone = z;
       guess.index = i;
       guess.friction = law.friction;
-      guess.softness = soft ? 1 / (law.coefficients->normal[i] * zone.points[i].weight) : 0.0;
+      guess.softness = soft       ? 1 / (law.coefficients->normal[i] * zone.points[i].weight)
+                       : averaged ? averaged_softness / contact::resistance(zone.points[i], model.dofs,
+                                                                            side.system().diagonal)
+                                  : 0.0;
       set_relations(model, compliance, *kinematics, moved, guess);
-      set_forces(state.zones[z].outcomes[i], zone.points[i], *kinematics, guess);
+      set_forces(state.zones[z].outcomes[i], *kinematics, guess);
     }
   }
   points.resize(count);
@@ -112,21 +168,25 @@ VectorXd force_on_surface(std::span<const GuessPoint> points, Index positions) {
   return -force;
 }
 
+bool starts_from_guess(const Model& model, Start start) {
+  return start == Start::guess ||
+         (start == Start::usual && std::ranges::none_of(model.zones, has_friction_springs));
+}
+
 void take_guess(const Model& model, std::span<const GuessPoint> points, State& state) {
+  for (const auto& guess : points)
+    state.zones[guess.zone].status[guess.index] = status_of(guess);
+  for (std::size_t z = 0; z < model.zones.size(); ++z)
+    if (!model.zones[z].points_own_multipliers())
+      take_mean_multipliers(model.zones[z], z, points, state.zones[z].multipliers);
   for (const auto& guess : points) {
     const auto& zone = model.zones[guess.zone];
-    const auto& point = zone.points[guess.index];
-    auto& of_zone = state.zones[guess.zone];
-    const double limit = guess.friction * guess.force[0];
-    const Eigen::Vector2d friction = guess.force.tail<2>();
-    const bool sticks = friction.norm() < (1 - rounding) * limit;
-    of_zone.status[guess.index] = guess.force[0] == 0 ? Status::open : sticks ? Status::stick : Status::slip;
-    const Index count = zone.multipliers_per_node();
-    Index next = static_cast<Index>(point.node_position) * count;
+    if (!zone.points_own_multipliers())
+      continue;
+    const auto values = multipliers_of(guess, zone.points[guess.index].weight);
+    Index next = static_cast<Index>(zone.points[guess.index].node_position) * zone.multipliers_per_node();
     for (const int variable : zone.multiplier_variables())
-      of_zone.multipliers[next++] = variable == 0 ? guess.force[0] / point.weight
-                                    : limit > 0   ? -friction[variable - 1] / limit
-                                                  : 0.0;
+      state.zones[guess.zone].multipliers[next++] = values[variable];
   }
 }
 

@@ -32,6 +32,9 @@ void move_frames(const model::Model& model, const Compliance& compliance, const 
 /// What their forces put on the surface, internal side, one a position [force].
 Eigen::VectorXd force_on_surface(std::span<const GuessPoint> points, Eigen::Index positions);
 
+/// Whether an attempt that starts so guesses its contact first.
+bool starts_from_guess(const model::Model& model, Start start);
+
 /// Statuses and multipliers that belong to the guessed forces.
 void take_guess(const model::Model& model, std::span<const GuessPoint> points, State& state);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -102,6 +103,8 @@ private:
       rounds_.push_back({LoopLevel::geometry, round, iterations_ - spent, change, settled});
       if (settled)
         return;
+      report_.unmet = {{Criterion::geometry_loop, -1, moved_most(before),
+                        round > 1 ? change : std::numeric_limits<double>::infinity(), loop.last_tolerance}};
     }
     report_.outcome = Outcome::geometry_unsettled;
   }
@@ -120,6 +123,7 @@ private:
       rounds_.push_back({LoopLevel::friction, round, iterations_ - spent, change, settled});
       if (settled)
         return;
+      report_.unmet = {most_changed(before, change, loop.last_tolerance)};
     }
     report_.outcome = Outcome::friction_unsettled;
   }
@@ -141,6 +145,7 @@ private:
       if (settled)
         return;
     }
+    name_restless(report_);
     report_.outcome = Outcome::status_unsettled;
   }
 
@@ -236,6 +241,28 @@ private:
     const double moved = (trial_.motion.u - before).lpNorm<Eigen::Infinity>();
     const double size = (before - committed_.motion.u).lpNorm<Eigen::Infinity>();
     return moved == 0 ? 0.0 : moved / size;
+  }
+
+  /// The point whose friction pressure a round changed most.
+  Unmet most_changed(const std::vector<double>& before, double change, double allowed) const {
+    Unmet worst{Criterion::friction_loop, -1, -1, change, allowed};
+    double largest = -1;
+    std::size_t at = 0;
+    for (std::size_t z = 0; z < held_.size(); ++z)
+      for (std::size_t i = 0; loops(z, &deck::ContactZone::threshold) && i < held_[z].thresholds.size();
+           ++i, ++at)
+        if (const double here = std::abs(pressures_[at] - before[at]); here > largest) {
+          largest = here;
+          worst.zone = static_cast<int>(z);
+          worst.node = model_.zones[z].points[i].nodes.front();
+        }
+    return worst;
+  }
+
+  mesh::NodeIndex moved_most(const VectorXd& before) const {
+    Eigen::Index dof = 0;
+    (trial_.motion.u - before).cwiseAbs().maxCoeff(&dof);
+    return model_.node_of(static_cast<int>(dof));
   }
 
   static double relative_change(const std::vector<double>& before, const std::vector<double>& now) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/newton.hpp"
 
+#include "rubato/step/condensed.hpp"
 #include "rubato/step/cycle_watch.hpp"
+#include "rubato/step/guessed_start.hpp"
 #include "rubato/step/linear_step.hpp"
 #include "rubato/step/projected_cg.hpp"
 
@@ -28,35 +30,43 @@ Newton::Newton(const Model& model, const time::Scheme& scheme, EffectiveSystem& 
 StepReport Newton::run(State& trial, const Held& held) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
+  if (!started_ && can_guess(model_, system_) && starts_from_guess(model_, side_.variant().start))
+    start_from_guess(model_, scheme_, system_, side_, held, equilibrium_, trial);
+  started_ = true;
+  side_.start_iterations();
   CycleWatch cycle;
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
     equilibrium_.evaluate(trial.motion, force_);
     equilibrium_.measure(trial.motion, force_, report_);
     if (!equilibrium_.residual().allFinite())
-      return ended(Outcome::not_finite);
-    if (iteration > 0 && settled(held)) {
+      return ended(Outcome::not_finite, held);
+    if (iteration > 0 && settled(trial, held)) {
       equilibrium_.finish(force_, trial);
       side_.finish(held, now_, trial);
-      return ended(Outcome::converged);
+      return ended(Outcome::converged, held);
     }
     const bool may_cycle = iteration > 0 && report_.status_changes > 0;
     const auto part = may_cycle ? cycle.part_of_next(now_, force_.all.norm()) : 1.0;
     if (!part)
-      return ended(Outcome::cycling);
+      return ended(Outcome::cycling, held);
     if (iteration == model_.study.newton.max_iterations)
       break;
     if (!solve_and_correct(*part, trial))
-      return ended(Outcome::singular_matrix);
+      return ended(Outcome::singular_matrix, held);
     ++report_.iterations;
   }
-  return ended(Outcome::too_many_iterations);
+  return ended(Outcome::too_many_iterations, held);
 }
 
-StepReport Newton::ended(Outcome outcome) {
+StepReport Newton::ended(Outcome outcome, const Held& held) {
   report_.outcome = outcome;
-  if (!report_.converged())
+  if (!report_.converged()) {
     report_.worst = equilibrium_.worst();
+    if (outcome != Outcome::not_finite)
+      side_.name_unmet(held, report_.iterations > 0 ? &previous_ : nullptr, now_, report_);
+    name_unbalance(report_);
+  }
   return report_;
 }
 
@@ -83,10 +93,16 @@ void Newton::add_zone(std::size_t z, const Held& held) {
     force_.nodal += contact_.force - before;
 }
 
-bool Newton::settled(const Held& held) {
+bool Newton::settled(const State& trial, const Held& held) {
   side_.collect_restless(held, previous_, now_, report_);
-  return report_.residual <= report_.tolerance && report_.status_changes == 0 &&
-         side_.settled(held, previous_, now_);
+  const bool stalled = stall_.stalls(report_.residual);
+  if (report_.status_changes > 0 || !side_.settled(held, previous_, now_))
+    return false;
+  const bool balanced = report_.residual <= report_.tolerance;
+  if (!balanced && !(stalled && equilibrium_.within_rounding(trial.motion, report_.tolerance)))
+    return false;
+  report_.rounding = balanced ? 0 : report_.residual;
+  return !side_.release_strays();
 }
 
 bool Newton::solve_and_correct(double part, State& trial) {

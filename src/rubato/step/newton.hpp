@@ -23,10 +23,10 @@ public:
   StepReport run(State& trial, const Held& held);
 
 private:
-  StepReport ended(Outcome outcome);
+  StepReport ended(Outcome outcome, const Held& held);
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   void add_zone(std::size_t zone, const Held& held);
-  bool settled(const Held& held);
+  bool settled(const State& trial, const Held& held);
   bool solve_and_correct(double part, State& trial);
 
   const model::Model& model_;
@@ -38,6 +38,8 @@ private:
   ContactForce force_;
   ContactIterate now_, previous_;
   StepReport report_;
+  StallWatch stall_;
+  bool started_ = false;
 };
 
 } // namespace rubato::step

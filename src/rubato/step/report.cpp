@@ -55,6 +55,56 @@ std::string_view to_string(LoopLevel level) {
   return "";
 }
 
+bool StallWatch::stalls(double residual) {
+  // Newton's iterations square it; one that is not halved does not converge.
+  constexpr double progress = 0.5;
+  const bool stalled = residual > progress * last_;
+  last_ = residual;
+  return stalled;
+}
+
+std::string_view to_string(Criterion criterion) {
+  switch (criterion) {
+  case Criterion::residual:
+    return "residual";
+  case Criterion::status:
+    return "status";
+  case Criterion::gap:
+    return "gap";
+  case Criterion::projection:
+    return "projection";
+  case Criterion::point_lost:
+    return "point lost";
+  case Criterion::singular:
+    return "singular matrix";
+  case Criterion::geometry_loop:
+    return "geometry loop";
+  case Criterion::friction_loop:
+    return "friction loop";
+  }
+  return "";
+}
+
+const Unmet* StepReport::unmet_by(Criterion criterion) const {
+  const auto found = std::ranges::find(unmet, criterion, &Unmet::criterion);
+  return found == unmet.end() ? nullptr : &*found;
+}
+
+void name_restless(StepReport& report) {
+  if (report.restless.empty())
+    return;
+  const auto& first = report.restless.front();
+  report.unmet.push_back({Criterion::status, first.zone, first.node,
+                          static_cast<double>(report.status_changes), 0, report.status_changes});
+}
+
+void name_unbalance(StepReport& report) {
+  if (report.outcome == Outcome::singular_matrix)
+    report.unmet.insert(report.unmet.begin(), Unmet{Criterion::singular});
+  if (!(report.residual <= report.tolerance))
+    report.unmet.push_back({Criterion::residual, -1, report.worst_node, report.residual, report.tolerance});
+}
+
 std::vector<WorstNode> worst_nodes(const Eigen::VectorXd& residual, std::span<const mesh::NodeIndex> nodes,
                                    double scale) {
   constexpr std::size_t named = 5;

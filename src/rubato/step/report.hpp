@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,34 @@ struct WorstNode {
   double residual = 0; ///< largest of its components, relative as in StepReport; infinite where not finite
 };
 
+/// What the end of a step has to fulfil, and what keeps it from being judged at all.
+enum class Criterion {
+  residual,      ///< forces in balance; value: relative residual
+  status,        ///< no contact point changes its status; value: points that did
+  gap,           ///< points in contact of exact methods are closed; value: |gap| [length]
+  projection,    ///< points in contact stay where they are on the master; value: in reference lengths of a
+                 ///< face; before an obstacle: change of the normal
+  point_lost,    ///< a point that was in contact faces nothing any more; value: points that do
+  singular,      ///< the linear system has no solution; value 0
+  geometry_loop, ///< value: as LoopRound::change, infinite of a loop that had one round
+  friction_loop  ///< value: as LoopRound::change
+};
+
+/// "residual", "status", "gap", "projection", "point lost", "singular matrix", "geometry loop", "friction
+/// loop".
+std::string_view to_string(Criterion criterion);
+
+/// A criterion that the last iterate of an attempt does not meet, and the point or node where it is furthest
+/// from it.
+struct Unmet {
+  Criterion criterion = Criterion::residual;
+  int zone = -1;             ///< −1: of no contact zone
+  mesh::NodeIndex node = -1; ///< −1: not known
+  double value = 0;
+  double allowed = 0;
+  int count = 1; ///< points or nodes that do not meet it
+};
+
 enum class LoopLevel { geometry, friction, status };
 
 std::string_view to_string(LoopLevel level);
@@ -61,15 +90,36 @@ struct StepReport {
   int iterations = 0;  ///< linear solves, all attempts of the step together
   double residual = 0; ///< relative, of the last iterate
   double tolerance = 0;
+  /// The residual at which the step ended, where rounding of the forces let it go no lower; else 0.
+  double rounding = 0;
   mesh::NodeIndex worst_node = -1; ///< where the residual is largest
   /// Of an attempt that failed: the nodes where the residual is largest, largest first, at most five.
   std::vector<WorstNode> worst;
   int status_changes = 0; ///< contact points that changed in the last iteration or round
   std::vector<RestlessPoint> restless;
+  /// Of an attempt that failed: each criterion that is not met, once.
+  std::vector<Unmet> unmet;
   std::vector<LoopRound> rounds;      ///< in the order they ended, of the last attempt
   bool geometry_by_loop = false;      ///< the step needed its geometry in a loop of its own
   bool friction_continuation = false; ///< the step needed friction raised in parts
   bool converged() const { return outcome == Outcome::converged; }
+  /// The entry of `unmet` for that criterion, or nullptr.
+  const Unmet* unmet_by(Criterion criterion) const;
+};
+
+/// Adds to `unmet` of an attempt that fails the points that changed their status.
+void name_restless(StepReport& report);
+/// Adds what its outcome and its residual say.
+void name_unbalance(StepReport& report);
+
+/// Notices residuals that don't go down any more.
+class StallWatch {
+public:
+  /// Whether this one is no better than the last one.
+  bool stalls(double residual);
+
+private:
+  double last_ = std::numeric_limits<double>::infinity();
 };
 
 /// The nodes of the largest entries of a residual. `nodes`: of every entry; `scale`: what entries are

@@ -116,8 +116,8 @@ TEST(MeshReport, FindsFreeAndDuplicateNodes) {
   mesh.node_numbers.push_back(777);
   const auto report = examine(mesh);
   EXPECT_FALSE(report.looks_right());
-  EXPECT_EQ(report.free_nodes.first_numbers, std::vector<std::int64_t>{777});
-  EXPECT_EQ(report.duplicate_nodes.first_numbers, std::vector<std::int64_t>{777});
+  EXPECT_EQ(report.free_nodes.first, std::vector<std::string>{"777"});
+  EXPECT_EQ(report.duplicate_nodes.first, std::vector<std::string>{"777"});
 }
 
 TEST(MeshReport, FindsInvertedCellsAndTheWorstOne) {
@@ -125,12 +125,60 @@ TEST(MeshReport, FindsInvertedCellsAndTheWorstOne) {
   auto& hexahedra = mesh.blocks.back();
   hexahedra.numbers[4] = 4711;
   constexpr std::size_t first_node = 32; // of the fifth hexahedron
-  for (std::size_t i = first_node; i < first_node + 4; ++i)
-    std::swap(hexahedra.nodes[i], hexahedra.nodes[i + 4]);
+  std::swap(hexahedra.nodes[first_node], hexahedra.nodes[first_node + 1]);
   const auto report = examine(mesh);
-  EXPECT_EQ(report.inverted_cells.first_numbers, std::vector<std::int64_t>{4711});
-  EXPECT_EQ(report.types.back().worst_cell, 4711);
+  EXPECT_EQ(report.inverted_cells.first, std::vector<std::string>{"4711"});
+  EXPECT_EQ(report.types.back().worst_cell, "4711");
   EXPECT_NE(to_text(report).find("1 inverted or flat cells: 4711"), std::string::npos) << to_text(report);
+}
+
+TEST(MeshReport, CallsCellsThatARunMendsReversedAndNotInverted) {
+  for (const auto type : {CellType::quad8, CellType::hexa20}) {
+    SCOPED_TRACE(topology(type).name);
+    auto mesh = mesh_of(type);
+    const auto before = examine(mesh);
+    EXPECT_EQ(before.reversed_cells.count, 0);
+    for (auto& point : mesh.points)
+      point.x() = -point.x();
+    const auto report = examine(mesh);
+    EXPECT_EQ(report.reversed_cells.count, mesh.blocks.back().cell_count());
+    EXPECT_EQ(report.inverted_cells.count, 0);
+    EXPECT_TRUE(report.looks_right());
+    EXPECT_DOUBLE_EQ(report.bulk_measure, before.bulk_measure);
+    EXPECT_GT(report.types.back().smallest_jacobian, 0);
+    EXPECT_NE(to_text(report).find("reversed cells, mended in a run: "), std::string::npos) << to_text(report);
+  }
+}
+
+TEST(MeshReport, CallsNodesAndCellsByTheNamesOfTheFile) {
+  auto mesh = mesh_of(CellType::quad4);
+  mesh.points.emplace_back(5, 5, 0);
+  mesh.node_numbers.push_back(777);
+  mesh.node_names.resize(mesh.points.size(), "other");
+  mesh.node_names.back() = "free";
+  auto& cells = mesh.blocks.back();
+  cells.names.assign(static_cast<std::size_t>(cells.cell_count()), "Q");
+  const auto report = examine(mesh);
+  EXPECT_EQ(report.free_nodes.first, std::vector<std::string>{"free"});
+  EXPECT_EQ(report.types.back().worst_cell, "Q");
+  EXPECT_NE(to_text(report).find("nodes have names in the file"), std::string::npos);
+}
+
+TEST(MeshReport, SaysInWhichPlaneAMeshOfFacesAloneStands) {
+  auto mesh = mesh_of(CellType::quad4);
+  mesh.dimension = 3;
+  for (auto& point : mesh.points)
+    std::swap(point.y(), point.z());
+  EXPECT_NE(to_text(examine(mesh)).find("no solid cells to compute on (all nodes share one y; the plane of a"),
+            std::string::npos);
+}
+
+TEST(MeshReport, FindsNodesThatAreNowhere) {
+  auto mesh = mesh_of(CellType::quad4);
+  mesh.points[2].y() = std::numeric_limits<double>::quiet_NaN();
+  const auto report = examine(mesh);
+  EXPECT_EQ(report.lost_nodes.first, std::vector<std::string>{"3"});
+  EXPECT_FALSE(report.looks_right());
 }
 
 TEST(MeshReport, FindsEmptyAndMixedGroups) {
@@ -155,8 +203,8 @@ TEST(MeshReport, FindsLooseCellsAndFacesInsideNoBody) {
   segments.nodes.insert(segments.nodes.end(), {mesh.node_count() - 2, mesh.node_count() - 1});
   segments.numbers.push_back(902);
   const auto report = examine(mesh);
-  EXPECT_EQ(report.unowned_faces.first_numbers, std::vector<std::int64_t>{901});
-  EXPECT_EQ(report.loose_cells.first_numbers, std::vector<std::int64_t>{902});
+  EXPECT_EQ(report.unowned_faces.first, std::vector<std::string>{"901"});
+  EXPECT_EQ(report.loose_cells.first, std::vector<std::string>{"902"});
 }
 
 TEST(MeshReport, OfAnEmptyMeshSaysThatThereIsNothingToComputeOn) {
@@ -173,7 +221,7 @@ TEST(Findings, ShowOnlyTheFirstFewNumbers) {
   }
   const auto report = examine(mesh);
   EXPECT_EQ(report.free_nodes.count, 20);
-  EXPECT_EQ(report.free_nodes.first_numbers.size(), Findings::shown);
+  EXPECT_EQ(report.free_nodes.first.size(), Findings::shown);
   EXPECT_NE(to_text(report).find("…"), std::string::npos);
 }
 

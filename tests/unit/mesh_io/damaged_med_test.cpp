@@ -56,8 +56,8 @@ void expect_clear_faults_when_truncated(const ScratchFolder& folder, const std::
 TEST(DamagedMedFile, IsCalledTruncatedWhereverItEnds) {
   const ScratchFolder folder;
   expect_clear_faults_when_truncated(folder, sample_bytes(folder));
-  for (const char letter : std::string("abcdf")) {
-    const auto real = test::shared_file(std::string("sdnl140/sdnl140") + letter + ".med");
+  for (const auto* letter : {"a", "b", "c", "d", "f"}) {
+    const auto real = test::shared_file(std::string("sdnl140/sdnl140").append(letter).append(".med"));
     if (std::filesystem::exists(real))
       expect_clear_faults_when_truncated(folder, bytes_of(real));
   }

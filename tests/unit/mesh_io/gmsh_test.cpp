@@ -113,37 +113,8 @@ TEST_F(GmshFile, HasTheNodesOfEveryQuadraticCellInOurOrder) {
   }
 }
 
-// The reference manual's pyramid: edges 01 03 04 12 14 23 24 34.
-TEST_F(GmshFile, HasTheNodesOfAPyramidInOurOrder) {
-  const auto mesh = mesh_of("pyramid.msh", R"($MeshFormat
-2.2 0 8
-$EndMeshFormat
-$Nodes
-13
-1 -1 -1 0
-2 1 -1 0
-3 1 1 0
-4 -1 1 0
-5 0 0 1
-6 0 -1 0
-7 -1 0 0
-8 -.5 -.5 .5
-9 1 0 0
-10 .5 -.5 .5
-11 0 1 0
-12 .5 .5 .5
-13 -.5 .5 .5
-$EndNodes
-$Elements
-1
-1 19 2 1 1 1 2 3 4 5 6 7 8 9 10 11 12 13
-$EndElements
-)");
-  expect_regular(mesh, CellType::pyra13, 4.0 / 3.0);
-}
-
 TEST_F(GmshFile, IsRefusedWithGmshsOwnWords) {
-  EXPECT_NE(fault_of([&] { read_gmsh(folder_ / "none.msh"); }).find("does not exist"), std::string::npos);
+  EXPECT_NE(fault_of([&] { read_geo(folder_ / "none.geo"); }).find("does not exist"), std::string::npos);
   const auto fault = fault_of([&] { mesh_of("bad.geo", "Point(1) = {0, 0\n"); });
   EXPECT_NE(fault.find("cannot be read by Gmsh: "), std::string::npos) << fault;
   EXPECT_NE(fault_of([&] { mesh_of("empty.geo", ""); }).find("holds no cells"), std::string::npos);
@@ -155,12 +126,6 @@ TEST_F(GmshFile, IsRefusedWithGmshsOwnWords) {
 TEST_F(GmshFile, WhoseLastLineGmshWouldDropIsRefused) {
   EXPECT_NE(fault_of([&] { mesh_of("open.geo", unit_square + "Recombine Surface{1};"); }).find("no line end"),
             std::string::npos);
-}
-
-TEST_F(GmshFile, ThatEndsTooSoonIsRefused) {
-  const auto fault = fault_of(
-      [&] { mesh_of("cut.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n"); });
-  EXPECT_NE(fault.find("cannot be read by Gmsh: "), std::string::npos) << fault;
 }
 
 } // namespace

@@ -27,11 +27,26 @@ TEST(MeshFile, IsReadByItsEndingOrByItsFirstBytes) {
 TEST(MeshFile, OfUnknownFormatIsRefused) {
   const ScratchFolder folder;
   std::ofstream(folder / "a.stl") << "solid";
-  EXPECT_NE(fault_of([&] { read_mesh(folder / "a.stl"); }).find("is of no known format"), std::string::npos);
+  EXPECT_NE(fault_of([&] {
+              read_mesh(folder / "a.stl");
+            }).find("is of no format that this program reads: .med, .rmed, .mmed, .msh"),
+            std::string::npos);
   EXPECT_NE(fault_of([&] { read_mesh(folder / "b.stl"); }).find("does not exist"), std::string::npos);
   EXPECT_NE(fault_of([&] { read_mesh(folder.path()); }).find("is a directory"), std::string::npos);
   EXPECT_NE(fault_of([&] { write_mesh(folder / "a.stl", {}); }).find(".med or .vtu was expected"),
             std::string::npos);
+}
+
+TEST(MeshFile, OfAPlaneMeshWithThreeCoordinatesIsPlane) {
+  const ScratchFolder folder;
+  auto mesh = test::one_cell(CellType::quad8, 3);
+  for (auto& point : mesh.points)
+    point.z() = 7.5 + 1e-13 * point.x();
+  write_mesh(folder / "a.med", mesh);
+  const auto read = read_mesh(folder / "a.med");
+  EXPECT_EQ(read.dimension, 2);
+  for (const auto& point : read.points)
+    EXPECT_EQ(point.z(), 0.0);
 }
 
 TEST(MeshFile, IsWrittenForParaViewToo) {

@@ -163,7 +163,8 @@ void replace_major_version(const std::filesystem::path& path, int version) {
 TEST(OddMedFile, OfAnotherVersionIsRefused) {
   const ScratchFolder folder;
   for (const auto& [version, fault] :
-       {std::pair(9, "9.1.0, newer than 4.1"), std::pair(2, "older than 3.0")}) {
+       {std::pair(9, "9.1.0, newer than 4.1"),
+        std::pair(2, "older than 3.0, the oldest this program reads; MED's tools")}) {
     write_med(folder / "odd.med", test::one_cell(CellType::quad4, 2));
     replace_major_version(folder / "odd.med", version);
     EXPECT_NE(fault_of_reading(folder / "odd.med").find(fault), std::string::npos)

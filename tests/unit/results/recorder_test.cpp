@@ -224,7 +224,7 @@ TEST_F(RunFolder, SaysFromTheStartThatTheRunIsNotAtItsEnd) {
 }
 
 TEST_F(RunFolder, NamesTheNodeWhereAStepFailed) {
-  const auto result = run(two_blocks + "newton: {residual: 1e-300, max_iterations: 2}\n");
+  const auto result = run(two_blocks + "newton: {residual: 1e-300, max_iterations: 1}\n");
   EXPECT_EQ(result.status, run::Status::not_converged);
   EXPECT_EQ(summary().at("reason"), result.message);
   const auto steps = text_of(folder_ / "steps.jsonl");
@@ -236,7 +236,7 @@ TEST_F(RunFolder, NamesTheNodeWhereAStepFailed) {
 }
 
 TEST_F(RunFolder, HoldsTheFailureAsData) {
-  const auto result = run(two_blocks + "newton: {residual: 1e-300, max_iterations: 2}\n");
+  const auto result = run(two_blocks + "newton: {residual: 1e-300, max_iterations: 1}\n");
   const auto failure = summary().at("failure");
   EXPECT_EQ(failure.at("begin"), 0);
   EXPECT_EQ(failure.at("end"), 1e-4 / 4096);
@@ -250,6 +250,11 @@ TEST_F(RunFolder, HoldsTheFailureAsData) {
   EXPECT_TRUE(worst.at(0).at("node").get<std::string>().starts_with("N"));
   EXPECT_GT(worst.at(0).at("residual"), 0);
   EXPECT_GE(worst.at(0).at("residual"), worst.back().at("residual"));
+  const auto& unmet = failure.at("unmet").at(0);
+  EXPECT_EQ(unmet.at("criterion"), "residual");
+  EXPECT_EQ(unmet.at("node"), worst.at(0).at("node"));
+  EXPECT_EQ(unmet.at("value"), failure.at("residual"));
+  EXPECT_EQ(unmet.at("allowed"), 1e-300);
   EXPECT_FALSE(failure.at("advice").empty());
   EXPECT_NE(result.message.find("what may help: "), std::string::npos) << result.message;
 }

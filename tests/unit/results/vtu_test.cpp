@@ -5,6 +5,7 @@
 
 #include "support/faults.hpp"
 #include "support/scratch_folder.hpp"
+#include "unit/mesh_io/one_cell.hpp"
 #include <array>
 #include <cstring>
 #include <fstream>
@@ -137,6 +138,84 @@ TEST(VtuFile, KnowsVtksNumberOfEveryCellType) {
   }
 }
 
+/// A solid as VTK documents its nodes: faces whose normals point outward by the right hand rule, edges in the
+/// order of the nodes in their middles, then the faces (by corners) in the order of the nodes in their
+/// middles.
+struct VtkSolid {
+  int type;
+  std::vector<std::vector<int>> faces;
+  std::vector<std::array<int, 2>> edges;
+  std::vector<std::vector<int>> faces_with_middles;
+};
+
+VtkSolid vtk_solid(int type) {
+  const std::vector<std::vector<int>> tetra_faces{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
+  const std::vector<std::vector<int>> pyramid_faces{{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  const std::vector<std::vector<int>> wedge_faces{
+      {0, 1, 2}, {3, 5, 4}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}};
+  const std::vector<std::vector<int>> hexa_faces{{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
+                                                 {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+  const std::vector<std::array<int, 2>> tetra_edges{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+  const std::vector<std::array<int, 2>> pyramid_edges{{0, 1}, {1, 2}, {2, 3}, {3, 0},
+                                                      {0, 4}, {1, 4}, {2, 4}, {3, 4}};
+  const std::vector<std::array<int, 2>> wedge_edges{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
+                                                    {5, 3}, {0, 3}, {1, 4}, {2, 5}};
+  const std::vector<std::array<int, 2>> hexa_edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                                   {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  const std::vector<VtkSolid> solids{
+      {10, tetra_faces, {}, {}},
+      {24, tetra_faces, tetra_edges, {}},
+      {14, pyramid_faces, {}, {}},
+      {27, pyramid_faces, pyramid_edges, {}},
+      {13, wedge_faces, {}, {}},
+      {26, wedge_faces, wedge_edges, {}},
+      {32, wedge_faces, wedge_edges, {wedge_faces.begin() + 2, wedge_faces.end()}},
+      {12, hexa_faces, {}, {}},
+      {25, hexa_faces, hexa_edges, {}},
+      {29, hexa_faces, hexa_edges, hexa_faces}};
+  return *std::ranges::find(solids, type, &VtkSolid::type);
+}
+
+/// The points of the only cell of a file, in the order of its nodes there.
+test::Points cell_points(const Parsed& file) {
+  const auto flat = file.values<double>("Points");
+  test::Points points;
+  for (const auto node : file.values<std::int32_t>("connectivity"))
+    points.emplace_back(Eigen::Map<const Eigen::Vector3d>(&flat[3 * static_cast<std::size_t>(node)]));
+  return points;
+}
+
+double volume_within(const std::vector<std::vector<int>>& faces, const test::Points& points) {
+  double six_volumes = 0;
+  for (const auto& face : faces)
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(face[k])]; };
+      six_volumes += at(0).dot(at(i - 1).cross(at(i)));
+    }
+  return six_volumes / 6;
+}
+
+TEST(VtuFile, HasSolidsOfPositiveVolumeWithTheirMiddlesWhereVtkHasThem) {
+  const ScratchFolder folder;
+  for (const auto& cell : mesh::all_topologies()) {
+    if (cell.dimension < 3)
+      continue;
+    SCOPED_TRACE(cell.name);
+    const auto mesh = test::one_cell(cell.type, 3);
+    write_vtu(folder / "a.vtu", mesh, {});
+    const Parsed file(folder / "a.vtu");
+    const auto solid = vtk_solid(file.values<std::uint8_t>("types").at(0));
+    const auto points = cell_points(file);
+    EXPECT_NEAR(volume_within(solid.faces, points), test::measure(cell.type, mesh.points), 1e-14);
+    EXPECT_GT(volume_within(solid.faces, points), 0.1);
+    auto next = points.begin() + cell.corner_count;
+    for (const auto& edge : solid.edges)
+      EXPECT_LT((*next++ - test::mean_of(points, edge, 2)).norm(), 1e-15);
+    for (const auto& face : solid.faces_with_middles)
+      EXPECT_LT((*next++ - test::mean_of(points, face, 4)).norm(), 1e-15);
+  }
+}
+
 TEST(VtuFile, PadsVectorsOfThePlaneToThreeComponents) {
   const ScratchFolder folder;
   std::vector<double> u(26);
@@ -189,6 +268,19 @@ TEST(PvdSeries, IsCompleteAfterEachAddition) {
   EXPECT_NE(text_of(folder / "run.pvd").find("timestep=\"0.001\" part=\"0\" file=\"fields/1.vtu\""),
             std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder / "run.pvd.new"));
+}
+
+TEST(PvdSeries, ShowsInstantsWithoutWhatRoundingAdds) {
+  const ScratchFolder folder;
+  PvdSeries series(folder / "run.pvd");
+  double time = 0;
+  for (int step = 0; step < 9; ++step)
+    time += 0.001;
+  ASSERT_NE(time, 0.009);
+  series.add(time, folder / "fields/9.vtu");
+  EXPECT_NE(text_of(folder / "run.pvd").find("timestep=\"0.009\""), std::string::npos);
+  series.add(1.0 / 3.0, folder / "fields/10.vtu");
+  EXPECT_NE(text_of(folder / "run.pvd").find("timestep=\"0.333333333333\""), std::string::npos);
 }
 
 TEST(PvdSeries, GoesOnFromWhatWasThere) {

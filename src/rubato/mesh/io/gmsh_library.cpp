@@ -25,13 +25,9 @@ struct Calls {
   decltype(&gmshLoggerGetLastError) last_error;
   decltype(&gmshOpen) open;
   decltype(&gmshModelMeshGenerate) generate;
-  decltype(&gmshModelGetEntities) entities;
-  decltype(&gmshModelGetPhysicalGroups) physical_groups;
-  decltype(&gmshModelGetPhysicalName) physical_name;
-  decltype(&gmshModelGetEntitiesForPhysicalGroup) entities_of_group;
-  decltype(&gmshModelMeshGetElements) elements;
-  decltype(&gmshModelMeshGetNodes) nodes;
-  decltype(&gmshModelMeshGetElementProperties) element_properties;
+  decltype(&gmshModelGetDimension) dimension;
+  decltype(&gmshModelMeshGetElementTypes) types;
+  decltype(&gmshWrite) write;
 };
 
 namespace {
@@ -59,13 +55,9 @@ Calls calls_of(void* library) {
   find(library, "gmshLoggerGetLastError", calls.last_error);
   find(library, "gmshOpen", calls.open);
   find(library, "gmshModelMeshGenerate", calls.generate);
-  find(library, "gmshModelGetEntities", calls.entities);
-  find(library, "gmshModelGetPhysicalGroups", calls.physical_groups);
-  find(library, "gmshModelGetPhysicalName", calls.physical_name);
-  find(library, "gmshModelGetEntitiesForPhysicalGroup", calls.entities_of_group);
-  find(library, "gmshModelMeshGetElements", calls.elements);
-  find(library, "gmshModelMeshGetNodes", calls.nodes);
-  find(library, "gmshModelMeshGetElementProperties", calls.element_properties);
+  find(library, "gmshModelGetDimension", calls.dimension);
+  find(library, "gmshModelMeshGetElementTypes", calls.types);
+  find(library, "gmshWrite", calls.write);
   return calls;
 }
 
@@ -76,8 +68,6 @@ template <class T> struct Handed {
   Handed(const Handed&) = delete;
   Handed& operator=(const Handed&) = delete;
 
-  std::vector<T> copy() const { return {data, data + size}; }
-
   T* data = nullptr;
   std::size_t size = 0;
 
@@ -87,7 +77,7 @@ private:
 
 /// The same for a list of lists.
 template <class T> struct HandedLists {
-  explicit HandedLists(const Calls& calls) : lists(calls), sizes(calls), calls_(calls) {}
+  explicit HandedLists(const Calls& calls) : lists(calls), calls_(calls) {}
   ~HandedLists() {
     for (std::size_t i = 0; i < lists.size; ++i)
       calls_.free(lists.data[i]);
@@ -95,15 +85,7 @@ template <class T> struct HandedLists {
   HandedLists(const HandedLists&) = delete;
   HandedLists& operator=(const HandedLists&) = delete;
 
-  std::vector<std::vector<T>> copy() const {
-    std::vector<std::vector<T>> copied;
-    for (std::size_t i = 0; i < lists.size; ++i)
-      copied.emplace_back(lists.data[i], lists.data[i] + sizes.data[i]);
-    return copied;
-  }
-
   Handed<T*> lists;
-  Handed<std::size_t> sizes; ///< of each list
 
 private:
   const Calls& calls_;
@@ -111,13 +93,6 @@ private:
 
 std::string text_of(const Handed<char>& text) {
   return text.data == nullptr ? "" : text.data;
-}
-
-std::vector<Entity> entities_in(const Handed<int>& pairs) {
-  std::vector<Entity> entities;
-  for (std::size_t i = 0; i + 1 < pairs.size; i += 2)
-    entities.push_back({pairs.data[i], pairs.data[i + 1]});
-  return entities;
 }
 
 /// Makes one call; its last argument is Gmsh's error number.
@@ -186,61 +161,25 @@ std::string Session::first_error() const {
   return "";
 }
 
-std::vector<Entity> Session::entities() const {
-  Handed<int> pairs(calls_);
-  ask(calls_, calls_.entities, &pairs.data, &pairs.size, -1);
-  return entities_in(pairs);
-}
-
-std::vector<Entity> Session::physical_groups() const {
-  Handed<int> pairs(calls_);
-  ask(calls_, calls_.physical_groups, &pairs.data, &pairs.size, -1);
-  return entities_in(pairs);
-}
-
-std::string Session::name_of(Entity physical_group) const {
-  Handed<char> name(calls_);
-  ask(calls_, calls_.physical_name, physical_group.dimension, physical_group.tag, &name.data);
-  return text_of(name);
-}
-
-std::vector<int> Session::entities_of(Entity physical_group) const {
-  Handed<int> tags(calls_);
-  ask(calls_, calls_.entities_of_group, physical_group.dimension, physical_group.tag, &tags.data, &tags.size);
-  return tags.copy();
-}
-
-Elements Session::elements_of(Entity entity) const {
-  Handed<int> types(calls_);
-  HandedLists<Tag> cells(calls_);
-  HandedLists<Tag> nodes(calls_);
-  ask(calls_, calls_.elements, &types.data, &types.size, &cells.lists.data, &cells.sizes.data,
-      &cells.lists.size, &nodes.lists.data, &nodes.sizes.data, &nodes.lists.size, entity.dimension,
-      entity.tag);
-  return {types.copy(), cells.copy(), nodes.copy()};
-}
-
-Nodes Session::nodes_of(Entity entity) const {
-  constexpr int without_boundary = 0;
-  constexpr int without_parameters = 0;
-  Handed<Tag> tags(calls_);
-  Handed<double> coordinates(calls_);
-  Handed<double> parameters(calls_);
-  ask(calls_, calls_.nodes, &tags.data, &tags.size, &coordinates.data, &coordinates.size, &parameters.data,
-      &parameters.size, entity.dimension, entity.tag, without_boundary, without_parameters);
-  return {tags.copy(), coordinates.copy()};
-}
-
-std::string Session::name_of_type(int element_type) const {
-  Handed<char> name(calls_);
-  Handed<double> coordinates(calls_);
+int Session::dimension() const {
   int dimension = 0;
-  int order = 0;
-  int nodes = 0;
-  int corners = 0;
-  ask(calls_, calls_.element_properties, element_type, &name.data, &dimension, &order, &nodes,
-      &coordinates.data, &coordinates.size, &corners);
-  return text_of(name);
+  ask(
+      calls_, +[](decltype(calls_.dimension) call, int* result, int* error) { *result = call(error); },
+      calls_.dimension, &dimension);
+  return dimension;
+}
+
+bool Session::is_meshed() const {
+  Handed<int> types(calls_);
+  constexpr int any = -1;
+  ask(calls_, calls_.types, &types.data, &types.size, any, any);
+  return types.size > 0;
+}
+
+void Session::write(const std::filesystem::path& path) const {
+  ask(calls_, calls_.set_option, "Mesh.MshFileVersion", 4.1);
+  ask(calls_, calls_.set_option, "Mesh.Binary", 1.0);
+  ask(calls_, calls_.write, path.c_str());
 }
 
 } // namespace rubato::mesh::gmsh

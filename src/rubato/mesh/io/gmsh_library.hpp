@@ -3,33 +3,10 @@
 /// cost every start of a program a tenth of a second; so it is not linked with but loaded when first needed.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace rubato::mesh::gmsh {
-
-using Tag = std::size_t;
-
-/// A piece of the geometry or a physical group: its dimension, and its number among those of that dimension.
-struct Entity {
-  int dimension = 0;
-  int tag = 0;
-};
-constexpr Entity everything{-1, -1};
-
-/// Cells by type; those of one type stand in one list, their nodes one cell after another.
-struct Elements {
-  std::vector<int> types;
-  std::vector<std::vector<Tag>> cells; ///< one list a type
-  std::vector<std::vector<Tag>> nodes; ///< one list a type
-};
-
-struct Nodes {
-  std::vector<Tag> tags;
-  std::vector<double> coordinates; ///< x, y, z of each
-};
 
 struct Calls;
 
@@ -52,13 +29,13 @@ public:
   /// The first error that Gmsh has reported so far; empty when there is none.
   std::string first_error() const;
 
-  std::vector<Entity> entities() const;
-  std::vector<Entity> physical_groups() const;
-  std::string name_of(Entity physical_group) const;
-  std::vector<int> entities_of(Entity physical_group) const;
-  Elements elements_of(Entity entity) const;
-  Nodes nodes_of(Entity entity) const;
-  std::string name_of_type(int element_type) const;
+  /// The highest dimension of a piece of the geometry.
+  int dimension() const;
+  /// Whether there are cells.
+  bool is_meshed() const;
+  /// Writes the mesh as a binary .msh file of version 4.1: the cells in physical groups, every cell when
+  /// there are none.
+  void write(const std::filesystem::path& path) const;
 
 private:
   const Calls& calls_;

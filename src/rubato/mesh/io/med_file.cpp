@@ -88,7 +88,7 @@ std::string fault_of(const std::filesystem::path& path) {
 }
 
 /// What speaks against the version of an open file; empty when nothing does.
-std::string version_fault(med_idt id) {
+std::string version_fault(med_idt id, const std::filesystem::path& path) {
   med_int major = 0;
   med_int minor = 0;
   med_int release = 0;
@@ -98,9 +98,10 @@ std::string version_fault(med_idt id) {
     return fmt::format("is of MED version {}.{}.{}, newer than {}.{}, the newest this program reads", major,
                        minor, release, MED_MAJOR_NUM, MED_MINOR_NUM);
   if (major < 3)
-    return fmt::format("is of MED version {}.{}.{}, older than 3.0, the oldest this program reads; "
-                       "convert it with MED's own medimport",
-                       major, minor, release);
+    return fmt::format(
+        "is of MED version {}.{}.{}, older than 3.0, the oldest this program reads; MED's tools (on "
+        "Debian the package libmed-tools) convert it: medimport {} new.med",
+        major, minor, release, path.string());
   return {};
 }
 
@@ -181,7 +182,7 @@ void File::open_checked() {
   handle_.id = MEDfileOpen(path_.c_str(), mode_of(access_));
   if (handle_.id < 0)
     refuse("cannot be opened as a MED file: it is an HDF5 file without MED's version, or damaged");
-  if (const auto fault = version_fault(handle_.id); !fault.empty())
+  if (const auto fault = version_fault(handle_.id, path_); !fault.empty())
     refuse(fault);
 }
 
@@ -242,9 +243,10 @@ std::string text_at(std::string_view buffer, std::size_t index, std::size_t widt
 
 std::string joined_texts(const std::vector<std::string>& texts, std::size_t width) {
   std::string all;
-  for (const auto& text : texts) {
-    all += text.substr(0, width);
-    all.resize((all.size() + width - 1) / width * width, ' ');
+  all.reserve(texts.size() * width);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    all += texts[i].substr(0, width);
+    all.resize((i + 1) * width, ' ');
   }
   return all;
 }

@@ -3,6 +3,7 @@
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/med_file.hpp"
 #include "rubato/mesh/io/med_numbering.hpp"
+#include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -117,14 +118,14 @@ public:
     return values;
   }
 
-  std::vector<med_geometry_type> geometries() const {
-    const auto kinds = count(MED_CELL, MED_GEO_ALL, MED_CONNECTIVITY, MED_NODAL, "cell types");
-    std::vector<med_geometry_type> found(kinds);
-    auto type_name = med::text_buffer(1, med::name_size);
-    for (std::size_t i = 0; i < kinds; ++i)
-      file_.check(MEDmeshEntityInfo(file_.id(), name_.c_str(), step_, iteration_, MED_CELL,
-                                    static_cast<int>(i) + 1, type_name.data(), &found[i]),
-                  "cell types");
+  /// The cell types of the mesh. Each known one is asked for, because files that other writers make (meshio)
+  /// don't say which types there are.
+  std::vector<CellType> types() const {
+    std::vector<CellType> found;
+    for (const auto& cell : all_topologies())
+      if (count(MED_CELL, med::geometry_of(cell.type), MED_CONNECTIVITY, MED_NODAL, "cells") > 0)
+        found.push_back(cell.type);
+    refuse_unknown_types(found.size());
     return found;
   }
 
@@ -158,7 +159,44 @@ public:
     return values;
   }
 
+  /// The names the file gives the entities, one each; empty when it gives none.
+  std::vector<std::string> names(med_entity_type entity, med_geometry_type geometry, std::size_t size) const {
+    if (!has(entity, geometry, MED_NAME, size))
+      return {};
+    auto texts = med::text_buffer(size, med::short_name_size);
+    file_.check(
+        MEDmeshEntityNameRd(file_.id(), name_.c_str(), step_, iteration_, entity, geometry, texts.data()),
+        "entity names");
+    std::vector<std::string> names(size);
+    for (std::size_t i = 0; i < size; ++i)
+      names[i] = med::text_at(texts, i, med::short_name_size);
+    return names;
+  }
+
 private:
+  static std::string name_of(med_geometry_type geometry, const std::string& in_file) {
+    const char* name = MEDgetGeometryTypeName(geometry);
+    return name != nullptr ? name : in_file;
+  }
+
+  /// `known`: how many types of this project the mesh has. Types that the file doesn't number cannot be
+  /// named.
+  void refuse_unknown_types(std::size_t known) const {
+    const auto kinds = count(MED_CELL, MED_GEO_ALL, MED_CONNECTIVITY, MED_NODAL, "cell types");
+    auto type_name = med::text_buffer(1, med::name_size);
+    for (std::size_t i = 0; i < kinds; ++i) {
+      med_geometry_type geometry = MED_UNDEF_GEOTYPE;
+      const auto result = MEDmeshEntityInfo(file_.id(), name_.c_str(), step_, iteration_, MED_CELL,
+                                            static_cast<int>(i) + 1, type_name.data(), &geometry);
+      if (result >= 0 && !med::type_of_geometry(geometry))
+        file_.refuse(fmt::format("holds cells of type {}, which this program does not know",
+                                 name_of(geometry, med::text_at(type_name, 0, med::name_size))));
+    }
+    if (kinds > known)
+      file_.refuse(fmt::format("holds cells of {} types, {} of which this program does not know", kinds,
+                               kinds - known));
+  }
+
   bool has(med_entity_type entity, med_geometry_type geometry, med_data_type data,
            std::size_t expected) const {
     med_bool changed = MED_FALSE;
@@ -197,16 +235,7 @@ void read_nodes(const med::File& file, const Entities& entities, Mesh& mesh) {
     for (std::size_t axis = 0; axis < dimension; ++axis)
       mesh.points[node][static_cast<Eigen::Index>(axis)] = values[node * dimension + axis];
   mesh.node_numbers = numbers_or_count(entities.numbers(MED_NODE, MED_NONE, count), count, 1);
-}
-
-CellType known_type(const med::File& file, med_geometry_type geometry) {
-  const auto type = med::type_of_geometry(geometry);
-  if (!type) {
-    const char* name = MEDgetGeometryTypeName(geometry);
-    file.refuse(fmt::format("holds cells of type {}, which this program does not know",
-                            name != nullptr ? name : std::to_string(geometry)));
-  }
-  return *type;
+  mesh.node_names = entities.names(MED_NODE, MED_NONE, count);
 }
 
 std::vector<NodeIndex> nodes_in_our_order(const med::File& file, const std::vector<med_int>& from,
@@ -231,9 +260,9 @@ struct BlockWithFamilies {
   std::vector<med_int> families;
 };
 
-BlockWithFamilies read_block(const med::File& file, const Entities& entities, med_geometry_type geometry,
+BlockWithFamilies read_block(const med::File& file, const Entities& entities, CellType type,
                              NodeIndex node_count) {
-  const auto type = known_type(file, geometry);
+  const auto geometry = med::geometry_of(type);
   const auto& cell = topology(type);
   const auto cells = entities.count(MED_CELL, geometry, MED_CONNECTIVITY, MED_NODAL, "cells");
   const auto size =
@@ -242,6 +271,7 @@ BlockWithFamilies read_block(const med::File& file, const Entities& entities, me
   read.block.type = type;
   read.block.nodes = nodes_in_our_order(file, entities.connectivity(geometry, size), cell, node_count);
   read.block.numbers = entities.numbers(MED_CELL, geometry, cells);
+  read.block.names = entities.names(MED_CELL, geometry, cells);
   read.families = entities.families(MED_CELL, geometry, cells);
   return read;
 }
@@ -249,12 +279,10 @@ BlockWithFamilies read_block(const med::File& file, const Entities& entities, me
 /// Reads every block; returns the family of every cell, block after block.
 std::vector<med_int> read_cells(const med::File& file, const Entities& entities, Mesh& mesh) {
   std::vector<BlockWithFamilies> read;
-  for (const auto geometry : entities.geometries())
-    read.push_back(read_block(file, entities, geometry, mesh.node_count()));
-  std::erase_if(read, [](const auto& one) { return one.block.nodes.empty(); });
+  for (const auto type : entities.types())
+    read.push_back(read_block(file, entities, type, mesh.node_count()));
   if (read.empty())
     file.refuse("holds a mesh without cells given by their nodes");
-  std::ranges::sort(read, {}, [](const auto& one) { return one.block.type; });
 
   std::vector<med_int> families;
   for (auto& one : read) {
@@ -322,6 +350,7 @@ Mesh read_unguarded(const std::filesystem::path& path, const std::string& mesh_n
   const auto families = read_families(file, header.name);
   mesh.node_groups = groups_of(node_families, families, +1);
   mesh.cell_groups = groups_of(cell_families, families, -1);
+  name_the_rest(mesh);
   return mesh;
 }
 

@@ -93,6 +93,16 @@ void write_numbers(const med::File& file, const std::string& name, med_entity_ty
              "the numbers");
 }
 
+void write_names(const med::File& file, const std::string& mesh, med_entity_type entity,
+                 med_geometry_type geometry, const std::vector<std::string>& names) {
+  if (names.empty())
+    return;
+  file.check(MEDmeshEntityNameWr(file.id(), mesh.c_str(), MED_NO_DT, MED_NO_IT, entity, geometry,
+                                 static_cast<med_int>(names.size()),
+                                 med::joined_texts(names, med::short_name_size).c_str()),
+             "the names");
+}
+
 void write_family_numbers(const med::File& file, const std::string& name, med_entity_type entity,
                           med_geometry_type geometry, std::span<const med_int> families) {
   file.check(MEDmeshEntityFamilyNumberWr(file.id(), name.c_str(), MED_NO_DT, MED_NO_IT, entity, geometry,
@@ -110,6 +120,7 @@ void write_nodes(const med::File& file, const std::string& name, const Mesh& mes
                                      MED_FULL_INTERLACE, mesh.node_count(), coordinates.data()),
              "the nodes");
   write_numbers(file, name, MED_NODE, MED_NONE, mesh.node_numbers);
+  write_names(file, name, MED_NODE, MED_NONE, mesh.node_names);
   write_family_numbers(file, name, MED_NODE, MED_NONE, families);
 }
 
@@ -132,7 +143,15 @@ void write_block(const med::File& file, const std::string& name, const CellBlock
                                           nodes_in_med_order(block).data()),
              "the cells");
   write_numbers(file, name, MED_CELL, geometry, block.numbers);
+  write_names(file, name, MED_CELL, geometry, block.names);
   write_family_numbers(file, name, MED_CELL, geometry, families);
+}
+
+void check_item_names(const std::vector<std::string>& names, std::string_view what) {
+  for (const auto& name : names)
+    if (name.size() > med::short_name_size)
+      throw InputError(fmt::format("the name '{}' of a {} does not fit into a MED file: at most {} letters",
+                                   name, what, med::short_name_size));
 }
 
 void check_names(const Mesh& mesh, const std::string& name) {
@@ -143,6 +162,9 @@ void check_names(const Mesh& mesh, const std::string& name) {
     if (group.size() > med::group_name_size)
       throw InputError(fmt::format("group name '{}' does not fit into a MED file: at most {} letters", group,
                                    med::group_name_size));
+  check_item_names(mesh.node_names, "node");
+  for (const auto& block : mesh.blocks)
+    check_item_names(block.names, "cell");
 }
 
 /// What the file needs at most: its numbers, and what MED and HDF5 tell about each part.
@@ -151,9 +173,11 @@ std::uintmax_t room_for(const Mesh& mesh) {
   constexpr std::uintmax_t of_group = 8192;
   constexpr std::uintmax_t number = 8;
   constexpr std::uintmax_t of_node = 5; // coordinates, own number, family
-  std::uintmax_t numbers = of_node * mesh.points.size();
+  constexpr std::uintmax_t of_name = med::short_name_size / number;
+  std::uintmax_t numbers = of_node * mesh.points.size() + of_name * mesh.node_names.size();
   for (const auto& block : mesh.blocks)
-    numbers += block.nodes.size() + 2 * static_cast<std::size_t>(block.cell_count());
+    numbers +=
+        block.nodes.size() + 2 * static_cast<std::size_t>(block.cell_count()) + of_name * block.names.size();
   return of_file + of_group * (mesh.node_groups.size() + mesh.cell_groups.size()) + number * numbers;
 }
 

@@ -4,7 +4,9 @@
 #include "rubato/error.hpp"
 #include "rubato/mesh/io/gmsh.hpp"
 #include "rubato/mesh/io/med.hpp"
+#include "rubato/mesh/io/msh.hpp"
 #include "rubato/mesh/io/vtu.hpp"
+#include "rubato/mesh/rounding.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +18,7 @@
 namespace rubato::mesh {
 namespace {
 
-enum class Format { med, gmsh, vtu, unknown };
+enum class Format { med, msh, geo, vtu, unknown };
 
 std::string lower_extension(const std::filesystem::path& path) {
   auto extension = path.extension().string();
@@ -28,8 +30,10 @@ Format format_by_name(const std::filesystem::path& path) {
   const auto extension = lower_extension(path);
   if (extension == ".med" || extension == ".rmed" || extension == ".mmed")
     return Format::med;
-  if (extension == ".msh" || extension == ".geo")
-    return Format::gmsh;
+  if (extension == ".msh")
+    return Format::msh;
+  if (extension == ".geo")
+    return Format::geo;
   return extension == ".vtu" ? Format::vtu : Format::unknown;
 }
 
@@ -39,33 +43,41 @@ Format format_by_content(const std::filesystem::path& path) {
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   if (head.starts_with("\x89HDF\r\n"))
     return Format::med;
-  return head.starts_with("$MeshFormat") ? Format::gmsh : Format::unknown;
+  return head.starts_with("$MeshFormat") ? Format::msh : Format::unknown;
 }
 
 [[noreturn]] void refuse_reading(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  const std::string_view why = !std::filesystem::exists(status) ? "does not exist"
-                               : std::filesystem::is_directory(status)
-                                   ? "is a directory, a mesh file was expected"
-                                   : "is of no known format: .med (.rmed, .mmed), .msh and .geo are";
+  const auto why = !std::filesystem::exists(status) ? std::string("does not exist")
+                   : std::filesystem::is_directory(status)
+                       ? std::string("is a directory, a mesh file was expected")
+                       : fmt::format("is of no format that this program reads: {}", readable_endings());
   throw InputError(fmt::format("mesh file '{}' {}", path.string(), why));
 }
 
-} // namespace
-
-Mesh read_mesh(const std::filesystem::path& path, const std::string& mesh_name) {
+Mesh read_as_written(const std::filesystem::path& path, const std::string& mesh_name) {
   auto format = format_by_name(path);
   if (format == Format::unknown)
     format = format_by_content(path);
   switch (format) {
   case Format::med:
     return read_med(path, mesh_name);
-  case Format::gmsh:
-    return read_gmsh(path);
+  case Format::msh:
+    return read_msh(path);
+  case Format::geo:
+    return read_geo(path);
   default:
     refuse_reading(path);
   }
+}
+
+} // namespace
+
+Mesh read_mesh(const std::filesystem::path& path, const std::string& mesh_name) {
+  auto mesh = read_as_written(path, mesh_name);
+  lay_flat(mesh);
+  return mesh;
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
@@ -82,16 +94,20 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
 }
 
 std::span<const FormatEntry> all_formats() {
-#ifdef RUBATO_HAS_GMSH
-  static constexpr std::array<FormatEntry, 4> entries{{{".med, .rmed, .mmed", "MED, read and written"},
-                                                       {".msh", "Gmsh, read"},
-                                                       {".geo", "Gmsh geometry, meshed and read"},
-                                                       {".vtu", "VTK, written"}}};
-#else
-  static constexpr std::array<FormatEntry, 2> entries{
-      {{".med, .rmed, .mmed", "MED, read and written"}, {".vtu", "VTK, written"}}};
-#endif
-  return entries;
+  static constexpr std::array<FormatEntry, 4> entries{
+      {{".med, .rmed, .mmed", "MED, read and written", true, true},
+       {".msh", "Gmsh 2 and 4.1, text and binary, read", true, false},
+       {".vtu", "VTK, written", false, true},
+       {".geo", "Gmsh geometry, meshed by Gmsh's library and read", true, false}}};
+  return std::span(entries).first(is_gmsh_built_in() ? 4 : 3);
+}
+
+std::string readable_endings() {
+  std::string endings;
+  for (const auto& format : all_formats())
+    if (format.is_read)
+      endings += fmt::format("{}{}", endings.empty() ? "" : ", ", format.extension);
+  return endings;
 }
 
 } // namespace rubato::mesh

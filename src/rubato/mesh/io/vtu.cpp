@@ -4,6 +4,8 @@
 #include "rubato/mesh/io/vtu.hpp"
 
 #include "rubato/error.hpp"
+#include "rubato/mesh/cell_parts.hpp"
+#include "rubato/mesh/orientation.hpp"
 #include "rubato/writing.hpp"
 
 #include <fmt/format.h>
@@ -88,12 +90,27 @@ void add_points(Document& document, std::span<const Eigen::Vector3d> points) {
   document.line("</Points>");
 }
 
+/// The nodes of a block as VTK orders them. The base of VTK's wedges, 0 1 2, turns so that its normal points
+/// out of the cell (vtkWedge.h, vtkQuadraticWedge.h): our prism mirrored. So volumes are positive and faces
+/// turn outward in VTK, quadratic wedges included; vtkCellValidator alone wants the faces of those inward.
+/// All other cells are VTK's.
+void append_in_vtk_order(const CellBlock& block, std::vector<std::int32_t>& nodes) {
+  if (linear_type(block.type) != CellType::penta6) {
+    nodes.insert(nodes.end(), block.nodes.begin(), block.nodes.end());
+    return;
+  }
+  const auto order = mirrored_numbering(block.type);
+  for (CellIndex cell = 0; cell < block.cell_count(); ++cell)
+    for (const auto local : order)
+      nodes.push_back(block.cell(cell)[local]);
+}
+
 void add_cells(Document& document, const std::vector<const CellBlock*>& blocks) {
   std::vector<std::int32_t> nodes;
   std::vector<std::int64_t> ends;
   std::vector<std::uint8_t> types;
   for (const auto* block : blocks) {
-    nodes.insert(nodes.end(), block->nodes.begin(), block->nodes.end());
+    append_in_vtk_order(*block, nodes);
     types.insert(types.end(), static_cast<std::size_t>(block->cell_count()),
                  vtk_types[static_cast<std::size_t>(block->type)]);
     for (CellIndex cell = 0; cell < block->cell_count(); ++cell)

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/run/advice.hpp"
+
+#include "rubato/deck/read.hpp"
+#include "rubato/deck/words.hpp"
+#include "rubato/model/bodies.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::run {
+namespace {
+
+using step::Criterion;
+using step::Outcome;
+
+/// Cuts into so many parts have shown that a shorter step does not help.
+constexpr double short_enough = 64;
+/// Loops that came to no end may want that many times the rounds they had.
+constexpr int more_rounds = 3;
+
+/// Gathers what may help.
+class Advice {
+public:
+  explicit Advice(const deck::Study& study) : study_(study) {}
+
+  void add(std::string text) {
+    if (std::ranges::find(lines_, text) == lines_.end())
+      lines_.push_back(std::move(text));
+  }
+
+  /// Only when the deck takes these settings.
+  void add(std::string text, const std::vector<deck::Setting>& settings) {
+    if (deck::accepts(study_, settings))
+      add(std::move(text));
+  }
+
+  /// One key of the deck.
+  void set(const std::string& path, const std::string& value) {
+    add(fmt::format("{}: {}", path, value), {{path, value}});
+  }
+
+  std::vector<std::string> take() { return std::move(lines_); }
+
+private:
+  const deck::Study& study_;
+  std::vector<std::string> lines_;
+};
+
+/// The zones that a criterion is about: the one it names, or all.
+std::vector<const contact::Zone*> zones_of(const model::Model& model, int zone) {
+  if (zone >= 0)
+    return {&model.zones[static_cast<std::size_t>(zone)]};
+  std::vector<const contact::Zone*> all;
+  for (const auto& each : model.zones)
+    all.push_back(&each);
+  return all;
+}
+
+std::string key_of(const contact::Zone& zone, const std::string& key) {
+  return fmt::format("contact.{}.{}", zone.settings.name, key);
+}
+
+void on_loop(const contact::Zone& zone, const deck::Level& level, const std::string& name, Advice& advice) {
+  if (level.by != deck::Iteration::fixed_point)
+    return;
+  const auto key = key_of(zone, "iterate." + name);
+  advice.set(key, "newton");
+  advice.set(key, fmt::format("{{by: fixed_point, {}max_loops: {}}}",
+                              name == "status" ? "" : fmt::format("tolerance: {:g}, ", level.tolerance),
+                              more_rounds * level.max_loops));
+}
+
+/// Springs in the place of exact gaps.
+void on_gap(const contact::Zone& zone, Advice& advice) {
+  const auto key = key_of(zone, "method");
+  const std::string method = deck::is_nodal(zone.settings.method) ? "nodal_penalty" : "penalty";
+  advice.add(fmt::format("{}: {}, whose gaps need not close", key, method),
+             {{key, method}, {key_of(zone, "friction_method"), ""}, {key_of(zone, "coefficients"), ""}});
+}
+
+void on_projection(const contact::Zone& zone, Advice& advice) {
+  for (const auto normal : {deck::ContactNormal::slave, deck::ContactNormal::average})
+    if (zone.settings.normal != normal)
+      advice.set(key_of(zone, "normal"), std::string(deck::word_of(deck::contact_normal_words, normal)));
+}
+
+void on_lost_point(const model::Model& model, const step::Unmet& unmet, Advice& advice) {
+  for (const auto* zone : zones_of(model, unmet.zone))
+    advice.add(zone->obstacle ? fmt::format("an obstacle of zone '{}' that node {} cannot get past",
+                                            zone->settings.name, model::node_label(model.mesh, unmet.node))
+                              : fmt::format("a master of zone '{}' that goes on past node {}",
+                                            zone->settings.name, model::node_label(model.mesh, unmet.node)));
+}
+
+void on_status(const contact::Zone& zone, Advice& advice) {
+  if (zone.settings.status.by == deck::Iteration::newton)
+    advice.set(key_of(zone, "iterate.status"), "fixed_point");
+  else
+    on_loop(zone, zone.settings.status, "status", advice);
+}
+
+void on_singular(const model::Model& model, Advice& advice) {
+  const auto loose = loose_bodies(model);
+  for (const auto& body : loose)
+    advice.add(fmt::format("supports or springs along {} for the body of node {}", body.axes,
+                           model::node_label(model.mesh, body.node)));
+  if (!loose.empty())
+    return;
+  advice.add("supports that keep the bodies from turning");
+  for (const auto& zone : model.zones)
+    if (contact::is_exact(zone.settings.method))
+      advice.add(fmt::format("{}: the slave nodes that supports hold", key_of(zone, "exclude_nodes")));
+}
+
+/// Coefficients that the user has chosen and that are part of the answer.
+void on_coefficients(const contact::Zone& zone, Advice& advice) {
+  const auto& settings = zone.settings;
+  const bool springs =
+      settings.friction > 0 && settings.friction_method != deck::FrictionMethod::augmented_lagrangian;
+  const auto smaller = [&](const char* name, double now) {
+    advice.add(fmt::format("a smaller {} than {:g}, or none",
+                           key_of(zone, std::string("coefficients.") + name), now));
+  };
+  if (springs && settings.tangential_coefficient)
+    smaller("tangential", *settings.tangential_coefficient);
+  if (!contact::is_exact(settings.method) && settings.normal_coefficient)
+    smaller("normal", *settings.normal_coefficient);
+}
+
+void on_criterion(const model::Model& model, const step::Unmet& unmet, Advice& advice) {
+  if (unmet.criterion == Criterion::singular)
+    return on_singular(model, advice);
+  if (unmet.criterion == Criterion::point_lost)
+    return on_lost_point(model, unmet, advice);
+  for (const auto* zone : zones_of(model, unmet.zone)) {
+    if (unmet.criterion == Criterion::geometry_loop)
+      on_loop(*zone, zone->settings.geometry, "geometry", advice);
+    else if (unmet.criterion == Criterion::friction_loop)
+      on_loop(*zone, zone->settings.threshold, "friction", advice);
+    else if (unmet.criterion == Criterion::status)
+      on_status(*zone, advice);
+    else if (unmet.criterion == Criterion::projection)
+      on_projection(*zone, advice);
+    else if (unmet.criterion == Criterion::gap)
+      on_gap(*zone, advice);
+  }
+}
+
+/// A gap or a projection that is the only thing not settled names its own cure; while forces are out of
+/// balance both are bound to move.
+bool is_cause(const step::StepReport& report, const step::Unmet& unmet) {
+  const bool follows = unmet.criterion == Criterion::gap || unmet.criterion == Criterion::projection;
+  return !follows ||
+         (report.unmet_by(Criterion::residual) == nullptr && report.unmet_by(Criterion::status) == nullptr);
+}
+
+bool only_residual(const step::StepReport& report) {
+  return report.outcome == Outcome::too_many_iterations && report.unmet_by(Criterion::residual) != nullptr &&
+         report.unmet_by(Criterion::status) == nullptr && report.unmet_by(Criterion::point_lost) == nullptr;
+}
+
+/// The keys of time that moreau_jean does not take, as a run removes them.
+std::string without_numbers(const deck::TimeStepping& time) {
+  std::string removed;
+  const auto remove = [&](bool given, std::string_view key) {
+    if (given)
+      removed += fmt::format(", {}: ~", key);
+  };
+  using enum deck::SchemeKind;
+  remove(time.scheme == newmark && time.beta, "beta");
+  remove(time.scheme == newmark && time.gamma, "gamma");
+  remove(time.scheme == hht || time.scheme == modified_average_acceleration, "alpha");
+  remove(time.scheme == generalized_alpha, "spectral_radius");
+  return removed;
+}
+
+void on_scheme(const model::Model& model, const time::Scheme& scheme, Advice& advice) {
+  if (!feeds_on_contact(model, scheme))
+    return;
+  const auto time = fmt::format("{{scheme: moreau_jean{}}}", without_numbers(model.study.time));
+  advice.add(fmt::format("time: {}, which gains no energy from contact", time), {{"time", time}});
+}
+
+void on_step(const deck::TimeStepping& time, const results::Failure& failure, Advice& advice) {
+  if (std::pow(time.cut_parts, failure.cut_level) >= short_enough)
+    return;
+  if (time.instants.empty())
+    advice.add("a shorter time.step");
+  else
+    advice.add(fmt::format("more time.instants around {:g}", failure.end));
+  advice.set("time.on_failure.levels", "12");
+}
+
+void on_place(const model::Model& model, const step::StepReport& report, Advice& advice) {
+  auto node = report.worst_node;
+  for (const auto& unmet : report.unmet)
+    if (unmet.node >= 0) {
+      node = unmet.node;
+      break;
+    }
+  if (node >= 0)
+    advice.add(fmt::format("a look at the mesh around {}", model::node_label(model.mesh, node)));
+}
+
+} // namespace
+
+bool feeds_on_contact(const model::Model& model, const time::Scheme& scheme) {
+  return time::is_undamped(scheme) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
+           return contact::is_exact(zone.settings.method);
+         });
+}
+
+std::vector<std::string> advice(const model::Model& model, const time::Scheme& scheme,
+                                const results::Failure& failure) {
+  const auto& report = failure.report;
+  Advice advice(model.study);
+  if (report.outcome == Outcome::not_finite) {
+    advice.add("a look at the loads and the mesh there");
+    return advice.take();
+  }
+  for (const auto& unmet : report.unmet)
+    if (is_cause(report, unmet))
+      on_criterion(model, unmet, advice);
+  for (const auto& zone : model.zones)
+    on_coefficients(zone, advice);
+  on_scheme(model, scheme, advice);
+  on_step(model.study.time, failure, advice);
+  if (only_residual(report))
+    advice.set("newton.max_iterations", std::to_string(2 * model.study.newton.max_iterations));
+  on_place(model, report, advice);
+  return advice.take();
+}
+
+std::vector<LooseBody> loose_bodies(const model::Model& model) {
+  const model::Bodies bodies(model.mesh, model.bulk);
+  const auto components = static_cast<std::size_t>(model.dofs.components);
+  std::vector<char> held(static_cast<std::size_t>(bodies.count()) * components, 0);
+  const auto hold = [&](int dof) {
+    const auto body = static_cast<std::size_t>(bodies.of(model.node_of(dof)));
+    held[body * components + static_cast<std::size_t>(dof) % components] = 1;
+  };
+  for (const auto& constraint : model.constraints)
+    hold(constraint.dof);
+  for (const auto& spring : model.springs)
+    hold(spring.dof);
+  // Nothing moves a ring along its radius but strain.
+  const std::size_t first = model.study.physics == deck::Physics::axisymmetric ? 1 : 0;
+  std::vector<LooseBody> loose;
+  for (int body = 0; body < bodies.count(); ++body) {
+    std::vector<std::string_view> axes;
+    for (std::size_t axis = first; axis < components; ++axis)
+      if (held[static_cast<std::size_t>(body) * components + axis] == 0)
+        axes.push_back(deck::axis_words[axis]);
+    if (!axes.empty())
+      loose.push_back({bodies.first_node(body), fmt::format("{}", fmt::join(axes, ", "))});
+  }
+  return loose;
+}
+
+} // namespace rubato::run
