@@ -233,11 +233,12 @@ bool Condensed::surface_within_rounding(const State& trial) const {
     const auto& place = model_.mesh.points[static_cast<std::size_t>(model_.node_of(dof))];
     reach = std::max(reach, place.lpNorm<Eigen::Infinity>() + std::abs(trial.motion.u[dof]));
   }
+  const VectorXd stiffness = contact_stiffness(model_, system_);
   const double allowed = report_.tolerance * surface_scale();
   for (std::size_t i = 0; i < dofs.size(); ++i) {
     const double left =
         scheme_.contact_weight() * std::abs(force()[static_cast<Index>(i)] - applied_[static_cast<Index>(i)]);
-    if (left > std::max(allowed, last_digits * system_.diagonal[dofs[i]] * reach))
+    if (left > std::max(allowed, last_digits * stiffness[dofs[i]] * reach))
       return false;
   }
   return true;

@@ -32,7 +32,40 @@ VectorXd history_forces(const time::Scheme& scheme, const State& committed) {
   return history;
 }
 
+/// Of a point's springs, normal and of friction; those of friction by penalty are limited by the pressure and
+/// stay below the normal ones.
+double stiffness_of_springs(const contact::Zone& zone, const contact::ZoneCoefficients& coefficients,
+                            std::size_t point) {
+  double stiffness = 0;
+  if (!contact::is_exact(zone.settings.method))
+    stiffness = std::abs(zone.points[point].weight) * coefficients.normal[point];
+  if (zone.settings.friction > 0 && zone.settings.friction_method == deck::FrictionMethod::nodal_penalty)
+    stiffness = std::max(stiffness, coefficients.tangential[point]);
+  return stiffness;
+}
+
 } // namespace
+
+VectorXd contact_stiffness(const Model& model, const EffectiveSystem& system) {
+  VectorXd stiffness = system.diagonal;
+  const auto add = [&](mesh::NodeIndex node, double spring) {
+    stiffness.segment(model.dofs.dof(node, 0), model.dofs.components).array() += spring;
+  };
+  for (std::size_t z = 0; z < model.zones.size(); ++z) {
+    const auto& zone = model.zones[z];
+    double stiffest = 0;
+    for (std::size_t i = 0; i < zone.points.size(); ++i) {
+      const auto& point = zone.points[i];
+      const double spring = stiffness_of_springs(zone, system.zones[z], i);
+      stiffest = std::max(stiffest, spring);
+      for (std::size_t n = 0; n < point.nodes.size(); ++n)
+        add(point.nodes[n], std::abs(point.shape[n]) * spring);
+    }
+    for (const auto node : zone.master.nodes)
+      add(node, stiffest);
+  }
+  return stiffness;
+}
 
 ContactForce::ContactForce(Index dofs)
     : all(VectorXd::Zero(dofs)), nodal(VectorXd::Zero(dofs)), forgotten(VectorXd::Zero(dofs)) {}
@@ -104,13 +137,14 @@ bool Equilibrium::within_rounding(const time::Motion& motion, double tolerance) 
 
 /// A contact force follows the gap by the stiffness there, and a gap is a difference of places.
 void Equilibrium::add_places(VectorXd& summed) const {
+  const VectorXd stiffness = contact_stiffness(model_, system_);
   for (const auto& zone : model_.zones)
     for (const auto* surface : {&zone.master, &zone.slave})
       for (const auto node : surface->nodes)
         for (int i = 0; i < model_.dofs.components; ++i) {
           const int dof = model_.dofs.dof(node, i);
-          summed[dof] += system_.diagonal[dof] *
-                         model_.mesh.points[static_cast<std::size_t>(node)].lpNorm<Eigen::Infinity>();
+          summed[dof] +=
+              stiffness[dof] * model_.mesh.points[static_cast<std::size_t>(node)].lpNorm<Eigen::Infinity>();
         }
 }
 

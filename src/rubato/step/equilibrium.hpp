@@ -21,6 +21,11 @@ struct ContactForce {
   explicit ContactForce(Eigen::Index dofs);
 };
 
+/// What forces at each dof follow its place by, at most: the effective matrix's diagonal, and on contact
+/// surfaces what springs of penalties add to it where they press. On a master every spring of its zone counts
+/// as one that may press on any node. [force/length]
+Eigen::VectorXd contact_stiffness(const model::Model& model, const EffectiveSystem& system);
+
 /// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (K u₁ − f_ext) + the weight of contact × f_c + the terms of the
 /// start of the step.
 class Equilibrium {
@@ -36,7 +41,8 @@ public:
   /// them), and of the momentum's rate.
   void measure(const time::Motion& motion, const ContactForce& contact, StepReport& report);
   /// Whether every entry of the residual is within `tolerance` or no more than what rounding of the forces
-  /// that it sums may leave: 16 units in the last digit of (|A| |u|)_i, A being the effective matrix.
+  /// that it sums may leave: 16 units in the last digit of (|A| |u|)_i, A being the effective matrix, and of
+  /// S_i |x| at contact nodes, S being their contact_stiffness.
   bool within_rounding(const time::Motion& motion, double tolerance) const;
   /// The nodes where the residual is largest.
   std::vector<WorstNode> worst() const;

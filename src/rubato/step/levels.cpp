@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -21,8 +22,10 @@ using model::Model;
 constexpr double newton_like = 1e-8;
 /// Rounds to get there.
 constexpr int newton_like_rounds = 30;
-/// Rounds that a point may go to and fro between two faces before it is held between them.
+/// Rounds that a point may go from face to face before it is held between two of them.
 constexpr int patience = 8;
+/// Rounds of a zone's own loop that a point may go to and fro between two faces before it is held there.
+constexpr int own_patience = 5;
 
 /// The loop of one level: zones may differ in whether they have it and how strict they are.
 struct Loop {
@@ -71,7 +74,7 @@ public:
   Levels(const Model& model, const ContactSide& side, const Solve& solve, const State& committed,
          State& trial)
       : model_(model), side_(side), solve_(solve), committed_(committed), trial_(trial),
-        held_(model.zones.size()), between_(model.zones.size()) {}
+        held_(model.zones.size()), former_faces_(model.zones.size()), between_(model.zones.size()) {}
 
   StepReport run() {
     pressures_ = hold_thresholds();
@@ -158,9 +161,18 @@ private:
       if (!loops(z, &deck::ContactZone::geometry))
         continue;
       held_[z].frames = contact::with_held_frames(std::move(here.points[z]));
-      if (round > patience && loops_instead(model_.zones[z], &deck::ContactZone::geometry, side_.variant()))
-        hold_between(before[z].frames, z);
+      const bool instead = loops_instead(model_.zones[z], &deck::ContactZone::geometry, side_.variant());
+      if (round > (instead ? patience : own_patience))
+        hold_between(before[z].frames, z, instead);
+      former_faces_[z] = faces_of(before[z].frames);
     }
+  }
+
+  static std::vector<int> faces_of(const std::vector<PointEvaluation>& frames) {
+    std::vector<int> faces;
+    std::ranges::transform(frames, std::back_inserter(faces),
+                           [](const PointEvaluation& point) { return point.pair.master_face; });
+    return faces;
   }
 
   Held released() const {
@@ -171,13 +183,15 @@ private:
   }
 
   /// Where two faces make an edge, a point can be pushed off each of them onto the other, and at the border
-  /// of the surface off it and back. Held between the faces, or on the border, once, it stays there.
-  void hold_between(const std::vector<PointEvaluation>& before, std::size_t zone) {
+  /// of the surface off it and back. Held between the faces, or on the border, once, it stays there. A zone's
+  /// own loop follows points that go on from face to face: only those that come back are held.
+  void hold_between(const std::vector<PointEvaluation>& before, std::size_t zone, bool all_that_move) {
     auto& between = between_[zone];
     between.resize(before.size());
     for (std::size_t i = 0; i < before.size(); ++i) {
       auto& now = held_[zone].frames[i];
-      if (!between[i] && before[i].pair.master_face != now.pair.master_face)
+      const bool moved = before[i].pair.master_face != now.pair.master_face;
+      if (!between[i] && moved && (all_that_move || former_faces_[zone][i] == now.pair.master_face))
         between[i] = place_between(before[i], now);
       if (between[i])
         now = *between[i];
@@ -236,11 +250,25 @@ private:
     }
   }
 
-  /// How far a round moved the bodies, as part of how far they had come in this step.
+  /// How far a round moved the bodies, as part of how far they had come in this step; 0 where rounding of the
+  /// places moves them as far. In a step in which nothing goes on both are what the residual's test leaves.
   double relative_move(const VectorXd& before) const {
+    constexpr double last_digits = 16 * std::numeric_limits<double>::epsilon();
     const double moved = (trial_.motion.u - before).lpNorm<Eigen::Infinity>();
     const double size = (before - committed_.motion.u).lpNorm<Eigen::Infinity>();
-    return moved == 0 ? 0.0 : moved / size;
+    const double left = model_.study.newton.residual * before.lpNorm<Eigen::Infinity>();
+    return moved <= last_digits * reach() ? 0.0 : moved / std::max(size, left);
+  }
+
+  /// The largest coordinate of a contact surface.
+  double reach() const {
+    double largest = 0;
+    for (const auto& zone : model_.zones)
+      for (const auto* surface : {&zone.master, &zone.slave})
+        for (const auto node : surface->nodes)
+          largest =
+              std::max(largest, model_.mesh.points[static_cast<std::size_t>(node)].lpNorm<Eigen::Infinity>());
+    return largest;
   }
 
   /// The point whose friction pressure a round changed most.
@@ -281,6 +309,7 @@ private:
   const State& committed_;
   State& trial_;
   Held held_;
+  std::vector<std::vector<int>> former_faces_; ///< of the round before the last one, zone by zone
   /// Points held between two faces, zone by zone; empty while there is none.
   std::vector<std::vector<std::optional<PointEvaluation>>> between_;
   StepReport report_;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// A ring shrunk onto another one, by springs: nodes of both sides stand on each other, each in a valley
+// between two faces of the master.
+#include <gtest/gtest.h>
+
+#include "unit/step/walk.hpp"
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace rubato::step {
+namespace {
+
+using deck::Setting;
+
+/// Quarters of two rings, unrolled: x is the part of the quarter, y the radius.
+const std::string rings = R"(
+mesh:
+  generate:
+    - {name: inner, rectangle: {from: [0, 20], to: [1, 40.005]}, divisions: [10, 4], cells: quad4,
+       sides: {left: upright, right: level, top: inner_face}}
+    - {name: outer, rectangle: {from: [0, 40], to: [1, 60]}, divisions: [10, 4], cells: quad4,
+       sides: {left: upright, right: level, bottom: outer_face}}
+physics: plane_strain
+materials: {steel: {young: 2e5, poisson: 0.3}}
+supports: [{on: upright, fix: x}, {on: level, fix: y}]
+contact: {fit: {master: outer_face, slave: inner_face, method: nodal_penalty}}
+time: {scheme: static, step: 1, end: 1}
+)";
+
+model::Model rolled_up(const std::vector<Setting>& changes, double size) {
+  const auto study = deck::parse_deck(rings, "deck.yaml", changes).runs.front();
+  auto mesh = model::load_mesh(study.mesh);
+  for (auto& point : mesh.points) {
+    const double angle = std::numbers::pi / 2 * (1 - point[0]);
+    const double radius = size * point[1];
+    point = {radius * std::cos(angle), radius * std::sin(angle), 0};
+    if (std::abs(point[0]) < 1e-12 * radius)
+      point[0] = 0;
+  }
+  return model::build_model(study, std::move(mesh));
+}
+
+double force_of(const std::vector<Setting>& changes, double size = 1) {
+  test::Walk walk(rolled_up(changes, size));
+  EXPECT_TRUE(walk.to_end());
+  EXPECT_EQ(walk.reports.size(), 1u) << "the step was cut";
+  EXPECT_EQ(walk.resultants().in_contact, 11);
+  return walk.resultants().normal / size;
+}
+
+TEST(AShrinkFit, SettlesByNodalSpringsOfAnySize) {
+  for (const char* cells : {"quad4", "tria3"})
+    for (const char* friction : {"0", "0.2"})
+      for (const double size : {1.0, 1000.0}) {
+        const std::vector<Setting> deck{{"mesh.generate.0.cells", cells},
+                                        {"mesh.generate.1.cells", cells},
+                                        {"contact.fit.friction", friction}};
+        const double force = force_of(deck, size);
+        EXPECT_GT(force, 0) << cells << ", friction " << friction << ", size " << size;
+        EXPECT_NEAR(force, force_of(deck), 1e-6 * force) << cells << ", friction " << friction;
+      }
+}
+
+/// Forces of such springs follow the last digits of places: there the residual can go no lower.
+TEST(AShrinkFit, ComesToTheExactForceByStiffNodalSprings) {
+  const double exact = force_of({{"contact.fit.method", "nodal_lagrange"}});
+  for (const auto& [normal, tolerance] : {std::pair{"1e8", 1e-2}, {"1e10", 1e-4}, {"1e11", 1e-4}})
+    EXPECT_NEAR(force_of({{"contact.fit.coefficients.normal", normal}}), exact, tolerance * exact) << normal;
+}
+
+TEST(AShrinkFit, KeepsStillInStepsWithoutLoads) {
+  for (const char* method : {"nodal_penalty", "nodal_lagrange", "nodal_pcg"}) {
+    test::Walk walk(rolled_up({{"contact.fit.method", method}, {"time.end", "3"}}, 1));
+    ASSERT_TRUE(walk.to_end()) << method;
+    EXPECT_EQ(walk.reports.size(), 3u) << method;
+  }
+}
+
+} // namespace
+} // namespace rubato::step
