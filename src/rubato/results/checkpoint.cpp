@@ -210,6 +210,7 @@ template <class Archive> void exchange(Archive& archive, const std::string& at, 
   archive.number(at + "contact", energy.contact);
   archive.number(at + "external_work", energy.external_work);
   archive.number(at + "support_work", energy.support_work);
+  archive.number(at + "overlap_work", energy.overlap_work);
   archive.number(at + "damping", energy.damping);
   archive.number(at + "friction", energy.friction);
   archive.number(at + "impact", energy.impact);
@@ -272,6 +273,9 @@ template <class Archive> void exchange(Archive& archive, Checkpoint& checkpoint)
   exchange(archive, checkpoint.state);
   exchange(archive, checkpoint.place);
   exchange(archive, "energy/", checkpoint.energy);
+  archive.parts("energy/overlaps", checkpoint.overlaps);
+  for (std::size_t z = 0; z < checkpoint.overlaps.size(); ++z)
+    archive.numbers(fmt::format("energy/overlaps_{}", z), checkpoint.overlaps[z]);
   exchange(archive, checkpoint.record);
   exchange(archive, checkpoint.recorder);
   bool is_explicit = checkpoint.progress.has_value();

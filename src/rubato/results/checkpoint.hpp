@@ -33,6 +33,7 @@ struct Checkpoint {
   step::State state;       ///< of the last step that counts
   time::StepControl::Place place;
   step::EnergyLedger energy;
+  step::Overlaps overlaps; ///< of the energy account
   step::EnergyRecord record;
   RecorderPosition recorder;
   std::optional<ExplicitProgress> progress;

@@ -149,8 +149,8 @@ public:
   void failed(const Attempt& attempt, const step::StepReport& report) { write_attempt(attempt, report); }
 
   void energy(double t, const step::EnergyLedger& e) {
-    energy_.row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.damping, e.contact,
-                           e.friction, e.impact, e.numerical, e.unbalanced, e.balance()});
+    energy_.row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.overlap_work, e.damping,
+                           e.contact, e.friction, e.impact, e.numerical, e.unbalanced, e.balance()});
     mark_.reset();
   }
 
@@ -284,7 +284,7 @@ private:
   }
 
   static std::vector<std::string> energy_columns() {
-    return {"t",       "kinetic",  "strain", "external_work", "support_work", "damping",
+    return {"t",       "kinetic",  "strain", "external_work", "support_work", "overlap_work", "damping",
             "contact", "friction", "impact", "numerical",     "unbalanced",   "balance"};
   }
 

@@ -15,6 +15,8 @@ constexpr double worth_a_warning = 1e-2;
 /// Schemes that damp begin with an energy of their own where a load jumps (docs/theory/energy.md) and give it
 /// to the bodies before they take it again; that takes them up to ten steps.
 constexpr int soon = 10;
+/// Of the largest energy. Rounding makes meshes that touch overlap by less.
+constexpr double worth_telling = 1e-6;
 
 /// What the bodies have from nowhere: all in all, or from contact alone where the scheme takes that again.
 double gained(const step::EnergyLedger& ledger) {
@@ -73,8 +75,11 @@ void EnergyWatch::tell() {
                         record_.gained_at,
                         record_.by_scheme > record_.by_impact ? "by the time scheme" : "by contact")
           : "";
-  watch_.say(fmt::format("{}: energy balance within {:.2g} of the largest energy, {:.4g}{}", run_,
-                         record_.largest_balance / record_.largest, record_.largest, gain));
+  const auto overlap = now_.overlap_work > worth_telling * record_.largest
+                           ? fmt::format("; what overlapped at the start gave {:.4g}", now_.overlap_work)
+                           : "";
+  watch_.say(fmt::format("{}: energy balance within {:.2g} of the largest energy, {:.4g}{}{}", run_,
+                         record_.largest_balance / record_.largest, record_.largest, overlap, gain));
 }
 
 } // namespace rubato::run

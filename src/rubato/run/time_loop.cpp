@@ -108,7 +108,7 @@ private:
   void go_on(const results::Checkpoint& from) {
     check_fits(model_, committed_);
     control_.go_on(from.place);
-    account_ = step::EnergyAccount(model_, scheme_, from.energy);
+    account_ = step::EnergyAccount(model_, scheme_, from.energy, from.overlaps);
     result_.steps = from.spent.steps;
     result_.iterations = from.spent.iterations;
     result_.cuts = from.spent.cuts;
@@ -140,6 +140,7 @@ private:
       checkpoint.state = committed_;
       checkpoint.place = control_.place();
       checkpoint.energy = account_.ledger();
+      checkpoint.overlaps = account_.overlaps();
       checkpoint.record = energy_.record();
       checkpoint.recorder = recorder_->position();
       return checkpoint;

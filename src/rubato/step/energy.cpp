@@ -2,6 +2,8 @@
 // Notation of docs/theory/energy.md: [x] = x₁ − x₀, {x} = (x₀ + x₁)/2.
 #include "rubato/step/energy.hpp"
 
+#include <utility>
+
 namespace rubato::step {
 namespace {
 
@@ -42,8 +44,10 @@ EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, con
     : model_(&model), scheme_(&scheme) {
   ledger_.kinetic = scheme.dynamic ? kinetic_energy(start) : 0;
   ledger_.strain = strain_energy(start);
-  ledger_.contact = energy_of_springs(start.zones);
+  ledger_.contact = energy_of_springs(model.zones, start.zones);
   ledger_.start = ledger_.stored();
+  if (!scheme.impulsive) // a law of velocities leaves overlaps as they are
+    overlaps_ = overlaps_of(model, start);
 }
 
 void EnergyAccount::enter(const State& committed, const State& trial) {
@@ -60,15 +64,24 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
       work_of_contact(moved, committed.friction_force, trial.friction_force) + obstacles.tangential;
   const double contact = work_of_contact(moved, committed.contact_force, trial.contact_force) +
                          obstacles.normal + obstacles.tangential;
-  const double springs = scheme_->impulsive ? 0.0 : energy_of_springs(trial.zones);
+  const double springs = scheme_->impulsive ? 0.0 : energy_of_springs(model_->zones, trial.zones);
+  const double overlap = enter_overlaps(committed, trial);
   ledger_.friction += friction;
-  ledger_.impact += contact - friction - (springs - ledger_.contact);
+  ledger_.overlap_work += overlap;
+  ledger_.impact += contact - friction - (springs - ledger_.contact) + overlap;
   ledger_.contact = springs;
   ledger_.support_work += obstacles.normal + obstacles.tangential;
   const auto supports = enter_supports(moved, committed, trial);
   ledger_.support_work += supports.work;
   ledger_.numerical += scheme_dissipation(moved, committed, trial) + supports.work - supports.with_step;
   ledger_.unbalanced += work_of_equation(moved, committed, trial) - supports.with_step;
+}
+
+/// In the first step that closes them, in the second that the bodies may rebound in.
+double EnergyAccount::enter_overlaps(const State& committed, const State& trial) {
+  if (std::exchange(closed_, true))
+    return work_of_rebound(*model_, std::exchange(overlaps_, {}), committed, trial);
+  return work_of_overlaps(*model_, overlaps_, trial);
 }
 
 /// [u]·{f}, or [u]·f₁ where f₁ is the mean over the step.
@@ -179,12 +192,13 @@ double EnergyAccount::dissipation_of_inertia(const VectorXd& moved, const State&
   return sum;
 }
 
-double energy_of_springs(std::span<const contact::ZoneState> zones) {
+double energy_of_springs(std::span<const contact::Zone> zones, std::span<const contact::ZoneState> states) {
   double sum = 0;
-  for (const auto& zone : zones)
-    for (const auto& outcome : zone.outcomes)
-      if (outcome.gap < 0)
-        sum -= 0.5 * outcome.gap * outcome.normal.norm();
+  for (std::size_t z = 0; z < states.size(); ++z)
+    if (!contact::is_exact(zones[z].settings.method))
+      for (const auto& outcome : states[z].outcomes)
+        if (outcome.gap < 0)
+          sum -= 0.5 * outcome.gap * outcome.normal.norm();
   return sum;
 }
 

@@ -6,12 +6,14 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
+#include "rubato/step/overlap.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace rubato::step {
 
@@ -19,10 +21,11 @@ struct EnergyLedger {
   // Held by the bodies and their contact at this instant:
   double kinetic = 0;
   double strain = 0;
-  double contact = 0; ///< stored in penalty springs, normal and tangential
+  double contact = 0; ///< stored in penalty springs; implicit runs: normal ones
   // Given and taken since the start of the run:
   double external_work = 0; ///< of the loads on the bodies
   double support_work = 0;  ///< of supports and obstacles that move
+  double overlap_work = 0;  ///< of pressures that close what overlapped when the run began
   double damping = 0;       ///< dissipated by Rayleigh damping
   double friction = 0;      ///< dissipated by friction
   double impact = 0;        ///< taken by contact pressures and not stored: > 0 where bodies hit, < 0 gained
@@ -34,15 +37,17 @@ struct EnergyLedger {
   /// What the ledger has no entry for: rounding.
   double balance() const {
     return stored() - start + damping + friction + impact + numerical - external_work - support_work -
-           unbalanced;
+           overlap_work - unbalanced;
   }
   /// What the bodies have more than physics allows: < 0 as long as impacts and the scheme only take.
-  double gain() const { return stored() - start + damping + friction - external_work - support_work; }
+  double gain() const {
+    return stored() - start + damping + friction - external_work - support_work - overlap_work;
+  }
   /// The largest of all parts: what the balance is measured by.
   double largest() const {
     return std::max({std::abs(kinetic), std::abs(strain), std::abs(contact), std::abs(external_work),
-                     std::abs(support_work), std::abs(damping), std::abs(friction), std::abs(impact),
-                     std::abs(numerical), std::abs(unbalanced), std::abs(start)});
+                     std::abs(support_work), std::abs(overlap_work), std::abs(damping), std::abs(friction),
+                     std::abs(impact), std::abs(numerical), std::abs(unbalanced), std::abs(start)});
   }
 };
 
@@ -63,13 +68,16 @@ class EnergyAccount {
 public:
   /// The model and the scheme must outlive this. `start`: the state the run begins with.
   EnergyAccount(const model::Model& model, const time::Scheme& scheme, const State& start);
-  /// Goes on with an account as it was.
-  EnergyAccount(const model::Model& model, const time::Scheme& scheme, const EnergyLedger& ledger)
-      : model_(&model), scheme_(&scheme), ledger_(ledger) {}
+  /// Goes on with an account as it was after one step or more.
+  EnergyAccount(const model::Model& model, const time::Scheme& scheme, const EnergyLedger& ledger,
+                Overlaps overlaps)
+      : model_(&model), scheme_(&scheme), ledger_(ledger), overlaps_(std::move(overlaps)), closed_(true) {}
 
   /// Enters the step from `committed` to `trial`.
   void enter(const State& committed, const State& trial);
   const EnergyLedger& ledger() const { return ledger_; }
+  /// What overlapped at the start and may still give energy; empty after two steps.
+  const Overlaps& overlaps() const { return overlaps_; }
 
 private:
   double work_of_contact(const Eigen::VectorXd& moved, const Eigen::VectorXd& before,
@@ -85,6 +93,7 @@ private:
   Obstacles work_of_obstacles(const State& committed, const State& trial) const;
   Supports enter_supports(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double work_of_equation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
+  double enter_overlaps(const State& committed, const State& trial);
   double dissipation_of_inertia(const Eigen::VectorXd& moved, const State& committed,
                                 const State& trial) const;
   double scheme_dissipation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
@@ -92,10 +101,13 @@ private:
   const model::Model* model_;
   const time::Scheme* scheme_;
   EnergyLedger ledger_;
+  Overlaps overlaps_;
+  bool closed_ = false; ///< the first step is done
 };
 
-/// What contact springs of these zones hold: exact where pressures are proportional to penetrations, 0 where
-/// gaps are closed.
-double energy_of_springs(std::span<const contact::ZoneState> zones);
+/// What normal contact springs hold, ½ N ⟨−g⟩ each [force · length]. Exact methods have none: between nodes
+/// their points may penetrate a little, gaps being closed on average. Springs of friction begin anew in every
+/// step and give back nothing of what they took: it counts as friction.
+double energy_of_springs(std::span<const contact::Zone> zones, std::span<const contact::ZoneState> states);
 
 } // namespace rubato::step

@@ -35,6 +35,8 @@ Checkpoint sample() {
   c.state.zones[1].outcomes = {{.gap = INFINITY}, {-1e-9, {1, 2}, 3, Vector3d(4, 5, 6), Vector3d(7, 8, 9)}};
   c.place = {0.3, {{0.4, 1}, {0.35, 2}}, false};
   c.energy.numerical = -4;
+  c.energy.overlap_work = 6;
+  c.overlaps = {{}, {0.5, 0}};
   c.record.gained_at = 0.2;
   c.recorder.resultants = {10, 20};
   c.recorder.field_times = {0.1};
@@ -60,6 +62,8 @@ TEST(CheckpointFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(read.place.ends, written.place.ends);
   EXPECT_FALSE(read.place.finished);
   EXPECT_EQ(read.energy.numerical, -4);
+  EXPECT_EQ(read.energy.overlap_work, 6);
+  EXPECT_EQ(read.overlaps, written.overlaps);
   EXPECT_EQ(read.record.gained_at, 0.2);
   EXPECT_EQ(read.recorder.resultants, written.recorder.resultants);
   EXPECT_EQ(read.recorder.field_files, written.recorder.field_files);

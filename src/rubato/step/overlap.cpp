@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::step {
+namespace {
+
+bool presses(const contact::ZoneState& zone, std::size_t point) {
+  return point < zone.outcomes.size() && !zone.outcomes[point].normal.isZero(0);
+}
+
+/// The way that the force of an overlap acts over.
+double closed_part(const contact::Zone& zone, double overlap, const contact::PointOutcome& outcome) {
+  return contact::is_exact(zone.settings.method) ? std::max(0.0, overlap + outcome.gap) : overlap;
+}
+
+/// The way that a force that leaves acts over beyond what its spring gives back.
+double opening(const contact::Zone& zone, const contact::PointOutcome& before,
+               const contact::PointOutcome& now) {
+  if (!std::isfinite(now.gap))
+    return 0;
+  return std::max(0.0, contact::is_exact(zone.settings.method) ? now.gap - before.gap : now.gap);
+}
+
+} // namespace
+
+Overlaps overlaps_of(const model::Model& model, const State& start) {
+  const contact::Configuration configuration{&model.mesh,     &model.dofs, &start.motion.u,
+                                             &start.motion.u, start.t,     start.t};
+  Overlaps overlaps;
+  bool any = false;
+  for (std::size_t z = 0; z < start.zones.size(); ++z) {
+    const auto& zone = model.zones[z];
+    const auto points = contact::evaluate(zone, start.zones[z].multipliers, configuration);
+    auto& depths = overlaps.emplace_back(points.size(), 0.0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!zone.points[i].excluded && !presses(start.zones[z], i))
+        depths[i] = std::max(0.0, -points[i].variables.gap);
+    any = any || std::ranges::any_of(depths, [](double depth) { return depth > 0; });
+  }
+  return any ? overlaps : Overlaps();
+}
+
+double work_of_overlaps(const model::Model& model, const Overlaps& overlaps, const State& trial) {
+  double work = 0;
+  for (std::size_t z = 0; z < overlaps.size(); ++z)
+    for (std::size_t i = 0; i < overlaps[z].size(); ++i)
+      if (overlaps[z][i] > 0 && presses(trial.zones[z], i)) {
+        const auto& outcome = trial.zones[z].outcomes[i];
+        work += 0.5 * outcome.normal.norm() * closed_part(model.zones[z], overlaps[z][i], outcome);
+      }
+  return work;
+}
+
+double work_of_rebound(const model::Model& model, const Overlaps& overlaps, const State& committed,
+                       const State& trial) {
+  double work = 0;
+  for (std::size_t z = 0; z < overlaps.size(); ++z)
+    for (std::size_t i = 0; i < overlaps[z].size(); ++i)
+      if (overlaps[z][i] > 0 && presses(committed.zones[z], i) && !presses(trial.zones[z], i))
+        work += 0.5 * committed.zones[z].outcomes[i].normal.norm() *
+                opening(model.zones[z], committed.zones[z].outcomes[i], trial.zones[z].outcomes[i]);
+  return work;
+}
+
+} // namespace rubato::step
