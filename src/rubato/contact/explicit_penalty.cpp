@@ -42,6 +42,13 @@ std::array<double, 9> shape_at(mesh::CellType type, const Eigen::Vector2d& xi) {
   return values;
 }
 
+/// Steps without iterations have nothing to hop in: a point that comes back to a face is there. Which faces
+/// it had been on before would be a memory that no checkpoint keeps.
+void pair_anew(NeighbourList& neighbours, const Configuration& configuration) {
+  neighbours.forget_visits();
+  neighbours.update(configuration);
+}
+
 Vector3d in_plane(const Vector3d& v, const Vector3d& normal) {
   return v - normal.dot(v) * normal;
 }
@@ -72,7 +79,7 @@ ExplicitPenalty::ExplicitPenalty(const Zone& zone, const fem::DofMap& dofs,
 
 void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd& velocity, double step,
                               VectorXd& force) {
-  neighbours_.update(configuration);
+  pair_anew(neighbours_, configuration);
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     if (zone_->points[i].excluded)
       continue;
@@ -121,7 +128,7 @@ double ExplicitPenalty::stored() const {
 void ExplicitPenalty::restore(const Memory& memory, const Configuration& configuration) {
   springs_ = memory.springs;
   dissipated_ = memory.dissipated;
-  neighbours_.update(configuration);
+  pair_anew(neighbours_, configuration);
 }
 
 ZoneState ExplicitPenalty::state() const {

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "unit/step/decks.hpp"
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -198,6 +199,29 @@ TEST(ExplicitImpact, ClosesItsEnergyBetterInShorterSteps) {
   }
   EXPECT_LT(missing[1], 1e-3);
   EXPECT_LT(missing[1], missing[0]);
+}
+
+/// Beams on each other, their nodes face to face: points go to and fro between the faces beside a node.
+TEST(ExplicitMotion, HasNoMemoryBesideTheOneItTells) {
+  const auto model = model_of(test::two_beams, {{"contact.interface.method", "penalty"},
+                                                {"time.scheme", "central_difference"},
+                                                {"time.alpha", ""},
+                                                {"time.step", ""}});
+  ExplicitMotion motion(model);
+  const double h = 0.8 * motion.spectrum().stable_step();
+  for (int i = 1; i * 50 * h < 6e-3; ++i) {
+    const auto start = motion.memory();
+    motion.advance(50 * i * h, 50);
+    ExplicitMotion resumed(model);
+    resumed.restore(start);
+    resumed.advance(50 * i * h, 50);
+    ASSERT_EQ(resumed.state().motion.u, motion.state().motion.u) << "from t = " << start.t;
+    ASSERT_EQ(resumed.state().contact_force, motion.state().contact_force) << "from t = " << start.t;
+    motion.restore(start);
+    motion.advance(50 * i * h, 50);
+    ASSERT_EQ(resumed.state().motion.u, motion.state().motion.u) << "back to t = " << start.t;
+  }
+  EXPECT_GT(motion.state().contact_force.norm(), 0);
 }
 
 TEST(AStableStep, IsShorterWithStifferContact) {
