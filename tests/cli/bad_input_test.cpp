@@ -96,10 +96,11 @@ TEST(BadDecks, AreToldWhichBodyAStaticRunDoesNotHold) {
   test::write_text(folder / "deck.yaml", with(deck, "hht, alpha: -0.1,", "static,"));
   const auto outcome = test::run_program({"run", "deck.yaml"}, folder.path());
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err,
-            "error: deck.yaml:23:7: the body of node N1 (0, 0) is not held: it can move as a "
-            "rigid body, and a static "
-            "run has no inertia; expected supports, springs, or contact with something that is held\n");
+  EXPECT_EQ(
+      outcome.err,
+      "error: deck.yaml:23:7: the body 'upper' (of node N1 (0, 0)) is not held: it can move as a rigid body "
+      "along x, and a static run has no inertia; expected supports, springs, or contact with something "
+      "that is held (frictionless contact holds across the surface only)\n");
 }
 
 TEST(BadDecks, AreToldAllTheirFaultsAtOnce) {

@@ -11,6 +11,7 @@
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/contact_mass.hpp"
+#include "rubato/model/rigid_motions.hpp"
 
 #include <fmt/format.h>
 
@@ -130,8 +131,10 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
-  if (study.time.scheme == deck::SchemeKind::static_steps)
+  if (study.time.scheme == deck::SchemeKind::static_steps) {
     check_supported(model, faults);
+    model.free_body_nodes = free_body_nodes(model);
+  }
   stop_on(faults);
   number_unknowns(model);
   return model;

@@ -63,6 +63,8 @@ struct Model {
   std::vector<Constraint> constraints; ///< ascending dofs, one each
   std::vector<Spring> springs;
   InitialMotion initial;
+  /// Nodes of bodies that in a static run only contact holds, ascending.
+  std::vector<mesh::NodeIndex> free_body_nodes;
   std::vector<int> free_dofs;  ///< ascending
   std::vector<int> free_index; ///< of a dof in free_dofs, −1 when it is constrained
   std::vector<contact::Zone> zones;

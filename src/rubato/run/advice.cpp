@@ -222,6 +222,8 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
     advice.add("a look at the loads and the mesh there");
     return advice.take();
   }
+  if (!model.free_body_nodes.empty())
+    on_singular(model, advice);
   for (const auto& unmet : report.unmet)
     if (is_cause(report, unmet))
       on_criterion(model, unmet, advice);

@@ -129,6 +129,8 @@ std::string explain(const model::Model& model, const results::Failure& failure) 
                           failure.end, step::to_string(report.outcome), report.iterations);
   if (!failure.not_finite.empty())
     text += fmt::format("; the first that is not finite: {}", failure.not_finite);
+  if (!model.free_body_nodes.empty() && report.unmet_by(Criterion::singular) == nullptr)
+    text += fmt::format("; {}, which may not hold this load", loose_of(model));
   for (const auto& unmet : report.unmet)
     if (const auto line = sentence(model, report, unmet); !line.empty() && failure.not_finite.empty())
       text += "; " + line;

@@ -127,9 +127,7 @@ private:
   int spent_ = 0;
 };
 
-} // namespace
-
-std::string solver_of(const Model& model, const EffectiveSystem& system) {
+std::string solver_text(const Model& model, const EffectiveSystem& system) {
   if (model.study.solver == deck::Solver::full)
     return "full, as the deck says";
   if (!system.compliance)
@@ -140,6 +138,16 @@ std::string solver_of(const Model& model, const EffectiveSystem& system) {
     return "condensed on contact points: the bulk is linear and factored once a step length";
   return "condensed on contact unknowns: the bulk is linear and factored once a step length, and not every "
          "contact point stands on a node";
+}
+
+} // namespace
+
+std::string solver_of(const Model& model, const EffectiveSystem& system) {
+  auto text = solver_text(model, system);
+  if (system.has_free_bodies)
+    text += "; bodies that only contact holds have weak springs in it, whose forces are gone at the end of a "
+            "step";
+  return text;
 }
 
 State predict(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,

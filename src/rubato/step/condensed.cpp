@@ -18,8 +18,28 @@ using model::Model;
 
 /// Frames that the guess of the contact goes through.
 constexpr int guess_rounds = 10;
+constexpr int guess_rounds_of_free_bodies = 60;
+/// Moves of free bodies, in parts of how far an iteration may move them, that Newton takes over.
+constexpr double at_rest = 1e-3;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
 constexpr double settled_guess = 3e-3;
+/// How far an iteration may move the surfaces of bodies that only contact holds, in edges.
+constexpr double reach_in_edges = 0.5;
+
+double reach_of(const Model& model, const EffectiveSystem& system) {
+  double edge = std::numeric_limits<double>::infinity();
+  for (const auto& zone : model.zones)
+    edge = std::min(edge, zone.edge());
+  return system.has_free_bodies ? reach_in_edges * edge : std::numeric_limits<double>::infinity();
+}
+
+/// How far points that may touch have to come at least.
+double nearest_gap(std::span<const GuessPoint> points) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& point : points)
+    nearest = std::min(nearest, std::max(0.0, point.gap));
+  return points.empty() ? 0 : nearest;
+}
 
 /// Nothing of an attempt before is seen but the storage it left.
 CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme, int components) {
@@ -70,7 +90,8 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
                      const State& committed, double t, const ContactSide& side)
     : model_(model), scheme_(scheme), system_(system), side_(side),
       equilibrium_(model, scheme, system, committed, t),
-      scratch_(scratch_of(system, scheme, model.dofs.components)), scale_(committed.force_scale) {}
+      scratch_(scratch_of(system, scheme, model.dofs.components)), scale_(committed.force_scale),
+      reach_(reach_of(model, system)) {}
 
 StepReport Condensed::run(State& trial, const Held& held) {
   report_ = {};
@@ -79,10 +100,13 @@ StepReport Condensed::run(State& trial, const Held& held) {
     start_from(trial);
     if (!equilibrium_.residual().allFinite())
       return ended(Outcome::not_finite, held);
+    side_.start_iterations();
     if (starts_from_guess(model_, side_.variant().start))
       guess_contact(trial, held);
   }
-  side_.start_iterations();
+  if (!system_.has_free_bodies)
+    side_.start_iterations();
+  reach_.start();
   CycleWatch cycle;
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
@@ -140,6 +164,7 @@ void Condensed::start_from(const State& trial) {
   half_way_ = system_.compliance->factor().forward(-equilibrium_.residual());
   free_ = system_.compliance->factor().surface_of(half_way_);
   moved_ = applied_ = VectorXd::Zero(free_.size());
+  consistent_ = true;
 }
 
 /// Contact in frames that follow the surface, until the forces fit the frames they lead to, beginning where
@@ -153,32 +178,62 @@ void Condensed::guess_contact(State& trial, const Held& held) {
   touching.resize(model_.zones.size());
   move_surface(trial.contact_force(compliance.dof_of_position()), trial);
   side_.measure(trial, held, now());
-  if (side_.has_lost_its_way(now())) {
+  if (system_.has_free_bodies || side_.has_lost_its_way(now())) {
     return_surface(trial);
     side_.measure(trial, held, now());
   }
   take_points(model_, side_, held, compliance, now(), moved_, trial, points);
   // Only points that are guessed are followed.
   measured_ = std::ranges::all_of(held, [](const HeldZone& zone) { return zone.status.empty(); });
-  for (int round = 0; round < guess_rounds; ++round) {
-    guess.improve(points, free_, moved_);
+  reach_.start();
+  const int rounds = system_.has_free_bodies ? guess_rounds_of_free_bodies : guess_rounds;
+  for (int round = 0; round < rounds; ++round) {
+    guess.improve(points, free_, system_.has_free_bodies ? free_ : moved_);
     take_guess(model_, points, trial);
+    const VectorXd before = moved_;
     move_surface(force_on_surface(points, free_.size()), trial);
+    shorten_move(before, round == 0 ? nearest_gap(points) : 0.0, trial);
     find_touching(points, moved_, touching);
     side_.measure(trial, held, touching, now());
     move_frames(model_, compliance, now(), moved_, touching, points);
-    if (guess.misfit(points, moved_) <= settled_guess)
+    if (!consistent_ || guess.misfit(points, moved_) > settled_guess)
+      continue;
+    if (!system_.has_free_bodies || moved_.lpNorm<Eigen::Infinity>() <= at_rest * reach_.most())
       return;
+    take_as_base(trial, points);
   }
+}
+
+/// Springs that hold free bodies let go of what they carry.
+void Condensed::take_as_base(State& trial, std::vector<GuessPoint>& points) {
+  for (auto& point : points)
+    point.value = measures_of(point, moved_);
+  move_bulk(trial);
+  start_from(trial);
 }
 
 /// To where the step starts.
 void Condensed::return_surface(State& trial) {
   const auto& dofs = system_.compliance->dof_of_position();
-  for (std::size_t i = 0; i < dofs.size(); ++i) {
-    trial.motion.u[dofs[i]] = side_.committed().motion.u[dofs[i]];
-    moved_[static_cast<Index>(i)] = trial.motion.u[dofs[i]] - base_.u[dofs[i]];
-  }
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    moved_[static_cast<Index>(i)] = side_.committed().motion.u[dofs[i]] - base_.u[dofs[i]];
+  place_surface(trial);
+}
+
+void Condensed::place_surface(State& trial) const {
+  const auto& dofs = system_.compliance->dof_of_position();
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    trial.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];
+}
+
+/// Nothing but contact holds free bodies: forces that don't fit yet move them by their whole size and more.
+void Condensed::shorten_move(const VectorXd& before, double more, State& trial) {
+  const double part = reach_.part_of(moved_ - before, more);
+  consistent_ = part == 1;
+  if (consistent_)
+    return;
+  moved_ = before + part * (moved_ - before);
+  place_surface(trial);
 }
 
 void Condensed::evaluate_contact(const State& trial, const Held& held, int iteration) {
@@ -218,10 +273,12 @@ bool Condensed::settled(const State& trial, const Held& held) {
   side_.collect_restless(held, previous(), now(), report_);
   measure_surface();
   const bool stalled = surface_stall_.stalls(report_.residual);
-  if (report_.status_changes > 0 || !side_.settled(held, previous(), now()))
+  if (!consistent_ || report_.status_changes > 0 || !side_.settled(held, previous(), now()))
     return false;
   const bool balanced = report_.residual <= report_.tolerance || (stalled && surface_within_rounding(trial));
-  return balanced && !side_.release_strays();
+  // A free body that is let go of hops anew, by its whole weight; the border's place is off by a trace of a
+  // face.
+  return balanced && (system_.has_free_bodies || !side_.release_strays());
 }
 
 /// A force follows the gap by the stiffness there, and gaps are differences of places.
@@ -278,11 +335,18 @@ bool Condensed::iterate(State& trial, const Held& held, double part) {
     return false;
   VectorXd next = force();
   scratch_.points.add_force(*change, next);
-  if (part < 1)
-    next = (1 - part) * applied_ + part * next;
+  const VectorXd applied = applied_;
   const VectorXd before = moved_;
   move_surface(next, trial);
-  correct_multipliers(*change, (moved_ - before) / part, part, trial);
+  const VectorXd move = moved_ - before;
+  part *= reach_.part_of(part * move);
+  consistent_ = part == 1;
+  if (!consistent_) {
+    applied_ = applied + part * (next - applied);
+    moved_ = before + part * move;
+    place_surface(trial);
+  }
+  correct_multipliers(*change, move, part, trial);
   return moved_.allFinite();
 }
 
@@ -291,9 +355,7 @@ void Condensed::move_surface(const VectorXd& force, State& trial) {
   applied_ = force;
   moved_ = free_;
   system_.compliance->add(-scheme_.contact_weight(), force, moved_);
-  const auto& dofs = system_.compliance->dof_of_position();
-  for (std::size_t i = 0; i < dofs.size(); ++i)
-    trial.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];
+  place_surface(trial);
 }
 
 /// `moved`: how far the whole change moves the surface. Open points have no multipliers in the end.
@@ -348,7 +410,10 @@ bool Condensed::in_equilibrium(const State& trial, const ContactForce& force) {
   equilibrium_.evaluate(trial.motion, force);
   equilibrium_.measure(trial.motion, force, report_);
   scale_ = equilibrium_.scale();
-  if (report_.residual <= report_.tolerance)
+  const double wanted = wanted_residual(system_, report_.tolerance);
+  const double before = last_unbalance_;
+  last_unbalance_ = report_.residual;
+  if (report_.residual <= wanted || (report_.residual <= report_.tolerance && report_.residual >= before))
     return true;
   if (!bulk_stall_.stalls(report_.residual) || !equilibrium_.within_rounding(trial.motion, report_.tolerance))
     return false;

@@ -12,9 +12,11 @@
 #include "rubato/step/equilibrium.hpp"
 #include "rubato/step/guess_points.hpp"
 #include "rubato/step/point_system.hpp"
+#include "rubato/step/reach.hpp"
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace rubato::step {
@@ -70,6 +72,9 @@ private:
   void start_from(const State& trial);
   void guess_contact(State& trial, const Held& held);
   void return_surface(State& trial);
+  void take_as_base(State& trial, std::vector<GuessPoint>& points);
+  void place_surface(State& trial) const;
+  void shorten_move(const Eigen::VectorXd& before, double more, State& trial);
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   void collect_forces(const Held& held);
   bool settled(const State& trial, const Held& held);
@@ -95,8 +100,10 @@ private:
   CondensedScratch& scratch_;
   StepReport report_;
   double scale_; ///< of forces, what the residual is measured by
+  Reach reach_;
 
   StallWatch surface_stall_, bulk_stall_;
+  double last_unbalance_ = std::numeric_limits<double>::infinity(); ///< at the last whole motion
   bool started_ = false;
   bool measured_ = false; ///< whether now() is at the iterate already
   time::Motion base_;
@@ -104,6 +111,7 @@ private:
   Eigen::VectorXd free_;     ///< d_free on the surface
   Eigen::VectorXd moved_;    ///< d_s
   Eigen::VectorXd applied_;  ///< contact force on the surface that moved_ belongs to
+  bool consistent_ = true;   ///< whether it does: not where a move was made shorter
 };
 
 } // namespace rubato::step

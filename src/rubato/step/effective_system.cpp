@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rubato::step {
@@ -45,6 +48,69 @@ Eigen::VectorXd usual_diagonal(const Model& model, const time::Scheme& scheme) {
   return diagonal;
 }
 
+/// Of the bodies that only contact holds.
+template <class Take> void for_each_free_dof(const Model& model, const Take& take) {
+  for (const auto node : model.free_body_nodes)
+    for (int i = 0; i < model.dofs.components; ++i)
+      take(model.dofs.dof(node, i));
+}
+
+/// Of all weak springs of free bodies together, in parts of the largest stiffness at one of their nodes.
+/// Stiffer ones take more iterations to let go of what they carry, weaker ones lose digits of the elastic
+/// displacements.
+constexpr double weakest = 1e-7;
+constexpr double stiffest = 1e-5;
+/// Edges by which the loads move bodies against their weak springs: about as far as frames of contact tell
+/// where it presses.
+constexpr double moved_edges = 3;
+/// Augmentation of a point, in parts of all weak springs.
+constexpr double augmented_by = 10;
+/// Instants that the loads are looked at.
+constexpr int load_samples = 100;
+
+/// The largest load on free bodies in the run.
+double largest_load(const Model& model) {
+  const auto& time = model.study.time;
+  double largest = 0;
+  for (int i = 0; i <= load_samples; ++i) {
+    const double t = time.begin + (time.end - time.begin) * i / load_samples;
+    const Eigen::VectorXd force = model::external_force(model, t);
+    double sum = 0;
+    for_each_free_dof(model, [&](int dof) { sum += std::abs(force[dof]); });
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// Returns how stiff they are together.
+double add_weak_springs(const Model& model, EffectiveSystem& system) {
+  system.has_free_bodies = true;
+  double edge = std::numeric_limits<double>::infinity();
+  for (const auto& zone : model.zones)
+    edge = std::min(edge, zone.edge());
+  double largest = 0;
+  for_each_free_dof(model, [&](int dof) { largest = std::max(largest, system.diagonal[dof]); });
+  const double load = largest_load(model);
+  const double wanted = load > 0 ? load / (moved_edges * edge) : stiffest * largest;
+  const double all = std::clamp(wanted, weakest * largest, stiffest * largest);
+  const double each = all / static_cast<double>(model.free_body_nodes.size());
+  for_each_free_dof(model, [&](int dof) {
+    if (const int free = model.free_index[static_cast<std::size_t>(dof)]; free >= 0)
+      system.matrix.coeffRef(free, free) += each;
+  });
+  return all;
+}
+
+/// A free body that lies on few points moves by more than the elastic displacements before it comes to rest:
+/// augmentations of the stiffness of the body would open points that press for gaps that are traces of that.
+void soften_augmentation(const contact::Zone& zone, double weak, contact::ZoneCoefficients& coefficients) {
+  if (!contact::is_exact(zone.settings.method) || zone.settings.normal_coefficient)
+    return;
+  for (std::size_t i = 0; i < zone.points.size(); ++i)
+    coefficients.normal[i] =
+        std::min(coefficients.normal[i], augmented_by * weak / std::abs(zone.points[i].weight));
+}
+
 bool has_springs(const contact::Zone& zone) {
   return !contact::is_exact(zone.settings.method) ||
          zone.settings.friction_method == deck::FrictionMethod::nodal_penalty;
@@ -66,6 +132,11 @@ contact::ZoneCoefficients coefficients_of(const contact::Zone& zone, const Model
 
 } // namespace
 
+double wanted_residual(const EffectiveSystem& system, double tolerance) {
+  constexpr double of_free_bodies = 1e-4;
+  return system.has_free_bodies ? of_free_bodies * tolerance : tolerance;
+}
+
 EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step) {
   EffectiveSystem system;
   system.step = step;
@@ -77,8 +148,11 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     full += system.coefficients.damping * model.damping;
   system.diagonal = full.diagonal();
   system.matrix = model::free_part(model, full);
+  const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);
   for (const auto& zone : model.zones) {
     system.zones.push_back(coefficients_of(zone, model, scheme, system.diagonal));
+    if (system.has_free_bodies)
+      soften_augmentation(zone, weak, system.zones.back());
     system.neighbours.emplace_back(zone);
   }
   if (model.study.solver != deck::Solver::full)

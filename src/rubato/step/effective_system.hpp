@@ -17,11 +17,16 @@ namespace rubato::step {
 struct CondensedScratch;
 
 /// The effective matrix A = m M + c C + k K of one step length, on free dofs.
+///
+/// Bodies that only contact holds have weak springs in it, so that it can be factored. They act on the
+/// correction of an iteration, never on the motion itself: iterations with them are the proximal point
+/// method (Rockafellar 1976), which ends where their forces are gone.
 struct EffectiveSystem {
   double step = 0;
   time::StepCoefficients coefficients;
   model::SparseMatrix matrix;
-  Eigen::VectorXd diagonal; ///< of every dof, constrained ones included
+  bool has_free_bodies = false; ///< whether there are such springs
+  Eigen::VectorXd diagonal;     ///< of every dof, constrained ones included
   std::vector<contact::ZoneCoefficients> zones;
   std::vector<contact::NeighbourList> neighbours; ///< of every zone, kept from one iterate to the next
   /// The factored matrix; nothing when every iteration solves the whole system.
@@ -33,5 +38,9 @@ struct EffectiveSystem {
 /// contact holds a body. Throws InputError before the factorisation when the factor would not fit into the
 /// memory that is left.
 EffectiveSystem make_effective_system(const model::Model& model, const time::Scheme& scheme, double step);
+
+/// The residual that iterations are to come below, if they can: what weak springs still carry displaces whole
+/// bodies.
+double wanted_residual(const EffectiveSystem& system, double tolerance);
 
 } // namespace rubato::step

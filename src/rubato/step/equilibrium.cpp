@@ -113,6 +113,9 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   if (scheme_.dynamic)
     scale_ = std::max(scale_, bulk_.momentum.lpNorm<Eigen::Infinity>() * system_.coefficients.acceleration *
                                   system_.step);
+  // Bodies that only obstacles press have neither loads nor reactions.
+  if (scale_ == 0)
+    scale_ = scheme_.contact_weight() * contact.all.lpNorm<Eigen::Infinity>();
   Index worst = 0;
   const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without

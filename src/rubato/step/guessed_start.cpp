@@ -30,13 +30,13 @@ public:
   void run() {
     move(trial_.contact_force(compliance_.dof_of_position()));
     side_.measure(trial_, held_, now_);
-    if (side_.has_lost_its_way(now_)) {
+    if (system_.has_free_bodies || side_.has_lost_its_way(now_)) {
       go_back();
       side_.measure(trial_, held_, now_);
     }
     take_points(model_, side_, held_, compliance_, now_, moved_, trial_, points_);
     for (int round = 0; round < rounds; ++round) {
-      guess_.improve(points_, free_, moved_);
+      guess_.improve(points_, free_, system_.has_free_bodies ? free_ : moved_);
       take_guess(model_, points_, trial_);
       move(force_on_surface(points_, free_.size()));
       find_touching(points_, moved_, touching_);

@@ -98,7 +98,8 @@ bool Newton::settled(const State& trial, const Held& held) {
   const bool stalled = stall_.stalls(report_.residual);
   if (report_.status_changes > 0 || !side_.settled(held, previous_, now_))
     return false;
-  const bool balanced = report_.residual <= report_.tolerance;
+  const double wanted = wanted_residual(system_, report_.tolerance);
+  const bool balanced = report_.residual <= wanted || (stalled && report_.residual <= report_.tolerance);
   if (!balanced && !(stalled && equilibrium_.within_rounding(trial.motion, report_.tolerance)))
     return false;
   report_.rounding = balanced ? 0 : report_.residual;

@@ -68,10 +68,10 @@ TEST(Cycles, EndAnAttemptAndNameTheirPoints) {
     EXPECT_NE(point.before, point.now);
 }
 
-/// From where the last step ended.
-template <class Solver> StepReport attempt(test::Walk& walk) {
-  const double t = walk.control.target();
-  auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
+/// A step of that length from where the last one ended.
+template <class Solver> StepReport attempt(test::Walk& walk, double length) {
+  const double t = walk.state.t + length;
+  auto system = make_effective_system(walk.model, walk.scheme, length);
   const ContactSide side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
   Solver solver(walk.model, walk.scheme, system, walk.state, t, side);
   auto trial = predict(walk.model, walk.scheme, system, walk.state, t);
@@ -79,12 +79,23 @@ template <class Solver> StepReport attempt(test::Walk& walk) {
       walk.model, side, [&](State& to, const Held& held) { return solver.run(to, held); }, walk.state, trial);
 }
 
+/// The length of a step that goes round from where the walk is.
+std::optional<double> cycling_length(test::Walk& walk) {
+  for (const double length : {1e-3, 5e-4, 2e-3})
+    if (attempt<Condensed>(walk, length).outcome == Outcome::cycling)
+      return length;
+  return std::nullopt;
+}
+
 /// Halves of corrections too.
 TEST(Cycles, AreTheSameOfPointsAndOfTheWholeMotion) {
   auto walk = cycling_walk();
-  EXPECT_FALSE(walk.to_end());
-  const auto condensed = attempt<Condensed>(walk);
-  const auto whole = attempt<Newton>(walk);
+  auto length = cycling_length(walk);
+  while (!length && walk.advance())
+    length = cycling_length(walk);
+  ASSERT_TRUE(length);
+  const auto condensed = attempt<Condensed>(walk, *length);
+  const auto whole = attempt<Newton>(walk, *length);
   EXPECT_EQ(condensed.outcome, Outcome::cycling);
   EXPECT_EQ(whole.outcome, Outcome::cycling);
   EXPECT_EQ(condensed.iterations, whole.iterations);

@@ -32,10 +32,10 @@ public:
 
   /// Steps to the next instant of the list, cutting when it must; false when that doesn't help.
   bool advance() {
-    const auto next = control;
-    bool listed = false;
-    while (!listed) {
-      listed = control.target_is_listed();
+    auto next = control;
+    bool reached = false;
+    while (!reached) {
+      const bool listed = control.target_is_listed();
       if (!system || system->step != control.length())
         system = step::make_effective_system(model, scheme, control.length());
       step::State trial;
@@ -48,6 +48,8 @@ public:
         continue;
       }
       control.accept();
+      next = control;
+      reached = listed;
       before = std::exchange(state, std::move(trial));
       if (accepted)
         accepted();

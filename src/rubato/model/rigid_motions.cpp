@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/rigid_motions.hpp"
+
+#include "rubato/contact/kinematics.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rubato::model {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using mesh::NodeIndex;
+
+/// Eigenvalues below this part of the largest belong to motions nothing holds.
+constexpr double rank_tolerance = 1e-9;
+/// Parts of a motion below this part of its largest are rounding.
+constexpr double negligible = 1e-6;
+
+Index mode_count(const Model& model) {
+  if (model.study.physics == deck::Physics::axisymmetric)
+    return 1;
+  return model.dofs.components == 3 ? 6 : 3;
+}
+
+/// What resists a body's own motions alone.
+int rank_of(const MatrixXd& gram) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram, Eigen::EigenvaluesOnly);
+  const auto& values = solver.eigenvalues();
+  const double largest = values[values.size() - 1];
+  return largest > 0 ? static_cast<int>((values.array() > rank_tolerance * largest).count()) : 0;
+}
+
+/// "x", or "(0.6, 0.8, 0)", with the largest component positive.
+std::string axis_text(Vector3d axis) {
+  Index largest = 0;
+  axis.normalize();
+  axis.cwiseAbs().maxCoeff(&largest);
+  if (axis[largest] < 0)
+    axis = -axis;
+  for (auto& value : axis)
+    if (std::abs(value) < negligible)
+      value = 0;
+  if (1 - axis[largest] < negligible)
+    return std::string(1, "xyz"[largest]);
+  return fmt::format("({:.3g}, {:.3g}, {:.3g})", axis[0], axis[1], axis[2]);
+}
+
+/// Independent motions that span the columns, turns told apart first: what is left then are shifts.
+std::vector<VectorXd> told_apart(MatrixXd columns) {
+  std::vector<VectorXd> motions;
+  const double scale = columns.cwiseAbs().maxCoeff();
+  for (Index row = columns.rows() - 1; row >= 0; --row) {
+    const auto done = static_cast<Index>(motions.size());
+    Index pivot = 0;
+    const auto candidates = columns.row(row).tail(columns.cols() - done);
+    if (candidates.size() == 0 || candidates.cwiseAbs().maxCoeff(&pivot) <= negligible * scale)
+      continue;
+    columns.col(done).swap(columns.col(done + pivot));
+    columns.col(done) /= columns(row, done);
+    for (Index other = 0; other < columns.cols(); ++other)
+      if (other != done)
+        columns.col(other) -= columns(row, other) * columns.col(done).eval();
+    motions.emplace_back();
+  }
+  for (std::size_t k = 0; k < motions.size(); ++k)
+    motions[k] = columns.col(static_cast<Index>(k));
+  return motions;
+}
+
+} // namespace
+
+RigidMotions::RigidMotions(const Model& model)
+    : model_(model), bodies_(model.mesh, model.bulk), modes_(mode_count(model)),
+      gram_(MatrixXd::Zero(columns(), columns())) {
+  Vector3d low = model.mesh.points.front();
+  Vector3d high = low;
+  for (const auto& point : model.mesh.points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  centre_ = (low + high) / 2;
+  size_ = (high - low).norm();
+}
+
+void RigidMotions::add_supports() {
+  for (const auto& constraint : model_.constraints)
+    add_dof(constraint.dof);
+  for (const auto& spring : model_.springs)
+    add_dof(spring.dof);
+}
+
+void RigidMotions::add_contact() {
+  const VectorXd rest = VectorXd::Zero(model_.dofs.dof_count);
+  const contact::Configuration configuration{
+      &model_.mesh, &model_.dofs, &rest, &rest, model_.study.time.begin, model_.study.time.begin};
+  for (const auto& zone : model_.zones) {
+    const auto pairs = contact::find_pairs(zone, configuration);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (pairs[i].paired() && !zone.points[i].excluded)
+        add_point(zone, zone.points[i], pairs[i], configuration);
+  }
+}
+
+std::vector<char> RigidMotions::held() const {
+  std::vector<char> held;
+  for (Index body = 0; body < bodies_.count(); ++body)
+    held.push_back(rank_of(gram_.block(body * modes_, body * modes_, modes_, modes_)) == modes_ ? 1 : 0);
+  return held;
+}
+
+std::vector<RigidMotion> RigidMotions::loose() const {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram_);
+  const auto& values = solver.eigenvalues();
+  const double allowed = rank_tolerance * values[columns() - 1];
+  const Index count = (values.array() <= allowed).count();
+  if (count == 0)
+    return {};
+  const MatrixXd motions = solver.eigenvectors().leftCols(count);
+  Index body = 0;
+  double largest = 0;
+  for (Index b = 0; b < bodies_.count(); ++b)
+    if (const double moved = motions.middleRows(b * modes_, modes_).norm(); moved > largest) {
+      largest = moved;
+      body = b;
+    }
+  std::vector<RigidMotion> loose;
+  for (const auto& motion : told_apart(motions.middleRows(body * modes_, modes_)))
+    loose.push_back(motion_of(static_cast<int>(body), motion));
+  return loose;
+}
+
+void RigidMotions::add_dof(int dof) {
+  Vector3d direction = Vector3d::Zero();
+  direction[dof % model_.dofs.components] = 1;
+  add_row(row(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)], direction));
+}
+
+void RigidMotions::add_row(const RowVectorXd& row) {
+  gram_.noalias() += row.transpose() * row;
+}
+
+/// Component along `direction` of a node's motion in every mode of its body.
+RowVectorXd RigidMotions::row(NodeIndex node, const Vector3d& direction) const {
+  RowVectorXd r = RowVectorXd::Zero(columns());
+  const int body = bodies_.of(node);
+  if (body < 0)
+    return r;
+  const Index first = static_cast<Index>(body) * modes_;
+  if (modes_ == 1) {
+    r[first] = direction[1];
+    return r;
+  }
+  const int components = model_.dofs.components;
+  r.segment(first, components) = direction.head(components).transpose();
+  const Vector3d arm = (model_.mesh.points[static_cast<std::size_t>(node)] - centre_) / size_;
+  const Vector3d turn = arm.cross(direction);
+  if (components == 3)
+    r.segment(first + 3, 3) = turn.transpose();
+  else
+    r[first + 2] = turn[2];
+  return r;
+}
+
+void RigidMotions::add_point(const contact::Zone& zone, const contact::SlavePoint& point,
+                             const contact::Pair& pair, const contact::Configuration& configuration) {
+  const auto kinematics = contact::evaluate_kinematics(zone, point, pair, configuration);
+  const int directions = zone.settings.friction > 0 ? zone.space_dimension : 1;
+  for (int a = 0; a < directions; ++a) {
+    const Vector3d direction = a == 0 ? kinematics.normal : Vector3d(kinematics.tangents.col(a - 1));
+    RowVectorXd relative = RowVectorXd::Zero(columns());
+    for (std::size_t i = 0; i < kinematics.nodes.size(); ++i)
+      relative += kinematics.shape[static_cast<Index>(i)] * row(kinematics.nodes[i], direction);
+    add_row(relative);
+  }
+}
+
+RigidMotion RigidMotions::motion_of(int body, const VectorXd& values) const {
+  RigidMotion motion{.body = body};
+  const int components = model_.dofs.components;
+  if (modes_ == 1)
+    motion.shift[1] = values[0];
+  else {
+    motion.shift.head(components) = values.head(components);
+    if (components == 3)
+      motion.turn = values.tail(3);
+    else
+      motion.turn[2] = values[2];
+  }
+  return motion;
+}
+
+std::string direction_text(const RigidMotion& motion) {
+  const double turn = motion.turn.norm();
+  if (turn > negligible * motion.shift.norm())
+    return "by turning about " + axis_text(motion.turn);
+  return "along " + axis_text(motion.shift);
+}
+
+std::vector<NodeIndex> free_body_nodes(const Model& model) {
+  RigidMotions motions(model);
+  motions.add_supports();
+  const auto held = motions.held();
+  std::vector<NodeIndex> nodes;
+  for (const auto node : model.dofs.nodes)
+    if (const int body = motions.bodies().of(node); body >= 0 && held[static_cast<std::size_t>(body)] == 0)
+      nodes.push_back(node);
+  return nodes;
+}
+
+} // namespace rubato::model

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The rigid motions of the bodies of a model, and what resists them: supports, springs, contact.
+#pragma once
+
+#include "rubato/contact/pairing.hpp"
+#include "rubato/model/bodies.hpp"
+#include "rubato/model/model.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace rubato::model {
+
+/// A rigid motion of one body, small: every place x moves by shift + turn × (x − centre), turn in 1/length of
+/// the model.
+struct RigidMotion {
+  int body = -1;
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+};
+
+class RigidMotions {
+public:
+  explicit RigidMotions(const Model& model);
+
+  /// Supports and springs.
+  void add_supports();
+  /// Contact where surfaces face one another before the first step: across, with friction also along.
+  void add_contact();
+
+  /// By body: whether what was added leaves it no rigid motion, each body looked at alone.
+  std::vector<char> held() const;
+  /// How a body can still move that nothing holds, all bodies looked at together; none when all are held. Of
+  /// several such bodies the one that moves most is given.
+  std::vector<RigidMotion> loose() const;
+
+  const Bodies& bodies() const { return bodies_; }
+
+private:
+  Eigen::Index columns() const { return static_cast<Eigen::Index>(bodies_.count()) * modes_; }
+  void add_dof(int dof);
+  void add_row(const Eigen::RowVectorXd& row);
+  Eigen::RowVectorXd row(mesh::NodeIndex node, const Eigen::Vector3d& direction) const;
+  void add_point(const contact::Zone& zone, const contact::SlavePoint& point, const contact::Pair& pair,
+                 const contact::Configuration& configuration);
+  RigidMotion motion_of(int body, const Eigen::VectorXd& values) const;
+
+  const Model& model_;
+  Bodies bodies_;
+  Eigen::Index modes_;
+  Eigen::Vector3d centre_;
+  double size_ = 1;
+  Eigen::MatrixXd gram_; ///< Σ rowᵀ row over all that resists, columns the motions of all bodies
+};
+
+/// "along x", "along (0.6, 0.8, 0)", "by turning about z": how messages name a motion.
+std::string direction_text(const RigidMotion& motion);
+
+/// Nodes of the bodies that supports and springs leave a rigid motion, ascending: in a static run contact has
+/// to hold them.
+std::vector<mesh::NodeIndex> free_body_nodes(const Model& model);
+
+} // namespace rubato::model

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Static runs of bodies that nothing but contact and friction holds.
+#include "rubato/run/failure.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/step/walk.hpp"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace rubato::step {
+namespace {
+
+using test::Walk;
+
+/// A block on a wider one, pressed on its roof and pushed on its side.
+const std::string plane_block = R"(
+mesh:
+  generate:
+    - {name: block, rectangle: {from: [0.3, 0], to: [0.7, 0.3]}, divisions: [8, 6],
+       sides: {bottom: under, top: roof, left: side}}
+    - {name: ground, rectangle: {from: [0, -0.2], to: [1, 0]}, divisions: [20, 4], sides: {top: above, bottom: base}}
+physics: plane_strain
+materials: {steel: {young: 2e11, poisson: 0.3}}
+functions: {ramp: {times: [0, 1], values: [0, 1]}}
+supports: [{on: base, fix: [x, y]}]
+loads: [{pressure: {on: roof, value: 1e6}}, {pressure: {on: side, value: 2e5, function: ramp}}]
+contact: {rest: {master: above, slave: under, friction: 0.4}}
+time: {scheme: static, step: 1, end: 1}
+)";
+
+const std::string solid_block = R"(
+mesh:
+  generate:
+    - {name: block, box: {from: [0.3, 0, 0.3], to: [0.7, 0.3, 0.7]}, divisions: [3, 2, 3],
+       sides: {bottom: under, top: roof, left: side}}
+    - {name: ground, box: {from: [0, -0.2, 0], to: [1, 0, 1]}, divisions: [7, 1, 7], sides: {top: above, bottom: base}}
+physics: solid
+materials: {steel: {young: 2e11, poisson: 0.3}}
+functions: {ramp: {times: [0, 1], values: [0, 1]}}
+supports: [{on: base, fix: [x, y, z]}]
+loads: [{pressure: {on: roof, value: 1e6}}, {pressure: {on: side, value: 2e5, function: ramp}}]
+contact: {rest: {master: above, slave: under, friction: 0.4}}
+time: {scheme: static, step: 1, end: 1}
+)";
+
+int most_iterations(const Walk& walk) {
+  int most = 0;
+  for (const auto& report : walk.reports)
+    most = std::max(most, report.iterations);
+  return most;
+}
+
+/// Contact carries the whole load, and the block stays where it is but for its strain.
+void expect_held(const Walk& walk, const Eigen::Vector3d& load, double stays_within) {
+  const auto carried = walk.resultants();
+  const Eigen::Vector3d force = carried.force;
+  EXPECT_LE((force + load).norm(), 1e-7 * load.norm()) << force.transpose();
+  EXPECT_LE(walk.state.motion.u.lpNorm<Eigen::Infinity>(), stays_within);
+}
+
+struct Block {
+  const char* name;
+  bool solid;
+  const char* cells;
+};
+
+class BlockOf : public testing::TestWithParam<Block> {
+protected:
+  static std::string deck() { return GetParam().solid ? solid_block : plane_block; }
+  static std::vector<deck::Setting> changes() {
+    return {{"mesh.generate.0.cells", GetParam().cells}, {"mesh.generate.1.cells", GetParam().cells}};
+  }
+  static Eigen::Vector3d load(double push) {
+    const double depth = GetParam().solid ? 0.4 : 1;
+    return {push * 0.3 * depth, -1e6 * 0.4 * depth, 0};
+  }
+};
+
+TEST_P(BlockOf, IsHeldByFrictionAlone) {
+  for (const double push : {0.0, 2e5, 3e5}) {
+    auto settings = changes();
+    settings.push_back({"loads.1.pressure.value", std::to_string(push)});
+    Walk walk(deck(), settings);
+    ASSERT_TRUE(walk.to_end()) << push;
+    EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
+    EXPECT_LE(most_iterations(walk), 40) << push;
+    expect_held(walk, load(push), 1e-5);
+  }
+}
+
+TEST_P(BlockOf, IsHeldInManySteps) {
+  auto settings = changes();
+  settings.push_back({"time.step", "0.2"});
+  Walk walk(deck(), settings);
+  ASSERT_TRUE(walk.to_end());
+  EXPECT_EQ(walk.reports.size(), 5U) << "a step was cut";
+  expect_held(walk, load(2e5), 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Any, BlockOf,
+                         testing::Values(Block{"Quad4", false, "quad4"}, Block{"Quad8", false, "quad8"},
+                                         Block{"Tria6", false, "tria6"}, Block{"Hexa8", true, "hexa8"},
+                                         Block{"Tetra4", true, "tetra4"}, Block{"Tetra10", true, "tetra10"},
+                                         Block{"Hexa20", true, "hexa20"}, Block{"Hexa27", true, "hexa27"}),
+                         [](const auto& block) { return block.param.name; });
+
+TEST(FreeBlock, BeyondFrictionAndBalanceIsToldWithItsBody) {
+  Walk walk(plane_block, {{"loads.1.pressure.value", "5.5e5"},
+                          {"newton.max_iterations", "10"},
+                          {"time.on_failure.levels", "1"}});
+  EXPECT_FALSE(walk.advance());
+  const results::Failure failure{.begin = 0, .end = 1, .report = walk.reports.back()};
+  const auto text = run::explain(walk.model, failure);
+  EXPECT_NE(text.find("nothing but contact holds the body of node N1 (0.3, 0) along x, y"), std::string::npos)
+      << text;
+}
+
+/// The weak springs are part of the whole system too, and their forces are gone in the end.
+TEST(FreeBlock, IsTheSameByTheWholeSystem) {
+  const std::vector<deck::Setting> smooth{{"contact.rest.friction", "0"},
+                                          {"supports", "[{on: base, fix: [x, y]}, {on: side, fix: x}]"},
+                                          {"loads", "[{pressure: {on: roof, value: 1e6}}]"}};
+  auto by_whole = smooth;
+  by_whole.push_back({"solver", "full"});
+  Walk condensed(plane_block, smooth);
+  Walk whole(plane_block, by_whole);
+  ASSERT_TRUE(condensed.to_end());
+  ASSERT_TRUE(whole.to_end());
+  // Gaps count as closed at 1e-9 of an edge.
+  const double allowed = 1e-9 * condensed.model.zones.front().edge();
+  EXPECT_LE((condensed.state.motion.u - whole.state.motion.u).lpNorm<Eigen::Infinity>(), allowed);
+}
+
+constexpr double gap = 0.05;
+
+/// Wraps rectangles over [0, π] round the origin: x is the angle, y the radius.
+mesh::Mesh wrapped(mesh::Mesh mesh) {
+  for (auto& point : mesh.points)
+    point = Eigen::Vector3d(-point.y() * std::cos(point.x()), point.y() * std::sin(point.x()), 0.0);
+  return mesh;
+}
+
+/// A saddle, a half ring, above a pin that is held at its core.
+std::string saddle_deck(int cells) {
+  return "mesh:\n"
+         "  generate:\n"
+         "    - {name: pin, rectangle: {from: [0, 0.3], to: [3.141592653589793, " +
+         std::to_string(1 - gap) +
+         "]}, divisions: [24, 4], sides: {bottom: core, top: pin_skin}}\n"
+         "    - {name: saddle, rectangle: {from: [0, 1], to: [3.141592653589793, 1.3]}, divisions: [" +
+         std::to_string(cells) +
+         ", 3], sides: {bottom: saddle_skin}}\n"
+         "physics: plane_strain\n"
+         "materials: {steel: {young: 2e11, poisson: 0.3, density: 7800}}\n"
+         "supports: [{on: core, fix: [x, y]}]\n"
+         "loads: [{gravity: {on: saddle, y: -10}}]\n"
+         "contact: {rest: {master: pin_skin, slave: saddle_skin, friction: 0.3}}\n"
+         "time: {scheme: static, step: 1, end: 1}\n";
+}
+
+TEST(FreeSaddle, DropsOnAPin) {
+  for (const int cells : {24, 30}) {
+    const auto study = deck::parse_deck(saddle_deck(cells), "deck.yaml", {}).runs.front();
+    Walk walk(model::build_model(study, wrapped(model::load_mesh(study.mesh))));
+    ASSERT_TRUE(walk.to_end()) << cells;
+    EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
+    EXPECT_LE(most_iterations(walk), 20) << cells;
+    const auto carried = walk.resultants();
+    // The chords of the rings enclose less than the rings do.
+    const double turn = std::numbers::pi / cells;
+    const double weight = 7800 * 10 * cells / 2.0 * std::sin(turn) * (1.3 * 1.3 - 1);
+    const Eigen::Vector3d force = carried.force;
+    EXPECT_NEAR(force.y(), weight, 1e-6 * weight) << cells;
+    EXPECT_NEAR(force.x(), 0, 1e-6 * weight) << cells;
+    EXPECT_NEAR(walk.displacement(walk.node_at(0, 1), 1), -gap, 0.2 * gap) << cells;
+  }
+}
+
+} // namespace
+} // namespace rubato::step
