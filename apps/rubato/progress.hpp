@@ -24,7 +24,6 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  std::string line_of(const run::Progress& progress) const;
 
   bool quiet_;
   bool terminal_;

@@ -54,6 +54,22 @@ TEST_F(Run, WritesItsFolderAndEndsWithZero) {
   EXPECT_EQ(summary(folder_ / "out/run").at("status"), "complete");
 }
 
+TEST_F(Run, SaysWhatItsFactorNeedsBeforeTheFirstStep) {
+  const auto outcome = run(two_blocks);
+  const auto told = outcome.err.find("run: factoring the matrix takes ");
+  ASSERT_NE(told, std::string::npos) << outcome.err;
+  EXPECT_LT(told, outcome.err.find("run: solver "));
+  EXPECT_GT(summary(folder_ / "out/run").at("factor_bytes"), 0);
+}
+
+TEST_F(Run, WritesInstantsAsTheyWereMeant) {
+  const auto deck = test::with(two_blocks, "step: 1e-4, end: 4e-4", "step: 0.001, end: 0.01");
+  ASSERT_EQ(run(deck + "fields: {formats: [vtu], every: 3}\n").exit_code, 0);
+  const auto probes = test::text_of(folder_ / "out/run/probes.csv");
+  EXPECT_NE(probes.find("\n0.009,"), std::string::npos) << probes;
+  EXPECT_NE(test::text_of(folder_ / "out/run/fields.pvd").find("\"0.009\""), std::string::npos);
+}
+
 TEST_F(Run, SaysNothingWhenQuiet) {
   const auto outcome = run(two_blocks, {"--quiet"});
   EXPECT_EQ(outcome.exit_code, 0);

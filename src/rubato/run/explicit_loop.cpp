@@ -5,6 +5,7 @@
 #include "rubato/run/loop_parts.hpp"
 #include "rubato/step/explicit.hpp"
 #include "rubato/step/finiteness.hpp"
+#include "rubato/time/step_control.hpp"
 #include "rubato/writing.hpp"
 
 #include <fmt/format.h>
@@ -115,7 +116,9 @@ private:
   }
 
   double instant(int record) const {
-    return record == records_ ? time_.end : time_.begin + record * (time_.end - time_.begin) / records_;
+    return record == records_
+               ? time_.end
+               : time::as_meant(time_.begin + record * (time_.end - time_.begin) / records_, time_.begin);
   }
 
   /// The step never grows again: each change costs a little accuracy.

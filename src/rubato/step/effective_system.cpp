@@ -17,9 +17,10 @@ using model::SparseMatrix;
 
 namespace {
 
-std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix) {
+std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix,
+                                            const std::function<void(std::size_t)>& tell_memory) {
   try {
-    return linalg::SplitFactor::of(matrix, surface_unknowns(model), linalg::available_memory());
+    return linalg::SplitFactor::of(matrix, surface_unknowns(model), linalg::available_memory(), tell_memory);
   } catch (const linalg::TooLargeForMemory& error) {
     throw InputError(
         fmt::format("the model is too large for this machine: with its {} unknowns {}; expected a "
@@ -66,7 +67,8 @@ contact::ZoneCoefficients coefficients_of(const contact::Zone& zone, const Model
 
 } // namespace
 
-EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step) {
+EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
+                                      const std::function<void(std::size_t)>& tell_memory) {
   EffectiveSystem system;
   system.step = step;
   system.coefficients = time::coefficients_of(scheme, step);
@@ -82,7 +84,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     system.neighbours.emplace_back(zone);
   }
   if (model.study.solver != deck::Solver::full)
-    if (auto factor = factored(model, system.matrix))
+    if (auto factor = factored(model, system.matrix, tell_memory))
       system.compliance = std::make_unique<Compliance>(std::move(*factor), model.free_dofs,
                                                        static_cast<Eigen::Index>(model.dofs.dof_count));
   return system;

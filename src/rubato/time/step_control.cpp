@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/time/step_control.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
+#include <string>
 
 namespace rubato::time {
 namespace {
@@ -17,6 +21,13 @@ constexpr double same_length = 1e-9;
 
 } // namespace
 
+double as_meant(double t, double begin) {
+  constexpr int digits = 12;
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double shown = std::stod(fmt::format("{:.{}g}", t, digits));
+  return std::abs(shown - t) <= rounding * std::max(std::abs(t), std::abs(begin)) ? shown : t;
+}
+
 std::vector<double> instants_of(const deck::TimeStepping& settings) {
   std::vector<double> instants{settings.begin};
   if (!settings.instants.empty()) {
@@ -28,7 +39,7 @@ std::vector<double> instants_of(const deck::TimeStepping& settings) {
   const double span = settings.end - settings.begin;
   const auto steps = static_cast<std::int64_t>(std::ceil(span / settings.step - sliver));
   for (std::int64_t i = 1; i < steps; ++i)
-    instants.push_back(settings.begin + static_cast<double>(i) * settings.step);
+    instants.push_back(as_meant(settings.begin + static_cast<double>(i) * settings.step, settings.begin));
   instants.push_back(settings.end);
   return instants;
 }

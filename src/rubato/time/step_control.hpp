@@ -8,6 +8,10 @@
 
 namespace rubato::time {
 
+/// An instant that was computed, as a number of 12 digits when it is that but for rounding: 9 times 0.001 is
+/// 0.009, not 0.009000000000000001. `begin`: what it was counted from.
+double as_meant(double t, double begin);
+
 /// The instants a run must reach, ascending, the first one being the start.
 std::vector<double> instants_of(const deck::TimeStepping& settings);
 

@@ -35,8 +35,20 @@ Instants walked(StepControl control) {
 TEST(Instants, AreMultiplesOfTheStepNotSums) {
   const auto instants = instants_of(even(1e-3, 1));
   ASSERT_EQ(instants.size(), 1001u);
-  EXPECT_EQ(instants[700], 700 * 1e-3);
+  EXPECT_EQ(instants[700], 0.7);
   EXPECT_EQ(instants.back(), 1);
+}
+
+TEST(Instants, AreTheDecimalNumbersThatWereMeant) {
+  EXPECT_EQ(instants_of(even(1e-3, 1))[9], 0.009); // 9 · 1e-3 is 0.009000000000000001
+  deck::TimeStepping late = even(1e-3, 1);
+  late.begin = 0.03;
+  EXPECT_EQ(instants_of(late)[5], 0.035);
+}
+
+TEST(Instants, StayAsComputedWhereNoShortNumberWasMeant) {
+  constexpr double third = 1e-3 / 3;
+  EXPECT_EQ(instants_of(even(third, 1))[7], 7 * third);
 }
 
 TEST(Instants, EndWithAShorterStepWhenTheEndIsNoMultiple) {
