@@ -20,17 +20,13 @@ std::size_t columns() {
 
 } // namespace
 
-ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0) {}
+ProgressLine::ProgressLine(bool quiet)
+    : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0), pace_(terminal_) {}
 
 void ProgressLine::update(const run::Progress& progress) {
-  if (quiet_)
-    return;
   const auto now = Clock::now();
-  const bool last = progress.accepted && progress.t >= progress.end;
-  const auto pause = terminal_ ? std::chrono::milliseconds(50) : std::chrono::milliseconds(1000);
-  if (!last && progress.accepted && now - last_ < pause)
+  if (quiet_ || !pace_.is_due(progress, now))
     return;
-  last_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   if (terminal_)
     fmt::print(stderr, "\r\033[K{}", run::terminal_line(progress, seconds, columns()));
@@ -43,6 +39,7 @@ void ProgressLine::update(const run::Progress& progress) {
 void ProgressLine::say(const std::string& text) {
   close();
   start_ = Clock::now();
+  pace_.begin(start_);
   if (!quiet_)
     fmt::print(stderr, "{}\n", text);
 }

@@ -99,6 +99,7 @@ public:
       : output_(std::move(output)), begin_(arguments.resume ? run::Begin::resumed : run::Begin::anew),
         quiet_(arguments.quiet), stop_(std::move(stop)), line_(arguments.quiet) {
     watch_.progress = [this](const run::Progress& progress) { line_.update(progress); };
+    watch_.within = watch_.progress;
     watch_.say = [this](const std::string& text) { line_.say(text); };
     watch_.warn = [this](const std::string& text) { line_.warn(text); };
     watch_.stop = [this] { return stop_.stop_requested(); };

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace rubato::run {
@@ -174,8 +175,28 @@ private:
       const int steps = whole(left / limit_);
       const int part = std::min(steps, steps_between_estimates);
       motion_.advance(part == steps ? end : motion_.t() + left * part / steps, part);
+      tell_within(end);
     }
     return true;
+  }
+
+  /// Once a second: the state that is told of is copied.
+  void tell_within(double end) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - told_ < std::chrono::seconds(1))
+      return;
+    told_ = now;
+    Progress progress{model_.study.name,
+                      end,
+                      time_.begin,
+                      time_.end,
+                      end - now_.t,
+                      0,
+                      points_in_contact(motion_.state()),
+                      0,
+                      false};
+    progress.within = true;
+    watch_.within(progress);
   }
 
   void accept(step::State next, const results::Attempt& attempt, const step::StepReport& report, bool last) {
@@ -236,6 +257,7 @@ private:
   int records_ = 1;
   double limit_ = INFINITY; ///< of the step
   int recorded_ = 0;        ///< records so far
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;
   bool broken_off_ = false;

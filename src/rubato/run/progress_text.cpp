@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace rubato::run {
@@ -39,13 +41,35 @@ struct Pieces {
 
 Pieces pieces_of(const Progress& p) {
   Pieces pieces{{fmt::format(" t = {:.6g}", p.t), fmt::format("  h = {:.3g}", p.step),
-                 p.accepted ? "" : " (failed, cut)", fmt::format("  iterations {}", p.iterations),
+                 p.accepted || p.within ? "" : " (failed, cut)", fmt::format("  iterations {}", p.iterations),
                  fmt::format("  in contact {}", p.contact_points)},
                 {1, 4, 3, 2}};
+  if (p.within && std::isfinite(p.residual)) {
+    pieces.texts.push_back(fmt::format("  residual {:.1e}", p.residual));
+    pieces.may_go = {1, 4, 5, 3, 2};
+  }
   return pieces;
 }
 
 } // namespace
+
+bool Pace::is_due(const Progress& progress, Clock::time_point now) {
+  using std::chrono::milliseconds;
+  const auto to_next = now - std::exchange(heard_, now);
+  const bool last = progress.accepted && progress.t >= progress.end;
+  const bool failed = !progress.accepted && !progress.within;
+  bool due = last || failed;
+  if (terminal_)
+    due = due || now - last_ >= milliseconds(50);
+  else if (progress.within)
+    due = now - last_ + to_next > std::chrono::seconds(5);
+  else
+    due = due || !shown_ || now - last_ >= std::chrono::seconds(1);
+  if (due)
+    last_ = now;
+  shown_ = shown_ || due;
+  return due;
+}
 
 std::string duration_text(double seconds) {
   const auto whole = static_cast<long>(std::min(seconds, 1e9));

@@ -183,9 +183,21 @@ private:
                               model_.study.name, name));
   }
 
-  void interrupt() {
+  /// `where`: in which step.
+  void interrupt(const std::string& where = "") {
     result_.status = Status::interrupted;
-    result_.message = fmt::format("interrupted at t = {:g}", committed_.t);
+    result_.message = fmt::format("interrupted at t = {:g}{}", committed_.t, where);
+  }
+
+  /// Says where a step stands. Whether it may go on.
+  bool goes_on(const results::Attempt& attempt, const step::Beat& beat) {
+    Progress progress{
+        model_.study.name, attempt.end,         model_.study.time.begin, end_, attempt.end - attempt.begin,
+        beat.iterations,   beat.contact_points, attempt.cut_level,       false};
+    progress.within = true;
+    progress.residual = beat.residual;
+    watch_.within(progress);
+    return !watch_.stop();
   }
 
   /// What the disk did not take is not part of the run: it stands at its last whole step.
@@ -213,7 +225,10 @@ private:
     results::Attempt attempt{control_.now(), control_.target(), control_.level(), false, 0};
     step::State trial;
     const auto report =
-        step::advance(model_, scheme_, systems_.of(control_.length()), committed_, attempt.end, trial);
+        step::advance(model_, scheme_, systems_.of(control_.length()), committed_, attempt.end, trial,
+                      [&](const step::Beat& beat) { return goes_on(attempt, beat); });
+    if (report.outcome == step::Outcome::interrupted)
+      return interrupt(fmt::format(", in the step to t = {:g}", attempt.end));
     attempt.accepted = report.converged();
     attempt.seconds = processor_seconds() - before;
     try {

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,15 @@ struct Progress {
   int cut_level = 0;
   bool accepted = true;
   const step::StepReport* report = nullptr;
+  bool within = false; ///< inside the step to t, which is not known yet to be accepted
+  double residual = std::numeric_limits<double>::quiet_NaN(); ///< inside a step, where it is known
 };
 
 struct Watch {
+  /// After each attempt at a step.
   std::function<void(const Progress&)> progress = [](const Progress&) {};
+  /// Inside an attempt, at least once an iteration.
+  std::function<void(const Progress&)> within = [](const Progress&) {};
   std::function<void(const std::string&)> say = [](const std::string&) {};
   std::function<void(const std::string&)> warn = [](const std::string&) {};
   std::function<bool()> stop = [] { return false; };

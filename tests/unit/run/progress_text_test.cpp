@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <limits>
 #include <string>
 
 namespace rubato::run {
@@ -25,7 +27,7 @@ Progress quarter(std::string_view name) {
 
 TEST(TerminalLine, ShowsTheTimeLeftAtEightyColumns) {
   const auto line = terminal_line(quarter("evol1"), 20, usual);
-  EXPECT_EQ(line, "evol1 [#....] t = 0.01  h = 1.25e-05  iterations 12  in contact 1234  left 1:00 min");
+  EXPECT_EQ(line, "evol1 [###............] t = 0.01  iterations 12  in contact 1234  left 1:00 min");
 }
 
 TEST(TerminalLine, IsWideWhereThereIsRoom) {
@@ -58,7 +60,76 @@ TEST(TerminalLine, OfAFailedStepCountsFromItsBegin) {
   progress.accepted = false;
   progress.t = progress.step; // the first step: nothing is done, nothing is known of the time left
   const auto line = terminal_line(progress, 20, usual);
-  EXPECT_EQ(line, "evol1 [......] t = 1.25e-05  h = 1.25e-05 (failed, cut)  iterations 12  in contact 1234");
+  EXPECT_EQ(line, "evol1 [............] t = 1.25e-05 (failed, cut)  iterations 12  in contact 1234");
+}
+
+Progress within(double t = 0.01) {
+  auto progress = quarter("evol1");
+  progress.t = t;
+  progress.accepted = false;
+  progress.within = true;
+  progress.residual = 2.3e-5;
+  return progress;
+}
+
+TEST(TerminalLine, OfTheInsideOfAStepShowsItsResidual) {
+  const auto line = terminal_line(within(), 20, 120);
+  EXPECT_NE(line.find("iterations 12  in contact 1234  residual 2.3e-05  left "), std::string::npos) << line;
+  EXPECT_EQ(line.find("failed"), std::string::npos) << line;
+  auto unknown = within();
+  unknown.residual = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(terminal_line(unknown, 20, 120).find("residual"), std::string::npos);
+}
+
+TEST(TerminalLine, OfTheInsideOfAStepFitsEightyColumns) {
+  const auto line = terminal_line(within(), 20, usual);
+  EXPECT_LT(line.size(), usual);
+  EXPECT_NE(line.find("iterations 12"), std::string::npos) << line;
+  EXPECT_TRUE(line.ends_with("min")) << line;
+}
+
+class PaceOfAFile : public testing::Test {
+protected:
+  static constexpr std::chrono::milliseconds second{1000};
+  PaceOfAFile() { pace_.begin(begin_); }
+
+  const Pace::Clock::time_point begin_{std::chrono::hours(1)};
+  Pace pace_{false};
+};
+
+TEST_F(PaceOfAFile, IsASecondBetweenSteps) {
+  EXPECT_TRUE(pace_.is_due(quarter("a"), begin_ + second / 10)) << "the first one";
+  EXPECT_FALSE(pace_.is_due(quarter("a"), begin_ + second));
+  EXPECT_TRUE(pace_.is_due(quarter("a"), begin_ + 2 * second));
+  EXPECT_FALSE(pace_.is_due(quarter("a"), begin_ + 5 * second / 2));
+}
+
+TEST_F(PaceOfAFile, IsAtMostFiveSecondsInsideAStepHoweverLongItsIterations) {
+  for (const int iteration : {10, 100, 900, 2000, 2400, 3000, 4900}) {
+    auto shown = begin_;
+    Pace pace(false);
+    pace.begin(begin_);
+    for (auto now = begin_; now < begin_ + 60 * second; now += std::chrono::milliseconds(iteration)) {
+      EXPECT_LE(now - shown, 5 * second) << iteration;
+      if (now > begin_ && pace.is_due(within(), now))
+        shown = now;
+    }
+  }
+}
+
+TEST_F(PaceOfAFile, ShowsNoInsideOfShortSteps) {
+  for (int i = 1; i <= 45; ++i)
+    EXPECT_FALSE(pace_.is_due(within(), begin_ + i * second / 10)) << i;
+}
+
+TEST_F(PaceOfAFile, ShowsEveryFailureAndTheEnd) {
+  auto failed = within();
+  failed.within = false;
+  EXPECT_TRUE(pace_.is_due(failed, begin_));
+  EXPECT_TRUE(pace_.is_due(failed, begin_ + second / 10));
+  auto end = quarter("a");
+  end.t = end.end;
+  EXPECT_TRUE(pace_.is_due(end, begin_ + second / 5));
 }
 
 TEST(PlainLine, SaysEverythingWhateverItsLength) {
