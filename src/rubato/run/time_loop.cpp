@@ -327,6 +327,12 @@ RunResult run_study(const deck::Study& study, const std::filesystem::path& folde
                 previous != nullptr ? results::fingerprint(*previous) : 0,
                 {},
                 results::FolderClaim(folder)};
+  if (begin == Begin::unless_done)
+    if (auto finished = unchanged_run(study, course)) {
+      watch.say(
+          fmt::format("{}: complete and unchanged in {}, not computed again", study.name, folder.string()));
+      return std::move(*finished);
+    }
   if (begin == Begin::resumed) {
     course.from = find_checkpoint(study, course);
     if (auto finished = finished_run(study, course)) {
