@@ -141,6 +141,7 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   read_solver(map.find("solver"), study);
   read_probes(map.find("probes"), context, study.probes);
   read_fields(map.find("fields"), context, study.fields);
+  study.time.stops = study.fields.at;
   read_checkpoint(map.find("checkpoint"), context, study.checkpoint);
   read_checks(map.find("checks"), context, study.probes, study.checks);
   map.finish();
@@ -160,7 +161,6 @@ std::string title_of(Tree deck, std::span<const Change> changes) {
 /// Where the runs are that a run names: in the deck, or computed already and known to be right.
 enum class OtherRuns { in_the_deck, elsewhere };
 
-Deck parse(std::string_view text, const std::string& file_name, std::span<const Setting> settings,
 /// A setting that would have made the run before it fit is not seen in the deck.
 void hint_at_only(const Study& study, std::span<const ChosenRun> chosen, Faults& faults) {
   const auto& source = study.time.start_run.text;
@@ -180,6 +180,7 @@ std::string note_of(const ChosenRun& run, std::span<const std::string> only) {
       name, name, fmt::join(only, ","));
 }
 
+Deck parse(std::string_view text, const std::string& file_name, std::span<const Setting> settings,
            std::span<const std::string> only, OtherRuns others) {
   Faults faults;
   auto base = parse_tree(text, file_name, faults);

@@ -255,6 +255,7 @@ struct TimeStepping {
   double step = 0;
   double end = 0;               ///< the last of the instants when they are listed
   std::vector<double> instants; ///< ascending, after begin; instead of step and end
+  std::vector<double> stops;    ///< instants that a step must end at, too: those at which fields are wanted
   double safety = 0.9;          ///< central_difference: part of the stable step that is taken, in 0…1
   double record = 0;            ///< central_difference: > 0, the time between results
   StartKind start = StartKind::consistent;

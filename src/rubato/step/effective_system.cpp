@@ -34,7 +34,9 @@ Eigen::VectorXd usual_diagonal(const Model& model, const time::Scheme& scheme) {
   const auto& settings = model.study.time;
   double step = settings.step;
   if (step <= 0) {
-    const auto instants = time::instants_of(settings);
+    auto listed = settings;
+    listed.stops.clear();
+    const auto instants = time::instants_of(listed);
     step = instants.at(1) - instants.at(0);
   }
   const auto coefficients = time::coefficients_of(scheme, step);

@@ -28,7 +28,22 @@ double as_meant(double t, double begin) {
   return std::abs(shown - t) <= rounding * std::max(std::abs(t), std::abs(begin)) ? shown : t;
 }
 
-std::vector<double> instants_of(const deck::TimeStepping& settings) {
+std::vector<double> with_stops(std::vector<double> instants, std::span<const double> stops) {
+  for (const double stop : stops) {
+    const auto after = std::ranges::lower_bound(instants, stop);
+    if (after == instants.begin() || after == instants.end())
+      continue;
+    const double before = *(after - 1);
+    const double near = sliver * (*after - before);
+    if (stop - before > near && *after - stop > near)
+      instants.insert(after, stop);
+  }
+  return instants;
+}
+
+namespace {
+
+std::vector<double> listed_or_even(const deck::TimeStepping& settings) {
   std::vector<double> instants{settings.begin};
   if (!settings.instants.empty()) {
     std::ranges::copy_if(settings.instants, std::back_inserter(instants),
@@ -42,6 +57,12 @@ std::vector<double> instants_of(const deck::TimeStepping& settings) {
     instants.push_back(as_meant(settings.begin + static_cast<double>(i) * settings.step, settings.begin));
   instants.push_back(settings.end);
   return instants;
+}
+
+} // namespace
+
+std::vector<double> instants_of(const deck::TimeStepping& settings) {
+  return with_stops(listed_or_even(settings), settings.stops);
 }
 
 StepControl::StepControl(const deck::TimeStepping& settings, double start)

@@ -76,6 +76,29 @@ TEST_F(RunFolder, HoldsHistoriesStepsAndASummary) {
   EXPECT_EQ(json.at("study").at("thickness"), 1.0);
 }
 
+/// Whatever makes the steps.
+TEST_F(RunFolder, HasFieldsAtEveryInstantThatIsNamed) {
+  const std::string wanted = "fields: {formats: [vtu], at: [1.25e-4, 2e-4, 3.1e-4], last: false}\n";
+  const std::string hht = "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}";
+  for (const auto& time : {hht, std::string("{scheme: static, step: 1e-4, end: 4e-4}"),
+                           std::string("{scheme: hht, alpha: -0.1, instants: [1e-4, 4e-4]}"),
+                           std::string("{scheme: central_difference, end: 4e-4, record: 1e-4}")}) {
+    auto deck = with(two_blocks, hht, time) + wanted;
+    if (time.find("central") != std::string::npos)
+      deck = with(deck, "friction: 0.2", "friction: 0.2, method: penalty");
+    std::vector<double> reached;
+    run::Watch watch;
+    watch.progress = [&](const run::Progress& progress) { reached.push_back(progress.t); };
+    ASSERT_EQ(run(deck, watch).status, RunStatus::complete) << time;
+    EXPECT_TRUE(std::ranges::is_sorted(reached));
+    EXPECT_EQ(reached.back(), 4e-4);
+    const auto series = text_of(folder_ / "fields.pvd");
+    EXPECT_EQ(std::ranges::count(series, '\n'), 3 + 3 + 2) << time << series;
+    for (const auto* instant : {"\"0.000125\"", "\"0.0002\"", "\"0.00031\""})
+      EXPECT_NE(series.find(instant), std::string::npos) << time << series;
+  }
+}
+
 TEST_F(RunFolder, IsReadBackAsTheStudyAndItsHistory) {
   const auto deck = two_blocks + "checks: [{probe: end.y, at: 2e-4, reference: 1, tolerance: 0.1}]\n";
   const auto result = run(deck);

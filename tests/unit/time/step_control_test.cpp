@@ -65,6 +65,29 @@ TEST(Instants, ListedOnesAreTakenAsTheyAre) {
   EXPECT_EQ(instants_of(listed({0.1, 0.15, 0.7})), (Instants{0, 0.1, 0.15, 0.7}));
 }
 
+TEST(Instants, HaveStopsBetweenTheSteps) {
+  auto settings = even(0.1, 0.4);
+  settings.stops = {0, 0.25, 0.3, 0.4};
+  EXPECT_EQ(instants_of(settings), (Instants{0, 0.1, 0.2, 0.25, 0.3, 0.4}));
+  settings = listed({0.1, 0.15, 0.7});
+  settings.stops = {0.5, 0.7};
+  EXPECT_EQ(instants_of(settings), (Instants{0, 0.1, 0.15, 0.5, 0.7}));
+}
+
+TEST(Instants, HaveNoStopBesideAnInstantThatDiffersByRounding) {
+  EXPECT_EQ(with_stops({0, 0.1, 0.2, 0.3}, std::vector{3 * 0.1, 0.1 + 1e-12}), (Instants{0, 0.1, 0.2, 0.3}));
+}
+
+TEST(StepControl, GoesOnWithItsUsualLengthAfterAStop) {
+  auto settings = even(0.25, 1);
+  settings.stops = {0.375};
+  StepControl control(settings, 0);
+  std::vector<double> lengths;
+  for (; !control.finished(); control.accept())
+    lengths.push_back(control.length());
+  EXPECT_EQ(lengths, (Instants{0.25, 0.125, 0.125, 0.25, 0.25}));
+}
+
 TEST(StepControl, WalksThroughTheInstants) {
   EXPECT_EQ(walked({even(0.25, 1), 0}), (Instants{0.25, 0.5, 0.75, 1}));
   EXPECT_EQ(walked({listed({0.1, 0.15, 0.7}), 0}), (Instants{0.1, 0.15, 0.7}));
