@@ -118,6 +118,11 @@ void check_probe(const Check& check, const Study& study, const Study& source, co
     mention.fault(fmt::format("probe '{}' is of {} in run {} and of {} in run {}", check.probe.text,
                               word_of(probe_field_words, other->field), source.name,
                               word_of(probe_field_words, own->field), study.name));
+  else if (own->take != other->take)
+    mention.fault(
+        fmt::format("probe '{}' takes something else of its nodes in run {} than in run {}, expected "
+                    "the same 'take'",
+                    check.probe.text, source.name, study.name));
 }
 
 void check_field(const Check& check, const Study& study, const Study& source, const Mention& mention) {
@@ -161,7 +166,7 @@ bool check_other_runs(const Study& study, std::span<const Study> earlier, const 
     if (const auto* source = mention.earlier_run(study, earlier, all, "be compared with"))
       check_comparison(check, study, *source, mention);
   }
+  return fits;
 }
 
 } // namespace rubato::deck
-  return fits;

@@ -279,12 +279,17 @@ struct NewtonSettings {
 
 enum class ProbeField { displacement, velocity, acceleration, reaction };
 
-/// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point.
+/// What is taken of the nodes of a group, of each component by itself.
+enum class ProbeTake { node, sum, mean, least, largest };
+
+/// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point; or of
+/// the nodes of a group.
 struct Probe {
   std::string name;
-  Name node;
+  Name node; ///< or the group, when something is taken of its nodes
   std::optional<std::array<double, 3>> point;
   ProbeField field = ProbeField::displacement;
+  ProbeTake take = ProbeTake::node; ///< `node`: there is one node
   Location at;
   bool operator==(const Probe&) const = default;
 };

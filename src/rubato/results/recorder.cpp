@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <numeric>
 #include <utility>
 
 namespace rubato::results {
@@ -67,6 +68,24 @@ const Eigen::VectorXd& field_of(const step::State& state, deck::ProbeField field
     break;
   }
   return state.reaction;
+}
+
+/// `values`: of one component at the nodes of a probe, at least one.
+double taken(deck::ProbeTake take, const std::vector<double>& values) {
+  const auto sum = [&] { return std::accumulate(values.begin(), values.end(), 0.0); };
+  switch (take) {
+  case deck::ProbeTake::sum:
+    return sum();
+  case deck::ProbeTake::mean:
+    return sum() / static_cast<double>(values.size());
+  case deck::ProbeTake::least:
+    return *std::ranges::min_element(values);
+  case deck::ProbeTake::largest:
+    return *std::ranges::max_element(values);
+  case deck::ProbeTake::node:
+    break;
+  }
+  return values.front();
 }
 
 ordered_json check_json(const CheckResult& r) {
@@ -323,10 +342,16 @@ private:
 
   void write_probes(const step::State& state) {
     std::vector<double> row{state.t};
-    for (std::size_t p = 0; p < model_.probe_nodes.size(); ++p)
-      for (int i = 0; i < model_.dofs.components; ++i)
-        row.push_back(
-            field_of(state, model_.study.probes[p].field)[model_.dofs.dof(model_.probe_nodes[p], i)]);
+    for (std::size_t p = 0; p < model_.probe_nodes.size(); ++p) {
+      const auto& probe = model_.study.probes[p];
+      const auto& field = field_of(state, probe.field);
+      for (int i = 0; i < model_.dofs.components; ++i) {
+        std::vector<double> values;
+        for (const auto node : model_.probe_nodes[p])
+          values.push_back(field[model_.dofs.dof(node, i)]);
+        row.push_back(taken(probe.take, values));
+      }
+    }
     probes_.row(row);
     history_.rows.push_back(std::move(row));
   }

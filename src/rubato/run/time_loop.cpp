@@ -351,6 +351,8 @@ RunResult run_study(const deck::Study& study, const std::filesystem::path& folde
                             points += zone.points.size();
                           return points;
                         }()));
+  for (const auto& note : model.notes)
+    watch.warn(fmt::format("{}: {}", study.name, note));
   if (deck::is_explicit(study.time.scheme))
     return run_explicit(model, course, watch, start);
   return Loop(model, course, watch, previous).run(start);

@@ -38,6 +38,17 @@ TEST(BadModel, IsToldEverythingAtOnceAndWhere) {
   EXPECT_EQ(lines, (std::vector<int>{16, 18, 20, 22, 25}));
 }
 
+TEST(BadProbe, OnManyNodesIsToldOfTake) {
+  for (const auto* place : {"{node: roof}", "{on: roof}"}) {
+    const auto fault = fault_of([&] { model_of(with(two_blocks, "{node: tip}", place)); });
+    EXPECT_NE(
+        fault.find("probe 'end': group 'roof' has 5 nodes, expected one, or what is taken of them: {on: "
+                   "roof, take: sum}, mean, min or max"),
+        std::string::npos)
+        << fault;
+  }
+}
+
 TEST(BadModel, NamesNoMoreThanTheFirstFewBadCells) {
   mesh::MeshBuilder builder(2);
   for (int i = 0; i < 4; ++i)
