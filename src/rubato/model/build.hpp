@@ -53,6 +53,10 @@ void check_compared_places(const deck::Study& study, const mesh::Mesh& mesh, std
 /// held.
 void check_supported(const Model& model, std::vector<Fault>& faults);
 
+/// A run with inertia needs a positive density wherever nodes can move: faults for cells without one whose
+/// nodes are not all held in every component.
+void check_masses(const Model& model, std::vector<Fault>& faults);
+
 /// The cells of a group, or a fault that names the nearest group; nullptr then.
 const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, std::vector<Fault>& faults);
 

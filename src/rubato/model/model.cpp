@@ -132,6 +132,8 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   stop_on(faults);
   if (study.time.scheme == deck::SchemeKind::static_steps)
     check_supported(model, faults);
+  else
+    check_masses(model, faults);
   stop_on(faults);
   number_unknowns(model);
   return model;

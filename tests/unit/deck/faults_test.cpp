@@ -104,7 +104,7 @@ const Mistake range_mistakes[] = {
     {"0.25", "0.5", "0.5\n    density",
      "materials.steel.poisson: found '0.5', expected a number between -1 and 0.5"},
     {"0.25", "-1", "-1\n", "materials.steel.poisson: found '-1', expected a number between -1 and 0.5"},
-    {"7800", "-7800", "-7800", "materials.steel.density: found '-7800', expected a number > 0"},
+    {"7800", "-7800", "-7800", "materials.steel.density: found '-7800', expected a number >= 0"},
     {"thickness: 0.5", "thickness: 0", "0\nmaterials", "thickness: found '0', expected a number > 0"},
     {"friction: 0.2", "friction: -0.2", "-0.2",
      "contact.interface.friction: found '-0.2', expected a number >= 0"},
