@@ -72,6 +72,7 @@ ExplicitPenalty::ExplicitPenalty(const Zone& zone, const fem::DofMap& dofs,
 
 void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd& velocity, double step,
                               VectorXd& force) {
+  neighbours_.forget_visits(); // a step has no iterates that could hop: who comes back to a face slid there
   neighbours_.update(configuration);
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     if (zone_->points[i].excluded)
@@ -121,6 +122,7 @@ double ExplicitPenalty::stored() const {
 void ExplicitPenalty::restore(const Memory& memory, const Configuration& configuration) {
   springs_ = memory.springs;
   dissipated_ = memory.dissipated;
+  neighbours_.forget_visits();
   neighbours_.update(configuration);
 }
 

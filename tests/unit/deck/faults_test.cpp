@@ -152,6 +152,8 @@ const Mistake range_mistakes[] = {
     {"[0.001, 0.006]", "[0.001, 0.06]", "0.06]",
      "fields.at.1: found 0.06, expected an instant of the run, 0.001 to "
      "0.013"},
+    {"[0.001, 0.006]", "[0.0005, 0.006]", "0.0005, 0.006]",
+     "fields.at.0: found 0.0005, expected an instant of the run, 0.001 to 0.013"},
     {"every: 20", "every: 0.5", "0.5, last", "checkpoint.every: found '0.5', expected a whole number >= 0"},
     {"at: [0.002]", "at: [0.2]", "0.2], every: 20",
      "checkpoint.at.0: found 0.2, expected an instant of the run, 0.001 to 0.013"},
