@@ -58,7 +58,8 @@ int run_interruptibly(const std::function<int(const std::stop_token&)>& work) {
     if (!stop.request_stop())
       die_of(signal);
     if (signal == SIGINT)
-      fmt::print(stderr, "\nstopping after this step; Ctrl-C again stops at once\n");
+      fmt::print(stderr,
+                 "\nstopping; a factorisation at hand comes to its end, Ctrl-C again stops at once\n");
   }
   return result.get();
 }

@@ -39,7 +39,10 @@ void add_run(CLI::App& program, Arguments& arguments) {
   command->add_option("-o,--output", run.output,
                       "folder of results; each run gets a folder in it (default: the deck's name)");
   command->add_option("--set", run.settings, "change the deck: path.to.key=value")->allow_extra_args(false);
-  command->add_option("--only", run.only, "run only these runs of the deck (and those they start from)")
+  command
+      ->add_option(
+          "--only", run.only,
+          "run only these runs of the deck, and those they start from unless their results are there")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_flag("--resume", run.resume,

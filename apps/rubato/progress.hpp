@@ -2,7 +2,7 @@
 /// The line that shows how far a run is.
 #pragma once
 
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/progress_text.hpp"
 
 #include <chrono>
 #include <string>
@@ -23,14 +23,13 @@ public:
   void close();
 
 private:
-  using Clock = std::chrono::steady_clock;
-  std::string line_of(const run::Progress& progress) const;
+  using Clock = run::Pace::Clock;
 
   bool quiet_;
   bool terminal_;
   bool open_ = false;
   Clock::time_point start_ = Clock::now(); ///< when the run's first step began
-  Clock::time_point last_{};
+  run::Pace pace_;
 };
 
 } // namespace rubato::app

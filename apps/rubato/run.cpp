@@ -5,7 +5,6 @@
 #include "rubato/run/time_loop.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -22,49 +21,22 @@ deck::Deck read(const RunArguments& arguments) {
   std::vector<deck::Setting> settings;
   for (const auto& text : arguments.settings)
     settings.push_back(deck::parse_setting(text));
-  return deck::read_deck(arguments.deck, settings);
-}
-
-const deck::Study* find_run(const deck::Deck& deck, const std::string& name) {
-  const auto found = std::ranges::find(deck.runs, name, &deck::Study::name);
-  return found == deck.runs.end() ? nullptr : &*found;
-}
-
-/// The runs asked for and those they start from, in the deck's order.
-std::vector<const deck::Study*> chosen_runs(const deck::Deck& deck, const std::vector<std::string>& only) {
-  std::vector<std::string> wanted;
-  for (const auto& name : only) {
-    const auto* study = find_run(deck, name);
-    if (study == nullptr) {
-      std::vector<std::string> names;
-      std::ranges::transform(deck.runs, std::back_inserter(names), &deck::Study::name);
-      const auto nearest = nearest_word(name, names);
-      throw InputError(fmt::format("--only: found '{}', expected one of {}{}", name, fmt::join(names, ", "),
-                                   nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
-    }
-    for (; study != nullptr; study = find_run(deck, study->time.start_run.text))
-      wanted.push_back(study->name);
-  }
-  std::vector<const deck::Study*> runs;
-  for (const auto& study : deck.runs)
-    if (only.empty() || std::ranges::find(wanted, study.name) != wanted.end())
-      runs.push_back(&study);
-  return runs;
+  return deck::read_deck(arguments.deck, settings, arguments.only);
 }
 
 /// What a check subtracts must come from this command, or lie in the folder of results from a former one.
-void require_compared_runs(std::span<const deck::Study* const> runs, const std::filesystem::path& output) {
+void require_compared_runs(std::span<const deck::Study> runs, const std::filesystem::path& output) {
   std::vector<Fault> faults;
-  for (const auto* study : runs)
-    for (const auto& check : study->checks) {
+  for (const auto& study : runs)
+    for (const auto& check : study.checks) {
       const auto& other = check.run.text;
-      const bool is_run = std::ranges::any_of(runs, [&](const auto* run) { return run->name == other; });
+      const bool is_run = std::ranges::find(runs, other, &deck::Study::name) != runs.end();
       if (other.empty() || is_run || std::filesystem::exists(output / other / results::summary_file))
         continue;
       faults.push_back(
           {check.run.at, fmt::format("run {} is checked against run {}, which is not run now and "
                                      "is not in {}; expected '--only {},{}'",
-                                     study->name, other, output.string(), other, study->name)});
+                                     study.name, other, output.string(), other, study.name)});
     }
   if (!faults.empty())
     throw InputError(std::move(faults));
@@ -97,22 +69,23 @@ class Series {
 public:
   Series(const RunArguments& arguments, std::filesystem::path output, std::stop_token stop)
       : output_(std::move(output)), begin_(arguments.resume ? run::Begin::resumed : run::Begin::anew),
-        quiet_(arguments.quiet), stop_(std::move(stop)), line_(arguments.quiet) {
+        only_(arguments.only), quiet_(arguments.quiet), stop_(std::move(stop)), line_(arguments.quiet) {
     watch_.progress = [this](const run::Progress& progress) { line_.update(progress); };
+    watch_.within = watch_.progress;
     watch_.say = [this](const std::string& text) { line_.say(text); };
     watch_.warn = [this](const std::string& text) { line_.warn(text); };
     watch_.stop = [this] { return stop_.stop_requested(); };
   }
 
-  int run(std::span<const deck::Study* const> studies) {
+  int run(std::span<const deck::Study> studies) {
     int worst = done;
-    for (const auto* study : studies) {
-      const auto& source = study->time.start_run.text;
+    for (const auto& study : studies) {
+      const auto& source = study.time.start_run.text;
       if (!source.empty() && !ends_.contains(source)) {
-        fmt::print(stderr, "error: {}: not run, because {} did not come to its end\n", study->name, source);
+        fmt::print(stderr, "error: {}: not run, because {} did not come to its end\n", study.name, source);
         continue;
       }
-      worst = std::max(worst, run(*study, source.empty() ? nullptr : &ends_.at(source)));
+      worst = std::max(worst, run(study, source.empty() ? nullptr : &ends_.at(source)));
       if (stop_.stop_requested())
         break;
     }
@@ -120,9 +93,15 @@ public:
   }
 
 private:
+  /// Runs that others start from are not computed again for them alone.
+  run::Begin begin_of(const std::string& run) const {
+    const bool asked = only_.empty() || std::ranges::find(only_, run) != only_.end();
+    return asked || begin_ == run::Begin::resumed ? begin_ : run::Begin::unless_done;
+  }
+
   int run(const deck::Study& study, const step::State* previous) {
     const auto folder = output_ / study.name;
-    auto result = run::run_study(study, folder, watch_, previous, begin_);
+    auto result = run::run_study(study, folder, watch_, previous, begin_of(study.name));
     line_.close();
     if (!quiet_ || !result.checks.empty())
       print_summary(study, result, folder);
@@ -136,6 +115,7 @@ private:
 
   std::filesystem::path output_;
   run::Begin begin_;
+  std::vector<std::string> only_;
   bool quiet_;
   std::stop_token stop_;
   ProgressLine line_;
@@ -147,13 +127,19 @@ private:
 
 int run(const RunArguments& arguments) {
   const auto deck = read(arguments);
-  const auto runs = chosen_runs(deck, arguments.only);
-  if (runs.size() > 1)
-    model::check_studies(runs);
+  if (deck.runs.size() > 1) {
+    std::vector<const deck::Study*> studies;
+    for (const auto& study : deck.runs)
+      studies.push_back(&study);
+    model::check_studies(studies);
+  }
   const auto output = arguments.output.empty() ? arguments.deck.stem() : arguments.output;
-  require_compared_runs(runs, output);
+  require_compared_runs(deck.runs, output);
+  if (!arguments.quiet)
+    for (const auto& note : deck.notes)
+      fmt::print(stderr, "{}\n", note);
   return run_interruptibly(
-      [&](const std::stop_token& stop) { return Series(arguments, output, stop).run(runs); });
+      [&](const std::stop_token& stop) { return Series(arguments, output, stop).run(deck.runs); });
 }
 
 } // namespace rubato::app

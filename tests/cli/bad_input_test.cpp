@@ -82,7 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"ProbeWithoutNode", "node: tip", "node: tp",
               "25:15: found 'tp', expected a group or a node ('N90') of the mesh; did you mean 'tip'?"},
         Fault{"ProbeOnManyNodes", "node: tip", "node: held",
-              "25:15: probe 'end': group 'held' has 6 nodes, expected one"},
+              "25:15: probe 'end': group 'held' has 6 nodes, expected one, or what is taken of them: {on: "
+              "held, take: "
+              "sum}, mean, min or max"},
         Fault{"LoadOnBodies", "nodal_force: {on: tip, y: -1e7}", "pressure: {on: upper, value: 1e6}",
               "20:20: loaded surface 'upper': 8 cells (the first: number 17 of QUAD4) found where segments "
               "are expected"}),

@@ -56,6 +56,29 @@ INSTANTIATE_TEST_SUITE_P(Signal, InterruptedBy, testing::Values(SIGINT, SIGTERM)
   return chosen.param == SIGINT ? "Interrupt" : "Terminate";
 });
 
+/// Each of the iterations factors the whole system of a fine mesh, and the signal comes in one of the first.
+TEST(InterruptInsideAStep, EndsItAndTheRunGoesOn) {
+  const test::ScratchFolder folder;
+  const auto fine = test::with(test::two_blocks, "physics: plane_stress",
+                               "  refine: 24\nphysics: plane_stress\nsolver: full");
+  test::write_text(folder / "deck.yaml", test::with(fine, "end: 4e-4", "end: 1e-4"));
+  test::Program program({"run", "deck.yaml", "-o", "out"}, folder.path());
+  while (program.is_running() && !std::filesystem::exists(folder / "out/run/energy.csv"))
+    std::this_thread::sleep_for(1ms);
+  ASSERT_TRUE(program.is_running());
+  program.send(SIGINT);
+  const auto outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.err.find("stopping; a factorisation at hand comes to its end"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("error: run: interrupted at t = 0"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("--resume goes on from there"), std::string::npos) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(test::text_of(folder / "out/run/run.json")).at("steps"), 0);
+  EXPECT_EQ(test::text_of(folder / "out/run/steps.jsonl"), "");
+  EXPECT_EQ(test::run_program({"run", "deck.yaml", "-o", "out", "-q", "--resume"}, folder.path()).exit_code,
+            0);
+}
+
 /// The mesh is so fine that a step takes much longer than two signals.
 TEST(SecondInterrupt, KillsAtOnce) {
   const test::ScratchFolder folder;

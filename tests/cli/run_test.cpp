@@ -54,6 +54,22 @@ TEST_F(Run, WritesItsFolderAndEndsWithZero) {
   EXPECT_EQ(summary(folder_ / "out/run").at("status"), "complete");
 }
 
+TEST_F(Run, SaysWhatItsFactorNeedsBeforeTheFirstStep) {
+  const auto outcome = run(two_blocks);
+  const auto told = outcome.err.find("run: factoring the matrix takes ");
+  ASSERT_NE(told, std::string::npos) << outcome.err;
+  EXPECT_LT(told, outcome.err.find("run: solver "));
+  EXPECT_GT(summary(folder_ / "out/run").at("factor_bytes"), 0);
+}
+
+TEST_F(Run, WritesInstantsAsTheyWereMeant) {
+  const auto deck = test::with(two_blocks, "step: 1e-4, end: 4e-4", "step: 0.001, end: 0.01");
+  ASSERT_EQ(run(deck + "fields: {formats: [vtu], every: 3}\n").exit_code, 0);
+  const auto probes = test::text_of(folder_ / "out/run/probes.csv");
+  EXPECT_NE(probes.find("\n0.009,"), std::string::npos) << probes;
+  EXPECT_NE(test::text_of(folder_ / "out/run/fields.pvd").find("\"0.009\""), std::string::npos);
+}
+
 TEST_F(Run, SaysNothingWhenQuiet) {
   const auto outcome = run(two_blocks, {"--quiet"});
   EXPECT_EQ(outcome.exit_code, 0);
@@ -135,6 +151,74 @@ TEST_F(Run, OfAFewOnlyRunsWhatTheyStartFromToo) {
   EXPECT_TRUE(exists("out/preload/run.json"));
   EXPECT_TRUE(exists("out/after/run.json"));
   EXPECT_FALSE(exists("out/alone"));
+}
+
+class RunOfAFew : public Run {
+protected:
+  const std::string deck_ = two_blocks + R"(fields: {formats: [med]}
+runs:
+  preload: {time: {scheme: static, alpha: ~, step: 0.5, end: 1}}
+  after: {time: {start: {from: preload}}}
+)";
+  /// Whether the run that the other one starts from was computed.
+  static bool computed(const test::Outcome& outcome) {
+    return outcome.err.find("preload: scheme static") != std::string::npos;
+  }
+  static bool told_of_use(const test::Outcome& outcome) {
+    return outcome.err.find("preload: complete and unchanged in out/preload, not computed again\n") !=
+           std::string::npos;
+  }
+};
+
+TEST_F(RunOfAFew, UsesWhatItStartsFromWhereThatIsThereAndUnchanged) {
+  const auto first = run(deck_, {"--only", "after"});
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_TRUE(computed(first));
+  const auto probes = test::text_of(folder_ / "out/after/probes.csv");
+  const auto again = run(test::with(deck_, "title: two blocks", "title: another"), {"--only", "after"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_TRUE(told_of_use(again)) << again.err;
+  EXPECT_FALSE(computed(again)) << again.err;
+  EXPECT_FALSE(exists("out/preload/former"));
+  EXPECT_EQ(test::text_of(folder_ / "out/after/probes.csv"), probes);
+  EXPECT_TRUE(computed(run(deck_))) << "a run that is asked for is computed";
+}
+
+TEST_F(RunOfAFew, ComputesWhatItStartsFromAgainWhereThatHasChanged) {
+  ASSERT_EQ(run(deck_, {"--only", "after"}).exit_code, 0);
+  for (const auto* change : {"runs.preload.time.step=0.25", "runs.preload.time.end=2",
+                             "runs.preload.probes=~", "runs.preload.newton.residual=1e-9"}) {
+    const auto outcome = run(deck_, {"--only", "after", "--set", change});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(computed(outcome)) << change << "\n" << outcome.err;
+    EXPECT_FALSE(told_of_use(outcome)) << change;
+  }
+}
+
+TEST_F(RunOfAFew, ComputesWhatItStartsFromAgainWhereThatIsNotWhole) {
+  for (const auto* file : {"checkpoint.h5", "run.json", "probes.csv"}) {
+    ASSERT_EQ(run(deck_, {"--only", "after"}).exit_code, 0);
+    std::filesystem::remove(folder_ / "out/preload" / file);
+    const auto outcome = run(deck_, {"--only", "after"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(computed(outcome)) << file << "\n" << outcome.err;
+  }
+  ASSERT_EQ(
+      run(deck_, {"--only", "preload", "--set", "newton.max_iterations=1", "--set", "newton.residual=1e-300"})
+          .exit_code,
+      3);
+  EXPECT_TRUE(computed(run(deck_, {"--only", "after"}))) << "it had failed";
+}
+
+TEST_F(RunOfAFew, SaysWhichRunASettingLeftAlone) {
+  const auto outcome = run(deck_, {"--only", "after", "--set", "time.step=2e-4"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("preload: left as in the deck, as --set changes the runs of --only; '--only "
+                             "preload,after' would change it, too\n"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(summary(folder_ / "out/preload").at("steps"), 2);
+  EXPECT_EQ(summary(folder_ / "out/after").at("steps"), 2);
 }
 
 TEST_F(Run, IsCheckedOnlyWhereThereIsOne) {

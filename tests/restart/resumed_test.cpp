@@ -44,6 +44,19 @@ TEST_F(ResumedRun, GoesBeyondItsEndAsIfItHadBeenToldBefore) {
   expect_same("whole", "out");
 }
 
+/// The copy of fields.med is there only while fields.med has more than the checkpoint.
+TEST_F(ResumedRun, NeedsNoSecondCopyOfTheFields) {
+  ASSERT_EQ(run(four_steps, "out").exit_code, 0);
+  for (const auto& name : test::files_in(folder_ / "out"))
+    EXPECT_FALSE(name.find("checkpoint") != std::string::npos && name.ends_with(".med")) << name;
+  std::filesystem::remove(folder_ / "out/run/fields.med");
+  const auto outcome = run(four_steps, "out", {"--resume", "--set", "time.end=1e-3"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("fields.med: does not exist, but the checkpoint counts on it"),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(ResumedRun, FindsTheNextInstantWhereTheOldEndDiffersFromOneByRounding) {
   const auto at = [](const std::string& end) {
     return with(test::two_blocks, "step: 1e-4, end: 4e-4", "step: 1e-4, end: " + end);

@@ -239,7 +239,12 @@ Json echo(const TimeStepping& time) {
 
 Json echo(const Probe& probe, int dimension) {
   auto map = Json::object();
-  put_name(map, "node", probe.node);
+  if (probe.take == ProbeTake::node) {
+    put_name(map, "node", probe.node);
+  } else {
+    put_name(map, "on", probe.node);
+    map["take"] = word(probe_take_words, probe.take);
+  }
   if (probe.point)
     map["point"] = first(*probe.point, dimension);
   map["field"] = word(probe_field_words, probe.field);

@@ -64,21 +64,32 @@ bool same_mesh(const Study& a, const Study& b) {
   return a.mesh == b.mesh && a.physics == b.physics;
 }
 
-void check_start(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
+/// Whether it fits.
+bool check_start(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
                  Faults& faults) {
   const auto& from = study.time.start_run;
   if (study.time.start != StartKind::from_run || from.text.empty())
-    return;
+    return true;
   const Mention mention(from, "time.start.from", faults);
   const auto* source = mention.earlier_run(study, earlier, all, "start from");
   if (source == nullptr)
-    return;
+    return false;
+  if (same_mesh(*source, study) && same_contact(*source, study))
+    return true;
   if (!same_mesh(*source, study))
     mention.fault(fmt::format("run {} has another mesh or physics than run {}", from.text, study.name));
-  else if (!same_contact(*source, study))
+  else
     mention.fault(fmt::format("run {} has other contact zones than run {}, expected the same surfaces, the "
                               "same integration and friction in both or in none",
                               from.text, study.name));
+  return false;
+}
+
+/// A run of the deck before the study that was not read.
+bool is_left_out(const std::string& name, const Study& study, std::span<const Study> earlier,
+                 const std::vector<std::string>& all) {
+  return std::ranges::find(earlier, name, &Study::name) == earlier.end() &&
+         std::ranges::find(all, name) < std::ranges::find(all, study.name);
 }
 
 bool is_same_instant(double a, double b) {
@@ -107,6 +118,11 @@ void check_probe(const Check& check, const Study& study, const Study& source, co
     mention.fault(fmt::format("probe '{}' is of {} in run {} and of {} in run {}", check.probe.text,
                               word_of(probe_field_words, other->field), source.name,
                               word_of(probe_field_words, own->field), study.name));
+  else if (own->take != other->take)
+    mention.fault(
+        fmt::format("probe '{}' takes something else of its nodes in run {} than in run {}, expected "
+                    "the same 'take'",
+                    check.probe.text, source.name, study.name));
 }
 
 void check_field(const Check& check, const Study& study, const Study& source, const Mention& mention) {
@@ -139,17 +155,18 @@ void check_comparison(const Check& check, const Study& study, const Study& sourc
 
 } // namespace
 
-void check_other_runs(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
+bool check_other_runs(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
                       Faults& faults) {
-  check_start(study, earlier, all, faults);
+  const bool fits = check_start(study, earlier, all, faults);
   for (std::size_t i = 0; i < study.checks.size(); ++i) {
     const auto& check = study.checks[i];
-    if (check.run.text.empty())
+    if (check.run.text.empty() || is_left_out(check.run.text, study, earlier, all))
       continue;
     const Mention mention(check.run, fmt::format("checks.{}.run", i), faults);
     if (const auto* source = mention.earlier_run(study, earlier, all, "be compared with"))
       check_comparison(check, study, *source, mention);
   }
+  return fits;
 }
 
 } // namespace rubato::deck

@@ -11,9 +11,10 @@
 
 namespace rubato::deck {
 
-/// Faults where the study names a run that is not among the `earlier` ones or that does not fit. `all` are
-/// the names of every run of the deck.
-void check_other_runs(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
+/// Faults where the study names a run that no earlier one has, or that does not fit. `all` are the names of
+/// every run of the deck, in its order; `earlier` those of them before the study that were read: comparisons
+/// with others are left to the results. Whether the study fits what it starts from.
+bool check_other_runs(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
                       Faults& faults);
 
 } // namespace rubato::deck

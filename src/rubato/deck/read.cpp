@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/read.hpp"
 
+#include "rubato/deck/chosen_runs.hpp"
 #include "rubato/deck/other_runs.hpp"
 #include "rubato/deck/overlay.hpp"
 #include "rubato/deck/parts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -18,10 +20,7 @@ namespace {
 /// Runs times values of the deck: what reading it may cost.
 constexpr std::size_t most_work = 5'000'000;
 
-struct Run {
-  Name name;
-  Tree over;
-};
+using Run = WrittenRun;
 
 /// Takes the entry `runs` out of the deck. A deck without one has one run.
 std::vector<Run> take_runs(Tree& deck, Faults& faults) {
@@ -142,6 +141,7 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   read_solver(map.find("solver"), study);
   read_probes(map.find("probes"), context, study.probes);
   read_fields(map.find("fields"), context, study.fields);
+  study.time.stops = study.fields.at;
   read_checkpoint(map.find("checkpoint"), context, study.checkpoint);
   read_checks(map.find("checks"), context, study.probes, study.checks);
   map.finish();
@@ -161,8 +161,27 @@ std::string title_of(Tree deck, std::span<const Change> changes) {
 /// Where the runs are that a run names: in the deck, or computed already and known to be right.
 enum class OtherRuns { in_the_deck, elsewhere };
 
+/// A setting that would have made the run before it fit is not seen in the deck.
+void hint_at_only(const Study& study, std::span<const ChosenRun> chosen, Faults& faults) {
+  const auto& source = study.time.start_run.text;
+  const auto is_left = [&](const ChosenRun& run) { return run.left && run.run->name.text == source; };
+  if (std::ranges::any_of(chosen, is_left))
+    faults.add({"--set"},
+               fmt::format("run {} starts from run {}, which --only does not name and which so was left "
+                           "as in the deck; expected '--only {},{}' to change both",
+                           study.name, source, source, study.name));
+}
+
+std::string note_of(const ChosenRun& run, std::span<const std::string> only) {
+  const auto& name = run.run->name.text;
+  return fmt::format(
+      "{}: left as in the deck, as --set changes the runs of --only; '--only {},{}' would change it, "
+      "too",
+      name, name, fmt::join(only, ","));
+}
+
 Deck parse(std::string_view text, const std::string& file_name, std::span<const Setting> settings,
-           OtherRuns others) {
+           std::span<const std::string> only, OtherRuns others) {
   Faults faults;
   auto base = parse_tree(text, file_name, faults);
   if (base && !base->is(Tree::Kind::map))
@@ -175,18 +194,16 @@ Deck parse(std::string_view text, const std::string& file_name, std::span<const 
   const auto names = names_of(runs);
   const auto changes = parse_changes(settings, names, faults);
   const auto folder = std::filesystem::path(file_name).parent_path();
-  Deck deck{title_of(*base, changes), {}};
-  for (const auto& run : runs) {
-    faults.enter_run(run.name.text);
-    auto tree = *base;
-    lay_over(tree, run.over);
-    for (const auto& change : changes)
-      if (change.run.empty() || change.run == run.name.text)
-        apply(tree, change, faults);
-    auto study = read_study(tree, folder, faults);
-    study.name = run.name.text;
-    if (others == OtherRuns::in_the_deck)
-      check_other_runs(study, deck.runs, names, faults);
+  Deck deck{title_of(*base, changes), {}, {}};
+  const auto chosen = choose_runs(*base, runs, changes, only, faults);
+  for (const auto& run : chosen) {
+    faults.enter_run(run.run->name.text);
+    auto study = read_study(tree_of(*base, run, changes, faults), folder, faults);
+    study.name = run.run->name.text;
+    if (others == OtherRuns::in_the_deck && !check_other_runs(study, deck.runs, names, faults))
+      hint_at_only(study, chosen, faults);
+    if (run.left)
+      deck.notes.push_back(note_of(run, only));
     deck.runs.push_back(std::move(study));
   }
   faults.throw_if_any();
@@ -195,24 +212,26 @@ Deck parse(std::string_view text, const std::string& file_name, std::span<const 
 
 } // namespace
 
-Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings) {
-  return parse(text, file_name, settings, OtherRuns::in_the_deck);
+Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings,
+                std::span<const std::string> only) {
+  return parse(text, file_name, settings, only, OtherRuns::in_the_deck);
 }
 
 Study parse_echo(std::string_view text, const std::string& file_name) {
-  return parse(text, file_name, {}, OtherRuns::elsewhere).runs.front();
+  return parse(text, file_name, {}, {}, OtherRuns::elsewhere).runs.front();
 }
 
 bool accepts(const Study& study, std::span<const Setting> settings) {
   try {
-    parse(to_json(study), "", settings, OtherRuns::elsewhere);
+    parse(to_json(study), "", settings, {}, OtherRuns::elsewhere);
     return true;
   } catch (const InputError&) {
     return false;
   }
 }
 
-Deck read_deck(const std::filesystem::path& file, std::span<const Setting> settings) {
+Deck read_deck(const std::filesystem::path& file, std::span<const Setting> settings,
+               std::span<const std::string> only) {
   if (std::filesystem::is_directory(file))
     throw InputError("found a folder, expected a deck file", {file.string()});
   std::ifstream stream(file, std::ios::binary);
@@ -221,7 +240,7 @@ Deck read_deck(const std::filesystem::path& file, std::span<const Setting> setti
     throw InputError(std::filesystem::exists(file) ? "the deck file cannot be read"
                                                    : "the deck file does not exist",
                      {file.string()});
-  return parse_deck(text, file.string(), settings);
+  return parse_deck(text, file.string(), settings, only);
 }
 
 } // namespace rubato::deck

@@ -25,19 +25,24 @@ Setting parse_setting(std::string_view argument);
 struct Deck {
   std::string title;
   std::vector<Study> runs; ///< in the order of the file, at least one; a run starts only from an earlier one
+  std::vector<std::string> notes; ///< sentences that whoever gave the settings should read
   bool operator==(const Deck&) const = default;
 };
 
-/// Reads a deck from a file. Each run is the deck with the run's own entries and then the settings laid over
+/// Reads a deck from a file: the runs that `only` names, all when it is empty, and those they start from;
+/// others are not looked at. Each run is the deck with the run's own entries and then the settings laid over
 /// it: maps are merged key by key, words and lists are replaced whole, `~` removes a key. A setting whose
-/// path starts with `runs.NAME.` changes one run, any other changes all. Of mesh.file and mesh.generate the
-/// one given last stands. mesh.file is relative to the folder of the deck, in a setting to the current
-/// folder. Throws one InputError with every fault of the deck, each at file:line:column, settings at "--set
-/// path".
-Deck read_deck(const std::filesystem::path& file, std::span<const Setting> settings = {});
+/// path starts with `runs.NAME.` changes one run, any other changes all that are asked for; a note names each
+/// run that it would have changed besides. Of mesh.file and mesh.generate the one given last stands.
+/// mesh.file is relative to the folder of the deck, in a setting to the current folder. Throws one InputError
+/// with every fault of these runs, each at file:line:column, settings at "--set path", names of runs at
+/// "--only".
+Deck read_deck(const std::filesystem::path& file, std::span<const Setting> settings = {},
+               std::span<const std::string> only = {});
 
 /// The same from text; `file_name` stands in the places of faults, its folder is where mesh files are.
-Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings = {});
+Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings = {},
+                std::span<const std::string> only = {});
 
 /// The study as a deck of one run, in JSON (which is YAML) with every default written out and two blanks of
 /// indentation. It is a deck itself, unless it names other runs.

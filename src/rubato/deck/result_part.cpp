@@ -16,11 +16,20 @@ Probe read_probe(const NamedValue& entry, const Context& context) {
   probe.at = entry.name.at;
   MapReader map(entry.value);
   const auto node = map.find("node");
+  const auto group = map.find("on");
   const auto point = map.find("point");
-  if (map.is_map() && node.has_value() == point.has_value())
-    entry.value.fault(node ? "found both 'node' and 'point', expected one of them"
-                           : "'node' or 'point' is missing");
+  const int places = (node ? 1 : 0) + (group ? 1 : 0) + (point ? 1 : 0);
+  if (map.is_map() && places != 1)
+    entry.value.fault(
+        places > 1 ? fmt::format("found {}, expected one of them", !point   ? "both 'node' and 'on'"
+                                                                   : !group ? "both 'node' and 'point'"
+                                                                   : !node  ? "both 'on' and 'point'"
+                                                                            : "'node', 'on' and 'point'")
+                   : "'node', 'point' or 'on' is missing");
   read(node, probe.node);
+  read(group, probe.node);
+  if (const auto take = map.find("take"); read(take, probe.take, probe_take_words) && !group)
+    take->fault("goes with 'on' only: it says what is taken of the nodes of a group");
   if (std::array<double, 3> place{}; read_point(point, context, place))
     probe.point = place;
   read(map.find("field"), probe.field, probe_field_words);

@@ -19,7 +19,7 @@ Material read_material(const NamedValue& entry, const Context& context) {
   read(map.require("young"), material.young, above(0));
   read(map.require("poisson"), material.poisson, between(-1, 0.5));
   const auto density = map.find("density");
-  read(density, material.density, above(0));
+  read(density, material.density, at_least(0)); // where 0 is enough only the mesh tells
   if (!density && map.is_map() && context.scheme && *context.scheme != SchemeKind::static_steps)
     entry.value.fault(fmt::format("'density' is missing: the scheme {} moves masses",
                                   word_of(scheme_words, *context.scheme)),

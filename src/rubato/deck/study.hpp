@@ -255,6 +255,7 @@ struct TimeStepping {
   double step = 0;
   double end = 0;               ///< the last of the instants when they are listed
   std::vector<double> instants; ///< ascending, after begin; instead of step and end
+  std::vector<double> stops;    ///< instants that a step must end at, too: those at which fields are wanted
   double safety = 0.9;          ///< central_difference: part of the stable step that is taken, in 0…1
   double record = 0;            ///< central_difference: > 0, the time between results
   StartKind start = StartKind::consistent;
@@ -278,12 +279,17 @@ struct NewtonSettings {
 
 enum class ProbeField { displacement, velocity, acceleration, reaction };
 
-/// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point.
+/// What is taken of the nodes of a group, of each component by itself.
+enum class ProbeTake { node, sum, mean, least, largest };
+
+/// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point; or of
+/// the nodes of a group.
 struct Probe {
   std::string name;
-  Name node;
+  Name node; ///< or the group, when something is taken of its nodes
   std::optional<std::array<double, 3>> point;
   ProbeField field = ProbeField::displacement;
+  ProbeTake take = ProbeTake::node; ///< `node`: there is one node
   Location at;
   bool operator==(const Probe&) const = default;
 };

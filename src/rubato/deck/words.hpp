@@ -95,6 +95,11 @@ inline constexpr std::array<Word<ProbeField>, 4> probe_field_words{
      {"acceleration", ProbeField::acceleration},
      {"reaction", ProbeField::reaction}}};
 
+inline constexpr std::array<Word<ProbeTake>, 4> probe_take_words{{{"sum", ProbeTake::sum},
+                                                                  {"mean", ProbeTake::mean},
+                                                                  {"min", ProbeTake::least},
+                                                                  {"max", ProbeTake::largest}}};
+
 inline constexpr std::array<Word<bool>, 2> check_kind_words{{{"relative", true}, {"absolute", false}}};
 
 inline constexpr std::array<Word<CheckSource>, 4> check_source_words{{{"external", CheckSource::external},

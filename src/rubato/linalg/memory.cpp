@@ -59,10 +59,23 @@ double in_gigabytes(std::size_t bytes) {
   return static_cast<double>(bytes) / 1e9;
 }
 
+std::string two_digits(double number, const char* unit) {
+  return number < 10 ? fmt::format("{:.1f} {}", number, unit) : fmt::format("{:.0f} {}", number, unit);
+}
+
 } // namespace
 
 std::size_t available_memory() {
   return std::min({left_to_the_system(), left_to_the_group(), left_to_the_process()});
+}
+
+std::string memory_text(std::size_t bytes) {
+  const auto number = static_cast<double>(bytes);
+  if (number >= 0.9995e9)
+    return two_digits(number / 1e9, "GB");
+  if (number >= 0.9995e6)
+    return two_digits(number / 1e6, "MB");
+  return two_digits(number / 1e3, "kB");
 }
 
 TooLargeForMemory::TooLargeForMemory(std::size_t needed_bytes, std::size_t available_bytes)

@@ -4,12 +4,16 @@
 
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 
 namespace rubato::linalg {
 
 /// Memory that can still be had [bytes]: the least of what the system has left, of what the control groups
 /// and the resource limits of the process leave it. The largest number where none of them can be read.
 std::size_t available_memory();
+
+/// "2.6 GB", "38 MB", "512 kB"
+std::string memory_text(std::size_t bytes);
 
 /// A factor would need more than there is. Thrown before it is computed.
 class TooLargeForMemory : public std::runtime_error {

@@ -97,7 +97,7 @@ SplitFactor& SplitFactor::operator=(SplitFactor&&) noexcept = default;
 SplitFactor::~SplitFactor() = default;
 
 std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span<const int> surface,
-                                           std::size_t memory) {
+                                           std::size_t memory, const std::function<void(std::size_t)>& tell) {
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("SplitFactor::of wants a square matrix.");
   SplitFactor factor;
@@ -132,6 +132,7 @@ std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span
     needed += static_cast<std::size_t>(body.surface_size * body.surface_size) * sizeof(double);
   if (needed > memory)
     throw TooLargeForMemory(needed, memory);
+  tell(needed);
 
   factor.body_starts_.push_back(0);
   for (std::size_t b = 0; b < factor.bodies_.size(); ++b) {

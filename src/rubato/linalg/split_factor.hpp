@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,10 +25,13 @@ namespace rubato::linalg {
 class SplitFactor {
 public:
   /// Nothing comes back when the matrix is not positive definite to working precision or has a value that is
-  /// not finite. `surface` ascends. Throws TooLargeForMemory when the factor and the compliance of the
-  /// surface would not fit into `memory` [bytes], std::invalid_argument when the matrix is not square.
-  static std::optional<SplitFactor> of(const SparseMatrix& matrix, std::span<const int> surface,
-                                       std::size_t memory);
+  /// not finite. `surface` ascends. `tell` hears what the factor and the compliance of the surface need
+  /// [bytes] as soon as their entries are counted, before the first value is computed. Throws
+  /// TooLargeForMemory when they would not fit into `memory` [bytes], std::invalid_argument when the matrix
+  /// is not square.
+  static std::optional<SplitFactor> of(
+      const SparseMatrix& matrix, std::span<const int> surface, std::size_t memory,
+      const std::function<void(std::size_t)>& tell = [](std::size_t) {});
   SplitFactor(SplitFactor&&) noexcept;
   SplitFactor& operator=(SplitFactor&&) noexcept;
   ~SplitFactor();

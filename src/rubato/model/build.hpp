@@ -39,9 +39,12 @@ std::vector<Force> make_forces(const deck::Study& study, const mesh::Mesh& mesh,
 std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh,
                                       const fem::DofMap& dofs, std::vector<Fault>& faults);
 
-/// The node of each probe.
-std::vector<mesh::NodeIndex> make_probe_nodes(const deck::Study& study, const mesh::Mesh& mesh,
-                                              const fem::DofMap& dofs, std::vector<Fault>& faults);
+/// The nodes of each probe: those of its group when something is taken of them, else one. A note for each
+/// point that several nodes are equally near to.
+std::vector<std::vector<mesh::NodeIndex>> make_probe_nodes(const deck::Study& study, const mesh::Mesh& mesh,
+                                                           const fem::DofMap& dofs,
+                                                           std::vector<Fault>& faults,
+                                                           std::vector<std::string>& notes);
 
 /// Faults for checks on groups or nodes that there are not.
 void check_compared_places(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
@@ -49,6 +52,10 @@ void check_compared_places(const deck::Study& study, const mesh::Mesh& mesh, std
 /// A static run needs bodies that cannot move as rigid ones: supports must hold them, or contact with what is
 /// held.
 void check_supported(const Model& model, std::vector<Fault>& faults);
+
+/// A run with inertia needs a positive density wherever nodes can move: faults for cells without one whose
+/// nodes are not all held in every component.
+void check_masses(const Model& model, std::vector<Fault>& faults);
 
 /// The cells of a group, or a fault that names the nearest group; nullptr then.
 const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, std::vector<Fault>& faults);

@@ -178,6 +178,8 @@ void redistribute_mass(const mesh::Mesh& mesh, const fem::Bulk& bulk, const fem:
     if (loses[b] == 0)
       continue;
     const auto body = take_body(mesh, dofs, mass, std::move(nodes_of[b]), is_massless);
+    if (!(body.before.sum() > 0))
+      continue; // held whole, of density 0
     // Thin bodies have no places for moments of their depth: they keep their mass alone.
     auto factors = factors_of(body, mesh.dimension + 1);
     if (!factors)

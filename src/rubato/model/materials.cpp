@@ -115,6 +115,41 @@ fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vecto
   return bulk;
 }
 
+namespace {
+
+/// The first component in which a node of the cell is free, "node N5 (1, 0) can move in y"; empty when all
+/// are held.
+std::string freedom_of(const Model& model, CellIndex cell, const std::vector<char>& held) {
+  for (const auto node : model.mesh.nodes_of(cell))
+    for (int i = 0; i < model.dofs.components; ++i)
+      if (held[static_cast<std::size_t>(model.dofs.dof(node, i))] == 0)
+        return fmt::format("node {} can move in {}", node_label(model.mesh, node), "xyz"[i]);
+  return "";
+}
+
+} // namespace
+
+void check_masses(const Model& model, std::vector<Fault>& faults) {
+  std::vector<char> held(model.dofs.dof_count, 0);
+  for (const auto& constraint : model.constraints)
+    held[static_cast<std::size_t>(constraint.dof)] = 1;
+  std::vector<char> told(model.bulk.laws.size(), 0);
+  for (std::size_t i = 0; i < model.bulk.cells.size(); ++i) {
+    const auto law = static_cast<std::size_t>(model.bulk.law_of_cell[i]);
+    if (model.bulk.laws[law].density > 0 || told[law] != 0)
+      continue;
+    const auto freedom = freedom_of(model, model.bulk.cells[i], held);
+    if (freedom.empty())
+      continue;
+    told[law] = 1;
+    const auto& material = model.study.materials[law];
+    faults.push_back(
+        {material.at, fmt::format("materials.{}.density: found 0, but {}; expected more than 0, or "
+                                  "supports that hold every node of its cells in all components",
+                                  material.name, freedom)});
+  }
+}
+
 /// Nodes that are nowhere. True when there are some: whatever they carry has no shape.
 template <class Tell> bool tell_lost_nodes(const mesh::Mesh& mesh, const Tell& tell) {
   std::size_t count = 0;

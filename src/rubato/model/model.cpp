@@ -128,12 +128,14 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   model.initial = make_initial_motion(study, model.mesh, model.dofs, model.constraints, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
   model.zones = make_zones(study, model.mesh, model.dofs, faults);
-  model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults);
+  model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults, model.notes);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
   if (study.time.scheme == deck::SchemeKind::static_steps) {
     check_supported(model, faults);
     model.free_body_nodes = free_body_nodes(model);
+  } else {
+    check_masses(model, faults);
   }
   stop_on(faults);
   number_unknowns(model);

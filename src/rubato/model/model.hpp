@@ -68,8 +68,9 @@ struct Model {
   std::vector<int> free_dofs;  ///< ascending
   std::vector<int> free_index; ///< of a dof in free_dofs, −1 when it is constrained
   std::vector<contact::Zone> zones;
-  std::vector<mesh::NodeIndex> probe_nodes; ///< one a probe of the study
-  std::vector<int> multiplier_offsets;      ///< first multiplier of each zone
+  std::vector<std::vector<mesh::NodeIndex>> probe_nodes; ///< of each probe of the study, at least one
+  std::vector<std::string> notes;      ///< sentences that whoever runs the model should read
+  std::vector<int> multiplier_offsets; ///< first multiplier of each zone
   int multiplier_count = 0;
 
   /// The node a dof belongs to, and its direction.

@@ -1,47 +1,108 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+#include <span>
 
 namespace rubato::model {
 namespace {
 
 using mesh::NodeIndex;
 
-NodeIndex nearest_node(const mesh::Mesh& mesh, const fem::DofMap& dofs, const std::array<double, 3>& point) {
-  const Eigen::Vector3d x(point[0], point[1], point[2]);
-  return *std::ranges::min_element(dofs.nodes, {}, [&](NodeIndex node) {
-    return (mesh.points[static_cast<std::size_t>(node)] - x).squaredNorm();
-  });
+using Nodes = std::vector<NodeIndex>;
+
+/// Distances that differ by less than this part of the mesh's size are the same.
+constexpr double same_distance = 1e-6;
+constexpr std::size_t named_nodes = 5;
+
+double size_of(const mesh::Mesh& mesh, const fem::DofMap& dofs) {
+  Eigen::AlignedBox3d box;
+  for (const auto node : dofs.nodes)
+    box.extend(mesh.points[static_cast<std::size_t>(node)]);
+  return box.diagonal().norm();
 }
 
-/// The node a name means; 0 and a fault when it means none or several.
-NodeIndex named_node(const deck::Probe& probe, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+/// The nodes that no other one is nearer than.
+Nodes nearest_nodes(const mesh::Mesh& mesh, const fem::DofMap& dofs, const std::array<double, 3>& point) {
+  const Eigen::Vector3d x(point[0], point[1], point[2]);
+  const auto distance = [&](NodeIndex node) {
+    return (mesh.points[static_cast<std::size_t>(node)] - x).norm();
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto node : dofs.nodes)
+    least = std::min(least, distance(node));
+  const double limit = least + same_distance * size_of(mesh, dofs);
+  Nodes nodes;
+  std::ranges::copy_if(dofs.nodes, std::back_inserter(nodes),
+                       [&](NodeIndex node) { return distance(node) <= limit; });
+  return nodes;
+}
+
+std::string ambiguity(const deck::Probe& probe, const mesh::Mesh& mesh, const Nodes& nodes, NodeIndex taken) {
+  std::vector<std::string> labels;
+  for (const auto node : std::span(nodes).first(std::min(nodes.size(), named_nodes)))
+    labels.push_back(node_label(mesh, node));
+  const auto more = nodes.size() > named_nodes ? fmt::format(" and {} more", nodes.size() - named_nodes) : "";
+  return fmt::format(
+      "probe '{}': {} nodes are equally near to its point, {}{}; {} is taken, 'node: {}' instead "
+      "of the point, or another one of them, says which is meant",
+      probe.name, nodes.size(), fmt::join(labels, ", "), more, mesh::node_name(mesh, taken),
+      mesh::node_name(mesh, taken));
+}
+
+/// The node nearest to a point, and a note when it is not the only one.
+Nodes node_at(const deck::Probe& probe, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+              std::vector<std::string>& notes) {
+  const auto nodes = nearest_nodes(mesh, dofs, *probe.point);
+  const Eigen::Vector3d x(probe.point->at(0), probe.point->at(1), probe.point->at(2));
+  const auto taken = *std::ranges::min_element(nodes, {}, [&](NodeIndex node) {
+    return (mesh.points[static_cast<std::size_t>(node)] - x).squaredNorm();
+  });
+  if (nodes.size() > 1)
+    notes.push_back(ambiguity(probe, mesh, nodes, taken));
+  return {taken};
+}
+
+/// The nodes a name means; node 0 and a fault when it means none, or several where one is wanted.
+Nodes named_nodes_of(const deck::Probe& probe, const mesh::Mesh& mesh, const fem::DofMap& dofs,
                      std::vector<Fault>& faults) {
-  const auto nodes = nodes_or_fault(mesh, probe.node, faults);
+  auto nodes = nodes_or_fault(mesh, probe.node, faults);
   const auto fault = [&](const std::string& text) {
     faults.push_back({probe.node.at, fmt::format("probe '{}': {}", probe.name, text)});
-    return NodeIndex{0};
+    return Nodes{0};
   };
   if (nodes.empty())
-    return 0;
-  if (nodes.size() > 1)
-    return fault(fmt::format("group '{}' has {} nodes, expected one", probe.node.text, nodes.size()));
-  if (!dofs.has(nodes.front()))
-    return fault(fmt::format("node {} belongs to no cell that deforms", node_label(mesh, nodes.front())));
-  return nodes.front();
+    return {0};
+  const auto first = nodes.front();
+  const auto count = nodes.size();
+  std::erase_if(nodes, [&](NodeIndex node) { return !dofs.has(node); });
+  if (probe.take == deck::ProbeTake::node && count > 1)
+    return fault(
+        fmt::format("group '{}' has {} nodes, expected one, or what is taken of them: {{on: {}, take: "
+                    "sum}}, mean, min or max",
+                    probe.node.text, count, probe.node.text));
+  if (nodes.empty())
+    return fault(count == 1
+                     ? fmt::format("node {} belongs to no cell that deforms", node_label(mesh, first))
+                     : fmt::format("no node of group '{}' belongs to a cell that deforms", probe.node.text));
+  return nodes;
 }
 
 } // namespace
 
-std::vector<NodeIndex> make_probe_nodes(const deck::Study& study, const mesh::Mesh& mesh,
-                                        const fem::DofMap& dofs, std::vector<Fault>& faults) {
-  std::vector<NodeIndex> nodes;
+std::vector<Nodes> make_probe_nodes(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+                                    std::vector<Fault>& faults, std::vector<std::string>& notes) {
+  std::vector<Nodes> nodes;
   for (const auto& probe : study.probes)
-    nodes.push_back(probe.point ? nearest_node(mesh, dofs, *probe.point)
-                                : named_node(probe, mesh, dofs, faults));
+    nodes.push_back(probe.point ? node_at(probe, mesh, dofs, notes)
+                                : named_nodes_of(probe, mesh, dofs, faults));
   return nodes;
 }
 

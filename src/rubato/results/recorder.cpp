@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <numeric>
 #include <utility>
 
 namespace rubato::results {
@@ -40,10 +41,15 @@ std::ofstream opened(const std::filesystem::path& path) {
   return file;
 }
 
+void move_over(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  if (error)
+    throw WriteError(to, error.value());
+}
+
 /// Copies a file so that the other is there whole or not at all.
 void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to) {
-  if (!std::filesystem::exists(from))
-    throw InputError(fmt::format("{}: does not exist, but the checkpoint counts on it", from.string()));
   write_whole(to, [&](const std::filesystem::path& beside) {
     require_room(beside, std::filesystem::file_size(from));
     std::filesystem::copy_file(from, beside, std::filesystem::copy_options::overwrite_existing);
@@ -62,6 +68,24 @@ const Eigen::VectorXd& field_of(const step::State& state, deck::ProbeField field
     break;
   }
   return state.reaction;
+}
+
+/// `values`: of one component at the nodes of a probe, at least one.
+double taken(deck::ProbeTake take, const std::vector<double>& values) {
+  const auto sum = [&] { return std::accumulate(values.begin(), values.end(), 0.0); };
+  switch (take) {
+  case deck::ProbeTake::sum:
+    return sum();
+  case deck::ProbeTake::mean:
+    return sum() / static_cast<double>(values.size());
+  case deck::ProbeTake::least:
+    return *std::ranges::min_element(values);
+  case deck::ProbeTake::largest:
+    return *std::ranges::max_element(values);
+  case deck::ProbeTake::node:
+    break;
+  }
+  return values.front();
 }
 
 ordered_json check_json(const CheckResult& r) {
@@ -122,6 +146,11 @@ public:
     write_summary(running, {});
   }
 
+  void needs_memory(std::size_t bytes) {
+    factor_bytes_ = bytes;
+    write_summary(running, {});
+  }
+
   /// What needs most room comes first: when the disk is full, no table has begun.
   void start(const step::State& state) {
     if (wants_fields(state.t, 0, false))
@@ -174,7 +203,7 @@ public:
   }
 
   RecorderPosition position() {
-    keep_med_copy();
+    name_med_copy();
     RecorderPosition position;
     position.steps = steps_done_;
     position.probes = probes_.bytes();
@@ -237,16 +266,30 @@ private:
       series_.rewrite();
     }
     if (model_.study.fields.med)
-      copy_whole(folder_ / position.med_copy, folder_ / med_file);
+      restore_med();
   }
 
-  /// MED files do not grow at their end alone: of a run that goes on, the file itself may be anything.
+  /// Without the copy, fields.med is as the checkpoint has it: nothing was written into it since.
+  void restore_med() {
+    const auto copy = folder_ / med_copy_;
+    const auto file = folder_ / med_file;
+    if (!med_copy_.empty() && std::filesystem::exists(copy))
+      move_over(copy, file);
+    else if (!std::filesystem::exists(file))
+      throw InputError(fmt::format("{}: does not exist, but the checkpoint counts on it", file.string()));
+  }
+
+  /// What the checkpoint calls the copy that is made when fields.med is to grow again, and not before.
+  void name_med_copy() {
+    if (model_.study.fields.med && med_copy_.empty())
+      med_copy_ = med_copy_file(steps_done_);
+  }
+
+  /// MED files do not grow at their end alone: what a checkpoint counts on is put aside first.
   void keep_med_copy() {
-    if (!model_.study.fields.med || !med_copy_.empty())
-      return;
-    const auto copy = med_copy_file(steps_done_);
-    copy_whole(folder_ / med_file, folder_ / copy);
-    med_copy_ = copy;
+    if (!med_copy_.empty())
+      copy_whole(folder_ / med_file, folder_ / med_copy_);
+    med_copy_.clear();
   }
 
   /// Written beside and then renamed: whoever reads it meanwhile finds a whole one.
@@ -262,6 +305,7 @@ private:
                       {"loop_seconds", ending.loop_seconds},
                       {"nodes", model_.mesh.node_count()},
                       {"unknowns", model_.free_dofs.size()},
+                      {"factor_bytes", factor_bytes_},
                       {"checks", ordered_json::array()},
                       {"study", ordered_json::parse(deck::to_json(model_.study))}};
     if (ending.failure)
@@ -298,10 +342,16 @@ private:
 
   void write_probes(const step::State& state) {
     std::vector<double> row{state.t};
-    for (std::size_t p = 0; p < model_.probe_nodes.size(); ++p)
-      for (int i = 0; i < model_.dofs.components; ++i)
-        row.push_back(
-            field_of(state, model_.study.probes[p].field)[model_.dofs.dof(model_.probe_nodes[p], i)]);
+    for (std::size_t p = 0; p < model_.probe_nodes.size(); ++p) {
+      const auto& probe = model_.study.probes[p];
+      const auto& field = field_of(state, probe.field);
+      for (int i = 0; i < model_.dofs.components; ++i) {
+        std::vector<double> values;
+        for (const auto node : model_.probe_nodes[p])
+          values.push_back(field[model_.dofs.dof(node, i)]);
+        row.push_back(taken(probe.take, values));
+      }
+    }
     probes_.row(row);
     history_.rows.push_back(std::move(row));
   }
@@ -344,8 +394,8 @@ private:
       series_.add(now.t, folder_ / file);
     }
     if (model_.study.fields.med) {
+      keep_med_copy();
       append_med_fields(folder_ / med_file, mesh_name, {steps_done_, now.t}, fields);
-      med_copy_.clear();
     }
   }
 
@@ -358,9 +408,10 @@ private:
   std::vector<CsvWriter> resultants_;
   Table history_;
   std::optional<step::State> unwritten_; // the last step, while it has no fields
-  std::string med_copy_;                 // of fields.med as it is now, or empty
-  std::optional<Mark> mark_;             // where the step began that is being written
+  std::string med_copy_;     // by which the last checkpoint knows fields.med as it is now, or empty
+  std::optional<Mark> mark_; // where the step began that is being written
   int steps_done_ = 0;
+  std::size_t factor_bytes_ = 0;
 };
 
 Recorder::Recorder(const model::Model& model, std::filesystem::path folder)
@@ -372,6 +423,9 @@ Recorder::~Recorder() = default;
 Recorder::Recorder(Recorder&&) noexcept = default;
 Recorder& Recorder::operator=(Recorder&&) noexcept = default;
 
+void Recorder::needs_memory(std::size_t bytes) {
+  impl_->needs_memory(bytes);
+}
 void Recorder::start(const step::State& state) {
   impl_->start(state);
 }

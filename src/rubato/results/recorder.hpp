@@ -21,6 +21,7 @@
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -52,7 +53,7 @@ struct RecorderPosition {
   std::vector<std::uintmax_t> resultants; ///< one a zone
   std::vector<double> field_times;        ///< of the .vtu files
   std::vector<std::string> field_files;
-  std::string med_copy;   ///< name of the copy of fields.med, or empty
+  std::string med_copy;   ///< of fields.med, made when that grows again; empty: no such file
   bool unwritten = false; ///< whether the last step has no fields that it may still get
 };
 
@@ -70,6 +71,8 @@ public:
   Recorder(Recorder&&) noexcept;
   Recorder& operator=(Recorder&&) noexcept;
 
+  /// Of the factor of the effective matrix [bytes]; in run.json from now on. 0: there is none.
+  void needs_memory(std::size_t bytes);
   void start(const step::State& state);
   /// `last` tells whether this is the run's last instant.
   void step(const step::State& before, const step::State& now, const Attempt& attempt,
@@ -79,7 +82,7 @@ public:
   /// Takes back what was written of a step that could not be written whole. `before`: its start.
   void take_back(const step::State& before);
   void failed(const Attempt& attempt, const step::StepReport& report);
-  /// For a checkpoint; fields.med is copied for it when it has changed since the last one.
+  /// For a checkpoint. fields.med is copied for it before it grows again.
   RecorderPosition position();
   /// Evaluates the checks and writes run.json. Of a run that stopped early the last instant reached gets its
   /// fields when the last one is wanted.

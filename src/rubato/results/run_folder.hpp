@@ -24,7 +24,7 @@ std::string resultants_file(std::string_view zone);
 /// "000012.vtu", in the folder `vtu_folder`.
 std::string vtu_file(int step);
 
-/// "checkpoint_000012.med": fields.med as it was at a checkpoint.
+/// "checkpoint_000012.med": fields.med as it was at a checkpoint, where it has grown since.
 std::string med_copy_file(int step);
 /// Removes these copies but one.
 void remove_med_copies(const std::filesystem::path& folder, const std::string& but);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace rubato::results {
 namespace {
@@ -16,9 +17,12 @@ constexpr std::array free_to_change{"/title",         "/mesh/file",       "/time
                                     "/time/instants", "/time/on_failure", "/newton",
                                     "/checkpoint",    "/checks",          "/runs"};
 
-json without_free_parts(const std::string& text) {
+/// What has no say in results.
+constexpr std::array without_effect{"/title", "/mesh/file", "/checkpoint", "/checks", "/runs"};
+
+json without(std::span<const char* const> parts, const std::string& text) {
   auto study = json::parse(text);
-  for (const auto* path : free_to_change)
+  for (const auto* path : parts)
     if (const json::json_pointer at(path); study.contains(at))
       study.at(at.parent_pointer()).erase(at.back());
   return study;
@@ -31,8 +35,8 @@ std::string value_at(const json& study, const json::json_pointer& at) {
 } // namespace
 
 std::optional<std::string> study_difference(const std::string& before, const std::string& now) {
-  const auto old_study = without_free_parts(before);
-  const auto new_study = without_free_parts(now);
+  const auto old_study = without(free_to_change, before);
+  const auto new_study = without(free_to_change, now);
   const auto differences = json::diff(old_study, new_study);
   if (differences.empty())
     return std::nullopt;
@@ -40,6 +44,10 @@ std::optional<std::string> study_difference(const std::string& before, const std
   auto path = at.to_string().substr(1);
   std::ranges::replace(path, '/', '.');
   return fmt::format("{} was {} and is {} now", path, value_at(old_study, at), value_at(new_study, at));
+}
+
+bool same_results_expected(const std::string& before, const std::string& now) {
+  return without(without_effect, before) == without(without_effect, now);
 }
 
 } // namespace rubato::results

@@ -13,4 +13,8 @@ namespace rubato::results {
 /// checks.
 std::optional<std::string> study_difference(const std::string& before, const std::string& now);
 
+/// Whether a run of one study has every result of the other: they differ in nothing but the title, where the
+/// mesh file is, checkpoints and checks.
+bool same_results_expected(const std::string& before, const std::string& now);
+
 } // namespace rubato::results

@@ -68,6 +68,18 @@ std::optional<RunResult> finished_run(const deck::Study& study, const Course& co
   return result;
 }
 
+std::optional<RunResult> unchanged_run(const deck::Study& study, Course& course) {
+  try {
+    course.from = find_checkpoint(study, course);
+    if (course.from && results::same_results_expected(course.from->study, deck::to_json(study)))
+      if (auto finished = finished_run(study, course))
+        return finished;
+  } catch (const InputError&) { // of another run, or damaged: what it says is of no use here
+  }
+  course.from.reset();
+  return std::nullopt;
+}
+
 Keeper::Keeper(const deck::Study& study, const Course& course, const Watch& watch)
     : settings_(study.checkpoint), course_(course), watch_(watch), study_(deck::to_json(study)) {}
 

@@ -32,6 +32,10 @@ std::optional<results::Checkpoint> find_checkpoint(const deck::Study& study, con
 /// The run as it was left in its folder, when it came to the end that the study wants.
 std::optional<RunResult> finished_run(const deck::Study& study, const Course& course);
 
+/// The same of a run that the study would make again with every result: `course.from` is its checkpoint then,
+/// else nothing, as when the folder holds no run, another one, or one that was not finished.
+std::optional<RunResult> unchanged_run(const deck::Study& study, Course& course);
+
 /// Writes the checkpoints of a run.
 class Keeper {
 public:

@@ -5,12 +5,16 @@
 #include "rubato/run/loop_parts.hpp"
 #include "rubato/step/explicit.hpp"
 #include "rubato/step/finiteness.hpp"
+#include "rubato/time/step_control.hpp"
 #include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace rubato::run {
 namespace {
@@ -23,6 +27,15 @@ constexpr int steps_between_estimates = 20;
 
 int whole(double quotient) {
   return std::max(1, static_cast<int>(std::ceil(quotient - rounding)));
+}
+
+/// The begin and the instants of records, those of `time.stops` among them.
+std::vector<double> instants_of(const deck::TimeStepping& time, int records) {
+  std::vector<double> instants{time.begin};
+  for (int record = 1; record < records; ++record)
+    instants.push_back(time::as_meant(time.begin + record * (time.end - time.begin) / records, time.begin));
+  instants.push_back(time.end);
+  return time::with_stops(std::move(instants), time.stops);
 }
 
 /// Throws InputError when the deck asks for steps that would not be stable.
@@ -43,7 +56,8 @@ public:
         energy_(model.study.name, watch, course.from ? course.from->record : step::EnergyRecord()) {
     const auto spectrum = motion_.spectrum();
     check_step(time_, spectrum.stable_step());
-    records_ = whole((time_.end - time_.begin) / time_.record);
+    equal_records_ = whole((time_.end - time_.begin) / time_.record);
+    instants_ = instants_of(time_, equal_records_);
     limit_step(spectrum);
     if (course.from)
       go_on(*course.from);
@@ -54,8 +68,8 @@ public:
     start_recording();
     result_.setup_seconds += processor_seconds() - setup_start;
     loop_start_ = processor_seconds();
-    for (int i = next_record(); i <= records_ && result_.status == Status::complete; ++i)
-      go_to(i);
+    for (auto i = next_record(); i < instants_.size() && result_.status == Status::complete; ++i)
+      go_to(instants_[i]);
     result_.loop_seconds = loop_seconds();
     if (result_.status != Status::not_converged && keeper_.keeps_end())
       result_.kept = keep_checkpoint();
@@ -90,9 +104,9 @@ private:
   }
 
   /// The first one that the motion has not reached.
-  int next_record() const {
-    int record = 1;
-    while (record <= records_ && instant(record) <= motion_.t() + rounding * time_.record)
+  std::size_t next_record() const {
+    std::size_t record = 1;
+    while (record < instants_.size() && instants_[record] <= motion_.t() + rounding * time_.record)
       ++record;
     return record;
   }
@@ -114,10 +128,6 @@ private:
     });
   }
 
-  double instant(int record) const {
-    return record == records_ ? time_.end : time_.begin + record * (time_.end - time_.begin) / records_;
-  }
-
   /// The step never grows again: each change costs a little accuracy.
   void limit_step(const step::Spectrum& spectrum) {
     const double stable = spectrum.stable_step();
@@ -125,22 +135,22 @@ private:
   }
 
   void tell_steps(const step::Spectrum& spectrum) const {
-    const double record = (time_.end - time_.begin) / records_;
+    const double record = (time_.end - time_.begin) / equal_records_;
     const int steps = whole(record / limit_);
     const step::Spectrum free{spectrum.stiffness, 0, spectrum.damping};
     watch_.say(
         fmt::format("{}: stable step {:.4g}{}; steps of {:.4g}, {} a record, {} in all", model_.study.name,
                     spectrum.stable_step(),
                     spectrum.contact > 0 ? fmt::format(" ({:.4g} without contact)", free.stable_step()) : "",
-                    record / steps, steps, std::int64_t{steps} * records_));
+                    record / steps, steps, std::int64_t{steps} * equal_records_));
   }
 
-  void go_to(int record) {
+  void go_to(double end) {
     const double before = processor_seconds();
     const double begin = now_.t;
     const auto steps_before = motion_.steps();
     const results::ExplicitProgress start{motion_.memory(), limit_};
-    if (!advance(instant(record)))
+    if (!advance(end))
       return interrupt();
     auto next = motion_.state();
     results::Attempt attempt{begin, next.t, 0, next.motion.u.allFinite(), processor_seconds() - before};
@@ -148,7 +158,7 @@ private:
     report.outcome = attempt.accepted ? step::Outcome::converged : step::Outcome::not_finite;
     try {
       if (attempt.accepted)
-        accept(std::move(next), attempt, report, record == records_);
+        accept(std::move(next), attempt, report, end == time_.end);
       else
         give_up(next, attempt, report);
     } catch (const WriteError& error) {
@@ -171,8 +181,28 @@ private:
       const int steps = whole(left / limit_);
       const int part = std::min(steps, steps_between_estimates);
       motion_.advance(part == steps ? end : motion_.t() + left * part / steps, part);
+      tell_within(end);
     }
     return true;
+  }
+
+  /// Once a second: the state that is told of is copied.
+  void tell_within(double end) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - told_ < std::chrono::seconds(1))
+      return;
+    told_ = now;
+    Progress progress{model_.study.name,
+                      end,
+                      time_.begin,
+                      time_.end,
+                      end - now_.t,
+                      0,
+                      points_in_contact(motion_.state()),
+                      0,
+                      false};
+    progress.within = true;
+    watch_.within(progress);
   }
 
   void accept(step::State next, const results::Attempt& attempt, const step::StepReport& report, bool last) {
@@ -230,9 +260,11 @@ private:
   EnergyWatch energy_;
   std::optional<results::Recorder> recorder_; // after the step is known to be good
   step::State now_;
-  int records_ = 1;
-  double limit_ = INFINITY; ///< of the step
-  int recorded_ = 0;        ///< records so far
+  int equal_records_ = 1;
+  std::vector<double> instants_; ///< of the records, the begin first; stops among the equal ones
+  double limit_ = INFINITY;      ///< of the step
+  int recorded_ = 0;             ///< records so far
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;
   bool broken_off_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/time_loop.hpp"
 
+#include "rubato/linalg/memory.hpp"
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/advice.hpp"
 #include "rubato/run/checkpoints.hpp"
@@ -26,7 +27,10 @@ namespace {
 /// Effective matrices of the step lengths in use: cut steps come back to the lengths they had.
 class SystemCache {
 public:
-  SystemCache(const model::Model& model, const time::Scheme& scheme) : model_(model), scheme_(scheme) {}
+  /// `tell_memory` hears what each factor needs [bytes] before it is computed.
+  SystemCache(const model::Model& model, const time::Scheme& scheme,
+              std::function<void(std::size_t)> tell_memory)
+      : model_(model), scheme_(scheme), tell_memory_(std::move(tell_memory)) {}
 
   step::EffectiveSystem& of(double length) {
     const auto known = std::ranges::find(systems_, length, &step::EffectiveSystem::step);
@@ -34,13 +38,14 @@ public:
       return *known;
     if (systems_.size() == kept)
       systems_.erase(systems_.begin());
-    return systems_.emplace_back(step::make_effective_system(model_, scheme_, length));
+    return systems_.emplace_back(step::make_effective_system(model_, scheme_, length, tell_memory_));
   }
 
 private:
   static constexpr std::size_t kept = 4;
   const model::Model& model_;
   const time::Scheme& scheme_;
+  std::function<void(std::size_t)> tell_memory_;
   std::vector<step::EffectiveSystem> systems_;
 };
 
@@ -73,7 +78,7 @@ class Loop {
 public:
   Loop(const model::Model& model, Course& course, const Watch& watch, const step::State* previous)
       : model_(model), course_(course), watch_(watch), scheme_(time::make_scheme(model.study.time)),
-        systems_(model, scheme_),
+        systems_(model, scheme_, [this](std::size_t bytes) { tell_memory(bytes); }),
         committed_(course.from ? course.from->state : first_state(model, scheme_, previous)),
         control_(model.study.time, committed_.t), end_(time::instants_of(model.study.time).back()),
         account_(model, scheme_, committed_), keeper_(model.study, course, watch),
@@ -119,10 +124,12 @@ private:
   void start_recording() {
     if (course_.from) {
       recorder_.emplace(model_, course_.folder, course_.from->recorder, committed_);
+      recorder_->needs_memory(factor_bytes_);
       return;
     }
     take_folder(course_, model_.study.name, watch_);
     recorder_.emplace(model_, course_.folder);
+    recorder_->needs_memory(factor_bytes_);
     recorder_->start(committed_);
     recorder_->energy(committed_.t, account_.ledger());
   }
@@ -157,6 +164,14 @@ private:
     watch_.say(fmt::format("{}: solver {}", model_.study.name, step::solver_of(model_, system)));
   }
 
+  /// Factors of other step lengths need the same.
+  void tell_memory(std::size_t bytes) {
+    if (factor_bytes_ == 0 && bytes > 0)
+      watch_.say(fmt::format("{}: factoring the matrix takes {} of memory ({} are free)", model_.study.name,
+                             linalg::memory_text(bytes), linalg::memory_text(linalg::available_memory())));
+    factor_bytes_ = std::max(factor_bytes_, bytes);
+  }
+
   void tell_scheme() {
     const auto& settings = model_.study.time;
     const auto name = std::ranges::find(time::all_schemes(), settings.scheme, &time::SchemeEntry::kind)->name;
@@ -169,9 +184,21 @@ private:
                               model_.study.name, name));
   }
 
-  void interrupt() {
+  /// `where`: in which step.
+  void interrupt(const std::string& where = "") {
     result_.status = Status::interrupted;
-    result_.message = fmt::format("interrupted at t = {:g}", committed_.t);
+    result_.message = fmt::format("interrupted at t = {:g}{}", committed_.t, where);
+  }
+
+  /// Says where a step stands. Whether it may go on.
+  bool goes_on(const results::Attempt& attempt, const step::Beat& beat) {
+    Progress progress{
+        model_.study.name, attempt.end,         model_.study.time.begin, end_, attempt.end - attempt.begin,
+        beat.iterations,   beat.contact_points, attempt.cut_level,       false};
+    progress.within = true;
+    progress.residual = beat.residual;
+    watch_.within(progress);
+    return !watch_.stop();
   }
 
   /// What the disk did not take is not part of the run: it stands at its last whole step.
@@ -199,7 +226,10 @@ private:
     results::Attempt attempt{control_.now(), control_.target(), control_.level(), false, 0};
     step::State trial;
     const auto report =
-        step::advance(model_, scheme_, systems_.of(control_.length()), committed_, attempt.end, trial);
+        step::advance(model_, scheme_, systems_.of(control_.length()), committed_, attempt.end, trial,
+                      [&](const step::Beat& beat) { return goes_on(attempt, beat); });
+    if (report.outcome == step::Outcome::interrupted)
+      return interrupt(fmt::format(", in the step to t = {:g}", attempt.end));
     attempt.accepted = report.converged();
     attempt.seconds = processor_seconds() - before;
     try {
@@ -274,6 +304,7 @@ private:
   step::EnergyAccount account_;
   Keeper keeper_;
   EnergyWatch energy_;
+  std::size_t factor_bytes_ = 0; ///< what the factor of the matrix needs; 0: nothing was factored
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;
   bool broken_off_ = false;
@@ -297,6 +328,12 @@ RunResult run_study(const deck::Study& study, const std::filesystem::path& folde
                 previous != nullptr ? results::fingerprint(*previous) : 0,
                 {},
                 results::FolderClaim(folder)};
+  if (begin == Begin::unless_done)
+    if (auto finished = unchanged_run(study, course)) {
+      watch.say(
+          fmt::format("{}: complete and unchanged in {}, not computed again", study.name, folder.string()));
+      return std::move(*finished);
+    }
   if (begin == Begin::resumed) {
     course.from = find_checkpoint(study, course);
     if (auto finished = finished_run(study, course)) {
@@ -315,6 +352,8 @@ RunResult run_study(const deck::Study& study, const std::filesystem::path& folde
                             points += zone.points.size();
                           return points;
                         }()));
+  for (const auto& note : model.notes)
+    watch.warn(fmt::format("{}: {}", study.name, note));
   if (deck::is_explicit(study.time.scheme))
     return run_explicit(model, course, watch, start);
   return Loop(model, course, watch, previous).run(start);

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,15 @@ struct Progress {
   int cut_level = 0;
   bool accepted = true;
   const step::StepReport* report = nullptr;
+  bool within = false; ///< inside the step to t, which is not known yet to be accepted
+  double residual = std::numeric_limits<double>::quiet_NaN(); ///< inside a step, where it is known
 };
 
 struct Watch {
+  /// After each attempt at a step.
   std::function<void(const Progress&)> progress = [](const Progress&) {};
+  /// Inside an attempt, at least once an iteration.
+  std::function<void(const Progress&)> within = [](const Progress&) {};
   std::function<void(const std::string&)> say = [](const std::string&) {};
   std::function<void(const std::string&)> warn = [](const std::string&) {};
   std::function<bool()> stop = [] { return false; };
@@ -56,13 +62,14 @@ struct RunResult {
   bool checks_hold() const;
 };
 
-/// Where a run begins: at its beginning, or at the checkpoint in its folder if there is one.
-enum class Begin { anew, resumed };
+/// Where a run begins: at its beginning, or at the checkpoint in its folder if there is one; or at its
+/// beginning unless its folder has it, complete and unchanged.
+enum class Begin { anew, resumed, unless_done };
 
 /// Runs one study into a folder of its own. `previous`: the end of the run it starts from, when it does.
 /// Throws InputError, before the folder is made or touched, for a study that cannot be run, for an end that
 /// does not fit it, and for a checkpoint it cannot go on from. A run that came to its end is not run again
-/// when it is resumed.
+/// when it is resumed, nor `unless_done` when deck, mesh and the end it starts from are those it had.
 RunResult run_study(const deck::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous = nullptr, Begin begin = Begin::anew);
 

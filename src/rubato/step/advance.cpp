@@ -26,8 +26,8 @@ constexpr std::array<double, 5> friction_parts{0, 0.25, 0.5, 0.75, 1};
 class Attempts {
 public:
   Attempts(const Model& model, const time::Scheme& scheme, EffectiveSystem& system, const State& committed,
-           double t)
-      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t),
+           double t, const GoesOn& goes_on)
+      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), pulse_(goes_on),
         other_start_(other_start(model, system)) {}
 
   StepReport plainly(State& trial) { return afresh({}, trial); }
@@ -39,11 +39,11 @@ public:
     return other_start_ && !(other_start_ == Start::last_step && has_augmentation());
   }
 
-  /// The first that converges ends it.
+  /// The first that doesn't fail ends it.
   StepReport vary_augmentation(State& trial) {
     StepReport report;
     for (const auto& variant : other_augmentations)
-      if (report = afresh(variant, trial); report.converged())
+      if (report = afresh(variant, trial); !report.failed())
         break;
     return report;
   }
@@ -113,7 +113,7 @@ private:
   }
 
   template <class Solver> StepReport solve_by(const ContactSide& side, State& trial) {
-    Solver solver(model_, scheme_, system_, committed_, t_, side);
+    Solver solver(model_, scheme_, system_, committed_, t_, side, pulse_);
     return solve_levels(
         model_, side, [&](State& to, const Held& held) { return solver.run(to, held); }, committed_, trial);
   }
@@ -123,6 +123,7 @@ private:
   EffectiveSystem& system_;
   const State& committed_;
   double t_;
+  Pulse pulse_;
   std::optional<Start> other_start_;
   int spent_ = 0;
 };
@@ -166,18 +167,18 @@ State predict(const Model& model, const time::Scheme& scheme, const EffectiveSys
 }
 
 StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                   const State& committed, double t, State& trial) {
-  Attempts attempts(model, scheme, system, committed, t);
+                   const State& committed, double t, State& trial, const GoesOn& goes_on) {
+  Attempts attempts(model, scheme, system, committed, t, goes_on);
   auto report = attempts.plainly(trial);
-  if (!report.converged() && attempts.has_other_start())
+  if (report.failed() && attempts.has_other_start())
     report = attempts.from_other_start(trial);
-  if (!report.converged() && attempts.has_augmentation())
+  if (report.failed() && attempts.has_augmentation())
     report = attempts.vary_augmentation(trial);
-  if (!report.converged() && attempts.has_newton_geometry())
+  if (report.failed() && attempts.has_newton_geometry())
     report = attempts.loop_geometry(trial);
-  if (!report.converged() && attempts.has_status_loop())
+  if (report.failed() && attempts.has_status_loop())
     report = attempts.free_status(trial);
-  if (!report.converged() && attempts.has_friction())
+  if (report.failed() && attempts.has_friction())
     report = attempts.raise_friction(trial);
   return report;
 }

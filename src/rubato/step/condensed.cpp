@@ -87,8 +87,8 @@ std::optional<Start> other_start(const Model& model, const EffectiveSystem& syst
 }
 
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                     const State& committed, double t, const ContactSide& side)
-    : model_(model), scheme_(scheme), system_(system), side_(side),
+                     const State& committed, double t, const ContactSide& side, Pulse& pulse)
+    : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
       equilibrium_(model, scheme, system, committed, t),
       scratch_(scratch_of(system, scheme, model.dofs.components)), scale_(committed.force_scale),
       reach_(reach_of(model, system)) {}
@@ -103,6 +103,8 @@ StepReport Condensed::run(State& trial, const Held& held) {
     side_.start_iterations();
     if (starts_from_guess(model_, side_.variant().start))
       guess_contact(trial, held);
+    if (pulse_.stopped())
+      return ended(Outcome::interrupted, held);
   }
   if (!system_.has_free_bodies)
     side_.start_iterations();
@@ -130,6 +132,9 @@ StepReport Condensed::run(State& trial, const Held& held) {
       return ended(Outcome::cycling, held);
     if (iteration == model_.study.newton.max_iterations)
       break;
+    const double residual = iteration > 0 ? report_.residual : std::numeric_limits<double>::quiet_NaN();
+    if (!pulse_.beat(static_cast<int>(scratch_.in_contact.size()), residual))
+      return ended(Outcome::interrupted, held);
     if (!iterate(trial, held, *part))
       return ended(Outcome::singular_matrix, held);
     ++report_.iterations;
@@ -139,7 +144,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
 
 StepReport Condensed::ended(Outcome outcome, const Held& held) {
   report_.outcome = outcome;
-  if (!report_.converged()) {
+  if (report_.failed()) {
     report_.worst = equilibrium_.residual().allFinite() ? worst_on_surface() : equilibrium_.worst();
     if (outcome != Outcome::not_finite)
       side_.name_unmet(held, report_.iterations > 0 ? &previous() : nullptr, now(), report_);
@@ -188,7 +193,9 @@ void Condensed::guess_contact(State& trial, const Held& held) {
   reach_.start();
   const int rounds = system_.has_free_bodies ? guess_rounds_of_free_bodies : guess_rounds;
   for (int round = 0; round < rounds; ++round) {
-    guess.improve(points, free_, system_.has_free_bodies ? free_ : moved_);
+    guess.improve(points, free_, system_.has_free_bodies ? free_ : moved_, pulse_);
+    if (pulse_.stopped())
+      return;
     take_guess(model_, points, trial);
     const VectorXd before = moved_;
     move_surface(force_on_surface(points, free_.size()), trial);

@@ -58,7 +58,7 @@ class Condensed {
 public:
   /// Everything must outlive this.
   Condensed(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-            const State& committed, double t, const ContactSide& side);
+            const State& committed, double t, const ContactSide& side, Pulse& pulse);
 
   /// Iterates from `trial` (u, v, a, multipliers and statuses) to the end of the step.
   StepReport run(State& trial, const Held& held);
@@ -96,6 +96,7 @@ private:
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
   const ContactSide& side_;
+  Pulse& pulse_;
   Equilibrium equilibrium_;
   CondensedScratch& scratch_;
   StepReport report_;

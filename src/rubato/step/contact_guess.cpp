@@ -50,13 +50,13 @@ VectorXd solve_among(std::span<const int> set, const MatrixXd& matrix, const Vec
 }
 
 /// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle.
-void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled) {
+void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Pulse& pulse) {
   VectorXd forces = settled;
   VectorXd open = gaps;
   open.noalias() += matrix * forces;
   std::vector<int> set;
   set.reserve(static_cast<std::size_t>(forces.size()));
-  for (int round = 0; round < most_sets; ++round) {
+  for (int round = 0; round < most_sets && pulse.beat(); ++round) {
     set.clear();
     for (Index k = 0; k < forces.size(); ++k)
       if (matrix(k, k) > 0 && (forces[k] > 0 || (forces[k] == 0 && open[k] < 0)))
@@ -77,15 +77,15 @@ void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& set
 }
 
 /// The same between bounds.
-void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits,
-                    VectorXd& settled) {
+void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits, VectorXd& settled,
+                    Pulse& pulse) {
   VectorXd forces = settled;
   VectorXd moved = slips;
   moved.noalias() += matrix * forces;
   VectorXd next, held;
   std::vector<int> sticking;
   sticking.reserve(static_cast<std::size_t>(forces.size()));
-  for (int round = 0; round < most_sets; ++round) {
+  for (int round = 0; round < most_sets && pulse.beat(); ++round) {
     sticking.clear();
     next.setZero(forces.size()); // at the bounds first
     for (Index k = 0; k < forces.size(); ++k) {
@@ -134,17 +134,17 @@ void add_force(std::span<const GuessPoint> points, int first, int last, VectorXd
 ContactGuess::ContactGuess(Compliance& compliance, double factor, int components)
     : compliance_(compliance), factor_(factor), components_(components) {}
 
-void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free, VectorXd d) {
+void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free, VectorXd d, Pulse& pulse) {
   forget();
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
-  for (int round = 0; round < most_rounds && choose_more(points, d); ++round) {
-    press(unpressed);
+  for (int round = 0; round < most_rounds && pulse.beat() && choose_more(points, d); ++round) {
+    press(unpressed, pulse);
     d = unpressed;
     add_motion(points, 0, 0, d);
   }
   d += free - unpressed;
-  rub(points, d);
+  rub(points, d, pulse);
 }
 
 double ContactGuess::misfit(std::span<const GuessPoint> points, const VectorXd& d) const {
@@ -227,11 +227,11 @@ void ContactGuess::push(const GuessPoint& point, int axis) {
 }
 
 /// By the rows and columns of the points chosen last.
-void ContactGuess::couple_pressing() {
+void ContactGuess::couple_pressing(Pulse& pulse) {
   const Index known = pressing_.rows();
   const auto count = static_cast<Index>(chosen_.size());
   pressing_.conservativeResize(count, count);
-  for (Index j = known; j < count; ++j) {
+  for (Index j = known; j < count && pulse.beat(); ++j) {
     push(*chosen_[static_cast<std::size_t>(j)], 0);
     for (Index i = 0; i <= j; ++i) {
       const auto& seeing = *chosen_[static_cast<std::size_t>(i)];
@@ -240,11 +240,11 @@ void ContactGuess::couple_pressing() {
   }
 }
 
-void ContactGuess::couple_rubbing() {
+void ContactGuess::couple_rubbing(Pulse& pulse) {
   const Index tangents = components_ - 1;
   const auto count = static_cast<Index>(sliding_.size());
   rubbing_.resize(count * tangents, count * tangents);
-  for (Index j = 0; j < count; ++j)
+  for (Index j = 0; j < count && pulse.beat(); ++j)
     for (Index b = 0; b < tangents; ++b) {
       push(*chosen_[sliding_[static_cast<std::size_t>(j)]], static_cast<int>(1 + b));
       for (Index i = 0; i <= j; ++i) {
@@ -258,9 +258,11 @@ void ContactGuess::couple_rubbing() {
 }
 
 /// `without`: the surface without pressing forces.
-void ContactGuess::press(const VectorXd& without) {
+void ContactGuess::press(const VectorXd& without, Pulse& pulse) {
   const auto count = static_cast<Index>(chosen_.size());
-  couple_pressing();
+  couple_pressing(pulse);
+  if (pulse.stopped())
+    return;
   VectorXd gaps(count);
   VectorXd forces(count);
   MatrixXd matrix = pressing_;
@@ -271,13 +273,13 @@ void ContactGuess::press(const VectorXd& without) {
     matrix(k, k) += point.softness;
   }
   sweep_pressing(matrix, gaps, forces);
-  settle_pressing(matrix, gaps, forces);
+  settle_pressing(matrix, gaps, forces, pulse);
   for (Index k = 0; k < count; ++k)
     chosen_[static_cast<std::size_t>(k)]->force[0] = forces[k];
 }
 
 /// `without`: the surface under the pressing forces alone.
-void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& without) {
+void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& without, Pulse& pulse) {
   for (auto& point : points)
     if (point.force[0] == 0 || point.friction == 0)
       point.force.tail<2>().setZero();
@@ -288,7 +290,9 @@ void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& without) {
   if (sliding_.empty())
     return;
   const Index tangents = components_ - 1;
-  couple_rubbing();
+  couple_rubbing(pulse);
+  if (pulse.stopped())
+    return;
   VectorXd slips(rubbing_.rows());
   VectorXd forces(rubbing_.rows());
   VectorXd limits(static_cast<Index>(sliding_.size()));
@@ -300,7 +304,7 @@ void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& without) {
   }
   sweep_rubbing(rubbing_, slips, limits, static_cast<int>(tangents), forces);
   if (tangents == 1)
-    settle_rubbing(rubbing_, slips, limits, forces);
+    settle_rubbing(rubbing_, slips, limits, forces, pulse);
   for (Index k = 0; k < limits.size(); ++k)
     chosen_[sliding_[static_cast<std::size_t>(k)]]->force.segment(1, tangents) =
         forces.segment(k * tangents, tangents);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/step/compliance.hpp"
+#include "rubato/step/pulse.hpp"
 
 #include <Eigen/Core>
 
@@ -61,7 +62,8 @@ public:
   /// penetrate get none. Both by projected Gauss–Seidel sweeps, then by active sets. What points do to one
   /// another is computed when they press or penetrate first in a call: kept for the next one, it leads to
   /// other points that stick.
-  void improve(std::span<GuessPoint> points, const Eigen::VectorXd& free, Eigen::VectorXd d);
+  /// Nothing that comes of it counts when the pulse has stopped.
+  void improve(std::span<GuessPoint> points, const Eigen::VectorXd& free, Eigen::VectorXd d, Pulse& pulse);
 
   /// How much a sweep would change the forces now that the points have been measured anew and the surface
   /// is at d, in parts of the largest one. The points must be those of the last call.
@@ -73,10 +75,10 @@ private:
   void add_motion(std::span<const GuessPoint> points, int first, int last, Eigen::VectorXd& d);
   bool choose_more(std::span<GuessPoint> points, const Eigen::VectorXd& d);
   void push(const GuessPoint& point, int axis);
-  void couple_pressing();
-  void couple_rubbing();
-  void press(const Eigen::VectorXd& without);
-  void rub(std::span<GuessPoint> points, const Eigen::VectorXd& without);
+  void couple_pressing(Pulse& pulse);
+  void couple_rubbing(Pulse& pulse);
+  void press(const Eigen::VectorXd& without, Pulse& pulse);
+  void rub(std::span<GuessPoint> points, const Eigen::VectorXd& without, Pulse& pulse);
   double give_of(std::size_t chosen) const;
 
   Compliance& compliance_;

@@ -20,9 +20,10 @@ using model::SparseMatrix;
 
 namespace {
 
-std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix) {
+std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix,
+                                            const std::function<void(std::size_t)>& tell_memory) {
   try {
-    return linalg::SplitFactor::of(matrix, surface_unknowns(model), linalg::available_memory());
+    return linalg::SplitFactor::of(matrix, surface_unknowns(model), linalg::available_memory(), tell_memory);
   } catch (const linalg::TooLargeForMemory& error) {
     throw InputError(
         fmt::format("the model is too large for this machine: with its {} unknowns {}; expected a "
@@ -36,7 +37,9 @@ Eigen::VectorXd usual_diagonal(const Model& model, const time::Scheme& scheme) {
   const auto& settings = model.study.time;
   double step = settings.step;
   if (step <= 0) {
-    const auto instants = time::instants_of(settings);
+    auto listed = settings;
+    listed.stops.clear();
+    const auto instants = time::instants_of(listed);
     step = instants.at(1) - instants.at(0);
   }
   const auto coefficients = time::coefficients_of(scheme, step);
@@ -137,7 +140,8 @@ double wanted_residual(const EffectiveSystem& system, double tolerance) {
   return system.has_free_bodies ? of_free_bodies * tolerance : tolerance;
 }
 
-EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step) {
+EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
+                                      const std::function<void(std::size_t)>& tell_memory) {
   EffectiveSystem system;
   system.step = step;
   system.coefficients = time::coefficients_of(scheme, step);
@@ -156,7 +160,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     system.neighbours.emplace_back(zone);
   }
   if (model.study.solver != deck::Solver::full)
-    if (auto factor = factored(model, system.matrix))
+    if (auto factor = factored(model, system.matrix, tell_memory))
       system.compliance = std::make_unique<Compliance>(std::move(*factor), model.free_dofs,
                                                        static_cast<Eigen::Index>(model.dofs.dof_count));
   return system;

@@ -9,6 +9,8 @@
 #include "rubato/step/compliance.hpp"
 #include "rubato/time/scheme.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -36,8 +38,10 @@ struct EffectiveSystem {
 
 /// Factors the matrix unless the study's solver is full or the matrix is not positive definite, as when only
 /// contact holds a body. Throws InputError before the factorisation when the factor would not fit into the
-/// memory that is left.
-EffectiveSystem make_effective_system(const model::Model& model, const time::Scheme& scheme, double step);
+/// memory that is left; otherwise `tell_memory` hears then what the factor needs [bytes].
+EffectiveSystem make_effective_system(
+    const model::Model& model, const time::Scheme& scheme, double step,
+    const std::function<void(std::size_t)>& tell_memory = [](std::size_t) {});
 
 /// The residual that iterations are to come below, if they can: what weak springs still carry displaces whole
 /// bodies.

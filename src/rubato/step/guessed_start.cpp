@@ -21,10 +21,11 @@ constexpr double settled = 3e-3;
 class GuessedStart {
 public:
   GuessedStart(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-               const ContactSide& side, const Held& held, const VectorXd& residual, State& trial)
+               const ContactSide& side, const Held& held, const VectorXd& residual, State& trial,
+               Pulse& pulse)
       : model_(model), weight_(scheme.contact_weight()), system_(system), compliance_(*system.compliance),
         side_(side), held_(held), base_(trial.motion), half_way_(compliance_.factor().forward(-residual)),
-        free_(compliance_.factor().surface_of(half_way_)), trial_(trial),
+        free_(compliance_.factor().surface_of(half_way_)), trial_(trial), pulse_(pulse),
         guess_(compliance_, weight_, model.dofs.components), touching_(model.zones.size()) {}
 
   void run() {
@@ -36,7 +37,9 @@ public:
     }
     take_points(model_, side_, held_, compliance_, now_, moved_, trial_, points_);
     for (int round = 0; round < rounds; ++round) {
-      guess_.improve(points_, free_, system_.has_free_bodies ? free_ : moved_);
+      guess_.improve(points_, free_, system_.has_free_bodies ? free_ : moved_, pulse_);
+      if (pulse_.stopped())
+        return;
       take_guess(model_, points_, trial_);
       move(force_on_surface(points_, free_.size()));
       find_touching(points_, moved_, touching_);
@@ -85,6 +88,7 @@ private:
   time::Motion base_;
   VectorXd half_way_, free_, moved_, force_;
   State& trial_;
+  Pulse& pulse_;
   ContactGuess guess_;
   std::vector<GuessPoint> points_;
   PointsOfZones touching_;
@@ -94,10 +98,11 @@ private:
 } // namespace
 
 void start_from_guess(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                      const ContactSide& side, const Held& held, Equilibrium& equilibrium, State& trial) {
+                      const ContactSide& side, const Held& held, Equilibrium& equilibrium, State& trial,
+                      Pulse& pulse) {
   equilibrium.evaluate(trial.motion, ContactForce(trial.motion.u.size()));
   if (equilibrium.residual().allFinite())
-    GuessedStart(model, scheme, system, side, held, equilibrium.residual(), trial).run();
+    GuessedStart(model, scheme, system, side, held, equilibrium.residual(), trial, pulse).run();
 }
 
 } // namespace rubato::step

@@ -7,6 +7,7 @@
 #include "rubato/step/linear_step.hpp"
 #include "rubato/step/projected_cg.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace rubato::step {
@@ -22,8 +23,8 @@ bool by_projected_cg(const Model& model) {
 } // namespace
 
 Newton::Newton(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-               const State& committed, double t, const ContactSide& side)
-    : model_(model), scheme_(scheme), system_(system), side_(side),
+               const State& committed, double t, const ContactSide& side, Pulse& pulse)
+    : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
       equilibrium_(model, scheme, system, committed, t),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {}
 
@@ -31,7 +32,7 @@ StepReport Newton::run(State& trial, const Held& held) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
   if (!started_ && can_guess(model_, system_) && starts_from_guess(model_, side_.variant().start))
-    start_from_guess(model_, scheme_, system_, side_, held, equilibrium_, trial);
+    start_from_guess(model_, scheme_, system_, side_, held, equilibrium_, trial, pulse_);
   started_ = true;
   side_.start_iterations();
   CycleWatch cycle;
@@ -52,16 +53,25 @@ StepReport Newton::run(State& trial, const Held& held) {
       return ended(Outcome::cycling, held);
     if (iteration == model_.study.newton.max_iterations)
       break;
+    if (!pulse_.beat(points_in_contact(), report_.residual))
+      return ended(Outcome::interrupted, held);
     if (!solve_and_correct(*part, trial))
-      return ended(Outcome::singular_matrix, held);
+      return ended(pulse_.stopped() ? Outcome::interrupted : Outcome::singular_matrix, held);
     ++report_.iterations;
   }
   return ended(Outcome::too_many_iterations, held);
 }
 
+int Newton::points_in_contact() const {
+  std::ptrdiff_t count = 0;
+  for (const auto& zone : now_.status)
+    count += std::ranges::count_if(zone, [](auto status) { return status != contact::Status::open; });
+  return static_cast<int>(count);
+}
+
 StepReport Newton::ended(Outcome outcome, const Held& held) {
   report_.outcome = outcome;
-  if (!report_.converged()) {
+  if (report_.failed()) {
     report_.worst = equilibrium_.worst();
     if (outcome != Outcome::not_finite)
       side_.name_unmet(held, report_.iterations > 0 ? &previous_ : nullptr, now_, report_);
@@ -111,7 +121,7 @@ bool Newton::solve_and_correct(double part, State& trial) {
                               equilibrium_.residual()};
   std::optional<LinearSolution> solution;
   if (by_projected_cg(model_))
-    solution = solve_projected_cg(problem, system_.compliance.get(), now_.points, trial.zones);
+    solution = solve_projected_cg(problem, system_.compliance.get(), now_.points, trial.zones, pulse_);
   else if (system_.compliance)
     solution = solve_condensed(problem, *system_.compliance);
   if (!solution && !by_projected_cg(model_))

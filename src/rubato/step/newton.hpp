@@ -10,6 +10,7 @@
 
 #include "rubato/step/contact_side.hpp"
 #include "rubato/step/equilibrium.hpp"
+#include "rubato/step/pulse.hpp"
 
 namespace rubato::step {
 
@@ -17,12 +18,13 @@ class Newton {
 public:
   /// Everything must outlive this.
   Newton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-         const State& committed, double t, const ContactSide& side);
+         const State& committed, double t, const ContactSide& side, Pulse& pulse);
 
   /// Iterates from `trial` (u, v, a, multipliers and statuses) to the end of the step.
   StepReport run(State& trial, const Held& held);
 
 private:
+  int points_in_contact() const;
   StepReport ended(Outcome outcome, const Held& held);
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   void add_zone(std::size_t zone, const Held& held);
@@ -33,6 +35,7 @@ private:
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
   const ContactSide& side_;
+  Pulse& pulse_;
   Equilibrium equilibrium_;
   contact::ContactSystem contact_;
   ContactForce force_;

@@ -58,6 +58,8 @@ public:
         conjugate_step();
       else
         proportion(gradients.chopped);
+      if (problem_.pulse != nullptr && !problem_.pulse->beat())
+        return std::nullopt;
     }
     return std::nullopt;
   }
@@ -178,7 +180,7 @@ std::optional<VectorXd> minimise_over_nonnegative(const BoundedProblem& problem,
 std::optional<LinearSolution>
 solve_projected_cg(const LinearProblem& problem, const Compliance* compliance,
                    const std::vector<std::vector<contact::PointEvaluation>>& points,
-                   const std::vector<contact::ZoneState>& zones) {
+                   const std::vector<contact::ZoneState>& zones, Pulse& pulse) {
   if (!compliance)
     return std::nullopt;
   const auto relations = relations_of(problem, points, zones);
@@ -204,6 +206,7 @@ solve_projected_cg(const LinearProblem& problem, const Compliance* compliance,
   bounded.linear = gaps + b * free_motion - bounded.multiply(now);
   bounded.tolerance = gap_tolerance * bounded.linear.lpNorm<Eigen::Infinity>();
   bounded.max_iterations = least_iterations + iterations_per_unknown * static_cast<int>(count);
+  bounded.pulse = &pulse;
   const auto forces = minimise_over_nonnegative(bounded, now.cwiseMax(0.0));
   if (!forces)
     return std::nullopt;

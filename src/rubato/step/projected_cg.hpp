@@ -5,6 +5,7 @@
 #pragma once
 
 #include "rubato/step/linear_step.hpp"
+#include "rubato/step/pulse.hpp"
 
 #include <functional>
 
@@ -19,19 +20,22 @@ struct BoundedProblem {
   Eigen::VectorXd linear; ///< q
   double tolerance = 0;   ///< of the projected gradient's largest entry
   int max_iterations = 0;
+  Pulse* pulse = nullptr; ///< that the iterations beat with, when there is one
 };
 
 /// Modified proportioning with reduced gradient projections, preconditioned in the face (Dostál and
 /// Schöberl, Comput. Optim. Appl. 30, 2005; Domorádová and Dostál, Numer. Linear Algebra Appl. 14, 2007),
-/// from `start` ≥ 0. Nothing comes back when the iterations do not suffice.
+/// from `start` ≥ 0. Nothing comes back when the iterations do not suffice or
+/// the pulse has stopped.
 std::optional<Eigen::VectorXd> minimise_over_nonnegative(const BoundedProblem& problem,
                                                          Eigen::VectorXd start);
 
 /// The motion and change of nodal forces of one linear contact problem, all zones of which are nodal_pcg.
-/// Nothing comes back without a compliance or when the iterations do not suffice.
+/// Nothing comes back without a compliance, when the iterations do not suffice, or when the pulse has
+/// stopped.
 std::optional<LinearSolution>
 solve_projected_cg(const LinearProblem& problem, const Compliance* compliance,
                    const std::vector<std::vector<contact::PointEvaluation>>& points,
-                   const std::vector<contact::ZoneState>& zones);
+                   const std::vector<contact::ZoneState>& zones, Pulse& pulse);
 
 } // namespace rubato::step

@@ -25,6 +25,8 @@ std::string_view to_string(Outcome outcome) {
     return "too many rounds of the friction loop";
   case Outcome::status_unsettled:
     return "too many rounds of the status loop";
+  case Outcome::interrupted:
+    return "interrupted";
   }
   return "";
 }

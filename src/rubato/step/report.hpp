@@ -22,7 +22,8 @@ enum class Outcome {
   not_finite,
   geometry_unsettled, ///< the loop of that level came to its last round
   friction_unsettled,
-  status_unsettled
+  status_unsettled,
+  interrupted ///< asked to end: neither converged nor failed
 };
 
 std::string_view to_string(Outcome outcome);
@@ -103,6 +104,8 @@ struct StepReport {
   bool geometry_by_loop = false;      ///< the step needed its geometry in a loop of its own
   bool friction_continuation = false; ///< the step needed friction raised in parts
   bool converged() const { return outcome == Outcome::converged; }
+  /// Whether another attempt may do better.
+  bool failed() const { return !converged() && outcome != Outcome::interrupted; }
   /// The entry of `unmet` for that criterion, or nullptr.
   const Unmet* unmet_by(Criterion criterion) const;
 };

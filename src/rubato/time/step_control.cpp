@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/time/step_control.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
+#include <string>
 
 namespace rubato::time {
 namespace {
@@ -17,7 +21,29 @@ constexpr double same_length = 1e-9;
 
 } // namespace
 
-std::vector<double> instants_of(const deck::TimeStepping& settings) {
+double as_meant(double t, double begin) {
+  constexpr int digits = 12;
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double shown = std::stod(fmt::format("{:.{}g}", t, digits));
+  return std::abs(shown - t) <= rounding * std::max(std::abs(t), std::abs(begin)) ? shown : t;
+}
+
+std::vector<double> with_stops(std::vector<double> instants, std::span<const double> stops) {
+  for (const double stop : stops) {
+    const auto after = std::ranges::lower_bound(instants, stop);
+    if (after == instants.begin() || after == instants.end())
+      continue;
+    const double before = *(after - 1);
+    const double near = sliver * (*after - before);
+    if (stop - before > near && *after - stop > near)
+      instants.insert(after, stop);
+  }
+  return instants;
+}
+
+namespace {
+
+std::vector<double> listed_or_even(const deck::TimeStepping& settings) {
   std::vector<double> instants{settings.begin};
   if (!settings.instants.empty()) {
     std::ranges::copy_if(settings.instants, std::back_inserter(instants),
@@ -28,9 +54,15 @@ std::vector<double> instants_of(const deck::TimeStepping& settings) {
   const double span = settings.end - settings.begin;
   const auto steps = static_cast<std::int64_t>(std::ceil(span / settings.step - sliver));
   for (std::int64_t i = 1; i < steps; ++i)
-    instants.push_back(settings.begin + static_cast<double>(i) * settings.step);
+    instants.push_back(as_meant(settings.begin + static_cast<double>(i) * settings.step, settings.begin));
   instants.push_back(settings.end);
   return instants;
+}
+
+} // namespace
+
+std::vector<double> instants_of(const deck::TimeStepping& settings) {
+  return with_stops(listed_or_even(settings), settings.stops);
 }
 
 StepControl::StepControl(const deck::TimeStepping& settings, double start)

@@ -4,11 +4,20 @@
 
 #include "rubato/deck/study.hpp"
 
+#include <span>
 #include <vector>
 
 namespace rubato::time {
 
-/// The instants a run must reach, ascending, the first one being the start.
+/// An instant that was computed, as a number of 12 digits when it is that but for rounding: 9 times 0.001 is
+/// 0.009, not 0.009000000000000001. `begin`: what it was counted from.
+double as_meant(double t, double begin);
+
+/// Ascending instants with those of `stops` among them that lie between the first and the last and are not
+/// there yet.
+std::vector<double> with_stops(std::vector<double> instants, std::span<const double> stops);
+
+/// The instants a run must reach, ascending, the first one being the start; its stops among them.
 std::vector<double> instants_of(const deck::TimeStepping& settings);
 
 /// Walks through the list of instants. A failed step is cut into `cut_parts`; the parts may be cut again,

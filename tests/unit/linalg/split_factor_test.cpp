@@ -134,6 +134,30 @@ TEST(SplitFactor, RefusesWhatDoesNotFitBeforeItFactors) {
   }
 }
 
+TEST(SplitFactor, TellsWhatItNeedsWithTheComplianceOfTheSurface) {
+  const auto matrix = test::elastic_block(6, 6, 6);
+  const std::vector<int> surface{0, 1, 2, 3, 4};
+  std::vector<std::size_t> told;
+  const auto factor =
+      SplitFactor::of(matrix, surface, plenty, [&](std::size_t bytes) { told.push_back(bytes); });
+  ASSERT_TRUE(factor);
+  EXPECT_EQ(told, (std::vector{factor->factor_bytes() + 25 * sizeof(double)}));
+}
+
+TEST(SplitFactor, SaysNothingOfAFactorThatDoesNotFit) {
+  bool told = false;
+  EXPECT_THROW(SplitFactor::of(test::elastic_block(4, 4, 4), {}, 1, [&](std::size_t) { told = true; }),
+               TooLargeForMemory);
+  EXPECT_FALSE(told);
+}
+
+TEST(MemoryText, HasTwoDigitsAndAUnit) {
+  EXPECT_EQ(memory_text(2'640'000'000), "2.6 GB");
+  EXPECT_EQ(memory_text(999'900'000), "1.0 GB");
+  EXPECT_EQ(memory_text(38'400'000), "38 MB");
+  EXPECT_EQ(memory_text(1'500), "1.5 kB");
+}
+
 TEST(SplitFactor, RefusesSizesThatDoNotMatch) {
   EXPECT_THROW(SplitFactor::of(SparseMatrix(2, 3), {}, plenty), std::invalid_argument);
   const auto factor = SplitFactor::of(two_bodies(), {}, plenty);

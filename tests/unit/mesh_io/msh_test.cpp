@@ -72,7 +72,22 @@ TEST_P(MshFile, KeepsCellsThatAreInNoGroup) {
   sample.physicals.clear();
   const auto mesh = read(sample);
   EXPECT_EQ(mesh.cell_count(), 4);
-  EXPECT_TRUE(mesh.cell_groups.empty());
+  EXPECT_TRUE(std::ranges::all_of(mesh.cell_groups, [](const Group& group) { return group.items.empty(); }));
+}
+
+TEST_P(MshFile, KeepsNamedGroupsThatAreEmpty) {
+  auto sample = test::two_cubes();
+  sample.names[{2, 77}] = "forgotten";
+  sample.names[{0, 78}] = "nowhere";
+  sample.names[{2, 79}] = "steel"; // a name that cells have
+  const auto mesh = read(sample);
+  ASSERT_NE(mesh.cell_group("forgotten"), nullptr);
+  EXPECT_TRUE(mesh.cell_group("forgotten")->items.empty());
+  ASSERT_NE(mesh.node_group("nowhere"), nullptr);
+  EXPECT_TRUE(mesh.node_group("nowhere")->items.empty());
+  EXPECT_EQ(std::ranges::count(mesh.cell_groups, "steel", &Group::name), 1);
+  EXPECT_EQ(find_nodes(mesh, "forgotten").fault,
+            "group 'forgotten' is empty, expected a group with nodes, or a node");
 }
 
 TEST_P(MshFile, MakesOneGroupOfThoseThatShareAName) {

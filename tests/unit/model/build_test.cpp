@@ -142,7 +142,7 @@ TEST(Model, BeginsAsTheDeckSaysAndElsewhereAtRest) {
                     "initial:\n"
                     "  - {on: lower, velocity: {y: 3}}\n"
                     "  - {on: tip, displacement: {x: 1e-3, y: 0}, velocity: {x: 2}}\ncontact:\n"));
-  const auto tip = model.probe_nodes.at(0);
+  const auto tip = model.probe_nodes.at(0).front();
   EXPECT_EQ(model.initial.displacement[model.dofs.dof(tip, 0)], 1e-3);
   EXPECT_EQ(model.initial.velocity[model.dofs.dof(tip, 0)], 2);
   EXPECT_EQ(model.initial.displacement.sum(), 1e-3);
@@ -170,7 +170,7 @@ TEST(Model, FindsTheNodesOfItsProbes) {
       model_of(with(two_blocks, "  end: {node: tip}", "  end: {node: tip}\n  near: {point: [0.9, 0.21]}"));
   ASSERT_EQ(model.probe_nodes.size(), 2U);
   EXPECT_EQ(model.probe_nodes[0], model.probe_nodes[1]);
-  EXPECT_EQ(model.mesh.points[static_cast<std::size_t>(model.probe_nodes[0])], Vector3d(1, 0.2, 0));
+  EXPECT_EQ(model.mesh.points[static_cast<std::size_t>(model.probe_nodes[0].front())], Vector3d(1, 0.2, 0));
 }
 
 } // namespace

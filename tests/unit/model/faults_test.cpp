@@ -38,6 +38,37 @@ TEST(BadModel, IsToldEverythingAtOnceAndWhere) {
   EXPECT_EQ(lines, (std::vector<int>{16, 18, 20, 22, 25}));
 }
 
+const std::string& weightless_lower() {
+  static const std::string deck =
+      with(with(two_blocks, "density: 7800, cells: all", "density: 7800, cells: upper"),
+           "supports:", "  die: {young: 200e9, poisson: 0.3, density: 0, cells: lower}\nsupports:");
+  return deck;
+}
+
+TEST(Weightless, BodiesMustBeHeldWhole) {
+  const auto fault = fault_of([] { model_of(weightless_lower()); });
+  EXPECT_NE(fault.find("materials.die.density: found 0, but node N"), std::string::npos) << fault;
+  EXPECT_NE(
+      fault.find(" can move in x; expected more than 0, or supports that hold every node of its cells in "
+                 "all components"),
+      std::string::npos)
+      << fault;
+  const auto half = with(weightless_lower(), "  - {on: held, fix: [x, y]}",
+                         "  - {on: held, fix: [x, y]}\n  - {on: lower, fix: x}");
+  EXPECT_NE(fault_of([&] { model_of(half); }).find(" can move in y; "), std::string::npos);
+}
+
+TEST(BadProbe, OnManyNodesIsToldOfTake) {
+  for (const auto* place : {"{node: roof}", "{on: roof}"}) {
+    const auto fault = fault_of([&] { model_of(with(two_blocks, "{node: tip}", place)); });
+    EXPECT_NE(
+        fault.find("probe 'end': group 'roof' has 5 nodes, expected one, or what is taken of them: {on: "
+                   "roof, take: sum}, mean, min or max"),
+        std::string::npos)
+        << fault;
+  }
+}
+
 TEST(BadModel, NamesNoMoreThanTheFirstFewBadCells) {
   mesh::MeshBuilder builder(2);
   for (int i = 0; i < 4; ++i)

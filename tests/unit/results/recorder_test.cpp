@@ -76,6 +76,71 @@ TEST_F(RunFolder, HoldsHistoriesStepsAndASummary) {
   EXPECT_EQ(json.at("study").at("thickness"), 1.0);
 }
 
+/// Whatever makes the steps.
+TEST_F(RunFolder, HasFieldsAtEveryInstantThatIsNamed) {
+  const std::string wanted = "fields: {formats: [vtu], at: [1.25e-4, 2e-4, 3.1e-4], last: false}\n";
+  const std::string hht = "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}";
+  for (const auto& time : {hht, std::string("{scheme: static, step: 1e-4, end: 4e-4}"),
+                           std::string("{scheme: hht, alpha: -0.1, instants: [1e-4, 4e-4]}"),
+                           std::string("{scheme: central_difference, end: 4e-4, record: 1e-4}")}) {
+    auto deck = with(two_blocks, hht, time) + wanted;
+    if (time.find("central") != std::string::npos)
+      deck = with(deck, "friction: 0.2", "friction: 0.2, method: penalty");
+    std::vector<double> reached;
+    run::Watch watch;
+    watch.progress = [&](const run::Progress& progress) { reached.push_back(progress.t); };
+    ASSERT_EQ(run(deck, watch).status, RunStatus::complete) << time;
+    EXPECT_TRUE(std::ranges::is_sorted(reached));
+    EXPECT_EQ(reached.back(), 4e-4);
+    const auto series = text_of(folder_ / "fields.pvd");
+    EXPECT_EQ(std::ranges::count(series, '\n'), 3 + 3 + 2) << time << series;
+    for (const auto* instant : {"\"0.000125\"", "\"0.0002\"", "\"0.00031\""})
+      EXPECT_NE(series.find(instant), std::string::npos) << time << series;
+  }
+}
+
+TEST_F(RunFolder, HoldsWhatIsTakenOfTheNodesOfAGroup) {
+  const auto probes = R"(  end: {node: tip}
+  a: {point: [0, -0.2], field: reaction}
+  b: {point: [0, -0.1], field: reaction}
+  sum: {on: held, take: sum, field: reaction}
+  mean: {on: roof, take: mean}
+  least: {on: roof, take: min}
+  most: {on: roof, take: max}
+)";
+  const auto checks = "checks: [{probe: least.y, at: 2e-4, reference: -1e-9, tolerance: 1}]\n";
+  const auto result = run(with(two_blocks, "  end: {node: tip}\n", probes) + checks);
+  ASSERT_EQ(result.status, RunStatus::complete);
+  const auto history = table("probes.csv");
+  EXPECT_EQ(history.column("mean.y"), history.column("mean.x") + 1);
+  EXPECT_LT(last(history, "least.y"), last(history, "mean.y"));
+  EXPECT_LT(last(history, "mean.y"), last(history, "most.y"));
+  EXPECT_GE(last(history, "most.y"), 0) << "its corner is held";
+  EXPECT_LE(last(history, "least.y"), last(history, "end.y"));
+  const auto model = model::build_model(deck::parse_deck(two_blocks, "deck.yaml").runs.front());
+  double sum = 0;
+  for (const auto& constraint : model.constraints)
+    if (constraint.dof % 2 == 1)
+      sum += result.end.reaction[constraint.dof];
+  EXPECT_NEAR(last(history, "sum.y"), sum, 1e-12 * std::abs(sum));
+  EXPECT_NE(sum, 0);
+  ASSERT_EQ(result.checks.size(), 1U);
+  EXPECT_EQ(result.checks[0].value,
+            history.rows.at(2).at(static_cast<std::size_t>(history.column("least.y"))));
+}
+
+TEST_F(RunFolder, WarnsOfAPointThatSeveralNodesAreEquallyNearTo) {
+  std::vector<std::string> warnings;
+  run::Watch watch;
+  watch.warn = [&](const std::string& text) { warnings.push_back(text); };
+  run(with(two_blocks, "  end: {node: tip}", "  mid: {point: [0.5, 0]}\n  end: {point: [1, 0.2]}"), watch);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(
+      warnings[0],
+      "run: probe 'mid': 2 nodes are equally near to its point, N3 (0.5, 0), N28 (0.5, 0); N3 is taken, "
+      "'node: N3' instead of the point, or another one of them, says which is meant");
+}
+
 TEST_F(RunFolder, IsReadBackAsTheStudyAndItsHistory) {
   const auto deck = two_blocks + "checks: [{probe: end.y, at: 2e-4, reference: 1, tolerance: 0.1}]\n";
   const auto result = run(deck);

@@ -77,6 +77,30 @@ TEST_F(ExplicitRun, TakesTheStepItIsGivenUnlessThatIsUnstable) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "refused"));
 }
 
+/// A die without density, with every scheme: it is held whole, or moved by its supports.
+TEST_F(ExplicitRun, AndEveryOtherTakesAWeightlessBodyThatIsHeldWhole) {
+  auto held = with(with(test::two_blocks, "density: 7800, cells: all", "density: 7800, cells: upper"),
+                   "supports:", "  die: {young: 200e9, poisson: 0.3, density: 0, cells: lower}\nsupports:");
+  held = with(held, "{left: held, top: lower_face}", "{left: die_left, top: lower_face}");
+  held = with(held, "exclude_nodes: [held]", "exclude_nodes: [held, die_left]");
+  held = with(held, "  - {on: held, fix: [x, y]}",
+              "  - {on: held, fix: [x, y]}\n  - {on: lower, x: 0, y: {value: 1e-5, function: ramp}}");
+  held = with(held, "supports:", "functions: {ramp: {times: [0, 4e-4], values: [0, 1]}}\nsupports:");
+  for (const auto& time :
+       {hht, std::string("{step: 1e-4, end: 4e-4}"), std::string("{scheme: newmark, step: 1e-4, end: 4e-4}"),
+        std::string("{scheme: hht, alpha: -0.1, contact_mass: redistributed, step: 1e-4, end: 4e-4}"),
+        std::string("{scheme: central_difference, end: 4e-4, record: 1e-4}")}) {
+    auto deck = with(held, hht, time);
+    if (time.find("central") != std::string::npos)
+      deck = with(deck, "friction: 0.2", "friction: 0.2, method: penalty");
+    const auto result = run(deck::parse_deck(deck, "deck.yaml").runs.front());
+    EXPECT_EQ(result.status, Status::complete) << time << result.message;
+    EXPECT_TRUE(result.end.motion.a.allFinite()) << time;
+    EXPECT_LE(result.energy.largest_balance, 1e-9 * result.energy.largest) << time;
+    EXPECT_GT(result.end.contact_force.norm(), 0) << time;
+  }
+}
+
 TEST_F(ExplicitRun, StopsWhenItIsAsked) {
   Watch watch;
   int looks = 0;

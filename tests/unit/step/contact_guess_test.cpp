@@ -99,6 +99,8 @@ protected:
   }
   static double unit() { return 1e-3; }
 
+  Pulse pulse_;
+
   /// The surface under the points' forces.
   VectorXd moved() {
     VectorXd force = VectorXd::Zero(matrix_.rows());
@@ -125,7 +127,7 @@ protected:
 TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
   ContactGuess guess(compliance_, 1, 3);
   for (int round = 0; round < 20; ++round)
-    guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved());
+    guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), pulse_);
   const VectorXd d = moved();
   double largest = 0;
   for (const auto& point : points_)
@@ -147,12 +149,12 @@ TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
 
 TEST_F(PushedBlock, FindsTheSameForcesAgain) {
   ContactGuess guess(compliance_, 1, 3);
-  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved());
+  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), pulse_);
   const auto first = points_;
   for (auto& point : points_)
     point.force.setZero();
   guess.forget();
-  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved());
+  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), pulse_);
   for (std::size_t i = 0; i < points_.size(); ++i)
     EXPECT_EQ(points_[i].force, first[i].force);
 }

@@ -73,7 +73,8 @@ template <class Solver> StepReport attempt(test::Walk& walk, double length) {
   const double t = walk.state.t + length;
   auto system = make_effective_system(walk.model, walk.scheme, length);
   const ContactSide side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
-  Solver solver(walk.model, walk.scheme, system, walk.state, t, side);
+  Pulse pulse;
+  Solver solver(walk.model, walk.scheme, system, walk.state, t, side, pulse);
   auto trial = predict(walk.model, walk.scheme, system, walk.state, t);
   return solve_levels(
       walk.model, side, [&](State& to, const Held& held) { return solver.run(to, held); }, walk.state, trial);

@@ -124,7 +124,8 @@ TEST(ALoopOfTheStatusThatDoesNotSettle, SaysSo) {
   const double t = walk.control.target();
   State trial = predict(walk.model, walk.scheme, system, walk.state, t);
   const ContactSide side(walk.model, walk.scheme, system, walk.state, {});
-  Newton newton(walk.model, walk.scheme, system, walk.state, t, side);
+  Pulse pulse;
+  Newton newton(walk.model, walk.scheme, system, walk.state, t, side, pulse);
   const auto report = solve_levels(
       walk.model, side, [&](State& to, const Held& held) { return newton.run(to, held); }, walk.state, trial);
   EXPECT_EQ(report.outcome, Outcome::status_unsettled);

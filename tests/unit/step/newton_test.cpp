@@ -55,7 +55,8 @@ std::vector<double> residuals_by_iteration(const Changes& changes) {
     const double t = walk.control.target();
     State trial = predict(walk.model, walk.scheme, system, walk.state, t);
     const ContactSide side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
-    Newton newton(walk.model, walk.scheme, system, walk.state, t, side);
+    Pulse pulse;
+    Newton newton(walk.model, walk.scheme, system, walk.state, t, side, pulse);
     const auto report = newton.run(trial, Held(walk.model.zones.size()));
     residuals.push_back(report.residual);
     if (report.converged())

@@ -64,6 +64,21 @@ TEST(ProjectedConjugateGradients, SayWhenTheirIterationsDoNotSuffice) {
   EXPECT_FALSE(minimise_over_nonnegative(problem, VectorXd::Ones(25)));
 }
 
+TEST(ProjectedConjugateGradients, EndWhenTheirPulseStops) {
+  const auto made = example(25, 30, 4);
+  int beats = 0;
+  Pulse pulse([&](const Beat&) { return ++beats < 3; });
+  BoundedProblem problem;
+  problem.multiply = [&](const VectorXd& x) { return VectorXd(made.matrix * x); };
+  problem.precondition = [](const VectorXd& g) { return g; };
+  problem.linear = made.linear;
+  problem.tolerance = 1e-10;
+  problem.max_iterations = 5000;
+  problem.pulse = &pulse;
+  EXPECT_FALSE(minimise_over_nonnegative(problem, VectorXd::Ones(25)));
+  EXPECT_EQ(beats, 3);
+}
+
 TEST(ProjectedConjugateGradients, MoveTheBeamsAsTheActiveSetDoes) {
   const auto walk = [](const char* method) {
     Walk one(test::two_beams, {{"contact.interface.method", method}, {"contact.interface.friction", "0"}});

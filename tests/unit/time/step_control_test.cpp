@@ -35,8 +35,20 @@ Instants walked(StepControl control) {
 TEST(Instants, AreMultiplesOfTheStepNotSums) {
   const auto instants = instants_of(even(1e-3, 1));
   ASSERT_EQ(instants.size(), 1001u);
-  EXPECT_EQ(instants[700], 700 * 1e-3);
+  EXPECT_EQ(instants[700], 0.7);
   EXPECT_EQ(instants.back(), 1);
+}
+
+TEST(Instants, AreTheDecimalNumbersThatWereMeant) {
+  EXPECT_EQ(instants_of(even(1e-3, 1))[9], 0.009); // 9 · 1e-3 is 0.009000000000000001
+  deck::TimeStepping late = even(1e-3, 1);
+  late.begin = 0.03;
+  EXPECT_EQ(instants_of(late)[5], 0.035);
+}
+
+TEST(Instants, StayAsComputedWhereNoShortNumberWasMeant) {
+  constexpr double third = 1e-3 / 3;
+  EXPECT_EQ(instants_of(even(third, 1))[7], 7 * third);
 }
 
 TEST(Instants, EndWithAShorterStepWhenTheEndIsNoMultiple) {
@@ -51,6 +63,29 @@ TEST(Instants, HaveNoSliverAtTheEnd) {
 
 TEST(Instants, ListedOnesAreTakenAsTheyAre) {
   EXPECT_EQ(instants_of(listed({0.1, 0.15, 0.7})), (Instants{0, 0.1, 0.15, 0.7}));
+}
+
+TEST(Instants, HaveStopsBetweenTheSteps) {
+  auto settings = even(0.1, 0.4);
+  settings.stops = {0, 0.25, 0.3, 0.4};
+  EXPECT_EQ(instants_of(settings), (Instants{0, 0.1, 0.2, 0.25, 0.3, 0.4}));
+  settings = listed({0.1, 0.15, 0.7});
+  settings.stops = {0.5, 0.7};
+  EXPECT_EQ(instants_of(settings), (Instants{0, 0.1, 0.15, 0.5, 0.7}));
+}
+
+TEST(Instants, HaveNoStopBesideAnInstantThatDiffersByRounding) {
+  EXPECT_EQ(with_stops({0, 0.1, 0.2, 0.3}, std::vector{3 * 0.1, 0.1 + 1e-12}), (Instants{0, 0.1, 0.2, 0.3}));
+}
+
+TEST(StepControl, GoesOnWithItsUsualLengthAfterAStop) {
+  auto settings = even(0.25, 1);
+  settings.stops = {0.375};
+  StepControl control(settings, 0);
+  std::vector<double> lengths;
+  for (; !control.finished(); control.accept())
+    lengths.push_back(control.length());
+  EXPECT_EQ(lengths, (Instants{0.25, 0.125, 0.125, 0.25, 0.25}));
 }
 
 TEST(StepControl, WalksThroughTheInstants) {

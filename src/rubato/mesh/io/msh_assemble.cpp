@@ -147,6 +147,10 @@ void add_groups(const Content& content, const std::map<CellType, CellIndex>& fir
     for (const auto place : places)
       items.push_back(index[static_cast<std::size_t>(place)]);
   }
+  // A name without cells is kept: who uses it is told that it is empty, not that there is no such group.
+  for (const auto& [group, name] : content.names)
+    if (!name.empty() && !cells.contains(name) && !nodes.contains(name))
+      (group.dimension > 0 ? cells : nodes)[name];
   mesh.cell_groups = as_groups(std::move(cells));
   mesh.node_groups = as_groups(std::move(nodes));
 }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// A run that is asked to end inside a step, and goes on.
+#include "rubato/deck/read.hpp"
+#include "rubato/results/csv.hpp"
+#include "rubato/run/time_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scratch_folder.hpp"
+#include "support/two_blocks.hpp"
+
+namespace rubato::run {
+namespace {
+
+class InterruptedRun : public testing::Test {
+protected:
+  RunResult run(const std::string& folder, const Watch& watch = {}, Begin begin = Begin::anew) const {
+    return run_study(study_, folder_ / folder, watch, nullptr, begin);
+  }
+
+  const deck::Study study_ = deck::parse_deck(test::two_blocks, "deck.yaml").runs.front();
+  test::ScratchFolder folder_;
+};
+
+TEST_F(InterruptedRun, EndsInsideTheStepAndGoesOnAsIfNothingHadBeen) {
+  const auto whole = run("whole");
+  bool stop = false;
+  Watch watch;
+  watch.stop = [&] { return stop; };
+  watch.within = [&](const Progress& progress) { stop = stop || progress.t > 2.5e-4; };
+  const auto result = run("out", watch);
+  EXPECT_EQ(result.status, Status::interrupted);
+  EXPECT_EQ(result.message, "interrupted at t = 0.0002, in the step to t = 0.0003");
+  EXPECT_EQ(result.steps, 2);
+  EXPECT_EQ(result.cuts, 0);
+  EXPECT_EQ(result.end.t, 2e-4);
+  EXPECT_TRUE(result.kept);
+  EXPECT_EQ(results::read_csv(folder_ / "out/probes.csv").rows.size(), 3U);
+
+  const auto resumed = run("out", {}, Begin::resumed);
+  ASSERT_EQ(resumed.status, Status::complete) << resumed.message;
+  EXPECT_EQ(resumed.end.motion.u, whole.end.motion.u);
+  EXPECT_EQ(resumed.iterations, whole.iterations);
+}
+
+TEST_F(InterruptedRun, TellsOfEveryIteration) {
+  int within = 0;
+  int iterations = 0;
+  Watch watch;
+  watch.within = [&](const Progress& progress) {
+    EXPECT_TRUE(progress.within);
+    EXPECT_FALSE(progress.accepted);
+    within = std::max(within, progress.iterations + 1);
+  };
+  watch.progress = [&](const Progress& progress) {
+    EXPECT_FALSE(progress.within);
+    EXPECT_EQ(within, progress.iterations) << "in the step to " << progress.t;
+    iterations += progress.iterations;
+    within = 0;
+  };
+  EXPECT_EQ(run("out", watch).iterations, iterations);
+}
+
+} // namespace
+} // namespace rubato::run

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Steps that are asked to end: in every loop they have, and nothing is left of them.
+#include "rubato/step/pulse.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/step/decks.hpp"
+#include "unit/step/walk.hpp"
+#include <cmath>
+
+namespace rubato::step {
+namespace {
+
+using test::Walk;
+
+TEST(Pulse, GoesOnWithoutAFunction) {
+  Pulse pulse;
+  EXPECT_TRUE(pulse.beat());
+  EXPECT_TRUE(pulse.beat(3, 0.1));
+  EXPECT_FALSE(pulse.stopped());
+}
+
+TEST(Pulse, CountsIterationsAndTellsWhatItKnewLast) {
+  std::vector<Beat> heard;
+  Pulse pulse([&](const Beat& beat) {
+    heard.push_back(beat);
+    return true;
+  });
+  pulse.beat();
+  pulse.beat(3, 0.5);
+  pulse.beat();
+  pulse.beat(4, 0.25);
+  ASSERT_EQ(heard.size(), 4U);
+  EXPECT_TRUE(std::isnan(heard[0].residual));
+  EXPECT_EQ(heard[1].iterations, 0);
+  EXPECT_EQ(heard[2].iterations, 1);
+  EXPECT_EQ(heard[2].contact_points, 3);
+  EXPECT_EQ(heard[3].iterations, 1);
+  EXPECT_EQ(heard[3].residual, 0.25);
+}
+
+TEST(Pulse, OnceStoppedAsksNoMore) {
+  int asked = 0;
+  Pulse pulse([&](const Beat&) { return ++asked < 2; });
+  EXPECT_TRUE(pulse.beat());
+  EXPECT_FALSE(pulse.beat());
+  EXPECT_FALSE(pulse.beat(1, 1));
+  EXPECT_TRUE(pulse.stopped());
+  EXPECT_EQ(asked, 2);
+}
+
+struct Way {
+  const char* name;
+  std::vector<deck::Setting> settings;
+};
+
+class InterruptedStep : public testing::TestWithParam<Way> {
+protected:
+  InterruptedStep() : walk_(test::two_beams, GetParam().settings) {
+    EXPECT_TRUE(walk_.advance()); // the beams touch
+    walk_.system.emplace(make_effective_system(walk_.model, walk_.scheme, walk_.control.length()));
+  }
+
+  StepReport step(State& trial, const GoesOn& goes_on = {}) {
+    return advance(walk_.model, walk_.scheme, *walk_.system, walk_.state, walk_.control.target(), trial,
+                   goes_on);
+  }
+
+  Walk walk_;
+};
+
+TEST_P(InterruptedStep, LeavesNothingBehindWhereverItIs) {
+  const State before = walk_.state;
+  State whole;
+  int beats = 0;
+  const auto report = step(whole, [&](const Beat&) { return ++beats > 0; });
+  ASSERT_TRUE(report.converged());
+  ASSERT_GE(beats, report.iterations) << "a beat an iteration at least";
+  for (int last = 1; last <= beats; ++last) {
+    State trial;
+    int asked = 0;
+    const auto interrupted = step(trial, [&](const Beat&) { return ++asked < last; });
+    EXPECT_EQ(interrupted.outcome, Outcome::interrupted) << "at beat " << last;
+    EXPECT_EQ(asked, last) << "went on after it was to end";
+    EXPECT_FALSE(interrupted.failed());
+  }
+  EXPECT_EQ(walk_.state.motion.u, before.motion.u);
+  EXPECT_EQ(walk_.state.zones.front().multipliers, before.zones.front().multipliers);
+  EXPECT_EQ(walk_.state.zones.front().status, before.zones.front().status);
+  State again;
+  ASSERT_TRUE(step(again).converged());
+  EXPECT_EQ(again.motion.u, whole.motion.u) << "the step is another one after it was interrupted";
+  EXPECT_EQ(again.zones.front().multipliers, whole.zones.front().multipliers);
+}
+
+TEST_P(InterruptedStep, TellsOfItsIterations) {
+  State trial;
+  Beat last;
+  bool knows_residual = false;
+  const auto report = step(trial, [&](const Beat& beat) {
+    EXPECT_GE(beat.iterations, last.iterations);
+    EXPECT_LE(beat.iterations, last.iterations + 1);
+    last = beat;
+    knows_residual = knows_residual || std::isfinite(beat.residual);
+    return true;
+  });
+  EXPECT_GE(last.iterations, report.iterations - 1) << "a beat is before the last linear solve";
+  EXPECT_LE(last.iterations, report.iterations);
+  EXPECT_GT(last.contact_points, 0);
+  EXPECT_TRUE(knows_residual || !report.rounds.empty()) << "rounds of loops may have one iteration each";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    By, InterruptedStep,
+    testing::Values(Way{"PointsOnNodes", {}},
+                    Way{"GaussPoints", {{"contact.interface.integration", "{gauss: 2}"}}},
+                    Way{"WholeSystem", {{"solver", "full"}}},
+                    Way{"ProjectedGradients",
+                        {{"contact.interface.method", "nodal_pcg"}, {"contact.interface.friction", "0"}}},
+                    Way{"Loops",
+                        {{"contact.interface.iterate",
+                          "{geometry: fixed_point, friction: fixed_point, status: fixed_point}"}}}),
+    [](const auto& chosen) { return std::string(chosen.param.name); });
+
+/// Failing attempts are made again in other ways; an interrupted one is not.
+TEST(InterruptedAttempt, IsNotRepeated) {
+  Walk walk(test::two_beams, {{"newton", "{max_iterations: 1, residual: 1e-300}"}});
+  auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
+  int beats = 0;
+  State trial;
+  const auto count = [&](const Beat&) { return ++beats > 0; };
+  EXPECT_TRUE(advance(walk.model, walk.scheme, system, walk.state, 1e-3, trial, count).failed());
+  const int all = beats;
+  beats = 0;
+  const auto stop = [&](const Beat&) { return ++beats < 2; };
+  const auto report = advance(walk.model, walk.scheme, system, walk.state, 1e-3, trial, stop);
+  EXPECT_EQ(report.outcome, Outcome::interrupted);
+  EXPECT_EQ(beats, 2);
+  EXPECT_GT(all, 2);
+}
+
+} // namespace
+} // namespace rubato::step
