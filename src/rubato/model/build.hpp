@@ -37,7 +37,11 @@ std::vector<Force> make_forces(const deck::Study& study, const mesh::Mesh& mesh,
 
 /// Contact zones on oriented surfaces.
 std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh,
-                                      const fem::DofMap& dofs, std::vector<Fault>& faults);
+                                      const fem::DofMap& dofs, std::span<const Constraint> constraints,
+                                      std::vector<Fault>& faults);
+
+/// Faces of masters that bound no cell: rigid surfaces drawn as a mesh, whose nodes supports hold or move.
+std::vector<mesh::CellIndex> rigid_faces(const deck::Study& study, const mesh::Mesh& mesh);
 
 /// The nodes of each probe: those of its group when something is taken of them, else one. A note for each
 /// point that several nodes are equally near to.

@@ -173,7 +173,8 @@ void redistribute_mass(const mesh::Mesh& mesh, const fem::Bulk& bulk, const fem:
     loses[static_cast<std::size_t>(bodies.of(node))] = 1;
   }
   for (std::size_t i = 0; i < dofs.nodes.size(); ++i)
-    nodes_of[static_cast<std::size_t>(bodies.of(dofs.nodes[i]))].push_back(static_cast<int>(i));
+    if (const int body = bodies.of(dofs.nodes[i]); body >= 0)
+      nodes_of[static_cast<std::size_t>(body)].push_back(static_cast<int>(i));
   for (std::size_t b = 0; b < nodes_of.size(); ++b) {
     if (loses[b] == 0)
       continue;

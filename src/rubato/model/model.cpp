@@ -122,12 +122,14 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   // What comes next integrates over cells.
   if (model.bulk.cells.empty() || faults.size() > known)
     stop_on(faults);
-  model.dofs = fem::number_dofs(model.mesh, model.bulk.cells, fem::component_count(study.physics));
+  auto numbered = rigid_faces(study, model.mesh);
+  numbered.insert(numbered.end(), model.bulk.cells.begin(), model.bulk.cells.end());
+  model.dofs = fem::number_dofs(model.mesh, numbered, fem::component_count(study.physics));
   model.constraints = make_constraints(study, model.mesh, model.dofs, faults);
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
   model.initial = make_initial_motion(study, model.mesh, model.dofs, model.constraints, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
-  model.zones = make_zones(study, model.mesh, model.dofs, faults);
+  model.zones = make_zones(study, model.mesh, model.dofs, model.constraints, faults);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults, model.notes);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);

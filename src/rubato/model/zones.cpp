@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/orientation.hpp"
+#include "rubato/mesh/sheet.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/build.hpp"
 
@@ -7,6 +8,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace rubato::model {
 namespace {
@@ -44,19 +48,98 @@ contact::Face face_of(const mesh::Mesh& mesh, const mesh::SurfaceFace& side) {
   return face;
 }
 
-contact::Surface surface_named(const mesh::Mesh& mesh, const deck::Name& name, std::vector<Fault>& faults) {
-  const auto* group = cells_named(mesh, name, faults);
-  if (group == nullptr)
-    return {};
-  const auto oriented = mesh::oriented_faces(mesh, group->items);
-  for (const auto& text : mesh::faults_of(mesh, oriented))
-    faults.push_back({name.at, fmt::format("contact surface '{}': {}", name.text, text)});
-  if (!oriented.sound())
-    return {};
+contact::Surface surface_of(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> sides) {
   std::vector<contact::Face> faces;
-  std::ranges::transform(oriented.faces, std::back_inserter(faces),
+  std::ranges::transform(sides, std::back_inserter(faces),
                          [&](const auto& side) { return face_of(mesh, side); });
   return contact::make_surface(mesh, std::move(faces));
+}
+
+/// Sides of cells with their outward normals, and sheets, for those who take them.
+struct NamedFaces {
+  std::vector<mesh::SurfaceFace> sides;
+  mesh::Sheets sheets;
+};
+
+std::optional<NamedFaces> faces_named(const mesh::Mesh& mesh, const deck::Name& name, bool takes_sheets,
+                                      std::vector<Fault>& faults) {
+  const auto* group = cells_named(mesh, name, faults);
+  if (group == nullptr)
+    return std::nullopt;
+  auto oriented = mesh::oriented_faces(mesh, group->items);
+  NamedFaces named;
+  if (takes_sheets)
+    named.sheets = mesh::sheets_of(mesh, std::exchange(oriented.unowned, {}));
+  auto told = mesh::faults_of(mesh, oriented);
+  std::ranges::move(named.sheets.faults, std::back_inserter(told));
+  for (const auto& text : told)
+    faults.push_back({name.at, fmt::format("contact surface '{}': {}", name.text, text)});
+  if (!told.empty())
+    return std::nullopt;
+  named.sides = std::move(oriented.faces);
+  return named;
+}
+
+/// Slave faces as near as this, in parts of the nearest one's distance and of its size, tell on which side of
+/// a sheet the slave is.
+constexpr double about_nearest = 1.5;
+
+/// Whether a sheet's normals look away from the slave: along the slave's own normals, where it is nearest.
+bool looks_away(const mesh::Mesh& mesh, const mesh::Sheets& sheets, int sheet,
+                std::span<const mesh::SurfaceFace> slave) {
+  struct Seen {
+    double distance = std::numeric_limits<double>::infinity();
+    double along = 0;
+  };
+  std::vector<Seen> seen(slave.size());
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < slave.size(); ++s) {
+    const auto centre = mesh::centre_of(mesh, slave[s]);
+    const auto normal = mesh::normal_of(mesh, slave[s]);
+    for (std::size_t f = 0; f < sheets.faces.size(); ++f) {
+      if (sheets.sheet_of_face[f] != sheet)
+        continue;
+      const double distance = (mesh::centre_of(mesh, sheets.faces[f]) - centre).norm();
+      if (distance < seen[s].distance)
+        seen[s] = {distance, mesh::normal_of(mesh, sheets.faces[f]).normalized().dot(normal)};
+    }
+    nearest = std::min(nearest, seen[s].distance);
+  }
+  double along = 0;
+  for (const auto& at : seen)
+    if (at.distance <= about_nearest * nearest)
+      along += at.along;
+  return along > 0;
+}
+
+/// Sheets turned towards the slave.
+void turn_to_slave(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> slave, mesh::Sheets& sheets) {
+  for (int sheet = 0; sheet < sheets.count; ++sheet)
+    if (looks_away(mesh, sheets, sheet, slave))
+      for (std::size_t f = 0; f < sheets.faces.size(); ++f)
+        if (sheets.sheet_of_face[f] == sheet)
+          mesh::turn(mesh, sheets.faces[f]);
+}
+
+/// Nothing but supports moves the nodes of a sheet.
+void check_sheets(const mesh::Mesh& mesh, const deck::Name& name, const mesh::Sheets& sheets,
+                  const fem::DofMap& dofs, std::span<const Constraint> constraints,
+                  std::vector<Fault>& faults) {
+  const auto is_held = [&](int dof) {
+    return std::ranges::binary_search(constraints, dof, {}, &Constraint::dof);
+  };
+  for (const auto& face : sheets.faces)
+    for (const auto node : face.nodes())
+      for (int i = 0; i < dofs.components; ++i)
+        if (!is_held(dofs.dof(node, i))) {
+          faults.push_back(
+              {name.at, fmt::format("contact surface '{}': {} of its faces bound no cell, and nothing holds "
+                                    "node {} of them along {}; expected supports that hold or move every "
+                                    "component of a surface without cells behind it",
+                                    name.text, sheets.faces.size(), node_label(mesh, node),
+                                    "xyz"[static_cast<std::size_t>(i)])});
+          return;
+        }
 }
 
 bool share_a_face(const contact::Surface& a, const contact::Surface& b) {
@@ -96,10 +179,37 @@ void check_rule(const deck::ContactZone& zone, const contact::Surface& slave, st
   }
 }
 
+std::pair<contact::Surface, contact::Surface> surfaces_of(const deck::ContactZone& settings,
+                                                          const mesh::Mesh& mesh, const fem::DofMap& dofs,
+                                                          std::span<const Constraint> constraints,
+                                                          std::vector<Fault>& faults) {
+  const auto slave = faces_named(mesh, settings.slave, false, faults);
+  if (settings.obstacle)
+    return {contact::Surface(), slave ? surface_of(mesh, slave->sides) : contact::Surface()};
+  auto master = faces_named(mesh, settings.master, true, faults);
+  if (!master || !slave)
+    return {};
+  check_sheets(mesh, settings.master, master->sheets, dofs, constraints, faults);
+  turn_to_slave(mesh, slave->sides, master->sheets);
+  master->sides.insert(master->sides.end(), master->sheets.faces.begin(), master->sheets.faces.end());
+  return {surface_of(mesh, master->sides), surface_of(mesh, slave->sides)};
+}
+
 } // namespace
 
+std::vector<mesh::CellIndex> rigid_faces(const deck::Study& study, const mesh::Mesh& mesh) {
+  std::vector<mesh::CellIndex> faces;
+  for (const auto& settings : study.contact)
+    if (const auto* group = settings.obstacle ? nullptr : mesh.cell_group(settings.master.text)) {
+      const auto unowned = mesh::oriented_faces(mesh, group->items).unowned;
+      faces.insert(faces.end(), unowned.begin(), unowned.end());
+    }
+  return faces;
+}
+
 std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh,
-                                      const fem::DofMap& dofs, std::vector<Fault>& faults) {
+                                      const fem::DofMap& dofs, std::span<const Constraint> constraints,
+                                      std::vector<Fault>& faults) {
   const bool plane =
       study.physics == deck::Physics::plane_stress || study.physics == deck::Physics::plane_strain;
   const contact::ZoneGeometry geometry{dofs.components, plane ? study.thickness : 1.0,
@@ -108,8 +218,7 @@ std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh
   std::vector<contact::Zone> zones;
   for (const auto& settings : study.contact) {
     const auto known = faults.size();
-    auto master = settings.obstacle ? contact::Surface() : surface_named(mesh, settings.master, faults);
-    auto slave = surface_named(mesh, settings.slave, faults);
+    auto [master, slave] = surfaces_of(settings, mesh, dofs, constraints, faults);
     const auto excluded = excluded_nodes(mesh, settings, faults);
     if (faults.size() == known && share_a_face(master, slave))
       faults.push_back(

@@ -242,6 +242,8 @@ std::vector<LooseBody> loose_bodies(const model::Model& model) {
   const auto components = static_cast<std::size_t>(model.dofs.components);
   std::vector<char> held(static_cast<std::size_t>(bodies.count()) * components, 0);
   const auto hold = [&](int dof) {
+    if (bodies.of(model.node_of(dof)) < 0)
+      return;
     const auto body = static_cast<std::size_t>(bodies.of(model.node_of(dof)));
     held[body * components + static_cast<std::size_t>(dof) % components] = 1;
   };
