@@ -73,30 +73,23 @@ contact: {rest: {slave: under, friction: 0.3}}
 time: {scheme: static, step: 0.5, end: 1}
 )";
 
+deck::Study study_of(const std::string& deck, const std::vector<deck::Setting>& changes) {
+  return deck::parse_deck(deck, "deck.yaml", changes).runs.front();
+}
+
 deck::Study on_table(const std::string& deck, const std::string& time) {
-  const bool solid = deck == solid_deck;
-  return deck::parse_deck(
-             deck, "deck.yaml",
-             {{"contact.rest.master", "table"},
-              {"supports",
-               solid ? "[{on: roof, fix: [x, y, z]}, {on: table, x: {value: 0.02, function: push}, y: "
-                       "{value: 0.03, function: push}, fix: z}]"
-                     : "[{on: roof, fix: [x, y]}, {on: table, x: {value: 0.02, function: push}, y: "
-                       "{value: 0.03, function: push}}]"},
-              {"time", time}})
-      .runs.front();
+  const std::string moved = "x: {value: 0.02, function: push}, y: {value: 0.03, function: push}";
+  const std::string supports = deck == solid_deck
+                                   ? "[{on: roof, fix: [x, y, z]}, {on: table, fix: z, " + moved + "}]"
+                                   : "[{on: roof, fix: [x, y]}, {on: table, " + moved + "}]";
+  return study_of(deck, {{"contact.rest.master", "table"}, {"supports", supports}, {"time", time}});
 }
 
 deck::Study before_plane(const std::string& deck, const std::string& time) {
-  const bool solid = deck == solid_deck;
-  return deck::parse_deck(
-             deck, "deck.yaml",
-             {{"contact.rest.obstacle", solid ? "{plane: {point: [0, -0.01, 0], normal: [0, 1, 0]}}"
-                                              : "{plane: {point: [0, -0.01], normal: [0, 1]}}"},
-              {"contact.rest.obstacle.move",
-               "{x: {value: 0.02, function: push}, y: {value: 0.03, function: push}}"},
-              {"time", time}})
-      .runs.front();
+  const std::string plane = deck == solid_deck ? "{plane: {point: [0, -0.01, 0], normal: [0, 1, 0]}, "
+                                               : "{plane: {point: [0, -0.01], normal: [0, 1]}, ";
+  const std::string move = "move: {x: {value: 0.02, function: push}, y: {value: 0.03, function: push}}}";
+  return study_of(deck, {{"contact.rest.obstacle", plane + move}, {"time", time}});
 }
 
 /// The block's nodes are the first of both meshes.
@@ -134,7 +127,7 @@ TEST(RigidSurface, IsMetByEveryDefaultScheme) {
 }
 
 std::string refused(const std::vector<deck::Setting>& changes, Sense sense = Sense::up) {
-  const auto study = deck::parse_deck(plane_deck, "deck.yaml", changes).runs.front();
+  const auto study = study_of(plane_deck, changes);
   return test::fault_of([&] { model::build_model(study, with_table(study, sense)); });
 }
 
