@@ -439,7 +439,7 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
 }
 
 MeanGap largest_mean_gap(const ZoneLaw& law, std::span<const PointEvaluation> points,
-                        std::span<const Status> status) {
+                         std::span<const Status> status) {
   const auto& zone = *law.zone;
   VectorXd sums = VectorXd::Zero(static_cast<Index>(zone.slave.nodes.size()));
   VectorXd weights = VectorXd::Zero(sums.size());

@@ -180,7 +180,7 @@ struct MeanGap {
 /// Where gaps close on average only: the largest residual of a slave node's equation for its pressure,
 /// |Σ w ψ e| / Σ w |ψ| with e = −g in contact and −λ/c apart [length].
 MeanGap largest_mean_gap(const ZoneLaw& law, std::span<const PointEvaluation> points,
-                        std::span<const Status> status);
+                         std::span<const Status> status);
 
 /// Adds what friction puts on the dofs, internal side, when the points do that.
 void add_friction_force(std::span<const PointEvaluation> points, std::span<const PointOutcome> outcomes,

@@ -20,8 +20,8 @@ using CellIndex = std::int32_t; ///< local, from 0, running through the blocks i
 /// Cells of one type.
 struct CellBlock {
   CellType type = CellType::point1;
-  std::vector<NodeIndex> nodes;      ///< cell by cell, node_count(type) each
-  std::vector<std::int64_t> numbers; ///< the file's own cell numbers, one a cell
+  std::vector<NodeIndex> nodes;        ///< cell by cell, node_count(type) each
+  std::vector<std::int64_t> numbers;   ///< the file's own cell numbers, one a cell
   std::vector<std::string> names = {}; ///< those the file gives its cells, one a cell; empty: it gives none
 
   CellIndex cell_count() const { return static_cast<CellIndex>(nodes.size()) / topology(type).node_count; }

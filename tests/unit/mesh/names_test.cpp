@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/mesh/names.hpp"
-
 #include "rubato/mesh/builder.hpp"
 #include "rubato/mesh/convert.hpp"
+#include "rubato/mesh/names.hpp"
 #include "rubato/mesh/refine.hpp"
 
 #include <gtest/gtest.h>
@@ -46,8 +45,9 @@ TEST(NodeNames, AreGroupsFirst) {
 TEST(NodeNames, AreNumbersWhereTheFileHasNoNames) {
   for (const auto* name : {"N5", "n5", "5"})
     EXPECT_EQ(find_nodes(line(), name).nodes, Nodes{4}) << name;
-  EXPECT_EQ(find_nodes(line(), "N9").fault, "found 'N9', expected a group or a node ('N90') of the mesh; the mesh has "
-                                            "the groups edge, ends, nothing");
+  EXPECT_EQ(find_nodes(line(), "N9").fault,
+            "found 'N9', expected a group or a node ('N90') of the mesh; the mesh has "
+            "the groups edge, ends, nothing");
 }
 
 TEST(NodeNames, AreTheFilesWhereItHasThem) {
@@ -57,9 +57,9 @@ TEST(NodeNames, AreTheFilesWhereItHasThem) {
 }
 
 TEST(NodeNames, NeverMeanAnotherNodeThanTheFileSays) {
-  EXPECT_EQ(find_nodes(named_line(), "N3").fault,
-            "found 'N3', expected a group or a node (by its name) of the mesh (the file names its nodes: number 3 is "
-            "'tip' there); did you mean 'N5'?");
+  EXPECT_EQ(find_nodes(named_line(), "N3").fault, "found 'N3', expected a group or a node (by its name) of "
+                                                  "the mesh (the file names its nodes: number 3 is "
+                                                  "'tip' there); did you mean 'N5'?");
   EXPECT_EQ(find_nodes(named_line(), "3").nodes, Nodes{});
   EXPECT_NE(find_nodes(named_line(), "N490").fault.find("did you mean 'N40'?"), std::string::npos)
       << find_nodes(named_line(), "N490").fault;

@@ -146,7 +146,8 @@ TEST(MeshReport, CallsCellsThatARunMendsReversedAndNotInverted) {
     EXPECT_TRUE(report.looks_right());
     EXPECT_DOUBLE_EQ(report.bulk_measure, before.bulk_measure);
     EXPECT_GT(report.types.back().smallest_jacobian, 0);
-    EXPECT_NE(to_text(report).find("reversed cells, mended in a run: "), std::string::npos) << to_text(report);
+    EXPECT_NE(to_text(report).find("reversed cells, mended in a run: "), std::string::npos)
+        << to_text(report);
   }
 }
 
@@ -169,8 +170,9 @@ TEST(MeshReport, SaysInWhichPlaneAMeshOfFacesAloneStands) {
   mesh.dimension = 3;
   for (auto& point : mesh.points)
     std::swap(point.y(), point.z());
-  EXPECT_NE(to_text(examine(mesh)).find("no solid cells to compute on (all nodes share one y; the plane of a"),
-            std::string::npos);
+  EXPECT_NE(
+      to_text(examine(mesh)).find("no solid cells to compute on (all nodes share one y; the plane of a"),
+      std::string::npos);
 }
 
 TEST(MeshReport, FindsNodesThatAreNowhere) {
