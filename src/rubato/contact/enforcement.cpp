@@ -276,6 +276,7 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dof
       tangential *= tangential_stiffening;
     else if (settings.friction_method == FrictionMethod::nodal_penalty)
       tangential = spring_share * stiffness;
+    coefficients.resistance.push_back(stiffness);
     coefficients.normal.push_back(settings.normal_coefficient.value_or(normal));
     coefficients.tangential.push_back(settings.tangential_coefficient.value_or(tangential));
   }
@@ -375,6 +376,8 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
                std::nullopt};
   if (!held_thresholds.empty())
     law.held_threshold = held_thresholds[index];
+  if (!coefficients->resistance.empty())
+    law.resistance = coefficients->resistance[index];
   return law;
 }
 

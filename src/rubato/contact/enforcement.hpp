@@ -46,6 +46,8 @@ ZoneState initial_state(const Zone& zone);
 struct ZoneCoefficients {
   std::vector<double> normal;     ///< c or k of each point [pressure/length]
   std::vector<double> tangential; ///< c_t or k_t of each point [1/length]; nodal methods: E [force/length]
+  /// What the slave side resists at each point, whatever c is [pressure/length]; none: not known.
+  std::vector<double> resistance{};
 };
 
 /// c: what the slave side resists, its mean effective diagonal stiffness over the point's share of the

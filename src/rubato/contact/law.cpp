@@ -159,11 +159,23 @@ std::string_view to_string(Status status) {
   return "";
 }
 
+namespace {
+
+/// A point that has just closed has no friction yet (Λ = 0). Pulled back over the slip that it comes with, it
+/// would need more than its limit: c_t, which knows nothing of pressures, may call that sticking, and the
+/// pull opens points beside it.
+bool comes_sliding(const PointState& point, const PointLaw& law) {
+  return law.friction_method == FrictionMethod::augmented_lagrangian && point.semi.isZero(0) &&
+         law.resistance * point.slip.norm() > law.friction * threshold_of(point, law).value;
+}
+
+} // namespace
+
 Status wanted_status(const PointState& point, const PointLaw& law) {
   if (!touches(point, law))
     return Status::open;
-  const bool sticks =
-      law.friction > 0 && threshold_of(point, law).value > 0 && relative_friction(point, law).norm() <= 1;
+  const bool sticks = law.friction > 0 && threshold_of(point, law).value > 0 &&
+                      relative_friction(point, law).norm() <= 1 && !comes_sliding(point, law);
   return sticks ? Status::stick : Status::slip;
 }
 

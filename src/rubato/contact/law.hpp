@@ -44,6 +44,7 @@ struct PointLaw {
   int tangents = 2;         ///< tangential directions: 1 in 2D
   /// P while an outer loop holds it; follows the point otherwise.
   std::optional<double> held_threshold;
+  double resistance = 0; ///< of the body against a slip of the point [pressure/length]; 0: not known
 };
 
 /// Traction on the slave side T = traction[0] n + traction[1] τ₁ + traction[2] τ₂ and the residuals of the

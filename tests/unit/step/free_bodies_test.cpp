@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace rubato::step {
@@ -107,6 +108,28 @@ INSTANTIATE_TEST_SUITE_P(Any, BlockOf,
                                          Block{"Tetra4", true, "tetra4"}, Block{"Tetra10", true, "tetra10"},
                                          Block{"Hexa20", true, "hexa20"}, Block{"Hexa27", true, "hexa27"}),
                          [](const auto& block) { return block.param.name; });
+
+/// Pressed in the first step, dragged in the second. Points that close while they slide have no friction yet.
+TEST(FreeBlock, BeginsToSlipInFewIterations) {
+  const std::vector<deck::Setting> in_plane{{"mesh.generate.0.divisions", "[12, 6]"},
+                                            {"mesh.generate.1.divisions", "[17, 5]"}};
+  for (const auto& [deck, fixed, settings] :
+       {std::tuple{plane_block, "[x, y]", in_plane},
+        std::tuple{solid_block, "[x, y, z]", std::vector<deck::Setting>{}}})
+    for (const std::string drag : {"1e-5", "1e-4", "4e-3"}) {
+      auto changes = settings;
+      changes.push_back({"functions", "{push: {times: [0, 1, 2], values: [0, 0, 1]}}"});
+      changes.push_back({"supports", "[{on: base, fix: " + std::string(fixed) +
+                                         "}, {on: roof, x: {value: " + drag + ", function: push}}]"});
+      changes.push_back({"loads", "[{pressure: {on: roof, value: 1e7}}]"});
+      changes.push_back({"contact.rest.friction", "0.3"});
+      changes.push_back({"time.end", "2"});
+      Walk walk(deck, changes);
+      ASSERT_TRUE(walk.to_end()) << drag;
+      EXPECT_EQ(walk.reports.size(), 2U) << "a step was cut";
+      EXPECT_LE(walk.reports.back().iterations, 20) << drag;
+    }
+}
 
 TEST(FreeBlock, BeyondFrictionAndBalanceIsToldWithItsBody) {
   Walk walk(plane_block, {{"loads.1.pressure.value", "5.5e5"},
