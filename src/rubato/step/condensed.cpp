@@ -181,7 +181,8 @@ void Condensed::guess_contact(State& trial, const Held& held) {
   auto& touching = scratch_.touching;
   const auto& compliance = *system_.compliance;
   touching.resize(model_.zones.size());
-  move_surface(trial.contact_force(compliance.dof_of_position()), trial);
+  applied_ = trial.contact_force(compliance.dof_of_position());
+  move_surface(trial);
   side_.measure(trial, held, now());
   if (system_.has_free_bodies || side_.has_lost_its_way(now())) {
     return_surface(trial);
@@ -197,9 +198,11 @@ void Condensed::guess_contact(State& trial, const Held& held) {
     if (pulse_.stopped())
       return;
     take_guess(model_, points, trial);
-    const VectorXd before = moved_;
-    move_surface(force_on_surface(points, free_.size()), trial);
-    shorten_move(before, round == 0 ? nearest_gap(points) : 0.0, trial);
+    const VectorXd before = system_.has_free_bodies ? moved_ : VectorXd();
+    applied_ = force_on_surface(points, free_.size());
+    move_surface(trial);
+    if (system_.has_free_bodies)
+      shorten_move(before, round == 0 ? nearest_gap(points) : 0.0, trial);
     find_touching(points, moved_, touching);
     side_.measure(trial, held, touching, now());
     move_frames(model_, compliance, now(), moved_, touching, points);
@@ -342,15 +345,16 @@ bool Condensed::iterate(State& trial, const Held& held, double part) {
     return false;
   VectorXd next = force();
   scratch_.points.add_force(*change, next);
-  const VectorXd applied = applied_;
-  const VectorXd before = moved_;
-  move_surface(next, trial);
-  const VectorXd move = moved_ - before;
-  part *= reach_.part_of(part * move);
+  VectorXd move = -moved_;
+  std::swap(applied_, next);
+  move_surface(trial);
+  move += moved_;
+  if (system_.has_free_bodies)
+    part *= reach_.part_of(part * move);
   consistent_ = part == 1;
   if (!consistent_) {
-    applied_ = applied + part * (next - applied);
-    moved_ = before + part * move;
+    applied_ = next + part * (applied_ - next);
+    moved_ -= (1 - part) * move;
     place_surface(trial);
   }
   correct_multipliers(*change, move, part, trial);
@@ -358,10 +362,9 @@ bool Condensed::iterate(State& trial, const Held& held, double part) {
 }
 
 /// d_s = d_free − f₁ S f
-void Condensed::move_surface(const VectorXd& force, State& trial) {
-  applied_ = force;
+void Condensed::move_surface(State& trial) {
   moved_ = free_;
-  system_.compliance->add(-scheme_.contact_weight(), force, moved_);
+  system_.compliance->add(-scheme_.contact_weight(), applied_, moved_);
   place_surface(trial);
 }
 

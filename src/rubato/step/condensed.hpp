@@ -84,7 +84,7 @@ private:
   std::vector<WorstNode> worst_on_surface() const;
   void linearise(const State& trial, const Held& held);
   bool iterate(State& trial, const Held& held, double part);
-  void move_surface(const Eigen::VectorXd& force, State& trial);
+  void move_surface(State& trial);
   void correct_multipliers(const PointSystem::Change& change, const Eigen::VectorXd& moved, double part,
                            State& trial) const;
   void move_bulk(State& trial);

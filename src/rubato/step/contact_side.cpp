@@ -163,14 +163,19 @@ void ContactSide::differentiate(const State& trial, const Held& held, std::size_
 }
 
 bool ContactSide::has_lost_its_way(const ContactIterate& now) const {
+  int touching = 0;
+  int lost = 0;
   for (std::size_t z = 0; z < now.points.size(); ++z)
     for (std::size_t i = 0; i < now.points[z].size(); ++i) {
       const bool faces = now.points[z][i].kinematics.has_value();
-      if (faces ? now.points[z][i].variables.gap < -deep_in_edges * model_.zones[z].edge()
-                : touches(committed_.zones[z], i) && !model_.zones[z].points[i].excluded)
+      if (faces && now.points[z][i].variables.gap < -deep_in_edges * model_.zones[z].edge())
         return true;
+      if (!touches(committed_.zones[z], i) || model_.zones[z].points[i].excluded)
+        continue;
+      ++touching;
+      lost += faces ? 0 : 1;
     }
-  return false;
+  return 2 * lost > touching; // some may have slid off the master
 }
 
 void ContactSide::start_iterations() const {

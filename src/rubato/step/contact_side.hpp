@@ -73,7 +73,7 @@ public:
   /// Where the step starts.
   const State& committed() const { return committed_; }
   /// Whether the surfaces have come so far in an iterate that frames measured there say little: a point sank
-  /// in by more than half an edge, or one that was in contact faces nothing.
+  /// in by more than half an edge, or most of those that were in contact face nothing.
   bool has_lost_its_way(const ContactIterate& now) const;
 
   /// To be told when Newton's iterations begin: which faces points hop between is counted from there.
