@@ -54,10 +54,10 @@ TEST(NodesOnNodesOfTheMaster, AreDraggedFromFaceToFaceWithFriction) {
   Walk walk(matching, {{"contact.slide.friction", "0.3"},
                        {"mesh.generate.0.divisions", "[8, 2, 2]"},
                        {"mesh.generate.1.divisions", "[20, 2, 3]"},
-                       {"time.step", "0.05"},
+                       {"time.step", "0.04"},
                        {"time.end", "2"}});
   ASSERT_TRUE(walk.to_end());
-  EXPECT_EQ(walk.reports.size(), 40u) << "a step was cut";
+  EXPECT_EQ(walk.reports.size(), 50u) << "a step was cut";
   EXPECT_LE(mean_iterations(walk), 6);
   EXPECT_LE(most_iterations(walk), 25);
 }
