@@ -129,8 +129,10 @@ std::string explain(const model::Model& model, const results::Failure& failure) 
                           failure.end, step::to_string(report.outcome), report.iterations);
   if (!failure.not_finite.empty())
     text += fmt::format("; the first that is not finite: {}", failure.not_finite);
+  // A body that may only turn is free along no axis.
   if (!model.free_body_nodes.empty() && report.unmet_by(Criterion::singular) == nullptr)
-    text += fmt::format("; {}, which may not hold this load", loose_of(model));
+    if (const auto loose = loose_of(model); !loose.empty())
+      text += fmt::format("; {}, which may not hold this load", loose);
   for (const auto& unmet : report.unmet)
     if (const auto line = sentence(model, report, unmet); !line.empty() && failure.not_finite.empty())
       text += "; " + line;
