@@ -18,7 +18,7 @@ constexpr double margin_in_edges = 0.75;
 /// How far beyond the border a point that hops stays on a face, in its reference lengths.
 constexpr double held_beyond = 0.25;
 /// The same of a point that counts as standing on the border.
-constexpr double on_border = 1e-4;
+constexpr double on_border = 1e-9;
 
 /// Points as nanoflann wants to see them.
 struct Cloud {
