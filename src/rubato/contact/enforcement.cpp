@@ -270,7 +270,7 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dof
   for (const auto& point : zone.points) {
     const double share = point.node_position >= 0 ? 1.0 : averaged_share;
     const double stiffness = resistance(point, dofs, diagonal) / std::abs(point.weight);
-    const double normal = (is_exact(settings.method) ? share : normal_stiffening) * stiffness;
+    const double normal = (deck::is_exact(settings.method) ? share : normal_stiffening) * stiffness;
     double tangential = 1 / (saturation_slip * zone.edge());
     if (settings.friction_method == FrictionMethod::penalty)
       tangential *= tangential_stiffening;

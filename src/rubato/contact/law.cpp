@@ -36,7 +36,7 @@ Threshold threshold_of(const PointState& point, const PointLaw& law) {
   Threshold threshold;
   if (law.held_threshold) {
     threshold.value = *law.held_threshold;
-  } else if (is_exact(law.method)) {
+  } else if (deck::is_exact(law.method)) {
     threshold.value = point.pressure;
     threshold.derivative[pressure] = 1;
   } else {
@@ -72,9 +72,9 @@ void open_contact(const PointState& point, const PointLaw& law, PointResponse& r
 
 void close_contact(const PointState& point, const PointLaw& law, PointResponse& response) {
   const double stiffness = law.method == ContactMethod::nodal_pcg ? 0.0 : law.normal;
-  response.traction[0] = is_exact(law.method) ? -stiffness * point.gap : force_of_spring(point, law);
+  response.traction[0] = deck::is_exact(law.method) ? -stiffness * point.gap : force_of_spring(point, law);
   response.d_traction(0, gap) = -stiffness;
-  if (!is_exact(law.method))
+  if (!deck::is_exact(law.method))
     return;
   response.traction[0] += point.pressure;
   response.d_traction(0, pressure) = 1;
@@ -139,7 +139,7 @@ bool touches(const PointState& point, const PointLaw& law) {
   if (law.method == ContactMethod::nodal_pcg)
     return point.pressure > 0;
   const double pushed = force_of_spring(point, law);
-  if (!is_exact(law.method))
+  if (!deck::is_exact(law.method))
     return pushed > 0;
   const double held = -law.normal * point.gap;
   return point.pressure > 0 ? point.pressure + held > 0 : point.pressure + pushed > 0;

@@ -56,11 +56,6 @@ struct PointResponse {
   Eigen::Matrix<double, 3, 6> d_equations = Eigen::Matrix<double, 3, 6>::Zero();
 };
 
-/// Whether gaps close exactly, by a multiplier λ of their own.
-constexpr bool is_exact(deck::ContactMethod method) {
-  return method != deck::ContactMethod::penalty && method != deck::ContactMethod::nodal_penalty;
-}
-
 /// The status that the present variables call for: in contact iff T_n > 0, sticking iff friction stays below
 /// its limit. Frictionless points in contact count as slipping.
 Status wanted_status(const PointState& point, const PointLaw& law);

@@ -96,11 +96,21 @@ void NeighbourList::pair(std::size_t point) {
   auto& visits = visits_[point];
   if (visits.held >= 0 && stays_on(point, visits.held))
     return;
+  auto& pair = pairs_[point];
+  pair = pair_around(*zone_, nearest_of(point), slave_[point], master_, pair.master_face);
+  if (pair.master_face != visits.faces.front() || visits.held >= 0)
+    note_visit(point);
+}
+
+/// The point has come to another face than it was on, or has left the one that held it.
+void NeighbourList::note_visit(std::size_t point) {
+  auto& visits = visits_[point];
   visits.held = -1;
   const int before = visits.faces.front();
-  pairs_[point] = pair_around(*zone_, nearest_of(point), slave_[point], master_, pairs_[point].master_face);
   const int now = pairs_[point].master_face;
-  if (now < 0 || now == before)
+  if (before < 0)
+    visits.faces.front() = now;
+  if (before < 0 || now < 0 || now == before)
     return;
   const bool back = std::ranges::find(visits.faces, now) != visits.faces.end();
   std::ranges::copy_backward(std::span(visits.faces).first(visits.faces.size() - 1), visits.faces.end());

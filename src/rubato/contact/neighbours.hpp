@@ -48,6 +48,7 @@ public:
 private:
   void follow(const Configuration& configuration);
   void pair(std::size_t point);
+  void note_visit(std::size_t point);
   bool stays_on(std::size_t point, int face);
   void locate(const Configuration& configuration);
   double moved_since_search() const;

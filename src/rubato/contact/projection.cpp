@@ -31,10 +31,6 @@ constexpr double steps_outside = 10;
 /// Beyond this many face sizes the quadratic shape functions say nothing about the face any more.
 constexpr double far_away = 8.0;
 
-bool is_triangle(CellType type) {
-  return mesh::topology(type).corner_count == 3;
-}
-
 void finish(Projection& p) {
   p.overshoot = (p.xi - p.clamped).norm();
   if (p.overshoot > snap)
@@ -44,8 +40,8 @@ void finish(Projection& p) {
   p.clamp_derivative.setIdentity();
 }
 
-void clamp_to_box(int dimension, Projection& p) {
-  for (int a = 0; a < dimension; ++a) {
+template <int Dimension> void clamp_to_box(Projection& p) {
+  for (int a = 0; a < Dimension; ++a) {
     p.clamped[a] = std::clamp(p.xi[a], -1.0, 1.0);
     if (p.clamped[a] != p.xi[a])
       p.clamp_derivative(a, a) = 0;
@@ -102,6 +98,16 @@ template <class Visit> auto with_kind(CellType type, const Visit& visit) {
   default:
     throw std::invalid_argument("no contact on cells of type " + std::string(mesh::topology(type).name));
   }
+}
+
+template <class Kind> void clamp(Projection& projection) {
+  projection.clamped = projection.xi;
+  projection.clamp_derivative.setIdentity();
+  if constexpr (Kind::triangle)
+    clamp_to_triangle(projection);
+  else
+    clamp_to_box<Kind::dimension>(projection);
+  finish(projection);
 }
 
 /// Σ of the nodes, each times every Stride-th of the weights.
@@ -307,22 +313,19 @@ std::array<double, 9> face_values(CellType type, const Vector2d& xi) {
 }
 
 void clamp_to_face(CellType type, Projection& projection) {
-  projection.clamped = projection.xi;
-  projection.clamp_derivative.setIdentity();
-  if (is_triangle(type))
-    clamp_to_triangle(projection);
-  else
-    clamp_to_box(mesh::topology(type).dimension, projection);
-  finish(projection);
+  with_kind(type, [&](auto kind) { clamp<decltype(kind)>(projection); });
 }
 
 Projection project(CellType type, const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted) {
   Projection result;
-  if (is_triangle(type))
-    result.xi = Vector2d(1.0 / 3, 1.0 / 3);
   const auto& cell = fem::reference_cell(type);
-  with_kind(type, [&](auto kind) { iterate<decltype(kind)>(nodes, point, wanted, cell, result); });
-  clamp_to_face(type, result);
+  with_kind(type, [&](auto kind) {
+    using Kind = decltype(kind);
+    if constexpr (Kind::triangle)
+      result.xi = Vector2d(1.0 / 3, 1.0 / 3);
+    iterate<Kind>(nodes, point, wanted, cell, result);
+    clamp<Kind>(result);
+  });
   return result;
 }
 

@@ -196,6 +196,8 @@ Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surfac
   zone.settings = settings;
   zone.space_dimension = geometry.space_dimension;
   zone.points = make_points(mesh, settings, slave, excluded_nodes, geometry);
+  zone.points_own_multipliers =
+      std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
   zone.master = std::move(master);
   zone.slave = std::move(slave);
   for (auto& point : zone.points)
@@ -211,19 +213,6 @@ Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Obstac
   auto zone = make_zone(mesh, settings, Surface(), std::move(slave), excluded_nodes, geometry);
   zone.obstacle = std::move(obstacle);
   return zone;
-}
-
-bool Zone::points_own_multipliers() const {
-  return std::ranges::all_of(points, [](const auto& point) { return point.node_position >= 0; });
-}
-
-std::span<const int> Zone::multiplier_variables() const {
-  static constexpr std::array variables{0, 1, 2};
-  const bool tangential =
-      settings.friction > 0 && settings.friction_method == deck::FrictionMethod::augmented_lagrangian;
-  const std::size_t first = is_exact(settings.method) ? 0 : 1;
-  const std::size_t last = tangential ? static_cast<std::size_t>(space_dimension) : 1;
-  return std::span(variables).subspan(first, last - first);
 }
 
 } // namespace rubato::contact

@@ -53,6 +53,9 @@ struct Zone {
   Surface slave;
   std::vector<SlavePoint> points;
   int space_dimension = 3;
+  /// Whether every point stands on a node and has its multipliers for itself. Otherwise gaps close on average
+  /// over the faces only.
+  bool points_own_multipliers = false;
 
   /// What gaps and slips are small against: the shortest edge of the master, of the slave before an obstacle.
   double edge() const { return obstacle ? slave.shortest_edge : master.shortest_edge; }
@@ -61,11 +64,16 @@ struct Zone {
   std::span<const int> multiplier_variables() const;
   int multipliers_per_node() const { return static_cast<int>(multiplier_variables().size()); }
   int multiplier_count() const { return static_cast<int>(slave.nodes.size()) * multipliers_per_node(); }
-
-  /// Whether every point stands on a node and has its multipliers for itself. Otherwise gaps close on average
-  /// over the faces only.
-  bool points_own_multipliers() const;
 };
+
+inline std::span<const int> Zone::multiplier_variables() const {
+  static constexpr std::array variables{0, 1, 2};
+  const bool tangential =
+      settings.friction > 0 && settings.friction_method == deck::FrictionMethod::augmented_lagrangian;
+  const std::size_t first = deck::is_exact(settings.method) ? 0 : 1;
+  const std::size_t last = tangential ? static_cast<std::size_t>(space_dimension) : 1;
+  return std::span(variables).subspan(first, last - first);
+}
 
 /// What the weight of a contact point is multiplied with: the thickness, or 2πr of the undeformed point.
 enum class Measure { unit, ring };

@@ -205,6 +205,11 @@ struct ContactZone {
   bool operator==(const ContactZone&) const = default;
 };
 
+/// Whether gaps close exactly, by a multiplier λ of their own.
+constexpr bool is_exact(ContactMethod method) {
+  return method != ContactMethod::penalty && method != ContactMethod::nodal_penalty;
+}
+
 /// One relation a slave node, without regard to areas.
 constexpr bool is_nodal(ContactMethod method) {
   return method == ContactMethod::nodal_lagrange || method == ContactMethod::nodal_penalty ||

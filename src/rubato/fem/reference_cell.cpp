@@ -12,7 +12,8 @@ namespace {
 
 using Table = std::array<const ReferenceCell*, static_cast<std::size_t>(mesh::CellType::hexa27) + 1>;
 
-Table every_reference_cell() {
+/// Runs once: apart from the look-up, which is called for every contact point.
+[[gnu::cold]] Table every_reference_cell() {
   Table table{};
   for (const auto family :
        {seg_cells(), tria_cells(), quad_cells(), tetra_cells(), penta_cells(), hexa_cells()})
@@ -26,12 +27,16 @@ const ReferenceCell* find(mesh::CellType type) {
   return table[static_cast<std::size_t>(type)];
 }
 
+[[noreturn]] void throw_without_mechanics(mesh::CellType type) {
+  throw std::invalid_argument("no mechanics on cells of type " + std::string(mesh::topology(type).name));
+}
+
 } // namespace
 
 const ReferenceCell& reference_cell(mesh::CellType type) {
   const auto* cell = find(type);
   if (cell == nullptr)
-    throw std::invalid_argument("no mechanics on cells of type " + std::string(mesh::topology(type).name));
+    throw_without_mechanics(type);
   return *cell;
 }
 

@@ -112,7 +112,7 @@ void on_singular(const model::Model& model, Advice& advice) {
     return;
   advice.add("supports that keep the bodies from turning");
   for (const auto& zone : model.zones)
-    if (contact::is_exact(zone.settings.method))
+    if (deck::is_exact(zone.settings.method))
       advice.add(fmt::format("{}: the slave nodes that supports hold", key_of(zone, "exclude_nodes")));
 }
 
@@ -127,7 +127,7 @@ void on_coefficients(const contact::Zone& zone, Advice& advice) {
   };
   if (springs && settings.tangential_coefficient)
     smaller("tangential", *settings.tangential_coefficient);
-  if (!contact::is_exact(settings.method) && settings.normal_coefficient)
+  if (!deck::is_exact(settings.method) && settings.normal_coefficient)
     smaller("normal", *settings.normal_coefficient);
 }
 
@@ -210,7 +210,7 @@ void on_place(const model::Model& model, const step::StepReport& report, Advice&
 
 bool feeds_on_contact(const model::Model& model, const time::Scheme& scheme) {
   return time::is_undamped(scheme) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
-           return contact::is_exact(zone.settings.method);
+           return deck::is_exact(zone.settings.method);
          });
 }
 

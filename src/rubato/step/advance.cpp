@@ -51,7 +51,7 @@ public:
   /// Without one, every attempt is the same.
   bool has_augmentation() const {
     return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
-      return contact::is_exact(zone.settings.method) ||
+      return deck::is_exact(zone.settings.method) ||
              (zone.settings.friction > 0 &&
               zone.settings.friction_method == deck::FrictionMethod::augmented_lagrangian);
     });

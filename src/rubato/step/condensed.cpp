@@ -65,7 +65,7 @@ void CondensedScratch::forget() {
 bool can_condense(const Model& model, const EffectiveSystem& system) {
   return system.compliance && !model.zones.empty() &&
          std::ranges::all_of(model.zones, [](const contact::Zone& zone) {
-           return zone.points_own_multipliers() && zone.settings.method != deck::ContactMethod::nodal_pcg;
+           return zone.points_own_multipliers && zone.settings.method != deck::ContactMethod::nodal_pcg;
          });
 }
 
@@ -371,19 +371,19 @@ void Condensed::move_surface(State& trial) {
 /// `moved`: how far the whole change moves the surface. Open points have no multipliers in the end.
 void Condensed::correct_multipliers(const PointSystem::Change& change, const VectorXd& moved, double part,
                                     State& trial) const {
-  const auto of_point = [&](std::size_t z, std::size_t i) {
-    const auto& zone = model_.zones[z];
-    const auto count = static_cast<Index>(zone.multipliers_per_node());
-    return trial.zones[z].multipliers.segment(zone.points[i].node_position * count, count);
+  const auto of_point = [&](std::size_t z, int count, std::size_t i) {
+    return trial.zones[z].multipliers.segment(model_.zones[z].points[i].node_position * count, count);
   };
-  for (std::size_t z = 0; z < model_.zones.size(); ++z)
-    for (std::size_t i = 0; i < now().status[z].size(); ++i)
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    const int count = model_.zones[z].multipliers_per_node();
+    for (std::size_t i = 0; count > 0 && i < now().status[z].size(); ++i)
       if (now().status[z][i] == Status::open)
-        of_point(z, i) *= 1 - part;
+        of_point(z, count, i) *= 1 - part;
+  }
   const auto& points = scratch_.points;
   for (const auto& point : points.points())
-    if (point.response.multipliers() > 0)
-      of_point(point.zone, point.index) += part * points.multipliers_of(point, change, moved);
+    if (const auto count = static_cast<int>(point.response.multipliers()); count > 0)
+      of_point(point.zone, count, point.index) += part * points.multipliers_of(point, change, moved);
 }
 
 /// The whole motion that belongs to the forces on the surface.

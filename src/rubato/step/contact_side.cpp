@@ -23,7 +23,7 @@ constexpr double deep_in_edges = 0.5;
 
 /// Augmentations may be anything; penalties are the user's.
 void vary(const contact::Zone& zone, const Variant& variant, contact::ZoneCoefficients& coefficients) {
-  if (contact::is_exact(zone.settings.method))
+  if (deck::is_exact(zone.settings.method))
     for (auto& normal : coefficients.normal)
       normal *= variant.normal_multiple;
   if (zone.settings.friction_method == deck::FrictionMethod::augmented_lagrangian)
@@ -163,19 +163,30 @@ void ContactSide::differentiate(const State& trial, const Held& held, std::size_
 }
 
 bool ContactSide::has_lost_its_way(const ContactIterate& now) const {
+  bool all_face = true;
+  for (std::size_t z = 0; z < now.points.size(); ++z) {
+    const double deep = -deep_in_edges * model_.zones[z].edge();
+    for (const auto& point : now.points[z]) {
+      if (point.kinematics && point.variables.gap < deep)
+        return true;
+      all_face = all_face && point.kinematics;
+    }
+  }
+  return !all_face && most_are_lost(now);
+}
+
+/// Some may have slid off the master.
+bool ContactSide::most_are_lost(const ContactIterate& now) const {
   int touching = 0;
   int lost = 0;
   for (std::size_t z = 0; z < now.points.size(); ++z)
     for (std::size_t i = 0; i < now.points[z].size(); ++i) {
-      const bool faces = now.points[z][i].kinematics.has_value();
-      if (faces && now.points[z][i].variables.gap < -deep_in_edges * model_.zones[z].edge())
-        return true;
       if (!touches(committed_.zones[z], i) || model_.zones[z].points[i].excluded)
         continue;
       ++touching;
-      lost += faces ? 0 : 1;
+      lost += now.points[z][i].kinematics ? 0 : 1;
     }
-  return 2 * lost > touching; // some may have slid off the master
+  return 2 * lost > touching;
 }
 
 void ContactSide::start_iterations() const {
@@ -272,14 +283,14 @@ std::optional<Unmet> ContactSide::open_gap(const Held& held, const ContactIterat
   std::optional<Unmet> worst;
   for (std::size_t z = 0; z < now.points.size(); ++z) {
     const auto& zone = model_.zones[z];
-    if (!contact::is_exact(zone.settings.method))
+    if (!deck::is_exact(zone.settings.method))
       continue;
     const double allowed = closed_gap * zone.edge();
     const auto check = [&](double gap, mesh::NodeIndex node) {
       if (!(gap <= allowed))
         take(worst, {Criterion::gap, static_cast<int>(z), node, gap, allowed});
     };
-    if (!zone.points_own_multipliers()) {
+    if (!zone.points_own_multipliers) {
       const auto mean = contact::largest_mean_gap(law_of(z, held), now.points[z], now.status[z]);
       check(mean.value, zone.slave.nodes[static_cast<std::size_t>(mean.position)]);
       continue;

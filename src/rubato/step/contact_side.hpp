@@ -95,6 +95,7 @@ public:
   void finish(const Held& held, const ContactIterate& iterate, State& trial) const;
 
 private:
+  bool most_are_lost(const ContactIterate& now) const;
   contact::Configuration at_end(const State& trial) const;
   template <class Measure>
   void measure_by(const Measure& measure, const State& trial, const Held& held, ContactIterate& into) const;

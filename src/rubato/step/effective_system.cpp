@@ -107,7 +107,7 @@ double add_weak_springs(const Model& model, EffectiveSystem& system) {
 /// A free body that lies on few points moves by more than the elastic displacements before it comes to rest:
 /// augmentations of the stiffness of the body would open points that press for gaps that are traces of that.
 void soften_augmentation(const contact::Zone& zone, double weak, contact::ZoneCoefficients& coefficients) {
-  if (!contact::is_exact(zone.settings.method) || zone.settings.normal_coefficient)
+  if (!deck::is_exact(zone.settings.method) || zone.settings.normal_coefficient)
     return;
   for (std::size_t i = 0; i < zone.points.size(); ++i)
     coefficients.normal[i] =
@@ -115,7 +115,7 @@ void soften_augmentation(const contact::Zone& zone, double weak, contact::ZoneCo
 }
 
 bool has_springs(const contact::Zone& zone) {
-  return !contact::is_exact(zone.settings.method) ||
+  return !deck::is_exact(zone.settings.method) ||
          zone.settings.friction_method == deck::FrictionMethod::nodal_penalty;
 }
 
@@ -127,7 +127,7 @@ contact::ZoneCoefficients coefficients_of(const contact::Zone& zone, const Model
   if (!has_springs(zone))
     return coefficients;
   auto usual = contact::automatic_coefficients(zone, model.dofs, usual_diagonal(model, scheme));
-  if (!contact::is_exact(zone.settings.method))
+  if (!deck::is_exact(zone.settings.method))
     return usual;
   coefficients.tangential = std::move(usual.tangential);
   return coefficients;

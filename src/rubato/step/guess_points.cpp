@@ -117,8 +117,8 @@ void take_points(const Model& model, const ContactSide& side, const Held& held, 
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
     const auto law = side.law_of(z, held);
-    const bool soft = !contact::is_exact(zone.settings.method);
-    const bool averaged = !zone.points_own_multipliers();
+    const bool soft = !deck::is_exact(zone.settings.method);
+    const bool averaged = !zone.points_own_multipliers;
     for (std::size_t i = 0; held[z].status.empty() && i < zone.points.size(); ++i) {
       const auto& kinematics = contact.points[z][i].kinematics;
       if (!kinematics || zone.points[i].excluded)
@@ -177,11 +177,11 @@ void take_guess(const Model& model, std::span<const GuessPoint> points, State& s
   for (const auto& guess : points)
     state.zones[guess.zone].status[guess.index] = status_of(guess);
   for (std::size_t z = 0; z < model.zones.size(); ++z)
-    if (!model.zones[z].points_own_multipliers())
+    if (!model.zones[z].points_own_multipliers)
       take_mean_multipliers(model.zones[z], z, points, state.zones[z].multipliers);
   for (const auto& guess : points) {
     const auto& zone = model.zones[guess.zone];
-    if (!zone.points_own_multipliers())
+    if (!zone.points_own_multipliers)
       continue;
     const auto values = multipliers_of(guess, zone.points[guess.index].weight);
     Index next = static_cast<Index>(zone.points[guess.index].node_position) * zone.multipliers_per_node();

@@ -13,7 +13,7 @@ bool presses(const contact::ZoneState& zone, std::size_t point) {
 
 /// The way that the force of an overlap acts over.
 double closed_part(const contact::Zone& zone, double overlap, const contact::PointOutcome& outcome) {
-  return contact::is_exact(zone.settings.method) ? std::max(0.0, overlap + outcome.gap) : overlap;
+  return deck::is_exact(zone.settings.method) ? std::max(0.0, overlap + outcome.gap) : overlap;
 }
 
 /// The way that a force that leaves acts over beyond what its spring gives back.
@@ -21,7 +21,7 @@ double opening(const contact::Zone& zone, const contact::PointOutcome& before,
                const contact::PointOutcome& now) {
   if (!std::isfinite(now.gap))
     return 0;
-  return std::max(0.0, contact::is_exact(zone.settings.method) ? now.gap - before.gap : now.gap);
+  return std::max(0.0, deck::is_exact(zone.settings.method) ? now.gap - before.gap : now.gap);
 }
 
 } // namespace
