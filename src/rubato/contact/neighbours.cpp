@@ -17,8 +17,8 @@ constexpr double margin_in_edges = 0.75;
 
 /// How far beyond the border a point that hops stays on a face, in its reference lengths.
 constexpr double held_beyond = 0.25;
-/// The same of a point that counts as standing on the border.
-constexpr double on_border = 1e-9;
+/// The same of a point that counts as standing on the border: places on faces are settled to that.
+constexpr double on_border = 1e-6;
 
 /// Points as nanoflann wants to see them.
 struct Cloud {

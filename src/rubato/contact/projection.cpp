@@ -74,7 +74,7 @@ template <int Dimension, int Nodes> struct FaceKind {
   static constexpr int nodes = Nodes;
   /// The projection on an affine face is one linear equation.
   static constexpr bool affine = Nodes == Dimension + 1;
-  static constexpr bool triangle = Nodes == 3 || Nodes == 6 || Nodes == 7;
+  static constexpr bool triangle = Dimension == 2 && (Nodes == 3 || Nodes == 6 || Nodes == 7);
 };
 
 template <class Visit> auto with_kind(CellType type, const Visit& visit) {

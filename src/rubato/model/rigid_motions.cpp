@@ -75,6 +75,10 @@ std::vector<VectorXd> told_apart(MatrixXd columns) {
   return motions;
 }
 
+bool turns(const RigidMotion& motion) {
+  return motion.turn.norm() > negligible * motion.shift.norm();
+}
+
 } // namespace
 
 RigidMotions::RigidMotions(const Model& model)
@@ -111,9 +115,25 @@ void RigidMotions::add_contact() {
 
 std::vector<char> RigidMotions::held() const {
   std::vector<char> held;
-  for (Index body = 0; body < bodies_.count(); ++body)
-    held.push_back(rank_of(gram_.block(body * modes_, body * modes_, modes_, modes_)) == modes_ ? 1 : 0);
+  for (int body = 0; body < bodies_.count(); ++body)
+    held.push_back(rank_of(block_of(body)) == modes_ ? 1 : 0);
   return held;
+}
+
+MatrixXd RigidMotions::block_of(int body) const {
+  return gram_.block(body * modes_, body * modes_, modes_, modes_);
+}
+
+std::vector<RigidMotion> RigidMotions::loose_alone() const {
+  std::vector<RigidMotion> loose;
+  for (int body = 0; body < bodies_.count(); ++body) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(block_of(body));
+    const auto count = modes_ - rank_of(block_of(body));
+    if (count > 0)
+      for (const auto& motion : told_apart(solver.eigenvectors().leftCols(count)))
+        loose.push_back(motion_of(body, motion));
+  }
+  return loose;
 }
 
 std::vector<RigidMotion> RigidMotions::loose() const {
@@ -198,10 +218,31 @@ RigidMotion RigidMotions::motion_of(int body, const VectorXd& values) const {
 }
 
 std::string direction_text(const RigidMotion& motion) {
-  const double turn = motion.turn.norm();
-  if (turn > negligible * motion.shift.norm())
-    return "by turning about " + axis_text(motion.turn);
-  return "along " + axis_text(motion.shift);
+  return turns(motion) ? "by turning about " + axis_text(motion.turn) : "along " + axis_text(motion.shift);
+}
+
+namespace {
+
+/// What a support would have to do.
+std::string holding_text(const RigidMotion& motion) {
+  return turns(motion) ? "against turning about " + axis_text(motion.turn)
+                       : "along " + axis_text(motion.shift);
+}
+
+} // namespace
+
+std::vector<LooseBody> loose_bodies(const Model& model) {
+  RigidMotions motions(model);
+  motions.add_supports();
+  std::vector<LooseBody> loose;
+  for (const auto& motion : motions.loose_alone()) {
+    const auto node = motions.bodies().first_node(motion.body);
+    if (loose.empty() || loose.back().node != node)
+      loose.push_back({node, ""});
+    auto& against = loose.back().against; // turns come first, shifts are what a reader looks for
+    against = holding_text(motion) + (against.empty() ? "" : ", " + against);
+  }
+  return loose;
 }
 
 std::vector<NodeIndex> free_body_nodes(const Model& model) {

@@ -32,6 +32,8 @@ public:
 
   /// By body: whether what was added leaves it no rigid motion, each body looked at alone.
   std::vector<char> held() const;
+  /// How each body that is not held can move, looked at alone.
+  std::vector<RigidMotion> loose_alone() const;
   /// How a body can still move that nothing holds, all bodies looked at together; none when all are held. Of
   /// several such bodies the one that moves most is given.
   std::vector<RigidMotion> loose() const;
@@ -45,6 +47,7 @@ private:
   Eigen::RowVectorXd row(mesh::NodeIndex node, const Eigen::Vector3d& direction) const;
   void add_point(const contact::Zone& zone, const contact::SlavePoint& point, const contact::Pair& pair,
                  const contact::Configuration& configuration);
+  Eigen::MatrixXd block_of(int body) const;
   RigidMotion motion_of(int body, const Eigen::VectorXd& values) const;
 
   const Model& model_;
@@ -57,6 +60,15 @@ private:
 
 /// "along x", "along (0.6, 0.8, 0)", "by turning about z": how messages name a motion.
 std::string direction_text(const RigidMotion& motion);
+
+/// A body and what has to hold it.
+struct LooseBody {
+  mesh::NodeIndex node = -1; ///< its first
+  std::string against;       ///< "along x, along y, against turning about z"
+};
+
+/// The bodies that supports and springs leave a rigid motion.
+std::vector<LooseBody> loose_bodies(const Model& model);
 
 /// Nodes of the bodies that supports and springs leave a rigid motion, ascending: in a static run contact has
 /// to hold them.

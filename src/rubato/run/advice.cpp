@@ -3,10 +3,9 @@
 
 #include "rubato/deck/read.hpp"
 #include "rubato/deck/words.hpp"
-#include "rubato/model/bodies.hpp"
+#include "rubato/model/rigid_motions.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,13 +103,12 @@ void on_status(const contact::Zone& zone, Advice& advice) {
 }
 
 void on_singular(const model::Model& model, Advice& advice) {
-  const auto loose = loose_bodies(model);
+  const auto loose = model::loose_bodies(model);
   for (const auto& body : loose)
-    advice.add(fmt::format("supports or springs along {} for the body of node {}", body.axes,
+    advice.add(fmt::format("supports or springs {} for the body of node {}", body.against,
                            model::node_label(model.mesh, body.node)));
   if (!loose.empty())
     return;
-  advice.add("supports that keep the bodies from turning");
   for (const auto& zone : model.zones)
     if (deck::is_exact(zone.settings.method))
       advice.add(fmt::format("{}: the slave nodes that supports hold", key_of(zone, "exclude_nodes")));
@@ -235,34 +233,6 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
     advice.set("newton.max_iterations", std::to_string(2 * model.study.newton.max_iterations));
   on_place(model, report, advice);
   return advice.take();
-}
-
-std::vector<LooseBody> loose_bodies(const model::Model& model) {
-  const model::Bodies bodies(model.mesh, model.bulk);
-  const auto components = static_cast<std::size_t>(model.dofs.components);
-  std::vector<char> held(static_cast<std::size_t>(bodies.count()) * components, 0);
-  const auto hold = [&](int dof) {
-    if (bodies.of(model.node_of(dof)) < 0)
-      return;
-    const auto body = static_cast<std::size_t>(bodies.of(model.node_of(dof)));
-    held[body * components + static_cast<std::size_t>(dof) % components] = 1;
-  };
-  for (const auto& constraint : model.constraints)
-    hold(constraint.dof);
-  for (const auto& spring : model.springs)
-    hold(spring.dof);
-  // Nothing moves a ring along its radius but strain.
-  const std::size_t first = model.study.physics == deck::Physics::axisymmetric ? 1 : 0;
-  std::vector<LooseBody> loose;
-  for (int body = 0; body < bodies.count(); ++body) {
-    std::vector<std::string_view> axes;
-    for (std::size_t axis = first; axis < components; ++axis)
-      if (held[static_cast<std::size_t>(body) * components + axis] == 0)
-        axes.push_back(deck::axis_words[axis]);
-    if (!axes.empty())
-      loose.push_back({bodies.first_node(body), fmt::format("{}", fmt::join(axes, ", "))});
-  }
-  return loose;
 }
 
 } // namespace rubato::run

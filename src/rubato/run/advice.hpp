@@ -19,13 +19,4 @@ bool feeds_on_contact(const model::Model& model, const time::Scheme& scheme);
 std::vector<std::string> advice(const model::Model& model, const time::Scheme& scheme,
                                 const results::Failure& failure);
 
-/// A body that supports and springs leave free to move along some axes.
-struct LooseBody {
-  mesh::NodeIndex node = -1; ///< its first
-  std::string axes;          ///< "x, y"
-};
-
-/// The bodies that nothing but contact can hold.
-std::vector<LooseBody> loose_bodies(const model::Model& model);
-
 } // namespace rubato::run

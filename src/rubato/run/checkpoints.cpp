@@ -2,13 +2,13 @@
 #include "rubato/run/checkpoints.hpp"
 
 #include "rubato/deck/read.hpp"
-#include "rubato/results/history.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"
 #include "rubato/results/study_difference.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -17,6 +17,8 @@ namespace {
 
 /// Ends that differ by less than this part of the run are the same.
 constexpr double same_end = 1e-9;
+/// An instant as far beyond the end of a step is its end.
+constexpr double part_of_step = 1e-6;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
   throw InputError(fmt::format(
@@ -84,8 +86,10 @@ Keeper::Keeper(const deck::Study& study, const Course& course, const Watch& watc
     : settings_(study.checkpoint), course_(course), watch_(watch), study_(deck::to_json(study)) {}
 
 bool Keeper::is_due(int count, double t, double step) const {
+  const double near = part_of_step * step;
+  const auto just_passed = [&](double at) { return at > t - step + near && at <= t + near; };
   return (settings_.every > 0 && count % settings_.every == 0) ||
-         results::is_named_instant(settings_.at, t, step);
+         std::ranges::any_of(settings_.at, just_passed);
 }
 
 bool Keeper::keep(const std::function<results::Checkpoint()>& make) const {

@@ -42,7 +42,8 @@ public:
   /// Everything must outlive this.
   Keeper(const deck::Study& study, const Course& course, const Watch& watch);
 
-  /// Whether the step that led to t in `step`, the run's `count`-th, is one to keep.
+  /// Whether the step that led to t in `step`, the run's `count`-th, is one to keep: no step is made shorter
+  /// for a checkpoint, so that results don't depend on it.
   bool is_due(int count, double t, double step) const;
   bool keeps_end() const { return settings_.last; }
 

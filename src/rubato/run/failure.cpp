@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/failure.hpp"
 
+#include "rubato/model/rigid_motions.hpp"
 #include "rubato/run/advice.hpp"
 
 #include <fmt/format.h>
@@ -79,9 +80,9 @@ std::string lost_of(const model::Model& model, const Unmet& unmet) {
 
 std::string loose_of(const model::Model& model) {
   std::vector<std::string> bodies;
-  for (const auto& body : loose_bodies(model))
+  for (const auto& body : model::loose_bodies(model))
     bodies.push_back(
-        fmt::format("the body of node {} along {}", model::node_label(model.mesh, body.node), body.axes));
+        fmt::format("the body of node {} {}", model::node_label(model.mesh, body.node), body.against));
   return bodies.empty() ? "" : fmt::format("nothing but contact holds {}", fmt::join(bodies, ", "));
 }
 
@@ -129,7 +130,6 @@ std::string explain(const model::Model& model, const results::Failure& failure) 
                           failure.end, step::to_string(report.outcome), report.iterations);
   if (!failure.not_finite.empty())
     text += fmt::format("; the first that is not finite: {}", failure.not_finite);
-  // A body that may only turn is free along no axis.
   if (!model.free_body_nodes.empty() && report.unmet_by(Criterion::singular) == nullptr)
     if (const auto loose = loose_of(model); !loose.empty())
       text += fmt::format("; {}, which may not hold this load", loose);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A run that starts from the end of another: static preload, then dynamics.
 #include "rubato/deck/read.hpp"
+#include "rubato/results/checkpoint.hpp"
+#include "rubato/results/run_folder.hpp"
 #include "rubato/run/time_loop.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/faults.hpp"
@@ -102,6 +105,17 @@ TEST_F(ContinuedRun, RefusesAnEndThatDoesNotFitBeforeItMakesAFolder) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "after"));
   }
   EXPECT_THROW(run(deck.runs[1]), std::invalid_argument);
+}
+
+/// No step ends at 2.5e-4; the one that ends next is kept, once.
+TEST_F(ContinuedRun, HasACheckpointFromTheFirstStepAtOrAfterItsInstant) {
+  for (const auto& [at, kept] :
+       {std::pair{"2.5e-4", 3e-4}, std::pair{"3e-4", 3e-4}, std::pair{"5e-5", 1e-4}}) {
+    const auto study =
+        deck_of(test::two_blocks + fmt::format("checkpoint: {{at: [{}], last: false}}\n", at)).runs[0];
+    ASSERT_EQ(run(study).status, Status::complete);
+    EXPECT_EQ(results::read_checkpoint(folder_ / study.name / results::checkpoint_file).state.t, kept) << at;
+  }
 }
 
 } // namespace

@@ -70,7 +70,7 @@ TEST_P(BeamsOf, RubWithoutACutByHht) {
   all.push_back({"time.start", "at_rest_unloaded"});
   Walk walk(beams, all);
   run(walk);
-  if (walk.model.zones.front().points_own_multipliers()) {
+  if (walk.model.zones.front().points_own_multipliers) {
     EXPECT_LE(largest_overlap(walk), 1e-9);
   }
 }

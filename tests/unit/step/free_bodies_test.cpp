@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/two_blocks.hpp"
 #include "unit/step/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -141,7 +142,20 @@ TEST(FreeBlock, BeyondFrictionAndBalanceIsToldWithItsBody) {
   EXPECT_FALSE(walk.advance());
   const results::Failure failure{.begin = 0, .end = 1, .report = walk.reports.back()};
   const auto text = run::explain(walk.model, failure);
-  EXPECT_NE(text.find("nothing but contact holds the body of node N1 (0.3, 0) along x, y"), std::string::npos)
+  EXPECT_NE(
+      text.find(
+          "nothing but contact holds the body of node N1 (0.3, 0) along x, along y, against turning about z"),
+      std::string::npos)
+      << text;
+}
+
+TEST(FreeBlock, ThatMayOnlyTurnIsToldSo) {
+  const Walk walk(test::with(plane_block, "left: side}", "left: side}, points: {left_bottom: pivot}"),
+                  {{"supports", "[{on: base, fix: [x, y]}, {on: pivot, fix: [x, y]}]"}});
+  ASSERT_FALSE(walk.model.free_body_nodes.empty());
+  const auto text = run::explain(walk.model, {.begin = 0, .end = 1});
+  EXPECT_NE(text.find("nothing but contact holds the body of node N1 (0.3, 0) against turning about z"),
+            std::string::npos)
       << text;
 }
 
