@@ -59,5 +59,53 @@ TEST(NeighbourList, SearchesNoMoreWhenTheBodiesMoveTogether) {
   EXPECT_EQ(list.searches(), 1);
 }
 
+/// The master shifted along the slave, whose nodes lie on its nodes.
+class NodesOnNodes : public testing::Test {
+protected:
+  void shift(double in_edges) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(walk_.model.dofs.dof_count);
+    for (const auto node : zone_.master.nodes)
+      u[walk_.model.dofs.dof(node, 0)] = in_edges * zone_.edge();
+    const Configuration configuration{&walk_.model.mesh, &walk_.model.dofs, &u, &u};
+    list_.update(configuration);
+    searched_ = find_pairs(zone_, configuration);
+  }
+  /// Points that are on another face than a search would put them on.
+  std::ptrdiff_t held() const {
+    std::ptrdiff_t count = 0;
+    for (std::size_t p = 0; p < searched_.size(); ++p)
+      count += list_.pairs()[p].master_face != searched_[p].master_face ? 1 : 0;
+    return count;
+  }
+
+  const test::Walk walk_{test::two_beams};
+  const Zone& zone_ = walk_.model.zones.front();
+  NeighbourList list_{zone_};
+  std::vector<Pair> searched_;
+};
+
+TEST_F(NodesOnNodes, StayOnAFaceTheyComeBackToAndAreLetGoOnceBeyondItsBorder) {
+  for (const double hop : {0.02, -0.02, 0.02, -0.02, 1e-5, -1e-5})
+    shift(hop);
+  const double beyond = held() > 0 ? -1e-5 : 1e-5;
+  shift(beyond);
+  EXPECT_GT(held(), 5);
+  EXPECT_TRUE(list_.release_strays());
+  shift(beyond);
+  EXPECT_EQ(held(), 0);
+  for (const double hop : {-1, 1, -1, 1})
+    shift(hop * beyond);
+  EXPECT_FALSE(list_.release_strays()) << "they hop indeed";
+  list_.forget_visits();
+  shift(beyond);
+  EXPECT_EQ(held(), 0);
+}
+
+TEST_F(NodesOnNodes, StandOnTheBorderATraceBeyondIt) {
+  for (const double hop : {0.02, -0.02, 0.02, -0.02, 1e-7, -1e-7, 1e-7})
+    shift(hop);
+  EXPECT_FALSE(list_.release_strays());
+}
+
 } // namespace
 } // namespace rubato::contact
