@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/contact_side.hpp"
 
+#include "rubato/contact/spring_friction.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -121,6 +123,8 @@ void ContactSide::measure_by(const Measure& measure, const State& trial, const H
   const auto configuration = at_end(trial);
   into.points.resize(model_.zones.size());
   into.status.resize(model_.zones.size());
+  if (std::ranges::any_of(model_.zones, contact::rubs_by_springs))
+    into.u = trial.motion.u;
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto& zone = model_.zones[z];
     if (has_held_frames(z, held))
@@ -190,10 +194,23 @@ bool ContactSide::release_strays() const {
   return any;
 }
 
-void ContactSide::renew_status(const Held& held, ContactIterate& iterate) const {
-  for (std::size_t z = 0; z < model_.zones.size(); ++z)
-    if (held[z].status.empty())
-      iterate.status[z] = contact::wanted_status(law_of(z, held), iterate.points[z]);
+void ContactSide::renew_status(const Held& held, const ContactIterate& before, ContactIterate& now) const {
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    if (!held[z].status.empty())
+      continue;
+    now.status[z] = contact::wanted_status(law_of(z, held), now.points[z]);
+    if (contact::rubs_by_springs(model_.zones[z]))
+      contact::stick_in_passing(law_of(z, held), {before.points[z], before.status[z]},
+                                {now.points[z], now.status[z]}, model_.dofs, now.u - before.u, now.status[z]);
+  }
+}
+
+std::vector<std::vector<double>> ContactSide::friction_stiffness(const Held& held,
+                                                                 const ContactIterate& now) const {
+  std::vector<std::vector<double>> stiffness;
+  for (std::size_t z = 0; z < now.points.size(); ++z)
+    stiffness.push_back(contact::friction_stiffness(law_of(z, held), now.points[z], now.status[z]));
+  return stiffness;
 }
 
 void ContactSide::collect_restless(const Held& held, const ContactIterate& before, const ContactIterate& now,
