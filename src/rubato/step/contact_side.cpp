@@ -245,14 +245,31 @@ void ContactSide::name_unmet(const Held& held, const ContactIterate* before, con
 
 void ContactSide::finish(const Held& held, const ContactIterate& iterate, State& trial) const {
   trial.friction_force = VectorXd::Zero(trial.motion.u.size());
+  trial.moved_out.clear();
   for (std::size_t z = 0; z < iterate.status.size(); ++z) {
     trial.zones[z].status = iterate.status[z];
     trial.zones[z].outcomes = contact::outcomes(law_of(z, held), iterate.points[z], iterate.status[z]);
     contact::add_friction_force(iterate.points[z], trial.zones[z].outcomes, model_.dofs,
                                 trial.friction_force);
+    trial.moved_out.push_back(moved_out(z, iterate, at_end(trial)));
   }
   if (!frames_.empty())
     measure_places(trial);
+}
+
+std::vector<double> ContactSide::moved_out(std::size_t z, const ContactIterate& iterate,
+                                           const contact::Configuration& configuration) const {
+  const auto& before = committed_.zones[z].outcomes;
+  std::vector<double> moved(iterate.status[z].size(), 0.0);
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    if (iterate.status[z][i] != Status::open && before[i].gap < 0 && before[i].normal.isZero(0)) {
+      const auto& k = *iterate.points[z][i].kinematics;
+      Eigen::Vector3d way = -k.carried;
+      for (std::size_t node = 0; node < k.nodes.size(); ++node)
+        way += k.shape[static_cast<Eigen::Index>(node)] * configuration.increment(k.nodes[node]);
+      moved[i] = k.normal.dot(way);
+    }
+  return moved;
 }
 
 /// Results tell where points are, not how fast they part.

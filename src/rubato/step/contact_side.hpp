@@ -106,6 +106,8 @@ private:
     return !frames_.empty() || !held[zone].frames.empty();
   }
   void measure_places(State& trial) const;
+  std::vector<double> moved_out(std::size_t zone, const ContactIterate& iterate,
+                                const contact::Configuration& configuration) const;
   std::optional<Unmet> moving_projection(const Held& held, const ContactIterate& before,
                                          const ContactIterate& now) const;
   std::optional<Unmet> open_gap(const Held& held, const ContactIterate& now) const;
