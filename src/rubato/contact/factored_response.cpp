@@ -47,14 +47,14 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
   const Eigen::Matrix3d force_by_measures = in_space * response.d_traction.leftCols<3>();
   const Eigen::Matrix3d force_by_multiplier = in_space * response.d_traction.rightCols<3>();
   const Eigen::Matrix3d equations_by_measures = weight * response.d_equations.leftCols<3>();
-  const Eigen::Vector3d kept = response.kept_traction();
-  const Eigen::Vector3d traction = -weight * kept;
+  const Eigen::Vector3d traction = -weight * response.kept_traction();
 
   collect_dofs(k, dofs, into.dofs);
   into.components = d;
   into.slopes = k.shape_slope.isZero(0) ? 0 : k.parametric_dimension;
   into.force = force.head(d);
-  collect_spread(k, in_space * kept, into.slopes, into.spread);
+  collect_spread(k, response.kept_friction == 1 ? force : Eigen::Vector3d(frame * traction), into.slopes,
+                 into.spread);
   into.by_q.resize(d + m + into.slopes, k.unknowns());
   for (Index q = 0; q < k.unknowns(); ++q) {
     const Eigen::Vector3d measures(k.d_gap[q], k.d_slip(0, q), k.d_slip(1, q));

@@ -259,16 +259,18 @@ void ContactSide::finish(const Held& held, const ContactIterate& iterate, State&
 
 std::vector<double> ContactSide::moved_out(std::size_t z, const ContactIterate& iterate,
                                            const contact::Configuration& configuration) const {
+  std::vector<double> moved;
   const auto& before = committed_.zones[z].outcomes;
-  std::vector<double> moved(iterate.status[z].size(), 0.0);
-  for (std::size_t i = 0; i < moved.size(); ++i)
-    if (iterate.status[z][i] != Status::open && before[i].gap < 0 && before[i].normal.isZero(0)) {
-      const auto& k = *iterate.points[z][i].kinematics;
-      Eigen::Vector3d way = -k.carried;
-      for (std::size_t node = 0; node < k.nodes.size(); ++node)
-        way += k.shape[static_cast<Eigen::Index>(node)] * configuration.increment(k.nodes[node]);
-      moved[i] = k.normal.dot(way);
-    }
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!(before[i].gap < 0) || iterate.status[z][i] == Status::open || !before[i].normal.isZero(0))
+      continue;
+    const auto& k = *iterate.points[z][i].kinematics;
+    Eigen::Vector3d way = -k.carried;
+    for (std::size_t node = 0; node < k.nodes.size(); ++node)
+      way += k.shape[static_cast<Eigen::Index>(node)] * configuration.increment(k.nodes[node]);
+    moved.resize(before.size(), 0.0);
+    moved[i] = k.normal.dot(way);
+  }
   return moved;
 }
 

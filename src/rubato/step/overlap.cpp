@@ -14,6 +14,10 @@ bool presses(const contact::ZoneState& zone, std::size_t point) {
 /// Depths along two normals differ by no more than this factor, or the point has gone elsewhere.
 constexpr double most_turned = 2;
 
+double moved_out(const State& trial, std::size_t zone, std::size_t point) {
+  return trial.moved_out[zone].empty() ? 0.0 : trial.moved_out[zone][point];
+}
+
 /// The way that the force of an overlap acts over, and what its spring keeps.
 double closed_part(const contact::Zone& zone, double overlap, double moved_out,
                    const contact::PointOutcome& outcome) {
@@ -55,7 +59,7 @@ double work_of_overlaps(const model::Model& model, const Overlaps& overlaps, con
       if (overlaps[z][i] > 0 && presses(trial.zones[z], i)) {
         const auto& outcome = trial.zones[z].outcomes[i];
         work += 0.5 * outcome.normal.norm() *
-                closed_part(model.zones[z], overlaps[z][i], trial.moved_out[z][i], outcome);
+                closed_part(model.zones[z], overlaps[z][i], moved_out(trial, z, i), outcome);
       }
   return work;
 }
