@@ -2,6 +2,7 @@
 #include "rubato/contact/enforcement.hpp"
 
 #include "rubato/contact/held_frame.hpp"
+#include "rubato/contact/spring_friction.hpp"
 
 #include <cmath>
 #include <limits>
@@ -414,7 +415,8 @@ void add_contributions(const ZoneLaw& law, std::span<const PointEvaluation> poin
   ZoneAssembler assembler(*law.zone, dofs, multiplier_offset, system);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& point = law.zone->points[i];
-    const auto response = respond(points[i].variables, status[i], law.of_point(i));
+    auto response = respond(points[i].variables, status[i], law.of_point(i));
+    follow_limit(response);
     if (status[i] == Status::open)
       assembler.add_equations(point, point.weight * response.equations,
                               point.weight * response.d_equations.rightCols<3>());

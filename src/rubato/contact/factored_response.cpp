@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/factored_response.hpp"
 
+#include "rubato/contact/spring_friction.hpp"
+
 namespace rubato::contact {
 namespace {
 
@@ -36,7 +38,8 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
   const auto& k = *evaluation.kinematics;
   const auto variables = law.zone->multiplier_variables();
   const double weight = law.zone->points[point].weight;
-  const auto response = respond(evaluation.variables, status, law.of_point(point));
+  auto response = respond(evaluation.variables, status, law.of_point(point));
+  follow_limit(response);
   const int d = k.components;
   const auto m = static_cast<Index>(variables.size());
 

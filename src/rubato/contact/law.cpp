@@ -126,7 +126,7 @@ void rub_by_saturation(const PointState& point, Status status, const PointLaw& l
   response.traction.tail<2>() = -limit * rho;
   if (!multipliers)
     response.kept_friction = shrinking(rho);
-  response.d_traction.bottomRows<2>() = -law.friction * response.kept_friction * rho * threshold.derivative;
+  response.d_traction.bottomRows<2>() = -law.friction * rho * threshold.derivative;
   response.d_traction.block<2, 2>(1, slip) -= limit * law.tangential * d_rho;
   if (!multipliers)
     return;

