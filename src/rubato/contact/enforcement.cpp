@@ -2,6 +2,7 @@
 #include "rubato/contact/enforcement.hpp"
 
 #include "rubato/contact/held_frame.hpp"
+#include "rubato/contact/spring_friction.hpp"
 
 #include <cmath>
 #include <limits>
@@ -52,12 +53,13 @@ LocalResponse localise(const Kinematics& k, const PointResponse& law, double wei
   Eigen::Matrix3d frame;
   frame << k.normal, k.tangents.col(0), k.tangents.col(1);
   const Vector3d traction = frame * law.traction;
+  const Vector3d kept = law.kept_traction();
+  const Vector3d turning = frame * kept;
 
   Eigen::Matrix<double, 3, Eigen::Dynamic> d_variables(3, unknowns);
   d_variables << k.d_gap, k.d_slip;
   Eigen::Matrix<double, 3, Eigen::Dynamic> d_traction = frame * (law.d_traction.leftCols<3>() * d_variables);
-  d_traction +=
-      law.traction[0] * k.d_normal + law.traction[1] * k.d_tangent[0] + law.traction[2] * k.d_tangent[1];
+  d_traction += kept[0] * k.d_normal + kept[1] * k.d_tangent[0] + kept[2] * k.d_tangent[1];
   const Eigen::Matrix3d traction_by_multiplier = frame * law.d_traction.rightCols<3>();
 
   LocalResponse local;
@@ -69,7 +71,7 @@ LocalResponse localise(const Kinematics& k, const PointResponse& law, double wei
     for (int i = 0; i < d; ++i) {
       const Index row = node * d + i;
       local.force[row] = -weight * k.shape[node] * traction[i];
-      local.force_by_q.row(row) = -weight * (k.shape[node] * d_traction.row(i) + traction[i] * d_shape);
+      local.force_by_q.row(row) = -weight * (k.shape[node] * d_traction.row(i) + turning[i] * d_shape);
       local.force_by_multiplier.row(row) = -weight * k.shape[node] * traction_by_multiplier.row(i);
     }
   }
@@ -413,7 +415,8 @@ void add_contributions(const ZoneLaw& law, std::span<const PointEvaluation> poin
   ZoneAssembler assembler(*law.zone, dofs, multiplier_offset, system);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& point = law.zone->points[i];
-    const auto response = respond(points[i].variables, status[i], law.of_point(i));
+    auto response = respond(points[i].variables, status[i], law.of_point(i));
+    follow_limit(response);
     if (status[i] == Status::open)
       assembler.add_equations(point, point.weight * response.equations,
                               point.weight * response.d_equations.rightCols<3>());

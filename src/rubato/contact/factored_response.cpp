@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/factored_response.hpp"
 
+#include "rubato/contact/spring_friction.hpp"
+
 namespace rubato::contact {
 namespace {
 
@@ -36,7 +38,8 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
   const auto& k = *evaluation.kinematics;
   const auto variables = law.zone->multiplier_variables();
   const double weight = law.zone->points[point].weight;
-  const auto response = respond(evaluation.variables, status, law.of_point(point));
+  auto response = respond(evaluation.variables, status, law.of_point(point));
+  follow_limit(response);
   const int d = k.components;
   const auto m = static_cast<Index>(variables.size());
 
@@ -47,13 +50,14 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
   const Eigen::Matrix3d force_by_measures = in_space * response.d_traction.leftCols<3>();
   const Eigen::Matrix3d force_by_multiplier = in_space * response.d_traction.rightCols<3>();
   const Eigen::Matrix3d equations_by_measures = weight * response.d_equations.leftCols<3>();
-  const Eigen::Vector3d traction = -weight * response.traction;
+  const Eigen::Vector3d traction = -weight * response.kept_traction();
 
   collect_dofs(k, dofs, into.dofs);
   into.components = d;
   into.slopes = k.shape_slope.isZero(0) ? 0 : k.parametric_dimension;
   into.force = force.head(d);
-  collect_spread(k, force, into.slopes, into.spread);
+  collect_spread(k, response.kept_friction == 1 ? force : Eigen::Vector3d(frame * traction), into.slopes,
+                 into.spread);
   into.by_q.resize(d + m + into.slopes, k.unknowns());
   for (Index q = 0; q < k.unknowns(); ++q) {
     const Eigen::Vector3d measures(k.d_gap[q], k.d_slip(0, q), k.d_slip(1, q));

@@ -91,11 +91,17 @@ struct Direction {
   }
 };
 
+/// 1/|v| beyond the unit circle.
+double shrinking(const Vector2d& v) {
+  return 1 / std::max(1.0, v.norm());
+}
+
 /// A spring since the start of the step, or the limit μ P against the slip.
 void rub_by_spring(const PointState& point, Status status, const PointLaw& law, PointResponse& response) {
   if (status == Status::stick) {
     response.traction.tail<2>() = -law.tangential * point.slip;
     response.d_traction.block<2, 2>(1, slip) = -law.tangential * Matrix2d::Identity();
+    response.kept_friction = shrinking(relative_friction(point, law));
     return;
   }
   const auto threshold = threshold_of(point, law);
@@ -118,6 +124,8 @@ void rub_by_saturation(const PointState& point, Status status, const PointLaw& l
   }
   const double limit = law.friction * threshold.value;
   response.traction.tail<2>() = -limit * rho;
+  if (!multipliers)
+    response.kept_friction = shrinking(rho);
   response.d_traction.bottomRows<2>() = -law.friction * rho * threshold.derivative;
   response.d_traction.block<2, 2>(1, slip) -= limit * law.tangential * d_rho;
   if (!multipliers)

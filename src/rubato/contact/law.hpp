@@ -54,6 +54,15 @@ struct PointResponse {
   Eigen::Matrix<double, 3, 6> d_traction = Eigen::Matrix<double, 3, 6>::Zero();
   Eigen::Vector3d equations = Eigen::Vector3d::Zero();
   Eigen::Matrix<double, 3, 6> d_equations = Eigen::Matrix<double, 3, 6>::Zero();
+  /// Part of the friction that tangents are to turn with the frame and to move with the place. Less than one
+  /// of a spring that sticks beyond its limit: the point is on its way to a slip within it.
+  double kept_friction = 1;
+
+  Eigen::Vector3d kept_traction() const {
+    return kept_friction == 1
+               ? traction
+               : Eigen::Vector3d(traction[0], kept_friction * traction[1], kept_friction * traction[2]);
+  }
 };
 
 /// The status that the present variables call for: in contact iff T_n > 0, sticking iff friction stays below

@@ -117,7 +117,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
     if (iteration > 0 && settled(trial, held)) {
       move_bulk(trial);
       const auto force = contact_force();
-      if (in_equilibrium(trial, force)) {
+      if (in_equilibrium(trial, held, force)) {
         equilibrium_.finish(force, trial);
         side_.finish(held, now(), trial);
         return ended(Outcome::converged, held);
@@ -253,7 +253,7 @@ void Condensed::evaluate_contact(const State& trial, const Held& held, int itera
   }
   measured_ = false;
   if (iteration > 0)
-    side_.renew_status(held, now());
+    side_.renew_status(held, previous(), now());
   collect_forces(held);
 }
 
@@ -285,27 +285,34 @@ bool Condensed::settled(const State& trial, const Held& held) {
   const bool stalled = surface_stall_.stalls(report_.residual);
   if (!consistent_ || report_.status_changes > 0 || !side_.settled(held, previous(), now()))
     return false;
-  const bool balanced = report_.residual <= report_.tolerance || (stalled && surface_within_rounding(trial));
+  const bool balanced =
+      report_.residual <= report_.tolerance || (stalled && surface_within_rounding(trial, held));
   // A free body that is let go of hops anew, by its whole weight; the border's place is off by a trace of a
   // face.
   return balanced && (system_.has_free_bodies || !side_.release_strays());
 }
 
-/// A force follows the gap by the stiffness there, and gaps are differences of places.
-bool Condensed::surface_within_rounding(const State& trial) const {
+/// A force follows the gap by the stiffness there, and gaps are differences of places; friction follows
+/// slips, which are differences of moves. Both contain the free motion, of which contact takes most back.
+bool Condensed::surface_within_rounding(const State& trial, const Held& held) const {
   constexpr double last_digits = 16 * std::numeric_limits<double>::epsilon();
   const auto& dofs = system_.compliance->dof_of_position();
   double reach = 0;
+  double moved = 0;
   for (const int dof : dofs) {
     const auto& place = model_.mesh.points[static_cast<std::size_t>(model_.node_of(dof))];
     reach = std::max(reach, place.lpNorm<Eigen::Infinity>() + std::abs(trial.motion.u[dof]));
+    moved = std::max(moved, std::abs(trial.motion.u[dof]));
   }
-  const VectorXd stiffness = contact_stiffness(model_, system_);
+  const double far = free_.lpNorm<Eigen::Infinity>();
+  const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(held, now()));
   const double allowed = report_.tolerance * surface_scale();
   for (std::size_t i = 0; i < dofs.size(); ++i) {
     const double left =
         scheme_.contact_weight() * std::abs(force()[static_cast<Index>(i)] - applied_[static_cast<Index>(i)]);
-    if (left > std::max(allowed, last_digits * stiffness[dofs[i]] * reach))
+    const double level =
+        stiffness.by_place[dofs[i]] * (reach + far) + stiffness.by_move[dofs[i]] * (moved + far);
+    if (left > std::max(allowed, last_digits * level))
       return false;
   }
   return true;
@@ -416,7 +423,13 @@ ContactForce Condensed::contact_force() const {
   return force;
 }
 
-bool Condensed::in_equilibrium(const State& trial, const ContactForce& force) {
+bool Condensed::within_rounding(const State& trial, const Held& held) const {
+  const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(held, now()));
+  return equilibrium_.within_rounding(trial.motion, stiffness, free_.lpNorm<Eigen::Infinity>(),
+                                      report_.tolerance);
+}
+
+bool Condensed::in_equilibrium(const State& trial, const Held& held, const ContactForce& force) {
   equilibrium_.evaluate(trial.motion, force);
   equilibrium_.measure(trial.motion, force, report_);
   scale_ = equilibrium_.scale();
@@ -425,7 +438,7 @@ bool Condensed::in_equilibrium(const State& trial, const ContactForce& force) {
   last_unbalance_ = report_.residual;
   if (report_.residual <= wanted || (report_.residual <= report_.tolerance && report_.residual >= before))
     return true;
-  if (!bulk_stall_.stalls(report_.residual) || !equilibrium_.within_rounding(trial.motion, report_.tolerance))
+  if (!bulk_stall_.stalls(report_.residual) || !within_rounding(trial, held))
     return false;
   report_.rounding = report_.residual;
   return true;

@@ -78,7 +78,8 @@ private:
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   void collect_forces(const Held& held);
   bool settled(const State& trial, const Held& held);
-  bool surface_within_rounding(const State& trial) const;
+  bool surface_within_rounding(const State& trial, const Held& held) const;
+  bool within_rounding(const State& trial, const Held& held) const;
   void measure_surface();
   double surface_scale() const;
   std::vector<WorstNode> worst_on_surface() const;
@@ -89,7 +90,7 @@ private:
                            State& trial) const;
   void move_bulk(State& trial);
   ContactForce contact_force() const;
-  bool in_equilibrium(const State& trial, const ContactForce& force);
+  bool in_equilibrium(const State& trial, const Held& held, const ContactForce& force);
   StepReport ended(Outcome outcome, const Held& held);
 
   const model::Model& model_;

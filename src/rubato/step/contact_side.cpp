@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/contact_side.hpp"
 
+#include "rubato/contact/spring_friction.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -121,6 +123,8 @@ void ContactSide::measure_by(const Measure& measure, const State& trial, const H
   const auto configuration = at_end(trial);
   into.points.resize(model_.zones.size());
   into.status.resize(model_.zones.size());
+  if (std::ranges::any_of(model_.zones, contact::rubs_by_springs))
+    into.u = trial.motion.u;
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto& zone = model_.zones[z];
     if (has_held_frames(z, held))
@@ -201,10 +205,23 @@ bool ContactSide::release_strays() const {
   return any;
 }
 
-void ContactSide::renew_status(const Held& held, ContactIterate& iterate) const {
-  for (std::size_t z = 0; z < model_.zones.size(); ++z)
-    if (held[z].status.empty())
-      iterate.status[z] = contact::wanted_status(law_of(z, held), iterate.points[z]);
+void ContactSide::renew_status(const Held& held, const ContactIterate& before, ContactIterate& now) const {
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    if (!held[z].status.empty())
+      continue;
+    now.status[z] = contact::wanted_status(law_of(z, held), now.points[z]);
+    if (contact::rubs_by_springs(model_.zones[z]))
+      contact::stick_in_passing(law_of(z, held), {before.points[z], before.status[z]},
+                                {now.points[z], now.status[z]}, model_.dofs, now.u - before.u, now.status[z]);
+  }
+}
+
+std::vector<std::vector<double>> ContactSide::friction_stiffness(const Held& held,
+                                                                 const ContactIterate& now) const {
+  std::vector<std::vector<double>> stiffness;
+  for (std::size_t z = 0; z < now.points.size(); ++z)
+    stiffness.push_back(contact::friction_stiffness(law_of(z, held), now.points[z], now.status[z]));
+  return stiffness;
 }
 
 void ContactSide::collect_restless(const Held& held, const ContactIterate& before, const ContactIterate& now,
@@ -239,14 +256,33 @@ void ContactSide::name_unmet(const Held& held, const ContactIterate* before, con
 
 void ContactSide::finish(const Held& held, const ContactIterate& iterate, State& trial) const {
   trial.friction_force = VectorXd::Zero(trial.motion.u.size());
+  trial.moved_out.clear();
   for (std::size_t z = 0; z < iterate.status.size(); ++z) {
     trial.zones[z].status = iterate.status[z];
     trial.zones[z].outcomes = contact::outcomes(law_of(z, held), iterate.points[z], iterate.status[z]);
     contact::add_friction_force(iterate.points[z], trial.zones[z].outcomes, model_.dofs,
                                 trial.friction_force);
+    trial.moved_out.push_back(moved_out(z, iterate, at_end(trial)));
   }
   if (!frames_.empty())
     measure_places(trial);
+}
+
+std::vector<double> ContactSide::moved_out(std::size_t z, const ContactIterate& iterate,
+                                           const contact::Configuration& configuration) const {
+  std::vector<double> moved;
+  const auto& before = committed_.zones[z].outcomes;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!(before[i].gap < 0) || iterate.status[z][i] == Status::open || !before[i].normal.isZero(0))
+      continue;
+    const auto& k = *iterate.points[z][i].kinematics;
+    Eigen::Vector3d way = -k.carried;
+    for (std::size_t node = 0; node < k.nodes.size(); ++node)
+      way += k.shape[static_cast<Eigen::Index>(node)] * configuration.increment(k.nodes[node]);
+    moved.resize(before.size(), 0.0);
+    moved[i] = k.normal.dot(way);
+  }
+  return moved;
 }
 
 /// Results tell where points are, not how fast they part.

@@ -44,6 +44,7 @@ using Held = std::vector<HeldZone>; ///< one a zone
 struct ContactIterate {
   std::vector<std::vector<contact::PointEvaluation>> points;
   std::vector<std::vector<contact::Status>> status;
+  Eigen::VectorXd u; ///< one a dof, where friction is by springs; else unused
 };
 
 class ContactSide {
@@ -64,8 +65,8 @@ public:
   /// Those derivatives, of one point at the same `trial`.
   void differentiate(const State& trial, const Held& held, std::size_t zone, std::size_t point,
                      ContactIterate& iterate) const;
-  /// Statuses that the points of an iterate call for, where no loop holds them.
-  void renew_status(const Held& held, ContactIterate& iterate) const;
+  /// Statuses that the points of an iterate call for, where no loop holds them. `before`: the iterate before.
+  void renew_status(const Held& held, const ContactIterate& before, ContactIterate& now) const;
   /// How the zone behaves in this attempt.
   contact::ZoneLaw law_of(std::size_t zone, const Held& held) const;
   const Variant& variant() const { return variant_; }
@@ -80,6 +81,9 @@ public:
   void start_iterations() const;
   /// Lets points go that stay on a face they stand beyond (contact/neighbours.hpp). Whether there were any.
   bool release_strays() const;
+
+  /// Of the friction of each zone's points that is by `penalty` (contact/spring_friction.hpp).
+  std::vector<std::vector<double>> friction_stiffness(const Held& held, const ContactIterate& now) const;
 
   /// Counts and names the points whose status changed between two iterates.
   void collect_restless(const Held& held, const ContactIterate& before, const ContactIterate& now,
@@ -103,6 +107,8 @@ private:
     return !frames_.empty() || !held[zone].frames.empty();
   }
   void measure_places(State& trial) const;
+  std::vector<double> moved_out(std::size_t zone, const ContactIterate& iterate,
+                                const contact::Configuration& configuration) const;
   std::optional<Unmet> moving_projection(const Held& held, const ContactIterate& before,
                                          const ContactIterate& now) const;
   std::optional<Unmet> open_gap(const Held& held, const ContactIterate& now) const;

@@ -32,8 +32,7 @@ VectorXd history_forces(const time::Scheme& scheme, const State& committed) {
   return history;
 }
 
-/// Of a point's springs, normal and of friction; those of friction by penalty are limited by the pressure and
-/// stay below the normal ones.
+/// Of a point's springs that the deck or the effective matrix gives, normal and of friction.
 double stiffness_of_springs(const contact::Zone& zone, const contact::ZoneCoefficients& coefficients,
                             std::size_t point) {
   double stiffness = 0;
@@ -44,25 +43,37 @@ double stiffness_of_springs(const contact::Zone& zone, const contact::ZoneCoeffi
   return stiffness;
 }
 
-} // namespace
-
-VectorXd contact_stiffness(const Model& model, const EffectiveSystem& system) {
-  VectorXd stiffness = system.diagonal;
+/// Adds the springs of a zone's points to the dofs of their nodes, and the stiffest to those of the master.
+template <class SpringOf>
+void add_springs(const Model& model, const contact::Zone& zone, const SpringOf& spring_of,
+                 VectorXd& stiffness) {
   const auto add = [&](mesh::NodeIndex node, double spring) {
     stiffness.segment(model.dofs.dof(node, 0), model.dofs.components).array() += spring;
   };
+  double stiffest = 0;
+  for (std::size_t i = 0; i < zone.points.size(); ++i) {
+    const auto& point = zone.points[i];
+    const double spring = spring_of(i);
+    stiffest = std::max(stiffest, spring);
+    for (std::size_t n = 0; n < point.nodes.size(); ++n)
+      add(point.nodes[n], std::abs(point.shape[n]) * spring);
+  }
+  for (const auto node : zone.master.nodes)
+    add(node, stiffest);
+}
+
+} // namespace
+
+ContactStiffness contact_stiffness(const Model& model, const EffectiveSystem& system,
+                                   const std::vector<std::vector<double>>& friction) {
+  ContactStiffness stiffness{system.diagonal, VectorXd::Zero(system.diagonal.size())};
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
-    double stiffest = 0;
-    for (std::size_t i = 0; i < zone.points.size(); ++i) {
-      const auto& point = zone.points[i];
-      const double spring = stiffness_of_springs(zone, system.zones[z], i);
-      stiffest = std::max(stiffest, spring);
-      for (std::size_t n = 0; n < point.nodes.size(); ++n)
-        add(point.nodes[n], std::abs(point.shape[n]) * spring);
-    }
-    for (const auto node : zone.master.nodes)
-      add(node, stiffest);
+    add_springs(
+        model, zone, [&](std::size_t i) { return stiffness_of_springs(zone, system.zones[z], i); },
+        stiffness.by_place);
+    add_springs(
+        model, zone, [&](std::size_t i) { return friction[z][i]; }, stiffness.by_move);
   }
   return stiffness;
 }
@@ -127,28 +138,31 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
       residual_.size() > 0 ? model_.node_of(model_.free_dofs[static_cast<std::size_t>(worst)]) : -1;
 }
 
-bool Equilibrium::within_rounding(const time::Motion& motion, double tolerance) const {
+bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiffness& stiffness, double far,
+                                  double tolerance) const {
   const VectorXd moved = motion.u.cwiseAbs();
   VectorXd summed = VectorXd::Zero(moved.size());
   add_magnitudes(system_.coefficients.stiffness, model_.stiffness, moved, summed);
   if (scheme_.dynamic)
     add_magnitudes(system_.coefficients.acceleration * scheme_.inertia.now, model_.mass, moved, summed);
-  add_places(summed);
+  add_contact(stiffness, far, moved.lpNorm<Eigen::Infinity>(), summed);
   const VectorXd level = last_digits * summed(model_.free_dofs);
   return (residual_.array().abs() <= level.array().max(tolerance * scale_)).all();
 }
 
-/// A contact force follows the gap by the stiffness there, and a gap is a difference of places.
-void Equilibrium::add_places(VectorXd& summed) const {
-  const VectorXd stiffness = contact_stiffness(model_, system_);
+/// A contact force follows the gap by the stiffness there, and a gap is a difference of places; friction
+/// follows the slip, a difference of displacements.
+void Equilibrium::add_contact(const ContactStiffness& stiffness, double far, double moved,
+                              VectorXd& summed) const {
   for (const auto& zone : model_.zones)
     for (const auto* surface : {&zone.master, &zone.slave})
-      for (const auto node : surface->nodes)
+      for (const auto node : surface->nodes) {
+        const double place = model_.mesh.points[static_cast<std::size_t>(node)].lpNorm<Eigen::Infinity>();
         for (int i = 0; i < model_.dofs.components; ++i) {
           const int dof = model_.dofs.dof(node, i);
-          summed[dof] +=
-              stiffness[dof] * model_.mesh.points[static_cast<std::size_t>(node)].lpNorm<Eigen::Infinity>();
+          summed[dof] += stiffness.by_place[dof] * (place + far) + stiffness.by_move[dof] * (moved + far);
         }
+      }
 }
 
 std::vector<WorstNode> Equilibrium::worst() const {

@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace rubato::step {
 
 /// What contact puts on the dofs, internal side [force].
@@ -21,10 +23,16 @@ struct ContactForce {
   explicit ContactForce(Eigen::Index dofs);
 };
 
-/// What forces at each dof follow its place by, at most: the effective matrix's diagonal, and on contact
-/// surfaces what springs of penalties add to it where they press. On a master every spring of its zone counts
-/// as one that may press on any node. [force/length]
-Eigen::VectorXd contact_stiffness(const model::Model& model, const EffectiveSystem& system);
+/// What forces at each dof follow the surfaces by, at most. On a master every spring of its zone counts as
+/// one that may press on any node. [force/length]
+struct ContactStiffness {
+  Eigen::VectorXd by_place; ///< the effective matrix's diagonal, and springs that the deck asks for
+  Eigen::VectorXd by_move;  ///< friction by penalty, which knows of the slips of the step only
+};
+
+/// `friction`: what ContactSide::friction_stiffness gives.
+ContactStiffness contact_stiffness(const model::Model& model, const EffectiveSystem& system,
+                                   const std::vector<std::vector<double>>& friction);
 
 /// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (K u₁ − f_ext) + the weight of contact × f_c + the terms of the
 /// start of the step.
@@ -41,9 +49,11 @@ public:
   /// them), and of the momentum's rate; the largest contact force where all of these are 0.
   void measure(const time::Motion& motion, const ContactForce& contact, StepReport& report);
   /// Whether every entry of the residual is within `tolerance` or no more than what rounding of the forces
-  /// that it sums may leave: 16 units in the last digit of (|A| |u|)_i, A being the effective matrix, and of
-  /// S_i |x| at contact nodes, S being their contact_stiffness.
-  bool within_rounding(const time::Motion& motion, double tolerance) const;
+  /// that it sums may leave: 16 units in the last digit of (|A| |u|)_i, A being the effective matrix, and at
+  /// contact nodes of their stiffness times the places or moves that gaps and slips are differences of.
+  /// `far`: what the surfaces' displacements are differences of, where that is known [length].
+  bool within_rounding(const time::Motion& motion, const ContactStiffness& stiffness, double far,
+                       double tolerance) const;
   /// The nodes where the residual is largest.
   std::vector<WorstNode> worst() const;
   /// What the last measure held the residual against [force].
@@ -53,7 +63,8 @@ public:
 
 private:
   void take_motion(const time::Motion& motion);
-  void add_places(Eigen::VectorXd& summed) const;
+  void add_contact(const ContactStiffness& stiffness, double far, double moved,
+                   Eigen::VectorXd& summed) const;
 
   const model::Model& model_;
   const time::Scheme& scheme_;

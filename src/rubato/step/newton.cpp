@@ -84,7 +84,7 @@ void Newton::evaluate_contact(const State& trial, const Held& held, int iteratio
   std::swap(previous_, now_);
   side_.evaluate(trial, held, now_);
   if (iteration > 0)
-    side_.renew_status(held, now_);
+    side_.renew_status(held, previous_, now_);
   contact_ = contact::ContactSystem(trial.motion.u.size(), model_.multiplier_count);
   force_ = ContactForce(trial.motion.u.size());
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
@@ -110,10 +110,15 @@ bool Newton::settled(const State& trial, const Held& held) {
     return false;
   const double wanted = wanted_residual(system_, report_.tolerance);
   const bool balanced = report_.residual <= wanted || (stalled && report_.residual <= report_.tolerance);
-  if (!balanced && !(stalled && equilibrium_.within_rounding(trial.motion, report_.tolerance)))
+  if (!balanced && !(stalled && within_rounding(trial, held)))
     return false;
   report_.rounding = balanced ? 0 : report_.residual;
   return !side_.release_strays();
+}
+
+bool Newton::within_rounding(const State& trial, const Held& held) const {
+  const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(held, now_));
+  return equilibrium_.within_rounding(trial.motion, stiffness, 0, report_.tolerance);
 }
 
 bool Newton::solve_and_correct(double part, State& trial) {

@@ -29,6 +29,7 @@ private:
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   void add_zone(std::size_t zone, const Held& held);
   bool settled(const State& trial, const Held& held);
+  bool within_rounding(const State& trial, const Held& held) const;
   bool solve_and_correct(double part, State& trial);
 
   const model::Model& model_;

@@ -11,9 +11,18 @@ bool presses(const contact::ZoneState& zone, std::size_t point) {
   return point < zone.outcomes.size() && !zone.outcomes[point].normal.isZero(0);
 }
 
-/// The way that the force of an overlap acts over.
-double closed_part(const contact::Zone& zone, double overlap, const contact::PointOutcome& outcome) {
-  return deck::is_exact(zone.settings.method) ? std::max(0.0, overlap + outcome.gap) : overlap;
+/// Depths along two normals differ by no more than this factor, or the point has gone elsewhere.
+constexpr double most_turned = 2;
+
+double moved_out(const State& trial, std::size_t zone, std::size_t point) {
+  return trial.moved_out[zone].empty() ? 0.0 : trial.moved_out[zone][point];
+}
+
+/// The way that the force of an overlap acts over, and what its spring keeps.
+double closed_part(const contact::Zone& zone, double overlap, double moved_out,
+                   const contact::PointOutcome& outcome) {
+  const double kept = deck::is_exact(zone.settings.method) ? 0.0 : std::max(0.0, -outcome.gap);
+  return std::clamp(moved_out + kept, 0.0, most_turned * overlap);
 }
 
 /// The way that a force that leaves acts over beyond what its spring gives back.
@@ -49,7 +58,8 @@ double work_of_overlaps(const model::Model& model, const Overlaps& overlaps, con
     for (std::size_t i = 0; i < overlaps[z].size(); ++i)
       if (overlaps[z][i] > 0 && presses(trial.zones[z], i)) {
         const auto& outcome = trial.zones[z].outcomes[i];
-        work += 0.5 * outcome.normal.norm() * closed_part(model.zones[z], overlaps[z][i], outcome);
+        work += 0.5 * outcome.normal.norm() *
+                closed_part(model.zones[z], overlaps[z][i], moved_out(trial, z, i), outcome);
       }
   return work;
 }

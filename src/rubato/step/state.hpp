@@ -31,6 +31,9 @@ struct State {
   Eigen::VectorXd reaction;       ///< of the supports, on constrained dofs [force]
   double force_scale = 0;         ///< what the residual of the last step was measured by [force]
   std::vector<contact::ZoneState> zones;
+  /// Of points that overlapped at the start of the step, unpressed, and press at its end: how far the step
+  /// has moved them out along the normal they press along; 0 of others. One a contact point. [length]
+  std::vector<std::vector<double>> moved_out;
 };
 
 } // namespace rubato::step

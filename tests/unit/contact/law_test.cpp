@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/law.hpp"
+#include "rubato/contact/spring_friction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -86,6 +87,22 @@ TEST(PenaltyLaw, FrictionGrowsWithSlipUpToItsLimit) {
   const PointState large{-0.02, {0, 3}, 0, {0, 0}};
   ASSERT_EQ(wanted_status(large, soft), Status::slip);
   EXPECT_DOUBLE_EQ(respond(large, Status::slip, soft).traction[2], -0.4);
+}
+
+/// On its way to a smaller slip: what grows with its friction is to grow with the limit.
+TEST(PenaltyLaw, KeepsTheLimitOfASpringThatSticksBeyondIt) {
+  const PointState far{-0.02, {3, 0}, 0, {0, 0}};
+  for (auto law : {soft, spring}) {
+    const auto passing = respond(far, Status::stick, law);
+    const auto limited = respond(far, Status::slip, law);
+    EXPECT_LT(passing.kept_friction, 1);
+    EXPECT_NEAR(passing.kept_traction()[1], limited.traction[1], 1e-14 * std::abs(limited.traction[1]));
+    EXPECT_EQ(passing.kept_traction()[0], passing.traction[0]);
+  }
+  EXPECT_EQ(respond({-0.02, {0.1, 0}, 0, {0, 0}}, Status::stick, soft).kept_friction, 1);
+  auto passing = respond(far, Status::stick, soft);
+  follow_limit(passing);
+  EXPECT_NEAR(passing.d_traction(1, 0), respond(far, Status::slip, soft).d_traction(1, 0), 1e-12);
 }
 
 TEST(NodalPenaltyLaw, IsASpringUpToCoulombsLimit) {

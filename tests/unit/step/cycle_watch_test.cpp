@@ -48,9 +48,10 @@ TEST(CycleWatch, TakesHalfOfACorrectionWhereIteratesComeBackUntilTheyDoTooOften)
   EXPECT_EQ(part(Status::stick), std::nullopt);
 }
 
-/// Stiff penalties and much friction: a neighbourhood of these numbers cycles.
+/// Stiff penalties, much friction and a stiff augmentation of it: a neighbourhood of these numbers cycles.
 test::Walk cycling_walk() {
   return test::Walk(test::two_beams, {{"contact.interface.method", "penalty"},
+                                      {"contact.interface.friction_method", "augmented_lagrangian"},
                                       {"contact.interface.friction", "1.5"},
                                       {"contact.interface.coefficients", "{normal: 1e11, tangential: 1e11}"},
                                       {"time.start", "at_rest_unloaded"},

@@ -5,6 +5,9 @@
 #include "unit/step/decks.hpp"
 #include "unit/step/walk.hpp"
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -136,6 +139,61 @@ TEST(StiffFrictionSprings, NeedNoCutsWhereTheGuessKnowsBetter) {
                               {"time.end", "3e-3"}});
   ASSERT_TRUE(walk.to_end());
   EXPECT_TRUE(std::ranges::all_of(walk.reports, &StepReport::converged));
+}
+
+/// A block that a pressure holds on its ground, dragged at its top.
+const std::string pressed_block = R"(
+mesh:
+  generate:
+    - {name: block, rectangle: {from: [0.2, 0], to: [0.8, 0.3]}, divisions: [12, 6], sides: {bottom: under, top: roof}}
+    - {name: ground, rectangle: {from: [0, -0.3], to: [1, 0]}, divisions: [17, 5], sides: {top: above, bottom: base}}
+physics: plane_strain
+materials: {steel: {young: 2e11, poisson: 0.3}}
+functions: {push: {times: [0, 1, 2], values: [0, 0, 1]}}
+supports: [{on: base, fix: [x, y]}, {on: roof, x: {value: 1e-6, function: push}}]
+loads: [{pressure: {on: roof, value: 1e7}}]
+contact: {rest: {master: above, slave: under, friction: 1, method: penalty, friction_method: penalty}}
+time: {scheme: static, step: 1, end: 2}
+)";
+
+/// Springs that saturate within 1e-9 of the block stick all the same, and carry what those of 1e-7 carry.
+TEST(StiffFrictionByPenalty, SettlesInStatics) {
+  for (const char* friction : {"0.1", "1", "10"}) {
+    double dragged = 0;
+    for (const char* stiffness : {"1e5", "1e7", "1e9"}) {
+      Walk walk(pressed_block,
+                {{"contact.rest.friction", friction},
+                 {"contact.rest.coefficients", "{tangential: " + std::string(stiffness) + "}"}});
+      ASSERT_TRUE(walk.to_end()) << "friction " << friction << ", " << stiffness;
+      EXPECT_EQ(walk.reports.size(), 2u) << "friction " << friction << ", " << stiffness;
+      for (const auto& report : walk.reports)
+        EXPECT_LE(report.iterations, 40) << "friction " << friction << ", " << stiffness;
+      const auto foot = walk.resultants();
+      EXPECT_NEAR(foot.force[1], 0.6e7, 1e-5 * 0.6e7);
+      if (std::string(stiffness) == "1e9") {
+        EXPECT_NEAR(foot.force[0], dragged, 0.05 * std::abs(dragged)) << friction;
+      }
+      dragged = foot.force[0];
+    }
+  }
+}
+
+/// What nothing but contact holds is placed by differences of a free motion much longer than gaps: their last
+/// digits, times the springs, are what the residual can come to.
+TEST(FrictionByPenalty, SettlesUnderABodyThatOnlyContactHolds) {
+  std::string deck = pressed_block;
+  for (const auto& [plane, space] :
+       {std::pair{"rectangle: {from: [0.2, 0], to: [0.8, 0.3]}, divisions: [12, 6]",
+                  "box: {from: [0.2, 0, 0.2], to: [0.8, 0.3, 0.8]}, divisions: [6, 3, 6]"},
+        std::pair{"rectangle: {from: [0, -0.3], to: [1, 0]}, divisions: [17, 5]",
+                  "box: {from: [0, -0.3, 0], to: [1, 0, 1]}, divisions: [11, 3, 11]"},
+        std::pair{"plane_strain", "solid"}, std::pair{"fix: [x, y]}", "fix: [x, y, z]}"},
+        std::pair{"{on: roof, x:", "{on: roof, fix: z, x:"}})
+    deck.replace(deck.find(plane), std::string(plane).size(), space);
+  Walk walk(deck);
+  ASSERT_TRUE(walk.to_end());
+  EXPECT_EQ(walk.reports.size(), 2u);
+  EXPECT_NEAR(walk.resultants().force[1], 0.36e7, 1e-6 * 0.36e7);
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A ring shrunk onto another one, by springs: nodes of both sides stand on each other, each in a valley
 // between two faces of the master.
+#include "rubato/step/energy.hpp"
+
 #include <gtest/gtest.h>
 
 #include "unit/step/walk.hpp"
@@ -76,6 +78,46 @@ TEST(AShrinkFit, KeepsStillInStepsWithoutLoads) {
     ASSERT_TRUE(walk.to_end()) << method;
     EXPECT_EQ(walk.reports.size(), 3u) << method;
   }
+}
+
+/// Such a node slips on either face towards the other one: springs that only push it back over and over pass
+/// the slips that stick.
+TEST(AShrinkFit, SettlesByPenaltiesWithFrictionHoweverDeep) {
+  for (const char* radius : {"40.0628", "40.5", "42.5"}) // 1, 8 and 40 % of a face
+    for (const char* friction : {"0.2", "1"}) {
+      test::Walk walk(rolled_up({{"mesh.generate.0.rectangle.to", "[1, " + std::string(radius) + "]"},
+                                 {"contact.fit.method", "penalty"},
+                                 {"contact.fit.friction_method", "penalty"},
+                                 {"contact.fit.friction", friction}},
+                                1));
+      ASSERT_TRUE(walk.to_end()) << radius << ", friction " << friction;
+      EXPECT_EQ(walk.reports.size(), 1u) << radius << ", friction " << friction;
+      EXPECT_LE(walk.reports.front().iterations, 30) << radius << ", friction " << friction;
+      EXPECT_EQ(walk.resultants().in_contact, 11);
+    }
+}
+
+/// Overlaps are measured along the normals that close them, between two faces too: nothing is gained.
+TEST(AShrinkFit, GainsNothingInTheLedger) {
+  for (const char* divisions : {"[5, 4]", "[10, 4]"})
+    for (const char* method :
+         {"augmented_lagrangian", "penalty", "nodal_lagrange", "nodal_penalty", "nodal_pcg"})
+      for (const char* friction : {"0", "0.2"}) {
+        if (std::string(method) == "nodal_pcg" && std::string(friction) != "0")
+          continue;
+        test::Walk walk(rolled_up({{"mesh.generate.0.divisions", divisions},
+                                   {"mesh.generate.1.divisions", divisions},
+                                   {"contact.fit.method", method},
+                                   {"contact.fit.friction", friction}},
+                                  1));
+        EnergyAccount account(walk.model, walk.scheme, walk.state);
+        walk.accepted = [&] { account.enter(walk.before, walk.state); };
+        ASSERT_TRUE(walk.to_end()) << method;
+        const auto& ledger = account.ledger();
+        EXPECT_GT(ledger.overlap_work, 0.9 * ledger.stored()) << method;
+        EXPECT_NEAR(ledger.impact, 0, 1e-10 * ledger.largest()) << method << ", friction " << friction;
+        EXPECT_NEAR(ledger.balance(), 0, 1e-10 * ledger.largest()) << method << ", friction " << friction;
+      }
 }
 
 } // namespace

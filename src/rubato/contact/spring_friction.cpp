@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/spring_friction.hpp"
+
+#include <cmath>
+
+namespace rubato::contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// A slip that falls to less than this part of itself in an iteration is on its way.
+constexpr double falling = 0.5;
+
+/// Since the start of the step, in space.
+Vector3d slip_of(const PointEvaluation& point) {
+  return point.kinematics->tangents * point.variables.slip;
+}
+
+/// The slip after a move, by the tangent.
+Vector2d slip_after(const PointEvaluation& point, const fem::DofMap& dofs, const VectorXd& move) {
+  const auto& k = *point.kinematics;
+  Vector2d slip = point.variables.slip;
+  for (std::size_t node = 0; node < k.nodes.size(); ++node)
+    slip += k.d_slip.middleCols(static_cast<Index>(node) * k.components, k.components) *
+            move.segment(dofs.dof(k.nodes[node], 0), k.components);
+  return slip;
+}
+
+/// One point that slips now, and what it did in the iterate before.
+struct Passage {
+  const PointLaw& law;
+  const PointEvaluation& before;
+  const PointEvaluation& now;
+
+  bool turned() const { return slip_of(before).dot(slip_of(now)) < 0; }
+  bool falls() const { return now.variables.slip.norm() <= falling * before.variables.slip.norm(); }
+  bool was_free() const { return friction_pressure(before.variables, law) == 0; }
+
+  /// Over a slip, with the pressure that the point has now.
+  bool can_pull_back(const Vector2d& slip) const {
+    return law.resistance * slip.norm() <= law.friction * friction_pressure(now.variables, law);
+  }
+
+  bool sticks_at(const Vector2d& predicted) const {
+    auto point = now.variables;
+    point.slip = predicted;
+    return wanted_status(point, law) == Status::stick && can_pull_back(now.variables.slip - predicted);
+  }
+};
+
+} // namespace
+
+bool rubs_by_springs(const Zone& zone) {
+  return zone.settings.friction > 0 &&
+         zone.settings.friction_method != deck::FrictionMethod::augmented_lagrangian;
+}
+
+void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const IterateOfZone& now,
+                      const fem::DofMap& dofs, const VectorXd& move, std::span<Status> status) {
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    const auto was = before.status[i];
+    if (status[i] != Status::slip || was == Status::open)
+      continue;
+    const auto point = law.of_point(i);
+    const Passage passage{point, before.points[i], now.points[i]};
+    const bool passes = passage.was_free() ? passage.can_pull_back(now.points[i].variables.slip)
+                        : was == Status::slip
+                            ? passage.turned()
+                            : passage.falls() || passage.sticks_at(slip_after(before.points[i], dofs, move));
+    if (passes)
+      status[i] = Status::stick;
+  }
+}
+
+std::vector<double> friction_stiffness(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                                       std::span<const Status> status) {
+  std::vector<double> stiffness(points.size(), 0.0);
+  if (law.zone->settings.friction_method != deck::FrictionMethod::penalty)
+    return stiffness;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (status[i] == Status::open)
+      continue;
+    const auto point = law.of_point(i);
+    stiffness[i] = std::abs(law.zone->points[i].weight) * point.friction * point.tangential *
+                   friction_pressure(points[i].variables, point);
+  }
+  return stiffness;
+}
+
+} // namespace rubato::contact
