@@ -44,17 +44,18 @@ double nearest_gap(std::span<const GuessPoint> points) {
 /// Nothing of an attempt before is seen but the storage it left.
 CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme, int components) {
   if (!system.scratch)
-    system.scratch =
-        std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(), components);
+    system.scratch = std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(),
+                                                        components, system.has_free_bodies);
   system.scratch->forget();
   return *system.scratch;
 }
 
 } // namespace
 
-CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components)
+CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components,
+                                   bool free_bodies)
     : surface(compliance), points(compliance, surface, force_weight),
-      guess(compliance, force_weight, components) {}
+      guess(compliance, force_weight, components, free_bodies) {}
 
 void CondensedScratch::forget() {
   surface.forget();

@@ -50,7 +50,7 @@ struct CondensedScratch {
   Eigen::VectorXd force; ///< theirs on the surface, one a position
 
   /// The compliance must outlive this.
-  CondensedScratch(Compliance& compliance, double force_weight, int components);
+  CondensedScratch(Compliance& compliance, double force_weight, int components, bool free_bodies);
   void forget();
 };
 

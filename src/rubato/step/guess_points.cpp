@@ -129,9 +129,9 @@ void take_points(const Model& model, const ContactSide& side, const Held& held, 
       guess.zone = z;
       guess.index = i;
       guess.friction = law.friction;
+      guess.give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       guess.softness = soft       ? 1 / (law.coefficients->normal[i] * zone.points[i].weight)
-                       : averaged ? averaged_softness / contact::resistance(zone.points[i], model.dofs,
-                                                                            side.system().diagonal)
+                       : averaged ? averaged_softness * guess.give
                                   : 0.0;
       set_relations(model, compliance, *kinematics, moved, guess);
       set_forces(state.zones[z].outcomes[i], *kinematics, guess);
