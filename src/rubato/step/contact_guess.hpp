@@ -42,7 +42,7 @@ struct GuessPoint {
   double gap = 0;                                      ///< where its frame was measured [length]
   double softness = 0; ///< penetration a unit of force makes: of penalties [length/force]
   double friction = 0; ///< μ
-  double give = 0;     ///< what its own surface gives under a unit force, about [length/force]
+  double give = 0;     ///< of free bodies: what its own surface gives under a unit force [length/force]
 };
 
 /// Gap and slips with the surface at d.

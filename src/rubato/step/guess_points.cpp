@@ -129,10 +129,12 @@ void take_points(const Model& model, const ContactSide& side, const Held& held, 
       guess.zone = z;
       guess.index = i;
       guess.friction = law.friction;
-      guess.give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       guess.softness = soft       ? 1 / (law.coefficients->normal[i] * zone.points[i].weight)
-                       : averaged ? averaged_softness * guess.give
+                       : averaged ? averaged_softness / contact::resistance(zone.points[i], model.dofs,
+                                                                            side.system().diagonal)
                                   : 0.0;
+      if (side.system().has_free_bodies)
+        guess.give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       set_relations(model, compliance, *kinematics, moved, guess);
       set_forces(state.zones[z].outcomes[i], *kinematics, guess);
     }
