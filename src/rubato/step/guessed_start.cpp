@@ -127,8 +127,7 @@ void start_from_guess(const GuessSite& site, const time::Scheme& scheme, State& 
   if (!site.equilibrium.residual().allFinite())
     return;
   Reach reach = reach_of(site.model, site.system);
-  GuessScratch scratch(*site.system.compliance, scheme.contact_weight(), site.model.dofs.components,
-                       false);
+  GuessScratch scratch(*site.system.compliance, scheme.contact_weight(), site.model.dofs.components, false);
   ContactIterate now;
   guess_contact(site, surface, reach, scratch, now, trial);
   if (!site.pulse.stopped())

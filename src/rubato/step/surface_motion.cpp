@@ -10,9 +10,23 @@ SurfaceMotion::SurfaceMotion(const model::Model& model, const time::Scheme& sche
     : model_(model), scheme_(scheme), system_(system) {}
 
 void SurfaceMotion::start_from(const time::Motion& motion, Equilibrium& equilibrium) {
+  equilibrium.evaluate(motion, ContactForce(motion.u.size()));
+  take_base(motion, equilibrium.residual());
+  carried_.resize(0);
+}
+
+void SurfaceMotion::start_from(const time::Motion& motion, const VectorXd& residual, const VectorXd& force) {
+  take_base(motion, residual);
+  carried_ = applied = force;
+}
+
+VectorXd SurfaceMotion::beyond_carried(const VectorXd& force) const {
+  return carried_.size() == 0 ? force : VectorXd(force - carried_);
+}
+
+void SurfaceMotion::take_base(const time::Motion& motion, const VectorXd& residual) {
   base = motion;
-  equilibrium.evaluate(base, ContactForce(base.u.size()));
-  half_way_ = system_.compliance->factor().forward(-equilibrium.residual());
+  half_way_ = system_.compliance->factor().forward(-residual);
   free = system_.compliance->factor().surface_of(half_way_);
   moved = applied = VectorXd::Zero(free.size());
   consistent = true;
@@ -20,7 +34,10 @@ void SurfaceMotion::start_from(const time::Motion& motion, Equilibrium& equilibr
 
 void SurfaceMotion::move(State& trial) {
   moved = free;
-  system_.compliance->add(-scheme_.contact_weight(), applied, moved);
+  if (carried_.size() == 0)
+    system_.compliance->add(-scheme_.contact_weight(), applied, moved);
+  else
+    system_.compliance->add(-scheme_.contact_weight(), applied - carried_, moved);
   place(trial);
 }
 
@@ -48,7 +65,7 @@ void SurfaceMotion::place(State& trial) const {
 void SurfaceMotion::move_bulk(State& trial) const {
   const auto& factor = system_.compliance->factor();
   VectorXd half_way = half_way_;
-  factor.load_surface(-scheme_.contact_weight() * applied, half_way);
+  factor.load_surface(-scheme_.contact_weight() * beyond_carried(applied), half_way);
   VectorXd d = VectorXd::Zero(base.u.size());
   d(model_.free_dofs) = factor.backward(half_way);
   trial.motion = base;

@@ -21,6 +21,11 @@ public:
 
   /// Takes a motion as the base that everything is counted from.
   void start_from(const time::Motion& base, Equilibrium& equilibrium);
+  /// Takes a motion as the base together with the contact forces there, whose residual this is: what moves
+  /// from it is their change, beside which rounding of whole forces on weak springs is large.
+  void start_from(const time::Motion& base, const Eigen::VectorXd& residual, const Eigen::VectorXd& force);
+  /// What the base does not carry of forces on the surface.
+  Eigen::VectorXd beyond_carried(const Eigen::VectorXd& force) const;
   /// As the forces applied push it.
   void move(State& trial);
   /// To where a motion has the surfaces.
@@ -38,10 +43,13 @@ public:
   bool consistent = true;  ///< whether it does: not where a move was made shorter
 
 private:
+  void take_base(const time::Motion& motion, const Eigen::VectorXd& residual);
+
   const model::Model& model_;
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
   Eigen::VectorXd half_way_; ///< L⁻¹(−R₀): the free motion, solved down to the surface
+  Eigen::VectorXd carried_;  ///< contact force on the surface that the base has; none where it has none
 };
 
 } // namespace rubato::step
