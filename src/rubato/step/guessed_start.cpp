@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -13,7 +14,9 @@ using Eigen::VectorXd;
 constexpr int most_rounds = 10;
 constexpr int most_rounds_of_free_bodies = 60;
 /// Moves of free bodies, in parts of how far an iteration may move them, that Newton takes over.
-constexpr double at_rest = 1e-3;
+constexpr double at_rest = 1e-5;
+/// Cosine between moves that go one way.
+constexpr double same_way = 0.99;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
 constexpr double settled = 3e-3;
 /// How far an iteration may move the surfaces of bodies that only contact holds, in edges.
@@ -85,10 +88,28 @@ private:
 
   /// Springs that hold free bodies let go of what they carry.
   void take_as_base() {
+    const double more = still_to_come();
+    const VectorXd moved = (1 + more) * surface_.moved;
     for (auto& point : points_)
-      point.value = measures_of(point, surface_.moved);
+      point.value = measures_of(point, moved);
     surface_.move_bulk(trial_);
+    trial_.motion.u += more * (trial_.motion.u - surface_.base.u);
     surface_.start_from(trial_.motion, site_.equilibrium);
+  }
+
+  /// Moves from base to base that go one way, each the part r of the one before, have r/(1 − r) of the last
+  /// one still to come: no more of them is taken than frames tell about.
+  double still_to_come() {
+    const VectorXd last = std::exchange(last_move_, surface_.moved);
+    if (last.size() == 0)
+      return 0;
+    const double along = last.dot(surface_.moved);
+    if (along < same_way * last.norm() * surface_.moved.norm())
+      return 0;
+    const double part = along / last.squaredNorm();
+    const double most = reach_.most() / surface_.moved.lpNorm<Eigen::Infinity>();
+    last_move_.resize(0);
+    return part < 1 ? std::min(part / (1 - part), most) : most;
   }
 
   Compliance& compliance() { return *site_.system.compliance; }
@@ -102,6 +123,7 @@ private:
   ContactIterate& now_;
   State& trial_;
   bool free_bodies_;
+  VectorXd last_move_; ///< from base to base
 };
 
 } // namespace

@@ -206,5 +206,35 @@ TEST(FreeSaddle, DropsOnAPin) {
   }
 }
 
+/// A whole ring on a round pin: turning, only friction and the facets of the pin hold it.
+std::string ring_deck(double friction, double load) {
+  return "mesh: {file: none}\n"
+         "physics: plane_strain\n"
+         "materials: {steel: {young: 2e11, poisson: 0.3, density: 1}}\n"
+         "supports: [{on: core, fix: [x, y]}]\n"
+         "loads: [{gravity: {on: ring, y: " +
+         std::to_string(-load) +
+         "}}]\n"
+         "contact: {rest: {master: pin_skin, slave: ring_skin, friction: " +
+         std::to_string(friction) +
+         "}}\n"
+         "time: {scheme: static, step: 1, end: 1}\n";
+}
+
+TEST(FreeRing, IsHeldByFrictionOnAPin) {
+  for (const int cells : {41, 47, 53})
+    for (const double load : {1e2, 7.8e4, 1e6}) {
+      const auto study = deck::parse_deck(ring_deck(0.3, load), "deck.yaml", {}).runs.front();
+      Walk walk(model::build_model(study, ring_on_pin(cells)));
+      ASSERT_TRUE(walk.to_end()) << cells << " " << load;
+      EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
+      EXPECT_LE(most_iterations(walk), 25) << cells << " " << load;
+      const double weight = load * cells / 2.0 * std::sin(2 * std::numbers::pi / cells) * (1.3 * 1.3 - 1);
+      const Eigen::Vector3d force = walk.resultants().force;
+      EXPECT_NEAR(force.y(), weight, 1e-6 * weight) << cells;
+      EXPECT_NEAR(force.x(), 0, 1e-6 * weight) << cells;
+    }
+}
+
 } // namespace
 } // namespace rubato::step
