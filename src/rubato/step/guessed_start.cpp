@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/guessed_start.hpp"
 
+#include "rubato/step/condensed.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -15,6 +17,8 @@ constexpr int most_rounds = 10;
 constexpr int most_rounds_of_free_bodies = 60;
 /// Moves of free bodies, in parts of how far an iteration may move them, that Newton takes over.
 constexpr double at_rest = 1e-5;
+/// The same where points share multipliers: these take the means of the forces guessed only.
+constexpr double nearly_at_rest = 1e-3;
 /// Cosine between moves that go one way.
 constexpr double same_way = 0.99;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
@@ -35,7 +39,8 @@ public:
   Guessing(const GuessSite& site, SurfaceMotion& surface, Reach& reach, GuessScratch& scratch,
            ContactIterate& now, State& trial)
       : site_(site), surface_(surface), reach_(reach), guess_(scratch.guess), points_(scratch.points),
-        touching_(scratch.touching), now_(now), trial_(trial), free_bodies_(site.system.has_free_bodies) {}
+        touching_(scratch.touching), now_(now), trial_(trial), free_bodies_(site.system.has_free_bodies),
+        at_rest_(can_condense(site.model, site.system) ? at_rest : nearly_at_rest) {}
 
   void run() {
     begin();
@@ -49,7 +54,7 @@ public:
       follow_frames();
       if (!surface_.consistent || guess_.misfit(points_, surface_.moved) > settled)
         continue;
-      if (!free_bodies_ || surface_.moved.lpNorm<Eigen::Infinity>() <= at_rest * reach_.most())
+      if (!free_bodies_ || surface_.moved.lpNorm<Eigen::Infinity>() <= at_rest_ * reach_.most())
         return;
       take_as_base();
     }
@@ -123,6 +128,7 @@ private:
   ContactIterate& now_;
   State& trial_;
   bool free_bodies_;
+  double at_rest_;
   VectorXd last_move_; ///< from base to base
 };
 
