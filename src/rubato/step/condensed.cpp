@@ -16,50 +16,30 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using model::Model;
 
-/// Frames that the guess of the contact goes through.
-constexpr int guess_rounds = 10;
-constexpr int guess_rounds_of_free_bodies = 60;
-/// Moves of free bodies, in parts of how far an iteration may move them, that Newton takes over.
-constexpr double at_rest = 1e-3;
-/// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
-constexpr double settled_guess = 3e-3;
-/// How far an iteration may move the surfaces of bodies that only contact holds, in edges.
-constexpr double reach_in_edges = 0.5;
-
-double reach_of(const Model& model, const EffectiveSystem& system) {
-  double edge = std::numeric_limits<double>::infinity();
-  for (const auto& zone : model.zones)
-    edge = std::min(edge, zone.edge());
-  return system.has_free_bodies ? reach_in_edges * edge : std::numeric_limits<double>::infinity();
-}
-
-/// How far points that may touch have to come at least.
-double nearest_gap(std::span<const GuessPoint> points) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& point : points)
-    nearest = std::min(nearest, std::max(0.0, point.gap));
-  return points.empty() ? 0 : nearest;
-}
+/// Surface residual at which free bodies take a new base, whose full residual decides. Counted from one that
+/// carries the contact forces, the rest of the way loses no digits.
+constexpr double nearly_balanced = 1e-6;
 
 /// Nothing of an attempt before is seen but the storage it left.
 CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme, int components) {
   if (!system.scratch)
-    system.scratch =
-        std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(), components);
+    system.scratch = std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(),
+                                                        components, system.has_free_bodies);
   system.scratch->forget();
   return *system.scratch;
 }
 
 } // namespace
 
-CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components)
+CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components,
+                                   bool free_bodies)
     : surface(compliance), points(compliance, surface, force_weight),
-      guess(compliance, force_weight, components) {}
+      guess(compliance, force_weight, components, free_bodies) {}
 
 void CondensedScratch::forget() {
   surface.forget();
   points.forget();
-  guess.forget();
+  guess.guess.forget();
 }
 
 bool can_condense(const Model& model, const EffectiveSystem& system) {
@@ -91,7 +71,7 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
     : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
       equilibrium_(model, scheme, system, committed, t),
       scratch_(scratch_of(system, scheme, model.dofs.components)), scale_(committed.force_scale),
-      reach_(reach_of(model, system)) {}
+      reach_(reach_of(model, system)), surface_(model, scheme, system) {}
 
 StepReport Condensed::run(State& trial, const Held& held) {
   report_ = {};
@@ -115,7 +95,7 @@ StepReport Condensed::run(State& trial, const Held& held) {
     if (!force().allFinite())
       return ended(Outcome::not_finite, held);
     if (iteration > 0 && settled(trial, held)) {
-      move_bulk(trial);
+      surface_.move_bulk(trial);
       const auto force = contact_force();
       if (in_equilibrium(trial, held, force)) {
         equilibrium_.finish(force, trial);
@@ -124,7 +104,10 @@ StepReport Condensed::run(State& trial, const Held& held) {
       }
       if (!equilibrium_.residual().allFinite())
         return ended(Outcome::not_finite, held);
-      start_from(trial);
+      if (system_.has_free_bodies)
+        surface_.start_from(trial.motion, equilibrium_.residual(), Condensed::force());
+      else
+        start_from(trial);
     }
     const bool may_cycle = iteration > 0 && report_.status_changes > 0;
     const auto part = may_cycle ? cycle.part_of_next(now(), force().norm()) : 1.0;
@@ -157,93 +140,20 @@ std::vector<WorstNode> Condensed::worst_on_surface() const {
   std::vector<mesh::NodeIndex> nodes;
   for (const int dof : system_.compliance->dof_of_position())
     nodes.push_back(model_.node_of(dof));
-  const VectorXd left = scheme_.contact_weight() * (force() - applied_);
+  const VectorXd left = scheme_.contact_weight() * (force() - surface_.applied);
   return worst_nodes(left, nodes, surface_scale());
 }
 
-/// Takes a motion as the base that everything is counted from.
 void Condensed::start_from(const State& trial) {
   started_ = true;
-  base_ = trial.motion;
-  equilibrium_.evaluate(base_, ContactForce(base_.u.size()));
-  half_way_ = system_.compliance->factor().forward(-equilibrium_.residual());
-  free_ = system_.compliance->factor().surface_of(half_way_);
-  moved_ = applied_ = VectorXd::Zero(free_.size());
-  consistent_ = true;
+  surface_.start_from(trial.motion, equilibrium_);
 }
 
-/// Contact in frames that follow the surface, until the forces fit the frames they lead to, beginning where
-/// the forces of the last step would push it. Points that press in the end touch at first, all others are
-/// open.
 void Condensed::guess_contact(State& trial, const Held& held) {
-  auto& guess = scratch_.guess;
-  auto& points = scratch_.guess_points;
-  auto& touching = scratch_.touching;
-  const auto& compliance = *system_.compliance;
-  touching.resize(model_.zones.size());
-  applied_ = trial.contact_force(compliance.dof_of_position());
-  move_surface(trial);
-  side_.measure(trial, held, now());
-  if (system_.has_free_bodies || side_.has_lost_its_way(now())) {
-    return_surface(trial);
-    side_.measure(trial, held, now());
-  }
-  take_points(model_, side_, held, compliance, now(), moved_, trial, points);
+  step::guess_contact({model_, system_, side_, held, equilibrium_, pulse_}, surface_, reach_, scratch_.guess,
+                      now(), trial);
   // Only points that are guessed are followed.
   measured_ = std::ranges::all_of(held, [](const HeldZone& zone) { return zone.status.empty(); });
-  reach_.start();
-  const int rounds = system_.has_free_bodies ? guess_rounds_of_free_bodies : guess_rounds;
-  for (int round = 0; round < rounds; ++round) {
-    guess.improve(points, free_, system_.has_free_bodies ? free_ : moved_, pulse_);
-    if (pulse_.stopped())
-      return;
-    take_guess(model_, points, trial);
-    const VectorXd before = system_.has_free_bodies ? moved_ : VectorXd();
-    applied_ = force_on_surface(points, free_.size());
-    move_surface(trial);
-    if (system_.has_free_bodies)
-      shorten_move(before, round == 0 ? nearest_gap(points) : 0.0, trial);
-    find_touching(points, moved_, touching);
-    side_.measure(trial, held, touching, now());
-    move_frames(model_, compliance, now(), moved_, touching, points);
-    if (!consistent_ || guess.misfit(points, moved_) > settled_guess)
-      continue;
-    if (!system_.has_free_bodies || moved_.lpNorm<Eigen::Infinity>() <= at_rest * reach_.most())
-      return;
-    take_as_base(trial, points);
-  }
-}
-
-/// Springs that hold free bodies let go of what they carry.
-void Condensed::take_as_base(State& trial, std::vector<GuessPoint>& points) {
-  for (auto& point : points)
-    point.value = measures_of(point, moved_);
-  move_bulk(trial);
-  start_from(trial);
-}
-
-/// To where the step starts.
-void Condensed::return_surface(State& trial) {
-  const auto& dofs = system_.compliance->dof_of_position();
-  for (std::size_t i = 0; i < dofs.size(); ++i)
-    moved_[static_cast<Index>(i)] = side_.committed().motion.u[dofs[i]] - base_.u[dofs[i]];
-  place_surface(trial);
-}
-
-void Condensed::place_surface(State& trial) const {
-  const auto& dofs = system_.compliance->dof_of_position();
-  for (std::size_t i = 0; i < dofs.size(); ++i)
-    trial.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];
-}
-
-/// Nothing but contact holds free bodies: forces that don't fit yet move them by their whole size and more.
-void Condensed::shorten_move(const VectorXd& before, double more, State& trial) {
-  const double part = reach_.part_of(moved_ - before, more);
-  consistent_ = part == 1;
-  if (consistent_)
-    return;
-  moved_ = before + part * (moved_ - before);
-  place_surface(trial);
 }
 
 void Condensed::evaluate_contact(const State& trial, const Held& held, int iteration) {
@@ -259,7 +169,7 @@ void Condensed::evaluate_contact(const State& trial, const Held& held, int itera
 
 void Condensed::collect_forces(const Held& held) {
   scratch_.in_contact.clear();
-  scratch_.force.setZero(free_.size());
+  scratch_.force.setZero(surface_.free.size());
   const auto& position = system_.compliance->position_of_dof();
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto law = side_.law_of(z, held);
@@ -283,10 +193,11 @@ bool Condensed::settled(const State& trial, const Held& held) {
   side_.collect_restless(held, previous(), now(), report_);
   measure_surface();
   const bool stalled = surface_stall_.stalls(report_.residual);
-  if (!consistent_ || report_.status_changes > 0 || !side_.settled(held, previous(), now()))
+  if (!surface_.consistent || report_.status_changes > 0 || !side_.settled(held, previous(), now()))
     return false;
-  const bool balanced =
-      report_.residual <= report_.tolerance || (stalled && surface_within_rounding(trial, held));
+  const double wanted =
+      system_.has_free_bodies ? std::max(nearly_balanced, report_.tolerance) : report_.tolerance;
+  const bool balanced = report_.residual <= wanted || (stalled && surface_within_rounding(trial, held));
   // A free body that is let go of hops anew, by its whole weight; the border's place is off by a trace of a
   // face.
   return balanced && (system_.has_free_bodies || !side_.release_strays());
@@ -304,12 +215,12 @@ bool Condensed::surface_within_rounding(const State& trial, const Held& held) co
     reach = std::max(reach, place.lpNorm<Eigen::Infinity>() + std::abs(trial.motion.u[dof]));
     moved = std::max(moved, std::abs(trial.motion.u[dof]));
   }
-  const double far = free_.lpNorm<Eigen::Infinity>();
+  const double far = surface_.free.lpNorm<Eigen::Infinity>();
   const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(held, now()));
   const double allowed = report_.tolerance * surface_scale();
   for (std::size_t i = 0; i < dofs.size(); ++i) {
-    const double left =
-        scheme_.contact_weight() * std::abs(force()[static_cast<Index>(i)] - applied_[static_cast<Index>(i)]);
+    const double left = scheme_.contact_weight() *
+                        std::abs(force()[static_cast<Index>(i)] - surface_.applied[static_cast<Index>(i)]);
     const double level =
         stiffness.by_place[dofs[i]] * (reach + far) + stiffness.by_move[dofs[i]] * (moved + far);
     if (left > std::max(allowed, last_digits * level))
@@ -326,7 +237,8 @@ double Condensed::surface_scale() const {
 void Condensed::measure_surface() {
   Index worst = 0;
   const double largest =
-      force().size() > 0 ? scheme_.contact_weight() * (force() - applied_).cwiseAbs().maxCoeff(&worst) : 0.0;
+      force().size() > 0 ? scheme_.contact_weight() * (force() - surface_.applied).cwiseAbs().maxCoeff(&worst)
+                         : 0.0;
   report_.residual = largest == 0 ? 0 : largest / surface_scale();
   if (force().size() > 0)
     report_.worst_node =
@@ -347,32 +259,28 @@ void Condensed::linearise(const State& trial, const Held& held) {
 
 bool Condensed::iterate(State& trial, const Held& held, double part) {
   linearise(trial, held);
-  const auto change = scratch_.points.solve(free_ - moved_, force());
+  const auto change =
+      system_.has_free_bodies
+          ? scratch_.points.solve(surface_.free - surface_.moved, surface_.beyond_carried(force()))
+          : scratch_.points.solve(surface_.free - surface_.moved, force());
   if (!change)
     return false;
   VectorXd next = force();
   scratch_.points.add_force(*change, next);
-  VectorXd move = -moved_;
-  std::swap(applied_, next);
-  move_surface(trial);
-  move += moved_;
+  VectorXd move = -surface_.moved;
+  std::swap(surface_.applied, next);
+  surface_.move(trial);
+  move += surface_.moved;
   if (system_.has_free_bodies)
     part *= reach_.part_of(part * move);
-  consistent_ = part == 1;
-  if (!consistent_) {
-    applied_ = next + part * (applied_ - next);
-    moved_ -= (1 - part) * move;
-    place_surface(trial);
+  surface_.consistent = part == 1;
+  if (!surface_.consistent) {
+    surface_.applied = next + part * (surface_.applied - next);
+    surface_.moved -= (1 - part) * move;
+    surface_.place(trial);
   }
   correct_multipliers(*change, move, part, trial);
-  return moved_.allFinite();
-}
-
-/// d_s = d_free − f₁ S f
-void Condensed::move_surface(State& trial) {
-  moved_ = free_;
-  system_.compliance->add(-scheme_.contact_weight(), applied_, moved_);
-  place_surface(trial);
+  return surface_.moved.allFinite();
 }
 
 /// `moved`: how far the whole change moves the surface. Open points have no multipliers in the end.
@@ -393,19 +301,8 @@ void Condensed::correct_multipliers(const PointSystem::Change& change, const Vec
       of_point(point.zone, count, point.index) += part * points.multipliers_of(point, change, moved);
 }
 
-/// The whole motion that belongs to the forces on the surface.
-void Condensed::move_bulk(State& trial) {
-  const auto& factor = system_.compliance->factor();
-  VectorXd half_way = half_way_;
-  factor.load_surface(-scheme_.contact_weight() * applied_, half_way);
-  VectorXd d = VectorXd::Zero(base_.u.size());
-  d(model_.free_dofs) = factor.backward(half_way);
-  trial.motion = base_;
-  time::correct(system_.coefficients, d, trial.motion);
-}
-
 ContactForce Condensed::contact_force() const {
-  ContactForce force(base_.u.size());
+  ContactForce force(surface_.base.u.size());
   for (const auto& point : scratch_.in_contact) {
     const auto& k = *now().points[point.zone][point.index].kinematics;
     const auto& settings = model_.zones[point.zone].settings;
@@ -425,7 +322,7 @@ ContactForce Condensed::contact_force() const {
 
 bool Condensed::within_rounding(const State& trial, const Held& held) const {
   const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(held, now()));
-  return equilibrium_.within_rounding(trial.motion, stiffness, free_.lpNorm<Eigen::Infinity>(),
+  return equilibrium_.within_rounding(trial.motion, stiffness, surface_.free.lpNorm<Eigen::Infinity>(),
                                       report_.tolerance);
 }
 

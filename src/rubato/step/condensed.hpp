@@ -10,9 +10,9 @@
 
 #include "rubato/step/contact_side.hpp"
 #include "rubato/step/equilibrium.hpp"
-#include "rubato/step/guess_points.hpp"
+#include "rubato/step/guessed_start.hpp"
 #include "rubato/step/point_system.hpp"
-#include "rubato/step/reach.hpp"
+#include "rubato/step/surface_motion.hpp"
 
 #include <Eigen/Core>
 
@@ -43,14 +43,12 @@ struct CondensedScratch {
   ContactIterate now, previous;
   TouchedSurface surface;
   PointSystem points;
-  ContactGuess guess;
-  std::vector<GuessPoint> guess_points;
-  PointsOfZones touching;
+  GuessScratch guess;
   std::vector<PointInContact> in_contact;
   Eigen::VectorXd force; ///< theirs on the surface, one a position
 
   /// The compliance must outlive this.
-  CondensedScratch(Compliance& compliance, double force_weight, int components);
+  CondensedScratch(Compliance& compliance, double force_weight, int components, bool free_bodies);
   void forget();
 };
 
@@ -71,10 +69,6 @@ private:
 
   void start_from(const State& trial);
   void guess_contact(State& trial, const Held& held);
-  void return_surface(State& trial);
-  void take_as_base(State& trial, std::vector<GuessPoint>& points);
-  void place_surface(State& trial) const;
-  void shorten_move(const Eigen::VectorXd& before, double more, State& trial);
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   void collect_forces(const Held& held);
   bool settled(const State& trial, const Held& held);
@@ -85,10 +79,8 @@ private:
   std::vector<WorstNode> worst_on_surface() const;
   void linearise(const State& trial, const Held& held);
   bool iterate(State& trial, const Held& held, double part);
-  void move_surface(State& trial);
   void correct_multipliers(const PointSystem::Change& change, const Eigen::VectorXd& moved, double part,
                            State& trial) const;
-  void move_bulk(State& trial);
   ContactForce contact_force() const;
   bool in_equilibrium(const State& trial, const Held& held, const ContactForce& force);
   StepReport ended(Outcome outcome, const Held& held);
@@ -108,12 +100,7 @@ private:
   double last_unbalance_ = std::numeric_limits<double>::infinity(); ///< at the last whole motion
   bool started_ = false;
   bool measured_ = false; ///< whether now() is at the iterate already
-  time::Motion base_;
-  Eigen::VectorXd half_way_; ///< L⁻¹(−R₀): the free motion, solved down to the surface
-  Eigen::VectorXd free_;     ///< d_free on the surface
-  Eigen::VectorXd moved_;    ///< d_s
-  Eigen::VectorXd applied_;  ///< contact force on the surface that moved_ belongs to
-  bool consistent_ = true;   ///< whether it does: not where a move was made shorter
+  SurfaceMotion surface_;
 };
 
 } // namespace rubato::step

@@ -2,6 +2,8 @@
 #include "rubato/step/contact_guess.hpp"
 
 #include "rubato/linalg/dense_cholesky.hpp"
+#include "rubato/step/active_set.hpp"
+#include "rubato/step/friction_cones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,8 @@ constexpr double good_enough = 1e-2;
 constexpr int most_sets = 30;
 /// Points that the forces of others push into the master join in so many rounds.
 constexpr int most_rounds = 8;
+/// Misfit of forces and motions where frames are held, in parts of the largest force, of free bodies.
+constexpr double well_balanced = 1e-3;
 /// Those join first that are pushed in by this part of the deepest.
 constexpr double deep = 0.6;
 
@@ -49,8 +53,9 @@ VectorXd solve_among(std::span<const int> set, const MatrixXd& matrix, const Vec
   return linalg::solve_positive_definite(std::move(among), std::move(right));
 }
 
-/// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle.
-void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Pulse& pulse) {
+/// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle. Whether it
+/// does.
+bool settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Pulse& pulse) {
   VectorXd forces = settled;
   VectorXd open = gaps;
   open.noalias() += matrix * forces;
@@ -71,9 +76,10 @@ void settle_pressing(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& set
       open[k] = 0;
     if ((forces.array() >= 0).all() && (open.array() >= 0).all()) {
       settled = forces;
-      return;
+      return true;
     }
   }
+  return false;
 }
 
 /// The same between bounds.
@@ -131,8 +137,8 @@ void add_force(std::span<const GuessPoint> points, int first, int last, VectorXd
   }
 }
 
-ContactGuess::ContactGuess(Compliance& compliance, double factor, int components)
-    : compliance_(compliance), factor_(factor), components_(components) {}
+ContactGuess::ContactGuess(Compliance& compliance, double factor, int components, bool to_the_end)
+    : compliance_(compliance), factor_(factor), components_(components), to_the_end_(to_the_end) {}
 
 void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free, VectorXd d, Pulse& pulse) {
   forget();
@@ -145,6 +151,87 @@ void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free, V
   }
   d += free - unpressed;
   rub(points, d, pulse);
+  if (to_the_end_ && !sliding_.empty())
+    press_and_rub(points, free, pulse);
+}
+
+/// Of bodies that only contact holds: friction that has been found for pressing forces as they were leaves
+/// gaps of the size of a rigid motion. Those that press are solved for together, then those too that they
+/// push into the master.
+void ContactGuess::press_and_rub(std::span<GuessPoint> points, const VectorXd& free, Pulse& pulse) {
+  std::vector<GuessPoint*> together;
+  for (int round = 0; round < most_rounds && pulse.beat(); ++round) {
+    VectorXd d = free;
+    add_motion(points, 0, 2, d);
+    if (misfit_by_own_give(points, d) <= well_balanced || !join(points, d, together))
+      return;
+    VectorXd forces(static_cast<Index>(together.size()) * components_);
+    for (std::size_t k = 0; k < together.size(); ++k)
+      forces.segment(static_cast<Index>(k) * components_, components_) = together[k]->force.head(components_);
+    const auto solved = solve_friction(cones_of(together, free, pulse), forces, pulse);
+    if (!solved)
+      return;
+    for (std::size_t k = 0; k < together.size(); ++k)
+      together[k]->force.head(components_) =
+          solved->segment(static_cast<Index>(k) * components_, components_);
+  }
+}
+
+/// Points that press, and those that penetrate deepest, join others. Whether there are any.
+bool ContactGuess::join(std::span<GuessPoint> points, const VectorXd& d, std::vector<GuessPoint*>& together) {
+  const std::vector<GuessPoint*> known = together;
+  double deepest = 0;
+  for (const auto& point : points)
+    if (point.force[0] == 0)
+      deepest = std::min(deepest, measures_of(point, d)[0]);
+  for (auto& point : points)
+    if (std::ranges::find(known, &point) == known.end()) {
+      const double gap = measures_of(point, d)[0];
+      if (point.force[0] > 0 || (gap < 0 && gap <= deep * deepest))
+        together.push_back(&point);
+    }
+  return together.size() > known.size();
+}
+
+FrictionCones ContactGuess::cones_of(std::span<GuessPoint* const> together, const VectorXd& free,
+                                     Pulse& pulse) {
+  const auto count = static_cast<Index>(together.size());
+  const Index size = count * components_;
+  FrictionCones cones{MatrixXd(size, size), VectorXd(size), VectorXd(count)};
+  for (Index k = 0; k < count && pulse.beat(); ++k) {
+    const auto& point = *together[static_cast<std::size_t>(k)];
+    cones.values.segment(k * components_, components_) = measures_of(point, free).head(components_);
+    cones.friction[k] = point.friction;
+    for (Index a = 0; a < components_; ++a) {
+      push(point, static_cast<int>(a));
+      for (Index i = 0; i < count; ++i) {
+        const auto& seeing = *together[static_cast<std::size_t>(i)];
+        cones.matrix.col(k * components_ + a).segment(i * components_, components_) =
+            (seeing.frame.transpose() * moved_of(seeing, moved_)).head(components_);
+      }
+    }
+    cones.matrix(k * components_, k * components_) += point.softness;
+  }
+  return cones;
+}
+
+/// The largest gap or slip that forces do not fit, as a force on the point's own surface, in parts of the
+/// largest force.
+double ContactGuess::misfit_by_own_give(std::span<const GuessPoint> points, const VectorXd& d) const {
+  double misfit = 0;
+  double largest = 0;
+  for (const auto& point : points) {
+    const Vector3d measures = measures_of(point, d);
+    const double gap = measures[0] + point.softness * point.force[0];
+    misfit = std::max(misfit, (point.force[0] > 0 ? std::abs(gap) : -gap) / point.give);
+    largest = std::max(largest, point.force[0]);
+    const Eigen::Vector2d slip = measures.tail<2>();
+    Eigen::Vector2d wanted = point.force.tail<2>() - slip / point.give;
+    if (const double length = wanted.norm(), limit = point.friction * point.force[0]; length > limit)
+      wanted *= limit / length;
+    misfit = std::max(misfit, (wanted - point.force.tail<2>()).norm());
+  }
+  return misfit > 0 ? misfit / largest : 0.0;
 }
 
 double ContactGuess::misfit(std::span<const GuessPoint> points, const VectorXd& d) const {
@@ -273,7 +360,8 @@ void ContactGuess::press(const VectorXd& without, Pulse& pulse) {
     matrix(k, k) += point.softness;
   }
   sweep_pressing(matrix, gaps, forces);
-  settle_pressing(matrix, gaps, forces, pulse);
+  if (!settle_pressing(matrix, gaps, forces, pulse) && to_the_end_)
+    solve_complementarity(matrix, gaps, forces, pulse);
   for (Index k = 0; k < count; ++k)
     chosen_[static_cast<std::size_t>(k)]->force[0] = forces[k];
 }

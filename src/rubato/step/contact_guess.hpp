@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/step/compliance.hpp"
+#include "rubato/step/friction_cones.hpp"
 #include "rubato/step/pulse.hpp"
 
 #include <Eigen/Core>
@@ -41,6 +42,7 @@ struct GuessPoint {
   double gap = 0;                                      ///< where its frame was measured [length]
   double softness = 0; ///< penetration a unit of force makes: of penalties [length/force]
   double friction = 0; ///< μ
+  double give = 0;     ///< of free bodies: what its own surface gives under a unit force [length/force]
 };
 
 /// Gap and slips with the surface at d.
@@ -53,8 +55,10 @@ void add_force(std::span<const GuessPoint> points, int first, int last, Eigen::V
 class ContactGuess {
 public:
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
-  /// dimensions as `components`. `compliance` must outlive this.
-  ContactGuess(Compliance& compliance, double factor, int components);
+  /// dimensions as `components`. Pressing forces are found `to_the_end` where sweeps and sets at once don't:
+  /// of bodies that only contact holds, each of whose points moves all others by more than its own strain.
+  /// `compliance` must outlive this.
+  ContactGuess(Compliance& compliance, double factor, int components, bool to_the_end = false);
 
   /// Improves the forces of the points, which have been measured with the surface at d: first the pressing
   /// ones, so that no gap is negative, then those along the slips for the pressing ones found, so that none
@@ -79,11 +83,17 @@ private:
   void couple_rubbing(Pulse& pulse);
   void press(const Eigen::VectorXd& without, Pulse& pulse);
   void rub(std::span<GuessPoint> points, const Eigen::VectorXd& without, Pulse& pulse);
+  FrictionCones cones_of(std::span<GuessPoint* const> together, const Eigen::VectorXd& free, Pulse& pulse);
+  static bool join(std::span<GuessPoint> points, const Eigen::VectorXd& d,
+                   std::vector<GuessPoint*>& together);
+  void press_and_rub(std::span<GuessPoint> points, const Eigen::VectorXd& free, Pulse& pulse);
+  double misfit_by_own_give(std::span<const GuessPoint> points, const Eigen::VectorXd& d) const;
   double give_of(std::size_t chosen) const;
 
   Compliance& compliance_;
   double factor_;
   Eigen::Index components_;
+  bool to_the_end_;
   std::vector<GuessPoint*> chosen_;  ///< those that may touch
   std::vector<std::size_t> sliding_; ///< of those chosen
   Eigen::MatrixXd pressing_;         ///< gaps of chosen points for unit pressing forces on each

@@ -133,6 +133,8 @@ void take_points(const Model& model, const ContactSide& side, const Held& held, 
                        : averaged ? averaged_softness / contact::resistance(zone.points[i], model.dofs,
                                                                             side.system().diagonal)
                                   : 0.0;
+      if (side.system().has_free_bodies)
+        guess.give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       set_relations(model, compliance, *kinematics, moved, guess);
       set_forces(state.zones[z].outcomes[i], *kinematics, guess);
     }

@@ -1,108 +1,165 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/guessed_start.hpp"
 
-#include "rubato/step/guess_points.hpp"
+#include "rubato/step/condensed.hpp"
 
-#include <cstddef>
-#include <vector>
+#include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace rubato::step {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Frames that the guess goes through.
-constexpr int rounds = 10;
+constexpr int most_rounds = 10;
+constexpr int most_rounds_of_free_bodies = 60;
+/// Moves of free bodies, in parts of how far an iteration may move them, that Newton takes over.
+constexpr double at_rest = 1e-5;
+/// The same where points share multipliers: these take the means of the forces guessed only.
+constexpr double nearly_at_rest = 1e-3;
+/// Cosine between moves that go one way.
+constexpr double same_way = 0.99;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
 constexpr double settled = 3e-3;
+/// How far an iteration may move the surfaces of bodies that only contact holds, in edges.
+constexpr double reach_in_edges = 0.5;
 
-/// The surface of one attempt: it moves by d = d_free − f₁ S f.
-class GuessedStart {
+/// How far points that may touch have to come at least.
+double nearest_gap(std::span<const GuessPoint> points) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& point : points)
+    nearest = std::min(nearest, std::max(0.0, point.gap));
+  return points.empty() ? 0 : nearest;
+}
+
+class Guessing {
 public:
-  GuessedStart(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-               const ContactSide& side, const Held& held, const VectorXd& residual, State& trial,
-               Pulse& pulse)
-      : model_(model), weight_(scheme.contact_weight()), system_(system), compliance_(*system.compliance),
-        side_(side), held_(held), base_(trial.motion), half_way_(compliance_.factor().forward(-residual)),
-        free_(compliance_.factor().surface_of(half_way_)), trial_(trial), pulse_(pulse),
-        guess_(compliance_, weight_, model.dofs.components), touching_(model.zones.size()) {}
+  Guessing(const GuessSite& site, SurfaceMotion& surface, Reach& reach, GuessScratch& scratch,
+           ContactIterate& now, State& trial)
+      : site_(site), surface_(surface), reach_(reach), guess_(scratch.guess), points_(scratch.points),
+        touching_(scratch.touching), now_(now), trial_(trial), free_bodies_(site.system.has_free_bodies),
+        at_rest_(can_condense(site.model, site.system) ? at_rest : nearly_at_rest) {}
 
   void run() {
-    move(trial_.contact_force(compliance_.dof_of_position()));
-    side_.measure(trial_, held_, now_);
-    if (system_.has_free_bodies || side_.has_lost_its_way(now_)) {
-      go_back();
-      side_.measure(trial_, held_, now_);
-    }
-    take_points(model_, side_, held_, compliance_, now_, moved_, trial_, points_);
+    begin();
+    const int rounds = free_bodies_ ? most_rounds_of_free_bodies : most_rounds;
     for (int round = 0; round < rounds; ++round) {
-      guess_.improve(points_, free_, system_.has_free_bodies ? free_ : moved_, pulse_);
-      if (pulse_.stopped())
+      guess_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved, site_.pulse);
+      if (site_.pulse.stopped())
         return;
-      take_guess(model_, points_, trial_);
-      move(force_on_surface(points_, free_.size()));
-      find_touching(points_, moved_, touching_);
-      side_.measure(trial_, held_, touching_, now_);
-      move_frames(model_, compliance_, now_, moved_, touching_, points_);
-      if (guess_.misfit(points_, moved_) <= settled)
-        break;
+      take_guess(site_.model, points_, trial_);
+      move(round);
+      follow_frames();
+      if (!surface_.consistent || guess_.misfit(points_, surface_.moved) > settled)
+        continue;
+      if (!free_bodies_ || surface_.moved.lpNorm<Eigen::Infinity>() <= at_rest_ * reach_.most())
+        return;
+      take_as_base();
     }
-    move_bulk();
   }
 
 private:
-  void move(const VectorXd& force) {
-    force_ = force;
-    moved_ = free_;
-    compliance_.add(-weight_, force, moved_);
-    const auto& dofs = compliance_.dof_of_position();
-    for (std::size_t i = 0; i < dofs.size(); ++i)
-      trial_.motion.u[dofs[i]] = base_.u[dofs[i]] + moved_[static_cast<Index>(i)];
-  }
-
-  /// To where the step starts.
-  void go_back() {
-    const auto& dofs = compliance_.dof_of_position();
-    for (std::size_t i = 0; i < dofs.size(); ++i) {
-      trial_.motion.u[dofs[i]] = side_.committed().motion.u[dofs[i]];
-      moved_[static_cast<Index>(i)] = trial_.motion.u[dofs[i]] - base_.u[dofs[i]];
+  /// Where the forces of the last step push the surfaces, or where the step starts.
+  void begin() {
+    touching_.resize(site_.model.zones.size());
+    surface_.applied = trial_.contact_force(compliance().dof_of_position());
+    surface_.move(trial_);
+    site_.side.measure(trial_, site_.held, now_);
+    if (free_bodies_ || site_.side.has_lost_its_way(now_)) {
+      surface_.go_to(site_.side.committed().motion, trial_);
+      site_.side.measure(trial_, site_.held, now_);
     }
+    take_points(site_.model, site_.side, site_.held, compliance(), now_, surface_.moved, trial_, points_);
+    reach_.start();
   }
 
-  void move_bulk() {
-    VectorXd half_way = half_way_;
-    compliance_.factor().load_surface(-weight_ * force_, half_way);
-    VectorXd d = VectorXd::Zero(base_.u.size());
-    d(model_.free_dofs) = compliance_.factor().backward(half_way);
-    trial_.motion = base_;
-    time::correct(system_.coefficients, d, trial_.motion);
+  /// Nothing but contact holds free bodies: forces that don't fit yet move them by their whole size and more.
+  void move(int round) {
+    const VectorXd before = free_bodies_ ? surface_.moved : VectorXd();
+    surface_.applied = force_on_surface(points_, surface_.free.size());
+    surface_.move(trial_);
+    if (free_bodies_)
+      surface_.shorten(
+          before, reach_.part_of(surface_.moved - before, round == 0 ? nearest_gap(points_) : 0.0), trial_);
   }
 
-  const model::Model& model_;
-  double weight_;
-  EffectiveSystem& system_;
-  Compliance& compliance_;
-  const ContactSide& side_;
-  const Held& held_;
-  time::Motion base_;
-  VectorXd half_way_, free_, moved_, force_;
+  void follow_frames() {
+    find_touching(points_, surface_.moved, touching_);
+    site_.side.measure(trial_, site_.held, touching_, now_);
+    move_frames(site_.model, compliance(), now_, surface_.moved, touching_, points_);
+  }
+
+  /// Springs that hold free bodies let go of what they carry.
+  void take_as_base() {
+    const double more = still_to_come();
+    const VectorXd moved = (1 + more) * surface_.moved;
+    for (auto& point : points_)
+      point.value = measures_of(point, moved);
+    surface_.move_bulk(trial_);
+    trial_.motion.u += more * (trial_.motion.u - surface_.base.u);
+    surface_.start_from(trial_.motion, site_.equilibrium);
+  }
+
+  /// Moves from base to base that go one way, each the part r of the one before, have r/(1 − r) of the last
+  /// one still to come: no more of them is taken than frames tell about.
+  double still_to_come() {
+    const VectorXd last = std::exchange(last_move_, surface_.moved);
+    if (last.size() == 0)
+      return 0;
+    const double along = last.dot(surface_.moved);
+    if (along < same_way * last.norm() * surface_.moved.norm())
+      return 0;
+    const double part = along / last.squaredNorm();
+    const double most = reach_.most() / surface_.moved.lpNorm<Eigen::Infinity>();
+    last_move_.resize(0);
+    return part < 1 ? std::min(part / (1 - part), most) : most;
+  }
+
+  Compliance& compliance() { return *site_.system.compliance; }
+
+  const GuessSite& site_;
+  SurfaceMotion& surface_;
+  Reach& reach_;
+  ContactGuess& guess_;
+  std::vector<GuessPoint>& points_;
+  PointsOfZones& touching_;
+  ContactIterate& now_;
   State& trial_;
-  Pulse& pulse_;
-  ContactGuess guess_;
-  std::vector<GuessPoint> points_;
-  PointsOfZones touching_;
-  ContactIterate now_;
+  bool free_bodies_;
+  double at_rest_;
+  VectorXd last_move_; ///< from base to base
 };
 
 } // namespace
 
-void start_from_guess(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                      const ContactSide& side, const Held& held, Equilibrium& equilibrium, State& trial,
-                      Pulse& pulse) {
-  equilibrium.evaluate(trial.motion, ContactForce(trial.motion.u.size()));
-  if (equilibrium.residual().allFinite())
-    GuessedStart(model, scheme, system, side, held, equilibrium.residual(), trial, pulse).run();
+GuessScratch::GuessScratch(Compliance& compliance, double force_weight, int components, bool free_bodies)
+    : guess(compliance, force_weight, components, free_bodies) {}
+
+Reach reach_of(const model::Model& model, const EffectiveSystem& system) {
+  double edge = std::numeric_limits<double>::infinity();
+  for (const auto& zone : model.zones)
+    edge = std::min(edge, zone.edge());
+  return Reach(system.has_free_bodies ? reach_in_edges * edge : std::numeric_limits<double>::infinity());
+}
+
+void guess_contact(const GuessSite& site, SurfaceMotion& surface, Reach& reach, GuessScratch& scratch,
+                   ContactIterate& now, State& trial) {
+  Guessing(site, surface, reach, scratch, now, trial).run();
+}
+
+void start_from_guess(const GuessSite& site, const time::Scheme& scheme, State& trial) {
+  SurfaceMotion surface(site.model, scheme, site.system);
+  surface.start_from(trial.motion, site.equilibrium);
+  if (!site.equilibrium.residual().allFinite())
+    return;
+  Reach reach = reach_of(site.model, site.system);
+  GuessScratch scratch(*site.system.compliance, scheme.contact_weight(), site.model.dofs.components, false);
+  ContactIterate now;
+  guess_contact(site, surface, reach, scratch, now, trial);
+  if (!site.pulse.stopped())
+    surface.move_bulk(trial);
 }
 
 } // namespace rubato::step

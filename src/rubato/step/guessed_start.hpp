@@ -1,18 +1,49 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The start of a step that is solved whole, on a bulk whose effective matrix is factored: the motion, the
-/// statuses and the multipliers that belong to a guess of the contact forces (step/contact_guess.hpp).
+/// The contact of a step guessed before it is solved: which points will touch, stick and slip, and how hard.
 #pragma once
 
 #include "rubato/step/contact_side.hpp"
-#include "rubato/step/equilibrium.hpp"
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/guess_points.hpp"
+#include "rubato/step/reach.hpp"
+#include "rubato/step/surface_motion.hpp"
+
+#include <vector>
 
 namespace rubato::step {
 
-/// Takes `trial` there from the motion that it has. Nothing of it is changed when the forces are not finite;
-/// it means nothing when the pulse has stopped.
-void start_from_guess(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                      const ContactSide& side, const Held& held, Equilibrium& equilibrium, State& trial,
-                      Pulse& pulse);
+/// Storage that one guess leaves to the next.
+struct GuessScratch {
+  ContactGuess guess;
+  std::vector<GuessPoint> points;
+  PointsOfZones touching;
+
+  /// The compliance must outlive this.
+  GuessScratch(Compliance& compliance, double force_weight, int components, bool free_bodies);
+};
+
+/// Largest moves of the surfaces of bodies that only contact holds, by half an edge of the finest zone;
+/// infinite where there are none.
+Reach reach_of(const model::Model& model, const EffectiveSystem& system);
+
+/// Where a guess works.
+struct GuessSite {
+  const model::Model& model;
+  EffectiveSystem& system;
+  const ContactSide& side;
+  const Held& held;
+  Equilibrium& equilibrium;
+  Pulse& pulse;
+};
+
+/// Takes `trial` to statuses and multipliers of guessed forces and its surfaces, and those of `surface`, to
+/// where these push them: contact in frames that follow the surface, until the forces fit the frames they
+/// lead to, beginning where the forces of the last step would push it. Points that press in the end touch at
+/// first, all others are open. With free bodies the base is where these come to rest. `now` is contact
+/// there, of the points that are guessed. Nothing that comes of it counts when the pulse has stopped.
+void guess_contact(const GuessSite& site, SurfaceMotion& surface, Reach& reach, GuessScratch& scratch,
+                   ContactIterate& now, State& trial);
+
+/// The same for a solver that iterates on the whole motion, which `trial` has then.
+void start_from_guess(const GuessSite& site, const time::Scheme& scheme, State& trial);
 
 } // namespace rubato::step

@@ -32,7 +32,7 @@ StepReport Newton::run(State& trial, const Held& held) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
   if (!started_ && can_guess(model_, system_) && starts_from_guess(model_, side_.variant().start))
-    start_from_guess(model_, scheme_, system_, side_, held, equilibrium_, trial, pulse_);
+    start_from_guess({model_, system_, side_, held, equilibrium_, pulse_}, scheme_, trial);
   started_ = true;
   side_.start_iterations();
   CycleWatch cycle;

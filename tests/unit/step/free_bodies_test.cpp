@@ -220,5 +220,70 @@ TEST(FreeSaddle, DropsOnAPin) {
   }
 }
 
+/// Rectangles over [0, 2π] wrapped to whole rings: x is the angle, y the radius.
+mesh::Mesh closed(mesh::Mesh mesh) {
+  constexpr double round = 2 * std::numbers::pi;
+  const auto flat = mesh.points;
+  const auto first_of = [&](mesh::NodeIndex node) {
+    const auto& place = flat[static_cast<std::size_t>(node)];
+    for (std::size_t i = 0; place.x() > round - 1e-9 && i < flat.size(); ++i)
+      if (flat[i].x() < 1e-9 && std::abs(flat[i].y() - place.y()) < 1e-9)
+        return static_cast<mesh::NodeIndex>(i);
+    return node;
+  };
+  for (auto& block : mesh.blocks)
+    for (auto& node : block.nodes)
+      node = first_of(node);
+  constexpr double start = 0.03; // of the pin's facets, against those of the ring
+  for (auto& point : mesh.points) {
+    const double angle = point.x() + (point.y() < 1 ? start : 0.0);
+    point = Eigen::Vector3d(point.y() * std::cos(angle), -point.y() * std::sin(angle), 0.0);
+  }
+  return mesh;
+}
+
+/// A whole ring on a round pin: friction alone holds it.
+std::string ring_deck(int cells, double load) {
+  return "mesh:\n"
+         "  generate:\n"
+         "    - {name: pin, rectangle: {from: [0, 0.3], to: [6.283185307179586, 0.9]}, divisions: [40, 6],"
+         " sides: {bottom: core, top: pin_skin}}\n"
+         "    - {name: ring, rectangle: {from: [0, 1], to: [6.283185307179586, 1.3]}, divisions: [" +
+         std::to_string(cells) +
+         ", 4], sides: {bottom: ring_skin}}\n"
+         "physics: plane_strain\n"
+         "materials: {steel: {young: 2e11, poisson: 0.3, density: 1}}\n"
+         "supports: [{on: core, fix: [x, y]}]\n"
+         "loads: [{gravity: {on: ring, y: " +
+         std::to_string(-load) +
+         "}}]\n"
+         "contact: {rest: {master: pin_skin, slave: ring_skin, friction: 0.3}}\n"
+         "time: {scheme: static, step: 1, end: 1}\n";
+}
+
+/// What presses at one point of the ring puts on it depends on what rubs at another.
+TEST(FreeRing, IsHeldByFrictionOnAPin) {
+  for (const int cells : {43, 47, 55})
+    for (const double load : {7.8e4, 1e6, 1e8}) {
+      const auto study = deck::parse_deck(ring_deck(cells, load), "deck.yaml", {}).runs.front();
+      Walk walk(model::build_model(study, closed(model::load_mesh(study.mesh))));
+      ASSERT_TRUE(walk.to_end()) << cells << " " << load;
+      EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
+      EXPECT_LE(most_iterations(walk), 25) << cells << " " << load;
+      const double weight = load * cells / 2.0 * std::sin(2 * std::numbers::pi / cells) * (1.3 * 1.3 - 1);
+      const Eigen::Vector3d force = walk.resultants().force;
+      EXPECT_NEAR(force.y(), weight, 1e-6 * weight) << cells;
+      EXPECT_NEAR(force.x(), 0, 1e-6 * weight) << cells;
+    }
+}
+
+/// Weak springs carry loads over edges, springs of penalties by a trace of one.
+TEST(FreeBlock, RestsOnPenaltiesToTheLastDigits) {
+  Walk walk(plane_block, {{"contact.rest.method", "penalty"}, {"newton.residual", "1e-11"}});
+  ASSERT_TRUE(walk.to_end());
+  EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
+  EXPECT_LE(most_iterations(walk), 12);
+}
+
 } // namespace
 } // namespace rubato::step
