@@ -331,9 +331,9 @@ bool Condensed::in_equilibrium(const State& trial, const Held& held, const Conta
   equilibrium_.measure(trial.motion, force, report_);
   scale_ = equilibrium_.scale();
   const double wanted = wanted_residual(system_, report_.tolerance);
-  const double before = last_unbalance_;
+  unbalance_grew_ = unbalance_grew_ || report_.residual >= last_unbalance_;
   last_unbalance_ = report_.residual;
-  if (report_.residual <= wanted || (report_.residual <= report_.tolerance && report_.residual >= before))
+  if (report_.residual <= wanted || (report_.residual <= report_.tolerance && unbalance_grew_))
     return true;
   if (!bulk_stall_.stalls(report_.residual) || !within_rounding(trial, held))
     return false;

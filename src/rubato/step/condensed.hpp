@@ -98,6 +98,7 @@ private:
 
   StallWatch surface_stall_, bulk_stall_;
   double last_unbalance_ = std::numeric_limits<double>::infinity(); ///< at the last whole motion
+  bool unbalance_grew_ = false; ///< from one to the next: they are at their rounding
   bool started_ = false;
   bool measured_ = false; ///< whether now() is at the iterate already
   SurfaceMotion surface_;

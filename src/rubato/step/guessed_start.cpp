@@ -17,8 +17,6 @@ constexpr int most_rounds = 10;
 constexpr int most_rounds_of_free_bodies = 60;
 /// Moves of free bodies, in parts of how far an iteration may move them, that Newton takes over.
 constexpr double at_rest = 1e-5;
-/// The same where points share multipliers: these take the means of the forces guessed only.
-constexpr double nearly_at_rest = 1e-3;
 /// Cosine between moves that go one way.
 constexpr double same_way = 0.99;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
@@ -40,11 +38,13 @@ public:
            ContactIterate& now, State& trial)
       : site_(site), surface_(surface), reach_(reach), guess_(scratch.guess), points_(scratch.points),
         touching_(scratch.touching), now_(now), trial_(trial), free_bodies_(site.system.has_free_bodies),
-        at_rest_(can_condense(site.model, site.system) ? at_rest : nearly_at_rest) {}
+        takes_bases_(free_bodies_ && can_condense(site.model, site.system)),
+        rubs_(std::ranges::any_of(site.model.zones,
+                                  [](const auto& zone) { return zone.settings.friction > 0; })) {}
 
   void run() {
     begin();
-    const int rounds = free_bodies_ ? most_rounds_of_free_bodies : most_rounds;
+    const int rounds = takes_bases_ ? most_rounds_of_free_bodies : most_rounds;
     for (int round = 0; round < rounds; ++round) {
       guess_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved, site_.pulse);
       if (site_.pulse.stopped())
@@ -54,7 +54,7 @@ public:
       follow_frames();
       if (!surface_.consistent || guess_.misfit(points_, surface_.moved) > settled)
         continue;
-      if (!free_bodies_ || surface_.moved.lpNorm<Eigen::Infinity>() <= at_rest_ * reach_.most())
+      if (!takes_bases_ || surface_.moved.lpNorm<Eigen::Infinity>() <= at_rest * reach_.most())
         return;
       take_as_base();
     }
@@ -106,7 +106,7 @@ private:
   /// one still to come: no more of them is taken than frames tell about.
   double still_to_come() {
     const VectorXd last = std::exchange(last_move_, surface_.moved);
-    if (last.size() == 0)
+    if (last.size() == 0 || !rubs_)
       return 0;
     const double along = last.dot(surface_.moved);
     if (along < same_way * last.norm() * surface_.moved.norm())
@@ -128,7 +128,8 @@ private:
   ContactIterate& now_;
   State& trial_;
   bool free_bodies_;
-  double at_rest_;
+  bool takes_bases_; ///< where points share multipliers, these take the means of the forces guessed only
+  bool rubs_;
   VectorXd last_move_; ///< from base to base
 };
 

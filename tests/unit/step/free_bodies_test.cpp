@@ -140,7 +140,9 @@ TEST(FreeBlock, BeyondFrictionAndBalanceIsToldWithItsBody) {
                           {"newton.max_iterations", "10"},
                           {"time.on_failure.levels", "1"}});
   EXPECT_FALSE(walk.advance());
-  const results::Failure failure{.begin = 0, .end = 1, .report = walk.reports.back()};
+  results::Failure failure;
+  failure.end = 1;
+  failure.report = walk.reports.back();
   const auto text = run::explain(walk.model, failure);
   EXPECT_NE(
       text.find(
@@ -153,7 +155,7 @@ TEST(FreeBlock, ThatMayOnlyTurnIsToldSo) {
   const Walk walk(test::with(plane_block, "left: side}", "left: side}, points: {left_bottom: pivot}"),
                   {{"supports", "[{on: base, fix: [x, y]}, {on: pivot, fix: [x, y]}]"}});
   ASSERT_FALSE(walk.model.free_body_nodes.empty());
-  const auto text = run::explain(walk.model, {.begin = 0, .end = 1});
+  const auto text = run::explain(walk.model, results::Failure());
   EXPECT_NE(text.find("nothing but contact holds the body of node N1 (0.3, 0) against turning about z"),
             std::string::npos)
       << text;
@@ -259,6 +261,18 @@ std::string ring_deck(int cells, double load) {
          "}}]\n"
          "contact: {rest: {master: pin_skin, slave: ring_skin, friction: 0.3}}\n"
          "time: {scheme: static, step: 1, end: 1}\n";
+}
+
+/// Facets alone resist its turn. Moves that go one way are not taken further: it would roll over them.
+TEST(FreeRing, HangsOnAPinWithoutFriction) {
+  const std::vector<deck::Setting> smooth{{"contact.rest.friction", "0"}};
+  for (const double load : {7.8e4, 1e6, 1e8}) {
+    const auto study = deck::parse_deck(ring_deck(96, load), "deck.yaml", smooth).runs.front();
+    Walk walk(model::build_model(study, closed(model::load_mesh(study.mesh))));
+    ASSERT_TRUE(walk.to_end()) << load;
+    EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
+    EXPECT_LE(most_iterations(walk), 10) << load;
+  }
 }
 
 /// What presses at one point of the ring puts on it depends on what rubs at another.
