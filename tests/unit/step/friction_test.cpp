@@ -156,21 +156,21 @@ contact: {rest: {master: above, slave: under, friction: 1, method: penalty, fric
 time: {scheme: static, step: 1, end: 2}
 )";
 
-/// Springs that saturate within 1e-9 of the block stick all the same, and carry what those of 1e-7 carry.
+/// Springs that saturate within 1e-8 of the block stick all the same, and carry what those of 1e-7 carry.
 TEST(StiffFrictionByPenalty, SettlesInStatics) {
   for (const char* friction : {"0.1", "1", "10"}) {
     double dragged = 0;
-    for (const char* stiffness : {"1e5", "1e7", "1e9"}) {
+    for (const char* stiffness : {"1e5", "1e7", "1e8"}) {
       Walk walk(pressed_block,
                 {{"contact.rest.friction", friction},
                  {"contact.rest.coefficients", "{tangential: " + std::string(stiffness) + "}"}});
       ASSERT_TRUE(walk.to_end()) << "friction " << friction << ", " << stiffness;
       EXPECT_EQ(walk.reports.size(), 2u) << "friction " << friction << ", " << stiffness;
       for (const auto& report : walk.reports)
-        EXPECT_LE(report.iterations, 40) << "friction " << friction << ", " << stiffness;
+        EXPECT_LE(report.iterations, 15) << "friction " << friction << ", " << stiffness;
       const auto foot = walk.resultants();
       EXPECT_NEAR(foot.force[1], 0.6e7, 1e-5 * 0.6e7);
-      if (std::string(stiffness) == "1e9") {
+      if (std::string(stiffness) == "1e8") {
         EXPECT_NEAR(foot.force[0], dragged, 0.05 * std::abs(dragged)) << friction;
       }
       dragged = foot.force[0];
