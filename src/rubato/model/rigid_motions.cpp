@@ -115,6 +115,7 @@ void RigidMotions::add_contact() {
 
 std::vector<char> RigidMotions::held() const {
   std::vector<char> held;
+  held.reserve(static_cast<std::size_t>(bodies_.count()));
   for (int body = 0; body < bodies_.count(); ++body)
     held.push_back(rank_of(block_of(body)) == modes_ ? 1 : 0);
   return held;
@@ -240,7 +241,7 @@ std::vector<LooseBody> loose_bodies(const Model& model) {
     if (loose.empty() || loose.back().node != node)
       loose.push_back({node, ""});
     auto& against = loose.back().against; // turns come first, shifts are what a reader looks for
-    against = holding_text(motion) + (against.empty() ? "" : ", " + against);
+    against.insert(0, holding_text(motion) + (against.empty() ? "" : ", "));
   }
   return loose;
 }
