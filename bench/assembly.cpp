@@ -5,7 +5,7 @@
 ///   Mass       likewise
 /// Arguments: n, and the nodes of a cell: 8 (HEXA8) or 27 (HEXA27). Counter: Mel/s, millions of elements a
 /// second of processor time.
-#include "rubato/fem/assembly.hpp"
+#include "rubato/domain/assembly.hpp"
 
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
@@ -39,23 +39,23 @@ void count(benchmark::State& state, const model::Model& model) {
 void Pattern(benchmark::State& state) {
   const auto model = box(state);
   for (auto _ : state)
-    benchmark::DoNotOptimize(fem::BlockPattern(model.mesh, model.bulk.cells, model.dofs));
+    benchmark::DoNotOptimize(domain::BlockPattern(model.mesh, model.bulk.cells, model.dofs));
   count(state, model);
 }
 
 void Stiffness(benchmark::State& state) {
   const auto model = box(state);
-  const fem::BlockPattern pattern(model.mesh, model.bulk.cells, model.dofs);
+  const domain::BlockPattern pattern(model.mesh, model.bulk.cells, model.dofs);
   for (auto _ : state)
-    benchmark::DoNotOptimize(fem::assemble_stiffness(model.mesh, model.bulk, pattern).valuePtr());
+    benchmark::DoNotOptimize(domain::assemble_stiffness(model.mesh, model.bulk, pattern).valuePtr());
   count(state, model);
 }
 
 void Mass(benchmark::State& state) {
   const auto model = box(state);
-  const fem::BlockPattern pattern(model.mesh, model.bulk.cells, model.dofs);
+  const domain::BlockPattern pattern(model.mesh, model.bulk.cells, model.dofs);
   for (auto _ : state)
-    benchmark::DoNotOptimize(fem::assemble_mass(model.mesh, model.bulk, pattern).valuePtr());
+    benchmark::DoNotOptimize(domain::assemble_mass(model.mesh, model.bulk, pattern).valuePtr());
   count(state, model);
 }
 

@@ -35,7 +35,7 @@ struct Matrix {
 Matrix matrix_of(benchmark::State& state) {
   const auto refine = static_cast<int>(state.range(0));
   auto study = bench::sdnl140("c.yaml", refine, 1e-3 / refine, 1e-3);
-  study.solver = deck::Solver::full; // nothing is factored yet
+  study.solver = study::Solver::full; // nothing is factored yet
   const auto model = model::build_model(study);
   const auto system = step::make_effective_system(model, time::make_scheme(study.time), study.time.step);
   state.counters["dofs"] = static_cast<double>(system.matrix.rows());

@@ -14,7 +14,7 @@ namespace rubato::bench {
 
 /// Run evol1 of a deck of cases/sdnl140, cells cut `refine` times, without fields and checks. Times in
 /// seconds.
-inline deck::Study sdnl140(const std::string& deck_name, int refine, double step, double end) {
+inline study::Study sdnl140(const std::string& deck_name, int refine, double step, double end) {
   const auto text = [](double value) {
     std::string digits(32, ' ');
     digits.resize(static_cast<std::size_t>(
@@ -28,7 +28,7 @@ inline deck::Study sdnl140(const std::string& deck_name, int refine, double step
                                             {"fields", ""}};
   const auto deck =
       deck::read_deck(std::filesystem::path(RUBATO_SOURCE_DIR) / "cases/sdnl140" / deck_name, settings);
-  return *std::ranges::find(deck.runs, "evol1", &deck::Study::name);
+  return *std::ranges::find(deck.runs, "evol1", &study::Study::name);
 }
 
 } // namespace rubato::bench

@@ -42,7 +42,7 @@ void require_run(const std::filesystem::path& folder) {
 /// The node of a probe of run A, or nothing when it has no such probe.
 std::optional<NodeIndex> probe_node(const CompareArguments& arguments, const mesh::Mesh& mesh) {
   const auto study = results::read_stored_run(arguments.a).study;
-  const auto probe = std::ranges::find(study.probes, arguments.node, &deck::Probe::name);
+  const auto probe = std::ranges::find(study.probes, arguments.node, &study::Probe::name);
   if (probe == study.probes.end())
     return std::nullopt;
   if (!probe->point)

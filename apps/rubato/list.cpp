@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/law.hpp"
 #include "rubato/contact/obstacle.hpp"
-#include "rubato/fem/reference_cell.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/time/scheme.hpp"
 
@@ -15,9 +15,9 @@ namespace rubato::app {
 
 int list() {
   fmt::print("Cells\n");
-  for (const auto& cell : rubato::mesh::all_topologies())
+  for (const auto& cell : rubato::cell::all_topologies())
     fmt::print("  {:<10} dimension {}, {:>2} nodes{}\n", cell.name, cell.dimension, cell.node_count,
-               fem::has_reference_cell(cell.type) ? "" : "   (in mesh files only)");
+               cell::has_reference_cell(cell.type) ? "" : "   (in mesh files only)");
   fmt::print("\nTime schemes (time.scheme)\n");
   for (const auto& scheme : time::all_schemes())
     fmt::print("  {:<31} {:<36} {}\n", scheme.name, scheme.code_aster, scheme.summary);

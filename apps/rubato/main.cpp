@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/linalg/blas_threads.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/mesh/io/gmsh.hpp"

@@ -15,13 +15,13 @@ bool is_deck(const std::filesystem::path& path) {
   return path.extension() == ".yaml" || path.extension() == ".yml";
 }
 
-deck::MeshConversion conversion_named(const std::string& name) {
-  static const std::map<std::string, deck::MeshConversion> words{
-      {"", deck::MeshConversion::none},
-      {"none", deck::MeshConversion::none},
-      {"linear", deck::MeshConversion::linear},
-      {"quadratic", deck::MeshConversion::quadratic},
-      {"full_quadratic", deck::MeshConversion::full_quadratic}};
+study::MeshConversion conversion_named(const std::string& name) {
+  static const std::map<std::string, study::MeshConversion> words{
+      {"", study::MeshConversion::none},
+      {"none", study::MeshConversion::none},
+      {"linear", study::MeshConversion::linear},
+      {"quadratic", study::MeshConversion::quadratic},
+      {"full_quadratic", study::MeshConversion::full_quadratic}};
   const auto found = words.find(name);
   if (found == words.end())
     throw InputError(
@@ -30,8 +30,8 @@ deck::MeshConversion conversion_named(const std::string& name) {
 }
 
 /// The mesh a deck's first run works on, or the one in a file; then what the command line asks for.
-deck::MeshSource source_of(const MeshArguments& arguments) {
-  deck::MeshSource source;
+study::MeshSource source_of(const MeshArguments& arguments) {
+  study::MeshSource source;
   if (is_deck(arguments.source)) {
     std::vector<deck::Setting> settings;
     for (const auto& text : arguments.settings)

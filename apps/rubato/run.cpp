@@ -25,12 +25,12 @@ deck::Deck read(const RunArguments& arguments) {
 }
 
 /// What a check subtracts must come from this command, or lie in the folder of results from a former one.
-void require_compared_runs(std::span<const deck::Study> runs, const std::filesystem::path& output) {
+void require_compared_runs(std::span<const study::Study> runs, const std::filesystem::path& output) {
   std::vector<Fault> faults;
   for (const auto& study : runs)
     for (const auto& check : study.checks) {
       const auto& other = check.run.text;
-      const bool is_run = std::ranges::find(runs, other, &deck::Study::name) != runs.end();
+      const bool is_run = std::ranges::find(runs, other, &study::Study::name) != runs.end();
       if (other.empty() || is_run || std::filesystem::exists(output / other / results::summary_file))
         continue;
       faults.push_back(
@@ -55,7 +55,7 @@ int exit_code_of(const run::RunResult& result) {
   return result.checks_hold() ? done : check_failed;
 }
 
-void print_summary(const deck::Study& study, const run::RunResult& result,
+void print_summary(const study::Study& study, const run::RunResult& result,
                    const std::filesystem::path& folder) {
   fmt::print("{}: {} steps, {} iterations, {} cuts; set-up {:.3f} s, loop {:.3f} s; results in {}\n",
              study.name, result.steps, result.iterations, result.cuts, result.setup_seconds,
@@ -77,7 +77,7 @@ public:
     watch_.stop = [this] { return stop_.stop_requested(); };
   }
 
-  int run(std::span<const deck::Study> studies) {
+  int run(std::span<const study::Study> studies) {
     int worst = done;
     for (const auto& study : studies) {
       const auto& source = study.time.start_run.text;
@@ -99,7 +99,7 @@ private:
     return asked || begin_ == run::Begin::resumed ? begin_ : run::Begin::unless_done;
   }
 
-  int run(const deck::Study& study, const step::State* previous) {
+  int run(const study::Study& study, const step::State* previous) {
     const auto folder = output_ / study.name;
     auto result = run::run_study(study, folder, watch_, previous, begin_of(study.name));
     line_.close();
@@ -128,7 +128,7 @@ private:
 int run(const RunArguments& arguments) {
   const auto deck = read(arguments);
   if (deck.runs.size() > 1) {
-    std::vector<const deck::Study*> studies;
+    std::vector<const study::Study*> studies;
     for (const auto& study : deck.runs)
       studies.push_back(&study);
     model::check_studies(studies);

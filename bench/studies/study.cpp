@@ -71,7 +71,7 @@ struct Timing {
 };
 
 /// Runs the first `most` steps, or all.
-Timing run_steps(const deck::Study& study, int most = 0) {
+Timing run_steps(const study::Study& study, int most = 0) {
   Timing timing;
   const ScratchFolder folder;
   run::Watch watch;
@@ -152,14 +152,14 @@ double time_halves(const linalg::SplitFactor& factor, Eigen::Index size) {
 }
 
 /// What takes the model itself.
-void measure_model(deck::Study study, Measurement& found) {
+void measure_model(study::Study study, Measurement& found) {
   const auto scheme = time::make_scheme(study.time);
-  study.solver = deck::Solver::full; // one factor at a time
+  study.solver = study::Solver::full; // one factor at a time
   auto model = model::build_model(study);
   found.dofs = static_cast<int>(model.free_dofs.size());
   found.contact_dofs = static_cast<int>(step::surface_unknowns(model).size());
   found.solve = time_solves(step::make_effective_system(model, scheme, study.time.step).matrix);
-  model.study.solver = deck::Solver::condensed;
+  model.study.solver = study::Solver::condensed;
   const auto system = step::make_effective_system(model, scheme, study.time.step);
   found.halves = time_halves(system.compliance->factor(), system.matrix.rows());
 }
@@ -207,7 +207,7 @@ Measurement measure(const Study& study) {
   found.memory = peak_memory();
   measure_model(deck, found);
   if (study.full_steps > 0) {
-    deck.solver = deck::Solver::full;
+    deck.solver = study::Solver::full;
     const auto timing = run_steps(deck, study.full_steps);
     found.full_steps = timing.result.steps;
     found.full_step = timing.result.loop_seconds / found.full_steps;

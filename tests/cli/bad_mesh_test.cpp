@@ -10,8 +10,6 @@
 namespace rubato {
 namespace {
 
-using mesh::CellType;
-
 /// One fault in the file, or one change by --set, and the deck is refused.
 const std::string deck = R"(mesh: {file: blocks.med}
 physics: plane_strain

@@ -12,7 +12,6 @@
 namespace rubato {
 namespace {
 
-using mesh::CellType;
 using test::run_program;
 
 const std::string deck = R"(mesh: {file: square.med}

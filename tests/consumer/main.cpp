@@ -16,7 +16,7 @@ int main() {
   const bool solved = cholesky && umfpack && mumps && cholesky->solve(right_side).isApprox(expected) &&
                       umfpack->solve(right_side).isApprox(expected) &&
                       mumps->solve(right_side).isApprox(expected);
-  const bool known = mesh::topology(mesh::CellType::hexa20).node_count == 20;
+  const bool known = cell::topology(CellType::hexa20).node_count == 20;
   std::puts(solved && known ? "rubato works as installed" : "rubato does not work as installed");
   return solved && known ? 0 : 1;
 }

@@ -18,7 +18,7 @@ namespace rubato::test {
 
 /// Cells of each block along every direction; equal numbers make a conforming interface.
 struct ContactBlocks {
-  mesh::CellType cells = mesh::CellType::quad4;
+  CellType cells = CellType::quad4;
   int upper = 2;
   int lower = 2;
   double friction = 0;
@@ -27,7 +27,7 @@ struct ContactBlocks {
 };
 
 inline Eigen::AngleAxisd rotation_of(const ContactBlocks& blocks) {
-  const bool solid = mesh::topology(blocks.cells).dimension == 3;
+  const bool solid = cell::topology(blocks.cells).dimension == 3;
   return {blocks.turned, solid ? Eigen::Vector3d(1, 0.5, 2).normalized() : Eigen::Vector3d::UnitZ()};
 }
 
@@ -39,7 +39,7 @@ struct PatchOutcome {
 };
 
 inline std::string deck_of(const ContactBlocks& blocks) {
-  const auto& cell = mesh::topology(blocks.cells);
+  const auto& cell = cell::topology(blocks.cells);
   const bool solid = cell.dimension == 3;
   std::string cells(cell.name);
   for (auto& letter : cells)

@@ -8,11 +8,10 @@
 namespace rubato {
 namespace {
 
-using mesh::CellType;
 using test::ContactBlocks;
 
 std::string name_of(const testing::TestParamInfo<CellType>& instance) {
-  return std::string(mesh::topology(instance.param).name);
+  return std::string(cell::topology(instance.param).name);
 }
 
 class ConformingBlocks : public testing::TestWithParam<CellType> {

@@ -5,8 +5,8 @@
 ///
 /// The load enters in its weak form, ∫ ε(N)·σ(u) for test functions that vanish on the boundary, where u is
 /// imposed: the same numbers as ∫ N·b with b = −div σ(u), without second derivatives.
-#include "rubato/fem/assembly.hpp"
-#include "rubato/fem/quadrature.hpp"
+#include "rubato/cell/quadrature.hpp"
+#include "rubato/domain/assembly.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -19,12 +19,12 @@
 namespace rubato {
 namespace {
 
-using deck::Physics;
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using study::Physics;
 
 const material::LinearElastic law{2.5, 0.3, 1.};
 
@@ -56,8 +56,8 @@ protected:
   };
 
   Physics physics_ = GetParam().physics;
-  int d_ = fem::component_count(physics_);
-  fem::Section section_{physics_, 1.};
+  int d_ = element::component_count(physics_);
+  element::Section section_{physics_, 1.};
   ExactField exact_;
 
   material::Voigt strain(const Matrix3d& h, double hoop) const {
@@ -77,10 +77,10 @@ protected:
 
   std::vector<SpacePoint> space_points(const mesh::Mesh& mesh, mesh::CellIndex cell) const {
     const auto nodes = mesh.nodes_of(cell);
-    const auto& reference = fem::reference_cell(mesh.type_of(cell));
+    const auto& reference = cell::reference_cell(mesh.type_of(cell));
     const auto count = static_cast<Index>(nodes.size());
     std::vector<SpacePoint> points;
-    for (const auto& [xi, weight] : fem::rule_of_degree(reference.type, 6)) {
+    for (const auto& [xi, weight] : cell::rule_of_degree(reference.type, 6)) {
       VectorXd n(count);
       MatrixXd dn(d_, count);
       reference.values(xi, {n.data(), nodes.size()});
@@ -91,7 +91,7 @@ protected:
       const MatrixXd jacobian = x.topRows(d_) * dn.transpose();
       const MatrixXd slopes = jacobian.inverse().transpose() * dn;
       SpacePoint point{x * n, 0., n, MatrixXd(material::strain_size(physics_), d_ * count)};
-      point.volume = weight * jacobian.determinant() * fem::measure(section_, point.x[0]);
+      point.volume = weight * jacobian.determinant() * element::measure(section_, point.x[0]);
       for (Index i = 0; i < count; ++i)
         for (int a = 0; a < d_; ++a) {
           Matrix3d h = Matrix3d::Zero();
@@ -103,14 +103,15 @@ protected:
     return points;
   }
 
-  VectorXd local(const fem::DofMap& dofs, std::span<const mesh::NodeIndex> nodes, const VectorXd& u) const {
+  VectorXd local(const domain::DofMap& dofs, std::span<const mesh::NodeIndex> nodes,
+                 const VectorXd& u) const {
     VectorXd result(d_ * static_cast<Index>(nodes.size()));
     for (std::size_t i = 0; i < nodes.size(); ++i)
       result.segment(d_ * static_cast<Index>(i), d_) = u.segment(dofs.dof(nodes[i], 0), d_);
     return result;
   }
 
-  VectorXd load(const mesh::Mesh& mesh, const fem::Bulk& bulk, const fem::DofMap& dofs) const {
+  VectorXd load(const mesh::Mesh& mesh, const domain::Bulk& bulk, const domain::DofMap& dofs) const {
     VectorXd f = VectorXd::Zero(dofs.dof_count);
     for (const auto cell : bulk.cells) {
       const auto nodes = mesh.nodes_of(cell);
@@ -124,7 +125,7 @@ protected:
     return f;
   }
 
-  Errors errors(const mesh::Mesh& mesh, const fem::Bulk& bulk, const fem::DofMap& dofs,
+  Errors errors(const mesh::Mesh& mesh, const domain::Bulk& bulk, const domain::DofMap& dofs,
                 const VectorXd& u) const {
     Errors sum{0, 0};
     for (const auto cell : bulk.cells) {
@@ -148,7 +149,7 @@ protected:
     };
     const auto mesh = test::patch_mesh(GetParam().type, n, bend);
     const auto bulk = test::whole_bulk(mesh, section_, law);
-    const auto dofs = fem::number_dofs(mesh, bulk.cells, d_);
+    const auto dofs = domain::number_dofs(mesh, bulk.cells, d_);
     const auto outer = test::boundary_nodes(mesh);
     std::vector<bool> given(static_cast<std::size_t>(dofs.dof_count));
     VectorXd u(dofs.dof_count);
@@ -158,14 +159,14 @@ protected:
         u[dofs.dof(node, a)] = exact_.value(mesh.points[i])[a];
         given[static_cast<std::size_t>(dofs.dof(node, a))] = outer[i];
       }
-    const auto k = fem::assemble_stiffness(mesh, bulk, fem::BlockPattern(mesh, bulk.cells, dofs));
+    const auto k = domain::assemble_stiffness(mesh, bulk, domain::BlockPattern(mesh, bulk.cells, dofs));
     test::solve_with_given(k, load(mesh, bulk, dofs), given, u);
     return errors(mesh, bulk, dofs, u);
   }
 };
 
 TEST_P(EveryCellOrder, ConvergesAtTheOrderOfItsPolynomials) {
-  const auto& cell = mesh::topology(GetParam().type);
+  const auto& cell = cell::topology(GetParam().type);
   const int coarse = cell.dimension == 2 ? 8 : cell.order == 1 ? 4 : 2;
   const auto before = solve(coarse);
   const auto after = solve(2 * coarse);

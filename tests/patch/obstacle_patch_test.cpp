@@ -13,7 +13,6 @@
 namespace rubato {
 namespace {
 
-using mesh::CellType;
 using test::Walk;
 
 struct Block {
@@ -24,12 +23,12 @@ struct Block {
 
 std::string name_of(const testing::TestParamInfo<Block>& instance) {
   const auto& block = instance.param;
-  return std::string(mesh::topology(block.cells).name) +
+  return std::string(cell::topology(block.cells).name) +
          (block.physics == "axisymmetric" ? "Axisymmetric" : "");
 }
 
 std::string deck_of(const Block& block) {
-  const auto& cell = mesh::topology(block.cells);
+  const auto& cell = cell::topology(block.cells);
   const bool solid = cell.dimension == 3;
   std::string cells(cell.name);
   std::ranges::transform(cells, cells.begin(), [](unsigned char letter) { return std::tolower(letter); });

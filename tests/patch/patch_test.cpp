@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The patch test (B. M. Irons): cells of any shape must carry a constant stress exactly.
-#include "rubato/fem/assembly.hpp"
-#include "rubato/fem/recovery.hpp"
+#include "rubato/domain/assembly.hpp"
+#include "rubato/domain/recovery.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 namespace rubato {
 namespace {
 
-using deck::Physics;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using study::Physics;
 
 const material::LinearElastic law{210., 0.3, 7.8};
 constexpr double thickness = 0.7;
@@ -24,13 +24,13 @@ constexpr double thickness = 0.7;
 class EveryCell : public testing::TestWithParam<test::BulkCase> {
 protected:
   Physics physics_ = GetParam().physics;
-  int d_ = fem::component_count(physics_);
+  int d_ = element::component_count(physics_);
   bool ring_ = physics_ == Physics::axisymmetric;
   mesh::Mesh mesh_ =
       test::patch_mesh(GetParam().type, 3, test::moved_by(test::shaken(d_, 3, 0.2), Vector3d(1, 0, 0)));
-  fem::Bulk bulk_ = test::whole_bulk(mesh_, {physics_, thickness}, law);
-  fem::DofMap dofs_ = fem::number_dofs(mesh_, bulk_.cells, d_);
-  fem::BlockPattern pattern_{mesh_, bulk_.cells, dofs_};
+  domain::Bulk bulk_ = test::whole_bulk(mesh_, {physics_, thickness}, law);
+  domain::DofMap dofs_ = domain::number_dofs(mesh_, bulk_.cells, d_);
+  domain::BlockPattern pattern_{mesh_, bulk_.cells, dofs_};
 
   VectorXd linear_field(const Vector3d& a, const Matrix3d& h) const {
     VectorXd u(dofs_.dof_count);
@@ -61,7 +61,7 @@ protected:
 };
 
 TEST_P(EveryCell, CarriesAConstantStressThroughADistortedPatch) {
-  ASSERT_TRUE(fem::cell_faults(mesh_, bulk_.cells, physics_).empty());
+  ASSERT_TRUE(domain::cell_faults(mesh_, bulk_.cells, physics_).empty());
   const auto outer = test::boundary_nodes(mesh_);
   ASSERT_GT(std::ranges::count(outer, false), 0);
   std::vector<bool> given(static_cast<std::size_t>(dofs_.dof_count));
@@ -72,12 +72,13 @@ TEST_P(EveryCell, CarriesAConstantStressThroughADistortedPatch) {
   const Vector3d shift(ring_ ? 0. : 0.01, 0.02, 0.03);
   const VectorXd exact = linear_field(shift, gradient());
   VectorXd u = exact;
-  test::solve_with_given(fem::assemble_stiffness(mesh_, bulk_, pattern_), VectorXd::Zero(u.size()), given, u);
+  test::solve_with_given(domain::assemble_stiffness(mesh_, bulk_, pattern_), VectorXd::Zero(u.size()), given,
+                         u);
   EXPECT_LT((u - exact).lpNorm<Eigen::Infinity>(), 1e-12 * exact.lpNorm<Eigen::Infinity>());
 
   const auto expected =
       material::full_stress(law, physics_, material::stress(law, physics_, strain_of(gradient())));
-  const auto nodal = fem::nodal_stress(mesh_, bulk_, dofs_, u);
+  const auto nodal = domain::nodal_stress(mesh_, bulk_, dofs_, u);
   for (const auto node : dofs_.nodes) {
     EXPECT_LT((nodal.stress.col(node) - expected).norm(), 1e-12 * expected.norm());
     EXPECT_NEAR(nodal.von_mises[node], material::von_mises(expected), 1e-12 * expected.norm());
@@ -87,21 +88,21 @@ TEST_P(EveryCell, CarriesAConstantStressThroughADistortedPatch) {
 TEST_P(EveryCell, FeelsNoForceInARigidMotion) {
   Matrix3d turn;
   turn << 0, -0.3, 0.2, 0.3, 0, -0.5, -0.2, 0.5, 0;
-  const auto k = fem::assemble_stiffness(mesh_, bulk_, pattern_);
+  const auto k = domain::assemble_stiffness(mesh_, bulk_, pattern_);
   const VectorXd u = ring_ ? linear_field({0, 1, 0}, Matrix3d::Zero()) : linear_field({1, 2, 3}, turn);
   EXPECT_LT((k * u).lpNorm<Eigen::Infinity>(), 1e-13 * law.young * u.lpNorm<Eigen::Infinity>());
 }
 
 TEST_P(EveryCell, HoldsTheEnergyOfAConstantStrain) {
-  const auto k = fem::assemble_stiffness(mesh_, bulk_, pattern_);
+  const auto k = domain::assemble_stiffness(mesh_, bulk_, pattern_);
   const VectorXd u = linear_field(Vector3d::Zero(), gradient());
   const double expected = volume() * material::energy(law, physics_, strain_of(gradient()));
   EXPECT_NEAR(0.5 * u.dot(k * u), expected, 1e-12 * expected);
 }
 
 TEST_P(EveryCell, WeighsItsVolumeInEveryDirection) {
-  const auto m = fem::assemble_mass(mesh_, bulk_, pattern_);
-  const VectorXd lumped = fem::lumped_mass(mesh_, bulk_, dofs_);
+  const auto m = domain::assemble_mass(mesh_, bulk_, pattern_);
+  const VectorXd lumped = domain::lumped_mass(mesh_, bulk_, dofs_);
   const double expected = law.density * volume();
   for (int a = 0; a < d_; ++a) {
     const VectorXd along = linear_field(Vector3d::Unit(a), Matrix3d::Zero());

@@ -2,8 +2,8 @@
 /// Every bulk cell with every physics it serves, and single cells of awkward shape.
 #pragma once
 
-#include "rubato/deck/study.hpp"
-#include "rubato/fem/reference_cell.hpp"
+#include "rubato/cell/reference_cell.hpp"
+#include "rubato/study/study.hpp"
 
 #include <cmath>
 #include <ostream>
@@ -13,17 +13,17 @@
 namespace rubato::test {
 
 struct BulkCase {
-  mesh::CellType type;
-  deck::Physics physics;
+  CellType type;
+  study::Physics physics;
 };
 
-inline std::string name_of(deck::Physics physics) {
+inline std::string name_of(study::Physics physics) {
   switch (physics) {
-  case deck::Physics::solid:
+  case study::Physics::solid:
     return "Solid";
-  case deck::Physics::plane_stress:
+  case study::Physics::plane_stress:
     return "PlaneStress";
-  case deck::Physics::plane_strain:
+  case study::Physics::plane_strain:
     return "PlaneStrain";
   default:
     return "Axisymmetric";
@@ -31,7 +31,7 @@ inline std::string name_of(deck::Physics physics) {
 }
 
 inline std::string name_of(const BulkCase& bulk_case) {
-  return std::string(mesh::topology(bulk_case.type).name) + name_of(bulk_case.physics);
+  return std::string(cell::topology(bulk_case.type).name) + name_of(bulk_case.physics);
 }
 
 inline void PrintTo(const BulkCase& bulk_case, std::ostream* out) {
@@ -39,10 +39,10 @@ inline void PrintTo(const BulkCase& bulk_case, std::ostream* out) {
 }
 
 inline std::vector<BulkCase> every_bulk_case() {
-  using deck::Physics;
+  using study::Physics;
   std::vector<BulkCase> cases;
-  for (const auto& cell : mesh::all_topologies()) {
-    if (!fem::has_reference_cell(cell.type))
+  for (const auto& cell : cell::all_topologies()) {
+    if (!cell::has_reference_cell(cell.type))
       continue;
     if (cell.dimension == 3)
       cases.push_back({cell.type, Physics::solid});
@@ -54,10 +54,10 @@ inline std::vector<BulkCase> every_bulk_case() {
 }
 
 /// The reference cell scaled, bent a little (curved edges, no parallel sides) and moved to x > 0.
-inline std::vector<Eigen::Vector3d> bent_cell(mesh::CellType type) {
-  const bool flat = mesh::topology(type).dimension == 2;
+inline std::vector<Eigen::Vector3d> bent_cell(CellType type) {
+  const bool flat = cell::topology(type).dimension == 2;
   std::vector<Eigen::Vector3d> points;
-  for (const auto& xi : fem::reference_cell(type).nodes) {
+  for (const auto& xi : cell::reference_cell(type).nodes) {
     const double x = xi[0], y = xi[1], z = xi[2];
     points.emplace_back(2.0 + 0.5 * x + 0.10 * y - 0.05 * x * y + 0.03 * y * y + 0.04 * z,
                         0.1 - 0.1 * x + 0.4 * y + 0.04 * x * x - 0.03 * y * z,

@@ -2,7 +2,7 @@
 /// What bad input is answered with.
 #pragma once
 
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 
 #include <string>
 

@@ -3,8 +3,8 @@
 /// corners where the map puts them.
 #pragma once
 
-#include "rubato/fem/bulk.hpp"
-#include "rubato/fem/reference_cell.hpp"
+#include "rubato/cell/reference_cell.hpp"
+#include "rubato/domain/bulk.hpp"
 #include "rubato/mesh/mesh.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using Corners = std::vector<mesh::NodeIndex>;
 
 /// Corner lists of the simplices, prisms or boxes that fill one box of a grid; `box` holds its 4 or 8 corners
 /// in the order of QUAD4 or HEXA8.
-inline std::vector<Corners> pieces_of_box(const mesh::CellTopology& cell, const Corners& box) {
+inline std::vector<Corners> pieces_of_box(const cell::CellTopology& cell, const Corners& box) {
   using Pieces = std::vector<std::vector<std::size_t>>;
   Pieces pieces;
   if (cell.corner_count == static_cast<int>(box.size()))
@@ -43,18 +43,18 @@ inline std::vector<Corners> pieces_of_box(const mesh::CellTopology& cell, const 
   return result;
 }
 
-inline mesh::CellType corner_type(const mesh::CellTopology& cell) {
-  const auto same_shape = [&](const mesh::CellTopology& other) {
+inline CellType corner_type(const cell::CellTopology& cell) {
+  const auto same_shape = [&](const cell::CellTopology& other) {
     return other.order == 1 && other.dimension == cell.dimension && other.corner_count == cell.corner_count;
   };
-  return std::ranges::find_if(mesh::all_topologies(), same_shape)->type;
+  return std::ranges::find_if(cell::all_topologies(), same_shape)->type;
 }
 
 /// Builds cells of one type from corner lists; a node between corners is shared by all cells that have those
 /// corners.
 class PatchBuilder {
 public:
-  explicit PatchBuilder(mesh::CellType type) : cell_(fem::reference_cell(type)) {
+  explicit PatchBuilder(CellType type) : cell_(cell::reference_cell(type)) {
     mesh_.dimension = cell_.dimension;
     mesh_.blocks.emplace_back().type = type;
   }
@@ -66,7 +66,7 @@ public:
   }
 
   void add_cell(const Corners& corners) {
-    const auto& linear = fem::reference_cell(corner_type(mesh::topology(cell_.type)));
+    const auto& linear = cell::reference_cell(corner_type(cell::topology(cell_.type)));
     auto& block = mesh_.blocks.front();
     std::vector<double> share(corners.size());
     for (const auto& xi : cell_.nodes) {
@@ -96,14 +96,14 @@ private:
     return place->second;
   }
 
-  const fem::ReferenceCell& cell_;
+  const cell::ReferenceCell& cell_;
   mesh::Mesh mesh_;
   std::map<Corners, mesh::NodeIndex> between_;
 };
 
 /// n boxes a direction, each cut into cells of the type, corners at map(grid point).
-inline mesh::Mesh patch_mesh(mesh::CellType type, int n, const Map& map) {
-  const auto& cell = mesh::topology(type);
+inline mesh::Mesh patch_mesh(CellType type, int n, const Map& map) {
+  const auto& cell = cell::topology(type);
   const bool solid = cell.dimension == 3;
   PatchBuilder builder(type);
   for (int k = 0; k <= (solid ? n : 0); ++k)
@@ -144,7 +144,7 @@ inline Map moved_by(const Map& map, const Eigen::Vector3d& shift) {
 }
 
 struct BoundarySide {
-  mesh::CellType type;
+  CellType type;
   std::vector<mesh::NodeIndex> nodes;
 };
 
@@ -153,7 +153,7 @@ inline std::vector<BoundarySide> boundary_sides(const mesh::Mesh& mesh) {
   std::map<Corners, std::pair<int, BoundarySide>> seen;
   const auto& block = mesh.blocks.front();
   for (mesh::CellIndex cell = 0; cell < block.cell_count(); ++cell)
-    for (const auto& side : mesh::topology(block.type).sides) {
+    for (const auto& side : cell::topology(block.type).sides) {
       BoundarySide face{side.type, {}};
       for (const auto local : side.nodes)
         face.nodes.push_back(block.cell(cell)[local]);
@@ -180,9 +180,9 @@ inline std::vector<bool> boundary_nodes(const mesh::Mesh& mesh) {
 }
 
 /// Every cell of the mesh, of one law.
-inline fem::Bulk whole_bulk(const mesh::Mesh& mesh, const fem::Section& section,
-                            const material::LinearElastic& law) {
-  fem::Bulk bulk{
+inline domain::Bulk whole_bulk(const mesh::Mesh& mesh, const element::Section& section,
+                               const material::LinearElastic& law) {
+  domain::Bulk bulk{
       section, std::vector<mesh::CellIndex>(static_cast<std::size_t>(mesh.cell_count())), {law}, {}};
   std::iota(bulk.cells.begin(), bulk.cells.end(), 0);
   bulk.law_of_cell.assign(bulk.cells.size(), 0);

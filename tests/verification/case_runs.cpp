@@ -20,7 +20,7 @@ std::vector<std::string> CaseRuns::names() const {
 const CaseRun& CaseRuns::operator[](const std::string& name) {
   if (const auto known = done_.find(name); known != done_.end())
     return known->second;
-  const auto study = std::ranges::find(deck_.runs, name, &deck::Study::name);
+  const auto study = std::ranges::find(deck_.runs, name, &study::Study::name);
   if (study == deck_.runs.end())
     throw std::out_of_range("no run " + name);
   const auto& from = study->time.start_run.text;

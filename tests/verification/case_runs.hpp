@@ -14,7 +14,7 @@ namespace rubato::verification {
 
 /// A run and what it wrote.
 struct CaseRun {
-  deck::Study study;
+  study::Study study;
   run::RunResult result;
   results::Table probes;
   results::Table energy;

@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(NodalPenalty, Document,
                                          DocumentRun{'e', "evol5", 5e-5}, DocumentRun{'f', "evol5", 5e-5}),
                          name_of);
 
-double apart(const deck::Study& one, const deck::Study& other) {
+double apart(const study::Study& one, const study::Study& other) {
   return largest_difference(finish(one), finish(other));
 }
 
@@ -93,7 +93,7 @@ class Modelings : public testing::TestWithParam<char> {};
 
 TEST_P(Modelings, EndAtTheSameAnswerByPartialNewtonWhenItsGeometryIsSettled) {
   auto settled = study_of(GetParam(), "evol2");
-  settled.contact.front().geometry = {deck::Iteration::fixed_point, 1e-9, 60};
+  settled.contact.front().geometry = {study::Iteration::fixed_point, 1e-9, 60};
   EXPECT_LT(apart(settled, study_of(GetParam(), "evol1")), 1e-6);
 }
 
@@ -142,7 +142,7 @@ TEST(FrictionlessActiveSet, IsNodalLagrange) {
 /// One cell on two over the height of a beam is enough for quadratic ones; the step must be fine.
 TEST(Convergence, ComesToTheAnswerOfAnIndependentExplicitComputation) {
   const auto deck = deck::read_deck(RUBATO_SOURCE_DIR "/cases/sdnl140/convergence.yaml");
-  const auto study = std::ranges::find(deck.runs, "mesh1_step2e-5", &deck::Study::name);
+  const auto study = std::ranges::find(deck.runs, "mesh1_step2e-5", &study::Study::name);
   ASSERT_NE(study, deck.runs.end());
   const auto finished = finish(*study);
   ASSERT_EQ(finished.result.status, run::Status::complete) << finished.result.message;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double closed = 1e-10;
 
-void expect_closed(const deck::Study& study) {
+void expect_closed(const study::Study& study) {
   const auto result = finish(study).result;
   EXPECT_EQ(result.status, run::Status::complete) << result.message;
   EXPECT_GT(result.energy.largest, 0);
@@ -62,7 +62,7 @@ const std::vector<Variation> variations{
 INSTANTIATE_TEST_SUITE_P(By, EnergyOfModelingF, testing::ValuesIn(variations),
                          [](const auto& chosen) { return chosen.param.name; });
 
-std::vector<std::string> warnings_of(const deck::Study& study) {
+std::vector<std::string> warnings_of(const study::Study& study) {
   const test::ScratchFolder folder;
   std::vector<std::string> warnings;
   run::Watch watch;

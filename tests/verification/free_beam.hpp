@@ -52,8 +52,8 @@ public:
   };
 
   const run::RunResult& bent() const { return bent_; }
-  const deck::Study& study(const std::string& name) const {
-    return *std::ranges::find(deck_.runs, name, &deck::Study::name);
+  const study::Study& study(const std::string& name) const {
+    return *std::ranges::find(deck_.runs, name, &study::Study::name);
   }
 
   Vibration vibration(const std::string& name) const {

@@ -37,7 +37,7 @@ std::vector<double> own_energy(const results::Table& energy) {
 /// When the forces of a run are what they are: at the ends of steps, or in their middle where they are means.
 std::vector<double> instants_of_forces(const CaseRun& run, const std::vector<double>& t) {
   auto instants = t;
-  if (run.study.time.scheme == deck::SchemeKind::moreau_jean)
+  if (run.study.time.scheme == study::SchemeKind::moreau_jean)
     for (std::size_t i = 0; i < t.size(); ++i)
       instants[i] -= (t[i] - (i > 0 ? t[i - 1] : run.study.time.begin)) / 2;
   return instants;

@@ -51,7 +51,7 @@ std::vector<deck::Setting> on_original_mesh(char letter) {
 }
 
 /// Runs a study; what stops it before its first step is told, not thrown.
-ModelingRun run_one(char letter, const deck::Study& study, const std::filesystem::path& folder,
+ModelingRun run_one(char letter, const study::Study& study, const std::filesystem::path& folder,
                     const step::State* previous) {
   ModelingRun run;
   run.letter = letter;
@@ -67,7 +67,7 @@ ModelingRun run_one(char letter, const deck::Study& study, const std::filesystem
 
 /// B's original mesh takes minutes a step where its contact is hard to settle, and Code_Aster's histories end
 /// or are cut early there: its runs go as far as they can be compared.
-void shorten(deck::Study& study) {
+void shorten(study::Study& study) {
   if (const auto reference = history("b_" + study.name))
     study.time.end = std::max(study.time.step, last_whole_step(*reference, study.time.step));
 }
@@ -78,11 +78,11 @@ std::optional<double> ModelingRun::deflection(double t) const {
   return results::value_at(probes, probes.column("tip.y"), t);
 }
 
-deck::Study study_of(char letter, const std::string& run, const std::vector<deck::Setting>& changes) {
+study::Study study_of(char letter, const std::string& run, const std::vector<deck::Setting>& changes) {
   auto settings = on_original_mesh(letter);
   settings.insert(settings.end(), changes.begin(), changes.end());
   auto deck = deck_of(letter, settings);
-  const auto study = std::ranges::find(deck.runs, run, &deck::Study::name);
+  const auto study = std::ranges::find(deck.runs, run, &study::Study::name);
   if (study == deck.runs.end())
     throw InputError(fmt::format("modeling {} has no run {}", letter, run));
   study->checks.clear();

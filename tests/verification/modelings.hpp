@@ -30,7 +30,7 @@ struct ModelingRun {
 std::vector<ModelingRun> run_modeling(char letter, const std::filesystem::path& folder);
 
 /// One run of cases/sdnl140/<letter>.yaml without its checks, on the original mesh when that is there.
-deck::Study study_of(char letter, const std::string& run, const std::vector<deck::Setting>& changes = {});
+study::Study study_of(char letter, const std::string& run, const std::vector<deck::Setting>& changes = {});
 
 /// Whether the original mesh is there.
 bool has_original_mesh(char letter);

@@ -202,12 +202,12 @@ Variant variant(std::uint32_t seed, int number, Meshes meshes) {
           deck_of(draw, fmt::format("two beams, variant {}", number), iterate)};
 }
 
-deck::Study study_of(const Variant& variant, const std::vector<deck::Setting>& changes = {}) {
+study::Study study_of(const Variant& variant, const std::vector<deck::Setting>& changes = {}) {
   return deck::parse_deck(variant.deck, fmt::format("{}.yaml", variant.number), changes).runs.front();
 }
 
 /// Runs until it has tried that many times the steps it has.
-run::RunResult run_patiently(const Variant& variant, const deck::Study& study,
+run::RunResult run_patiently(const Variant& variant, const study::Study& study,
                              const std::filesystem::path& folder, bool& warned) {
   constexpr int patience = 10;
   int attempts = 0;

@@ -3,8 +3,8 @@
 /// nobody would choose them all, with nothing helped along. The same seed gives the same variants everywhere.
 #pragma once
 
-#include "rubato/deck/study.hpp"
 #include "rubato/run/time_loop.hpp"
+#include "rubato/study/study.hpp"
 
 #include <algorithm>
 #include <cstdint>

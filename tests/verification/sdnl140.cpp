@@ -112,7 +112,7 @@ std::filesystem::path sdnl140_folder() {
   return test::shared_file("sdnl140");
 }
 
-deck::Study sdnl140(char letter, MeshFrom from, const std::vector<deck::Setting>& changes) {
+study::Study sdnl140(char letter, MeshFrom from, const std::vector<deck::Setting>& changes) {
   return deck::parse_deck(deck_text(letter, from), "sdnl140.yaml", changes).runs.front();
 }
 
@@ -120,7 +120,7 @@ std::vector<deck::Setting> without_contact() {
   return {{"contact", "~"}};
 }
 
-Finished finish(const deck::Study& study) {
+Finished finish(const study::Study& study) {
   const test::ScratchFolder folder;
   Finished finished;
   finished.result = run::run_study(study, folder.path(), {});

@@ -19,7 +19,7 @@ enum class MeshFrom { file, generator };
 
 /// `letter` a…f. The deck is evol1's; `changes` are laid over it as by `--set`. Throws InputError for a
 /// modeling that cannot be generated (a, b).
-deck::Study sdnl140(char letter, MeshFrom from, const std::vector<deck::Setting>& changes = {});
+study::Study sdnl140(char letter, MeshFrom from, const std::vector<deck::Setting>& changes = {});
 
 /// The folder of the real meshes and histories.
 std::filesystem::path sdnl140_folder();
@@ -32,7 +32,7 @@ struct Finished {
   results::Table probes; ///< t, tip.x, tip.y[, tip.z]
 };
 /// Runs a study in a folder that is gone afterwards.
-Finished finish(const deck::Study& study);
+Finished finish(const study::Study& study);
 
 /// One history held against another.
 struct Deviation {

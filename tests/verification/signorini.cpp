@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification/signorini.hpp"
 
-#include "rubato/mesh/interpolation.hpp"
+#include "rubato/cell/reference_cell.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include "verification/case_runs.hpp"
 #include "verification/hertz.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rubato::verification {
@@ -19,7 +20,7 @@ using Eigen::VectorXd;
 /// A block that was pressed, and its cells by their place in the grid.
 class Pressed {
 public:
-  Pressed(mesh::CellType cells, int divisions)
+  Pressed(CellType cells, int divisions)
       : run_(pressed(cells, divisions)), model_(model::build_model(run_.study)), divisions_(divisions) {}
 
   const CaseRun& run() const { return run_; }
@@ -35,7 +36,8 @@ public:
     const int j = place(y);
     const auto cell = model_.bulk.cells[static_cast<std::size_t>(j * divisions_ + i)];
     const Eigen::Vector3d xi(2 * (x * divisions_ - i) - 1, 2 * (y * divisions_ - j) - 1, 0);
-    const auto shape = mesh::shape_values(model_.mesh.type_of(cell), xi);
+    std::array<double, 27> shape{};
+    cell::reference_cell(model_.mesh.type_of(cell)).values(xi, shape);
     const auto nodes = model_.mesh.nodes_of(cell);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (std::size_t n = 0; n < nodes.size(); ++n)
@@ -45,8 +47,8 @@ public:
   }
 
 private:
-  static CaseRun pressed(mesh::CellType cells, int divisions) {
-    std::string name(mesh::topology(cells).name);
+  static CaseRun pressed(CellType cells, int divisions) {
+    std::string name(cell::topology(cells).name);
     for (auto& letter : name)
       letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     CaseRuns runs("v9_signorini/block.yaml",
@@ -77,8 +79,8 @@ double error_of(const Pressed& coarse, const Pressed& fine) {
 
 } // namespace
 
-std::vector<double> signorini_errors(mesh::CellType cells, std::span<const int> divisions, int fine) {
-  const Pressed reference(mesh::CellType::quad9, fine);
+std::vector<double> signorini_errors(CellType cells, std::span<const int> divisions, int fine) {
+  const Pressed reference(CellType::quad9, fine);
   std::vector<double> errors;
   for (const int n : divisions)
     errors.push_back(error_of(Pressed(cells, n), reference));
@@ -86,7 +88,7 @@ std::vector<double> signorini_errors(mesh::CellType cells, std::span<const int> 
 }
 
 double signorini_half_width(int fine) {
-  const Pressed reference(mesh::CellType::quad9, fine);
+  const Pressed reference(CellType::quad9, fine);
   double last = 0;
   for (const auto& point : surface_at_end(reference.run()))
     if (point.status != contact::Status::open)

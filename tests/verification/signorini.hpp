@@ -2,7 +2,7 @@
 /// V9: the error of a block pressed on a rigid cylinder, in the energy norm.
 #pragma once
 
-#include "rubato/mesh/cell_type.hpp"
+#include "rubato/cell/topology.hpp"
 
 #include <span>
 #include <vector>
@@ -11,7 +11,7 @@ namespace rubato::verification {
 
 /// Against the block in `fine` × `fine` QUAD9: √((u − u_fine)·K (u − u_fine)) over that of u_fine, for cases/
 /// v9_signorini with each number of divisions, which must divide `fine`.
-std::vector<double> signorini_errors(mesh::CellType cells, std::span<const int> divisions, int fine);
+std::vector<double> signorini_errors(CellType cells, std::span<const int> divisions, int fine);
 
 /// Half-width of the contact in the fine block.
 double signorini_half_width(int fine);

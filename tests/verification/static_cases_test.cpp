@@ -75,12 +75,12 @@ TEST(FrictionSlider, TurnsAndStopsWhereItMust) {
 
 TEST(BlockOnCylinder, ConvergesAtTheOrderOfItsCells) {
   constexpr std::array divisions{4, 8, 16};
-  const auto order = [&](mesh::CellType cells) {
+  const auto order = [&](CellType cells) {
     const auto errors = signorini_errors(cells, divisions, 64);
     return std::log2(errors[0] / errors[2]) / 2;
   };
-  EXPECT_GT(order(mesh::CellType::quad4), 0.9);
-  EXPECT_GT(order(mesh::CellType::quad9), 1.35);
+  EXPECT_GT(order(CellType::quad4), 0.9);
+  EXPECT_GT(order(CellType::quad9), 1.35);
 }
 
 } // namespace

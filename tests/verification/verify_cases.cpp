@@ -10,8 +10,6 @@
 namespace rubato::verification {
 namespace {
 
-using mesh::CellType;
-
 constexpr std::array cells{CellType::quad4,  CellType::quad8,  CellType::quad9,   CellType::tria3,
                            CellType::tria6,  CellType::tria7,  CellType::hexa8,   CellType::hexa20,
                            CellType::hexa27, CellType::tetra4, CellType::tetra10, CellType::penta6,
@@ -23,7 +21,7 @@ std::string shown(const test::PatchOutcome& outcome, double value) {
 
 void write_blocks(Page& page, CellType type, const std::string& kind, const test::ContactBlocks& blocks) {
   const auto outcome = test::press(blocks);
-  page.row({std::string(mesh::topology(type).name), kind, shown(outcome, outcome.pressure),
+  page.row({std::string(cell::topology(type).name), kind, shown(outcome, outcome.pressure),
             shown(outcome, outcome.displacement)});
 }
 

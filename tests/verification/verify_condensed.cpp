@@ -40,8 +40,8 @@ Finished solved(const Row& row, const char* solver) {
   changes.insert(changes.end(), {{"solver", solver}, {"newton.residual", "1e-12"}, {"fields", "~"}});
   auto study = study_of(row.letter, row.run, changes);
   for (auto& zone : study.contact)
-    if (zone.geometry.by == deck::Iteration::fixed_point)
-      zone.geometry = {.by = deck::Iteration::fixed_point, .tolerance = 1e-10, .max_loops = 50};
+    if (zone.geometry.by == study::Iteration::fixed_point)
+      zone.geometry = {.by = study::Iteration::fixed_point, .tolerance = 1e-10, .max_loops = 50};
   return finish(study);
 }
 

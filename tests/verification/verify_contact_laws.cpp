@@ -137,9 +137,9 @@ void write_signorini(const std::filesystem::path& folder) {
                   "swing with the place of that end in its cell.",
                   fine, signorini_half_width(fine)));
   page.table({"cells", "4 × 4", "8 × 8", "16 × 16", "32 × 32", "64 × 64", "orders", "mean"});
-  for (const auto cells : {mesh::CellType::quad4, mesh::CellType::quad8, mesh::CellType::quad9}) {
+  for (const auto cells : {CellType::quad4, CellType::quad8, CellType::quad9}) {
     const auto errors = signorini_errors(cells, divisions, fine);
-    std::vector<std::string> row{std::string(mesh::topology(cells).name)};
+    std::vector<std::string> row{std::string(cell::topology(cells).name)};
     std::string orders;
     for (std::size_t i = 0; i < errors.size(); ++i) {
       row.push_back(fmt::format("{:.3e}", errors[i]));

@@ -28,7 +28,7 @@ double largest_impact(const results::Table& energy) {
   return largest;
 }
 
-ExplicitRun run_explicit(const deck::Study& study) {
+ExplicitRun run_explicit(const study::Study& study) {
   const test::ScratchFolder folder;
   ExplicitRun run;
   run.result = run::run_study(study, folder / study.name, {});
@@ -38,7 +38,7 @@ ExplicitRun run_explicit(const deck::Study& study) {
   return run;
 }
 
-std::vector<deck::Study> deck_of(const std::string& name, const Changes& changes = {}) {
+std::vector<study::Study> deck_of(const std::string& name, const Changes& changes = {}) {
   return deck::read_deck(std::string(RUBATO_SOURCE_DIR "/cases/sdnl140/") + name, changes).runs;
 }
 

@@ -83,7 +83,7 @@ LocalResponse localise(const Kinematics& k, const PointResponse& law, double wei
 
 class ZoneAssembler {
 public:
-  ZoneAssembler(const Zone& zone, const fem::DofMap& dofs, int multiplier_offset, ContactSystem& system)
+  ZoneAssembler(const Zone& zone, const domain::DofMap& dofs, int multiplier_offset, ContactSystem& system)
       : variables_(zone.multiplier_variables()), dofs_(dofs), offset_(multiplier_offset), system_(system) {}
 
   void add(const SlavePoint& point, const Kinematics& kinematics, const LocalResponse& local) {
@@ -140,7 +140,7 @@ private:
   }
 
   std::span<const int> variables_;
-  const fem::DofMap& dofs_;
+  const domain::DofMap& dofs_;
   int offset_;
   ContactSystem& system_;
   std::vector<int> unknowns_;
@@ -197,7 +197,7 @@ void measure_again(const Zone& zone, const VectorXd& multipliers, const Configur
 }
 
 /// Σ N_i v_i over the point's nodes: of the slave point relative to the place it faces.
-Vector3d interpolated(const Kinematics& k, const fem::DofMap& dofs, const VectorXd& values) {
+Vector3d interpolated(const Kinematics& k, const domain::DofMap& dofs, const VectorXd& values) {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t node = 0; node < k.nodes.size(); ++node)
     sum.head(k.components) +=
@@ -241,7 +241,7 @@ void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcome
 
 } // namespace
 
-double resistance(const SlavePoint& point, const fem::DofMap& dofs,
+double resistance(const SlavePoint& point, const domain::DofMap& dofs,
                   const Eigen::Ref<const VectorXd>& diagonal) {
   double sum = 0;
   double shares = 0;
@@ -264,15 +264,15 @@ ZoneState initial_state(const Zone& zone) {
 ContactSystem::ContactSystem(Index dofs, Index multipliers)
     : force(VectorXd::Zero(dofs)), equations(VectorXd::Zero(multipliers)) {}
 
-ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dofs,
+ZoneCoefficients automatic_coefficients(const Zone& zone, const domain::DofMap& dofs,
                                         const Eigen::Ref<const VectorXd>& diagonal) {
-  using deck::FrictionMethod;
+  using study::FrictionMethod;
   const auto& settings = zone.settings;
   ZoneCoefficients coefficients;
   for (const auto& point : zone.points) {
     const double share = point.node_position >= 0 ? 1.0 : averaged_share;
     const double stiffness = resistance(point, dofs, diagonal) / std::abs(point.weight);
-    const double normal = (deck::is_exact(settings.method) ? share : normal_stiffening) * stiffness;
+    const double normal = (study::is_exact(settings.method) ? share : normal_stiffening) * stiffness;
     double tangential = 1 / (saturation_slip * zone.edge());
     if (settings.friction_method == FrictionMethod::penalty)
       tangential *= tangential_stiffening;
@@ -410,7 +410,7 @@ std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const Point
 }
 
 void add_contributions(const ZoneLaw& law, std::span<const PointEvaluation> points,
-                       std::span<const Status> status, const fem::DofMap& dofs, int multiplier_offset,
+                       std::span<const Status> status, const domain::DofMap& dofs, int multiplier_offset,
                        ContactSystem& system) {
   ZoneAssembler assembler(*law.zone, dofs, multiplier_offset, system);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -465,7 +465,7 @@ MeanGap largest_mean_gap(const ZoneLaw& law, std::span<const PointEvaluation> po
 }
 
 void add_friction_force(std::span<const PointEvaluation> points, std::span<const PointOutcome> outcomes,
-                        const fem::DofMap& dofs, VectorXd& force) {
+                        const domain::DofMap& dofs, VectorXd& force) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].kinematics || outcomes[i].tangential.isZero(0))
       continue;

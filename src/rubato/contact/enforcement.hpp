@@ -55,12 +55,12 @@ struct ZoneCoefficients {
 /// as with c, the converged answer does not depend on it. Penalties are a multiple of c, so that bodies sink
 /// into each other by a small part of what they give way, and of c_t. `diagonal` is the effective matrix's,
 /// per dof [force/length].
-ZoneCoefficients automatic_coefficients(const Zone& zone, const fem::DofMap& dofs,
+ZoneCoefficients automatic_coefficients(const Zone& zone, const domain::DofMap& dofs,
                                         const Eigen::Ref<const Eigen::VectorXd>& diagonal);
 
 /// Mean over the directions of the stiffness of the nodes that move a point, each counted with its share
 /// [force/length]. `diagonal` as above.
-double resistance(const SlavePoint& point, const fem::DofMap& dofs,
+double resistance(const SlavePoint& point, const domain::DofMap& dofs,
                   const Eigen::Ref<const Eigen::VectorXd>& diagonal);
 
 /// A contact point at one configuration. Unpaired points have no kinematics and a gap of infinity.
@@ -167,7 +167,7 @@ std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const Point
 /// Adds the forces, equations and tangent of the zone's points, which have the given statuses.
 /// `multiplier_offset`: index of the zone's first multiplier.
 void add_contributions(const ZoneLaw& law, std::span<const PointEvaluation> points,
-                       std::span<const Status> status, const fem::DofMap& dofs, int multiplier_offset,
+                       std::span<const Status> status, const domain::DofMap& dofs, int multiplier_offset,
                        ContactSystem& system);
 
 /// What the points of those statuses do.
@@ -186,6 +186,6 @@ MeanGap largest_mean_gap(const ZoneLaw& law, std::span<const PointEvaluation> po
 
 /// Adds what friction puts on the dofs, internal side, when the points do that.
 void add_friction_force(std::span<const PointEvaluation> points, std::span<const PointOutcome> outcomes,
-                        const fem::DofMap& dofs, Eigen::VectorXd& force);
+                        const domain::DofMap& dofs, Eigen::VectorXd& force);
 
 } // namespace rubato::contact

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/explicit_penalty.hpp"
 
+#include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/obstacle_kinematics.hpp"
-#include "rubato/fem/reference_cell.hpp"
 
 #include <Eigen/Geometry>
 
@@ -24,20 +24,20 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-Vector3d vector_at(const fem::DofMap& dofs, const VectorXd& values, mesh::NodeIndex node) {
+Vector3d vector_at(const domain::DofMap& dofs, const VectorXd& values, mesh::NodeIndex node) {
   Vector3d v = Vector3d::Zero();
   v.head(dofs.components) = values.segment(dofs.dof(node, 0), dofs.components);
   return v;
 }
 
 /// Of the direction that moves most easily: a node may be held in others.
-double inverse_mass_of(const fem::DofMap& dofs, const VectorXd& inverse_mass, mesh::NodeIndex node) {
+double inverse_mass_of(const domain::DofMap& dofs, const VectorXd& inverse_mass, mesh::NodeIndex node) {
   return inverse_mass.segment(dofs.dof(node, 0), dofs.components).maxCoeff();
 }
 
-std::array<double, 9> shape_at(mesh::CellType type, const Eigen::Vector2d& xi) {
+std::array<double, 9> shape_at(CellType type, const Eigen::Vector2d& xi) {
   std::array<double, 9> values{};
-  const auto& cell = fem::reference_cell(type);
+  const auto& cell = cell::reference_cell(type);
   cell.values({xi[0], xi[1], 0}, std::span(values).first(at(cell.node_count)));
   return values;
 }
@@ -55,8 +55,8 @@ Vector3d in_plane(const Vector3d& v, const Vector3d& normal) {
 
 } // namespace
 
-std::vector<double> penalty_stiffness(const Zone& zone, const fem::DofMap& dofs, const VectorXd& inverse_mass,
-                                      double eigenvalue) {
+std::vector<double> penalty_stiffness(const Zone& zone, const domain::DofMap& dofs,
+                                      const VectorXd& inverse_mass, double eigenvalue) {
   double master = 0;
   for (const auto node : zone.master.nodes)
     master += inverse_mass_of(dofs, inverse_mass, node) / static_cast<double>(zone.master.nodes.size());
@@ -72,7 +72,7 @@ std::vector<double> penalty_stiffness(const Zone& zone, const fem::DofMap& dofs,
   return stiffness;
 }
 
-ExplicitPenalty::ExplicitPenalty(const Zone& zone, const fem::DofMap& dofs,
+ExplicitPenalty::ExplicitPenalty(const Zone& zone, const domain::DofMap& dofs,
                                  std::vector<double> normal_stiffness)
     : zone_(&zone), dofs_(&dofs), normal_stiffness_(std::move(normal_stiffness)), neighbours_(zone),
       springs_(zone.points.size()) {}
@@ -208,16 +208,16 @@ ExplicitPenalty::Place ExplicitPenalty::place_of(std::size_t index,
   const auto nodes = deformed(face, configuration);
   const auto closest = face_geometry(face.type, nodes, projection.clamped);
   auto tangents = closest.tangents;
-  if (zone_->settings.clamped_normal == deck::ClampedNormal::code_aster && !projection.inside()) {
+  if (zone_->settings.clamped_normal == study::ClampedNormal::code_aster && !projection.inside()) {
     const int directions = parametric_dimension(face.type);
     tangents.leftCols(directions) +=
         face_geometry(face.type, nodes, projection.xi).tangents.leftCols(directions);
   }
   Vector3d normal = tangents.col(0).cross(tangents.col(1)).normalized();
-  if (zone_->settings.normal != deck::ContactNormal::master) {
+  if (zone_->settings.normal != study::ContactNormal::master) {
     const Vector3d against_slave = -slave_normal(zone_->points[index], configuration);
-    normal = zone_->settings.normal == deck::ContactNormal::slave ? against_slave
-                                                                  : (normal + against_slave).normalized();
+    normal = zone_->settings.normal == study::ContactNormal::slave ? against_slave
+                                                                   : (normal + against_slave).normalized();
   }
   return {.position = closest.position,
           .normal = normal,

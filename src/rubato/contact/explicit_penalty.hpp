@@ -30,7 +30,7 @@ namespace rubato::contact {
 /// its own mass and the mean mass of a master node, vibrates with a third of the bulk's highest frequency:
 /// w k_n = λ/10 / (1/m_slave + 1/m_master). `inverse_mass`: one a dof, 0 where it is held; `eigenvalue`: the
 /// bulk's largest, λ = ω² [1/time²].
-std::vector<double> penalty_stiffness(const Zone& zone, const fem::DofMap& dofs,
+std::vector<double> penalty_stiffness(const Zone& zone, const domain::DofMap& dofs,
                                       const Eigen::VectorXd& inverse_mass, double eigenvalue);
 
 /// One zone's springs and what they carry from step to step.
@@ -57,7 +57,7 @@ public:
 
   /// k_t is k_n or, where the deck gives c_t [1/length], μ p c_t if that is less: then friction saturates at
   /// the slip 1/c_t. `dofs` and `zone` must outlive this.
-  ExplicitPenalty(const Zone& zone, const fem::DofMap& dofs, std::vector<double> normal_stiffness);
+  ExplicitPenalty(const Zone& zone, const domain::DofMap& dofs, std::vector<double> normal_stiffness);
 
   /// Takes the zone to a configuration and adds its forces, internal side, to `force` (one a dof).
   /// `velocity` times `step` is the displacement since the last call, which was at the configuration's
@@ -108,7 +108,7 @@ private:
   template <class Visit> void visit_nodes(std::size_t point, const Visit& visit) const;
 
   const Zone* zone_;
-  const fem::DofMap* dofs_;
+  const domain::DofMap* dofs_;
   std::vector<double> normal_stiffness_;
   NeighbourList neighbours_;
   std::vector<Spring> springs_;

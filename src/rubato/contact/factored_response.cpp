@@ -12,7 +12,7 @@ using Eigen::MatrixXd;
 /// The law's derivatives with respect to λ, Λ₁, Λ₂ stand behind those of g and Δs.
 constexpr int first_multiplier = 3;
 
-void collect_dofs(const Kinematics& k, const fem::DofMap& map, std::vector<int>& dofs) {
+void collect_dofs(const Kinematics& k, const domain::DofMap& map, std::vector<int>& dofs) {
   dofs.clear();
   for (const auto node : k.nodes)
     for (int i = 0; i < k.components; ++i)
@@ -34,7 +34,7 @@ void collect_spread(const Kinematics& k, const Eigen::Vector3d& force, int slope
 } // namespace
 
 void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status,
-                     const fem::DofMap& dofs, FactoredResponse& into) {
+                     const domain::DofMap& dofs, FactoredResponse& into) {
   const auto& k = *evaluation.kinematics;
   const auto variables = law.zone->multiplier_variables();
   const double weight = law.zone->points[point].weight;

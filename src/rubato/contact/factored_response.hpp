@@ -34,6 +34,6 @@ struct FactoredResponse {
 
 /// A point in contact, written into the storage of another one.
 void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status,
-                     const fem::DofMap& dofs, FactoredResponse& into);
+                     const domain::DofMap& dofs, FactoredResponse& into);
 
 } // namespace rubato::contact

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/integration.hpp"
 
-#include "rubato/fem/quadrature.hpp"
-#include "rubato/fem/reference_cell.hpp"
+#include "rubato/cell/quadrature.hpp"
+#include "rubato/cell/reference_cell.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,6 @@ namespace rubato::contact {
 namespace {
 
 using Eigen::Vector2d;
-using mesh::CellType;
 
 IntegrationPoint on_node(int node, const Vector2d& xi, double weight) {
   return {xi, weight, node, node};
@@ -77,7 +76,7 @@ std::vector<IntegrationPoint> contact_rule(CellType face, int gauss) {
   if (gauss == 0)
     return nodal_rule(face);
   std::vector<IntegrationPoint> points;
-  for (const auto& [xi, weight] : fem::gauss_rule(face, gauss))
+  for (const auto& [xi, weight] : cell::gauss_rule(face, gauss))
     points.push_back({xi.head<2>(), weight, -1, -1});
   return points;
 }
@@ -89,7 +88,7 @@ std::vector<IntegrationPoint> node_rule(CellType face) {
   double measure = 0;
   for (const auto& point : points)
     measure += point.weight;
-  const auto& cell = fem::reference_cell(face);
+  const auto& cell = cell::reference_cell(face);
   points.clear();
   for (int i = 0; i < cell.node_count; ++i)
     points.push_back(

@@ -2,7 +2,7 @@
 /// Where on a slave face contact is enforced, and with which weight.
 #pragma once
 
-#include "rubato/mesh/cell_type.hpp"
+#include "rubato/cell/topology.hpp"
 
 #include <Eigen/Core>
 
@@ -21,10 +21,10 @@ struct IntegrationPoint {
 /// the face (Code_Aster's INTEGRATION='AUTO'); TRIA6 and TRIA7 have no such rule with positive weights and
 /// take the six-point Gauss rule, whose i-th point stands for the i-th node. `gauss` = n > 0 gives n Gauss
 /// points a direction.
-std::vector<IntegrationPoint> contact_rule(mesh::CellType face, int gauss);
+std::vector<IntegrationPoint> contact_rule(CellType face, int gauss);
 
 /// One point on every node. Their weights are contact_rule's where that has them, else equal shares of the
 /// face.
-std::vector<IntegrationPoint> node_rule(mesh::CellType face);
+std::vector<IntegrationPoint> node_rule(CellType face);
 
 } // namespace rubato::contact

@@ -189,7 +189,7 @@ private:
     return adds_free_tangents() ? added_tangents_ : clamped_.tangents;
   }
   bool adds_free_tangents() const {
-    return !Inside && zone_.settings.clamped_normal == deck::ClampedNormal::code_aster;
+    return !Inside && zone_.settings.clamped_normal == study::ClampedNormal::code_aster;
   }
 
   /// How that frame turns follows from n·dt_a = −t_a·dn and τ₂·dt₁ = |t₁| τ₂·dτ₁.
@@ -279,7 +279,7 @@ private:
     return i;
   }
 
-  bool averages() const { return zone_.settings.normal == deck::ContactNormal::average; }
+  bool averages() const { return zone_.settings.normal == study::ContactNormal::average; }
 
   /// From the master's frame to one with the normal −n_s or n − n_s, made a unit. τ₁ keeps the master's first
   /// direction as far as the turned normal allows. Returns the normal's length before.
@@ -427,7 +427,7 @@ private:
 template <int Dimension, bool Inside, class Visit>
 void with_turned(const Zone& zone, const SlavePoint& point, const Pair& pair,
                  const Configuration& configuration, Kinematics& into, const Visit& visit) {
-  if (zone.settings.normal == deck::ContactNormal::master)
+  if (zone.settings.normal == study::ContactNormal::master)
     visit(Evaluation<Dimension, Inside, false>(zone, point, pair, configuration, into));
   else
     visit(Evaluation<Dimension, Inside, true>(zone, point, pair, configuration, into));

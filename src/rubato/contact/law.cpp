@@ -7,11 +7,11 @@
 namespace rubato::contact {
 namespace {
 
-using deck::ContactMethod;
-using deck::FrictionMethod;
 using Eigen::Matrix2d;
 using Eigen::RowVectorXd;
 using Eigen::Vector2d;
+using study::ContactMethod;
+using study::FrictionMethod;
 
 constexpr int gap = 0;
 constexpr int slip = 1;
@@ -36,7 +36,7 @@ Threshold threshold_of(const PointState& point, const PointLaw& law) {
   Threshold threshold;
   if (law.held_threshold) {
     threshold.value = *law.held_threshold;
-  } else if (deck::is_exact(law.method)) {
+  } else if (study::is_exact(law.method)) {
     threshold.value = point.pressure;
     threshold.derivative[pressure] = 1;
   } else {
@@ -72,9 +72,9 @@ void open_contact(const PointState& point, const PointLaw& law, PointResponse& r
 
 void close_contact(const PointState& point, const PointLaw& law, PointResponse& response) {
   const double stiffness = law.method == ContactMethod::nodal_pcg ? 0.0 : law.normal;
-  response.traction[0] = deck::is_exact(law.method) ? -stiffness * point.gap : force_of_spring(point, law);
+  response.traction[0] = study::is_exact(law.method) ? -stiffness * point.gap : force_of_spring(point, law);
   response.d_traction(0, gap) = -stiffness;
-  if (!deck::is_exact(law.method))
+  if (!study::is_exact(law.method))
     return;
   response.traction[0] += point.pressure;
   response.d_traction(0, pressure) = 1;
@@ -147,7 +147,7 @@ bool touches(const PointState& point, const PointLaw& law) {
   if (law.method == ContactMethod::nodal_pcg)
     return point.pressure > 0;
   const double pushed = force_of_spring(point, law);
-  if (!deck::is_exact(law.method))
+  if (!study::is_exact(law.method))
     return pushed > 0;
   const double held = -law.normal * point.gap;
   return point.pressure > 0 ? point.pressure + held > 0 : point.pressure + pushed > 0;

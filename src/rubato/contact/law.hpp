@@ -11,7 +11,7 @@
 /// Nodal methods read "force of a node" wherever "pressure" stands.
 #pragma once
 
-#include "rubato/deck/study.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
 
@@ -35,8 +35,8 @@ struct PointState {
 };
 
 struct PointLaw {
-  deck::ContactMethod method = deck::ContactMethod::augmented_lagrangian;
-  deck::FrictionMethod friction_method = deck::FrictionMethod::augmented_lagrangian;
+  study::ContactMethod method = study::ContactMethod::augmented_lagrangian;
+  study::FrictionMethod friction_method = study::FrictionMethod::augmented_lagrangian;
   double friction = 0;      ///< μ
   double normal = 0;        ///< c or k [pressure/length]
   double tangential = 0;    ///< c_t or k_t [1/length]; nodal: E [force/length]

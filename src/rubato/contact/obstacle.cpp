@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/obstacle.hpp"
 
-#include "rubato/load/function.hpp"
+#include "rubato/core/function.hpp"
 
 #include <Eigen/Geometry>
 
@@ -11,9 +11,9 @@
 namespace rubato::contact {
 namespace {
 
-using deck::ObstacleKind;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using study::ObstacleKind;
 
 /// Distance from the middle, in radii, where a direction is rounding only; and how near to −1 the cosine of a
 /// turn may come before its axis is.
@@ -114,7 +114,7 @@ Vector3d Obstacle::offset(double t) const {
   Vector3d moved = vector_of(move);
   for (std::size_t axis = 0; axis < functions.size(); ++axis)
     if (functions[axis])
-      moved[static_cast<Eigen::Index>(axis)] *= load::value_at(*functions[axis], t);
+      moved[static_cast<Eigen::Index>(axis)] *= value_at(*functions[axis], t);
   return moved;
 }
 
@@ -122,17 +122,17 @@ bool Obstacle::moves() const {
   return std::ranges::any_of(functions, [](const auto& function) { return function.has_value(); });
 }
 
-Obstacle make_obstacle(const deck::Obstacle& obstacle, deck::Physics physics,
-                       const std::map<std::string, deck::Function>& functions) {
+Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
+                       const std::map<std::string, Function>& functions) {
   Obstacle made{.kind = obstacle.kind,
                 .point = vector_of(obstacle.point),
                 .radius = obstacle.radius,
-                .sign = obstacle.side == deck::ObstacleSide::inside ? -1.0 : 1.0,
+                .sign = obstacle.side == study::ObstacleSide::inside ? -1.0 : 1.0,
                 .move = {},
                 .functions = {}};
   if (const Vector3d direction = vector_of(obstacle.direction); !direction.isZero(0))
     made.direction = direction.stableNormalized();
-  if (physics == deck::Physics::axisymmetric)
+  if (physics == study::Physics::axisymmetric)
     take_meridian(made);
   for (std::size_t axis = 0; axis < obstacle.move.size(); ++axis) {
     const auto& moved = obstacle.move[axis];

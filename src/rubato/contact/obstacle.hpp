@@ -9,7 +9,7 @@
 /// + outside, − inside.
 #pragma once
 
-#include "rubato/deck/study.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
 
@@ -24,13 +24,13 @@ namespace rubato::contact {
 
 /// As the space of the unknowns sees it: a sphere of an axisymmetric study is a circle there.
 struct Obstacle {
-  deck::ObstacleKind kind = deck::ObstacleKind::plane;
+  study::ObstacleKind kind = study::ObstacleKind::plane;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();      ///< p where the deck puts it [length]
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); ///< unit normal of a plane, unit axis of a cylinder
   double radius = 0;                                    ///< R [length]
   double sign = 1;                                      ///< −1 where bodies are inside
   std::array<double, 3> move{};                         ///< factors of the functions [length]
-  std::array<std::optional<deck::Function>, 3> functions;
+  std::array<std::optional<Function>, 3> functions;
 
   /// o(t), how far it is from where the deck puts it.
   Eigen::Vector3d offset(double t) const;
@@ -40,11 +40,11 @@ struct Obstacle {
 };
 
 /// `functions` are the deck's; those that the obstacle names are among them.
-Obstacle make_obstacle(const deck::Obstacle& obstacle, deck::Physics physics,
-                       const std::map<std::string, deck::Function>& functions);
+Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
+                       const std::map<std::string, Function>& functions);
 
 struct ObstacleEntry {
-  deck::ObstacleKind kind;
+  study::ObstacleKind kind;
   std::string_view name;
   std::string_view summary;
 };

@@ -52,7 +52,7 @@ struct Candidate {
 /// Whether no place of the face can be as near to the point as that. Only faces without midside nodes lie in
 /// the box of their nodes.
 bool is_farther(const Face& face, const FaceCoordinates& nodes, const Vector3d& point, double distance) {
-  if (face.node_count != mesh::topology(face.type).corner_count)
+  if (face.node_count != cell::topology(face.type).corner_count)
     return false;
   const Vector3d below = nodes.rowwise().minCoeff() - point;
   const Vector3d above = point - nodes.rowwise().maxCoeff();

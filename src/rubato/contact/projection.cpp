@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/projection.hpp"
 
-#include "rubato/fem/reference_cell.hpp"
+#include "rubato/cell/reference_cell.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -20,7 +20,6 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using mesh::CellType;
 
 /// Projections this near to the border lie on it but for rounding.
 constexpr double snap = 1e-12;
@@ -96,7 +95,7 @@ template <class Visit> auto with_kind(CellType type, const Visit& visit) {
   case CellType::quad9:
     return visit(FaceKind<2, 9>{});
   default:
-    throw std::invalid_argument("no contact on cells of type " + std::string(mesh::topology(type).name));
+    throw std::invalid_argument("no contact on cells of type " + std::string(cell::topology(type).name));
   }
 }
 
@@ -119,7 +118,7 @@ Vector3d weighted_sum(const FaceCoordinates& nodes, const double* weights) {
   return sum;
 }
 
-template <class Kind> FaceShape shape_of(const fem::ReferenceCell& cell, const Vector2d& xi) {
+template <class Kind> FaceShape shape_of(const cell::ReferenceCell& cell, const Vector2d& xi) {
   constexpr auto n = static_cast<std::size_t>(Kind::nodes);
   constexpr auto d = static_cast<std::size_t>(Kind::dimension);
   const Vector3d at(xi[0], xi[1], 0);
@@ -156,7 +155,7 @@ template <class Kind> FaceGeometry geometry_of(const FaceCoordinates& nodes, con
 /// Position and derivatives of a face, place after place.
 template <class Kind> class FaceMap {
 public:
-  FaceMap(const FaceCoordinates& nodes, const fem::ReferenceCell& cell) : nodes_(nodes), cell_(cell) {}
+  FaceMap(const FaceCoordinates& nodes, const cell::ReferenceCell& cell) : nodes_(nodes), cell_(cell) {}
   FaceGeometry at(const Vector2d& xi) const { return geometry_of<Kind>(nodes_, shape_of<Kind>(cell_, xi)); }
   Vector3d position(const Vector2d& xi) const {
     std::array<double, 9> values;
@@ -166,13 +165,13 @@ public:
 
 private:
   const FaceCoordinates& nodes_;
-  const fem::ReferenceCell& cell_;
+  const cell::ReferenceCell& cell_;
 };
 
 /// x = a + ξ b
 template <> class FaceMap<FaceKind<1, 2>> {
 public:
-  FaceMap(const FaceCoordinates& nodes, const fem::ReferenceCell& /*unused*/)
+  FaceMap(const FaceCoordinates& nodes, const cell::ReferenceCell& /*unused*/)
       : a_(0.5 * (nodes.col(1) + nodes.col(0))), b_(0.5 * (nodes.col(1) - nodes.col(0))) {}
   FaceGeometry at(const Vector2d& xi) const {
     FaceGeometry geometry;
@@ -191,7 +190,7 @@ private:
 /// x = a + ξ b + η c + ξη d
 template <> class FaceMap<FaceKind<2, 4>> {
 public:
-  FaceMap(const FaceCoordinates& nodes, const fem::ReferenceCell& /*unused*/) {
+  FaceMap(const FaceCoordinates& nodes, const cell::ReferenceCell& /*unused*/) {
     const Vector3d below = 0.25 * (nodes.col(0) + nodes.col(1)), above = 0.25 * (nodes.col(2) + nodes.col(3));
     const Vector3d along = 0.25 * (nodes.col(1) - nodes.col(0)), back = 0.25 * (nodes.col(2) - nodes.col(3));
     a_ = above + below;
@@ -258,7 +257,7 @@ template <class Kind> double beyond(const Vector2d& xi) {
 
 template <class Kind>
 void iterate(const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted,
-             const fem::ReferenceCell& cell, Projection& result) {
+             const cell::ReferenceCell& cell, Projection& result) {
   const FaceMap<Kind> face(nodes, cell);
   double before = 0;
   for (int iteration = 0; iteration < max_iterations && !result.converged; ++iteration) {
@@ -287,7 +286,7 @@ void iterate(const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted,
 } // namespace
 
 FaceShape face_shape(CellType type, const Vector2d& xi) {
-  const auto& cell = fem::reference_cell(type);
+  const auto& cell = cell::reference_cell(type);
   return with_kind(type, [&](auto kind) { return shape_of<decltype(kind)>(cell, xi); });
 }
 
@@ -296,17 +295,17 @@ FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Fa
 }
 
 FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
-  const auto& cell = fem::reference_cell(type);
+  const auto& cell = cell::reference_cell(type);
   return with_kind(type, [&](auto kind) { return FaceMap<decltype(kind)>(nodes, cell).at(xi); });
 }
 
 Vector3d face_position(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
-  const auto& cell = fem::reference_cell(type);
+  const auto& cell = cell::reference_cell(type);
   return with_kind(type, [&](auto kind) { return FaceMap<decltype(kind)>(nodes, cell).position(xi); });
 }
 
 std::array<double, 9> face_values(CellType type, const Vector2d& xi) {
-  const auto& cell = fem::reference_cell(type);
+  const auto& cell = cell::reference_cell(type);
   std::array<double, 9> values;
   cell.values({xi[0], xi[1], 0}, std::span(values).first(static_cast<std::size_t>(cell.node_count)));
   return values;
@@ -318,7 +317,7 @@ void clamp_to_face(CellType type, Projection& projection) {
 
 Projection project(CellType type, const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted) {
   Projection result;
-  const auto& cell = fem::reference_cell(type);
+  const auto& cell = cell::reference_cell(type);
   with_kind(type, [&](auto kind) {
     using Kind = decltype(kind);
     if constexpr (Kind::triangle)

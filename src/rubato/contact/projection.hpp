@@ -2,7 +2,7 @@
 /// Orthogonal projection of a point on one curved face, and on the reference cell's limits.
 #pragma once
 
-#include "rubato/mesh/cell_type.hpp"
+#include "rubato/cell/topology.hpp"
 
 #include <Eigen/Core>
 
@@ -21,9 +21,9 @@ struct FaceShape {
   std::array<double, 36> hessians;  ///< ∂²N_i/∂ξ_a∂ξ_b at (i · dimension + a) · dimension + b
 };
 
-FaceShape face_shape(mesh::CellType type, const Eigen::Vector2d& xi);
+FaceShape face_shape(CellType type, const Eigen::Vector2d& xi);
 /// The shape functions alone.
-std::array<double, 9> face_values(mesh::CellType type, const Eigen::Vector2d& xi);
+std::array<double, 9> face_values(CellType type, const Eigen::Vector2d& xi);
 
 /// Position and parametric derivatives of a face at one reference point. In 2D the second direction is e_z,
 /// so that tangent₁ × tangent₂ is the outward normal there as well.
@@ -33,11 +33,11 @@ struct FaceGeometry {
   std::array<std::array<Eigen::Vector3d, 2>, 2> curvatures;                   ///< x,_ab
 };
 
-FaceGeometry face_geometry(mesh::CellType type, const FaceCoordinates& nodes, const FaceShape& shape);
-FaceGeometry face_geometry(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
+FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const FaceShape& shape);
+FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
 
 /// x(ξ) alone.
-Eigen::Vector3d face_position(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
+Eigen::Vector3d face_position(CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
 
 struct Projection {
   Eigen::Vector2d xi = Eigen::Vector2d::Zero();      ///< of the unconstrained orthogonal projection
@@ -52,14 +52,14 @@ struct Projection {
 
 /// Moves `xi` to the closest point of the reference face in the parametric plane; within 1e-12 it counts as
 /// inside. Fills clamped, clamp_derivative and overshoot from xi.
-void clamp_to_face(mesh::CellType type, Projection& projection);
+void clamp_to_face(CellType type, Projection& projection);
 
 /// Which projections are asked for: those that aren't can be left as soon as that is known.
 enum class Wanted { any, inside };
 
 /// Solves (x_s − x(ξ))·x,_a(ξ) = 0 by Newton's method from the middle of the face, then clamps. When only one
 /// inside is wanted, a result outside is rough.
-Projection project(mesh::CellType type, const FaceCoordinates& nodes, const Eigen::Vector3d& point,
+Projection project(CellType type, const FaceCoordinates& nodes, const Eigen::Vector3d& point,
                    Wanted wanted = Wanted::any);
 
 } // namespace rubato::contact

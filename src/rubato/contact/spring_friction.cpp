@@ -20,7 +20,7 @@ Vector3d slip_of(const PointEvaluation& point) {
 }
 
 /// The slip after a move, by the tangent.
-Vector2d slip_after(const PointEvaluation& point, const fem::DofMap& dofs, const VectorXd& move) {
+Vector2d slip_after(const PointEvaluation& point, const domain::DofMap& dofs, const VectorXd& move) {
   const auto& k = *point.kinematics;
   Vector2d slip = point.variables.slip;
   for (std::size_t node = 0; node < k.nodes.size(); ++node)
@@ -55,11 +55,11 @@ struct Passage {
 
 bool rubs_by_springs(const Zone& zone) {
   return zone.settings.friction > 0 &&
-         zone.settings.friction_method != deck::FrictionMethod::augmented_lagrangian;
+         zone.settings.friction_method != study::FrictionMethod::augmented_lagrangian;
 }
 
 void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const IterateOfZone& now,
-                      const fem::DofMap& dofs, const VectorXd& move, std::span<Status> status) {
+                      const domain::DofMap& dofs, const VectorXd& move, std::span<Status> status) {
   for (std::size_t i = 0; i < status.size(); ++i) {
     const auto was = before.status[i];
     if (status[i] != Status::slip || was == Status::open)
@@ -78,7 +78,7 @@ void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const Ite
 std::vector<double> friction_stiffness(const ZoneLaw& law, std::span<const PointEvaluation> points,
                                        std::span<const Status> status) {
   std::vector<double> stiffness(points.size(), 0.0);
-  if (law.zone->settings.friction_method != deck::FrictionMethod::penalty)
+  if (law.zone->settings.friction_method != study::FrictionMethod::penalty)
     return stiffness;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (status[i] == Status::open)

@@ -33,7 +33,7 @@ bool rubs_by_springs(const Zone& zone);
 /// `move`: of the dofs from that iterate to this one. An answer has no such points: its statuses are those
 /// that the law calls for, two iterates in a row.
 void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const IterateOfZone& now,
-                      const fem::DofMap& dofs, const Eigen::VectorXd& move, std::span<Status> status);
+                      const domain::DofMap& dofs, const Eigen::VectorXd& move, std::span<Status> status);
 
 /// Of a point that sticks beyond its limit, and so is on its way to a smaller slip: its friction is to grow
 /// with the pressure as the limit does.

@@ -28,7 +28,7 @@ void collect_neighbours(Surface& surface) {
 void measure_edges(Surface& surface, const mesh::Mesh& mesh) {
   surface.shortest_edge = std::numeric_limits<double>::infinity();
   for (const auto& face : surface.faces)
-    for (const auto& [from, to] : mesh::topology(face.type).edges) {
+    for (const auto& [from, to] : cell::topology(face.type).edges) {
       const auto& a = mesh.points[static_cast<std::size_t>(face.nodes[from])];
       const auto& b = mesh.points[static_cast<std::size_t>(face.nodes[to])];
       const double length = (b - a).norm();
@@ -53,8 +53,8 @@ Surface make_surface(const mesh::Mesh& mesh, std::vector<Face> faces) {
   return surface;
 }
 
-int parametric_dimension(mesh::CellType type) {
-  return mesh::topology(type).dimension;
+int parametric_dimension(CellType type) {
+  return cell::topology(type).dimension;
 }
 
 } // namespace rubato::contact

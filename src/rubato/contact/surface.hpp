@@ -15,7 +15,7 @@ namespace rubato::contact {
 /// A face of a contact surface (a segment in 2D). Its nodes are ordered so that x,₁ × x,₂ (2D: x,₁ × e_z)
 /// leaves the body.
 struct Face {
-  mesh::CellType type = mesh::CellType::seg2;
+  CellType type = CellType::seg2;
   int node_count = 0;
   std::array<mesh::NodeIndex, 9> nodes{};
   std::array<int, 9> positions{}; ///< of these nodes in their surface's, once it is made
@@ -41,6 +41,6 @@ struct Surface {
 Surface make_surface(const mesh::Mesh& mesh, std::vector<Face> faces);
 
 /// Reference dimension of a contact face: 1 for segments, 2 for triangles and quadrangles.
-int parametric_dimension(mesh::CellType type);
+int parametric_dimension(CellType type);
 
 } // namespace rubato::contact

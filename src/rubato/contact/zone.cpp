@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/zone.hpp"
 
+#include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/integration.hpp"
 #include "rubato/contact/law.hpp"
 #include "rubato/contact/projection.hpp"
-#include "rubato/fem/reference_cell.hpp"
 
 #include <Eigen/Geometry>
 
@@ -143,8 +143,8 @@ SlavePoint point_inside(const Surface& slave, const Face& face, const Integratio
                         std::span<const NodeIndex> excluded) {
   SlavePoint point;
   std::array<double, 9> values{};
-  fem::reference_cell(face.type).values({at.xi[0], at.xi[1], 0},
-                                        std::span(values).first(static_cast<std::size_t>(face.node_count)));
+  cell::reference_cell(face.type).values({at.xi[0], at.xi[1], 0},
+                                         std::span(values).first(static_cast<std::size_t>(face.node_count)));
   for (std::size_t i = 0; i < static_cast<std::size_t>(face.node_count); ++i) {
     point.nodes.push_back(face.nodes[i]);
     point.shape.push_back(values[i]);
@@ -156,15 +156,15 @@ SlavePoint point_inside(const Surface& slave, const Face& face, const Integratio
   return point;
 }
 
-std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const deck::ContactZone& settings,
+std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const study::ContactZone& settings,
                                     const Surface& slave, std::span<const NodeIndex> excluded,
                                     const ZoneGeometry& geometry) {
   std::vector<SlavePoint> points;
   std::map<NodeIndex, std::size_t> point_of_node;
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     const auto& face = slave.faces[f];
-    const auto rule = deck::is_nodal(settings.method) ? node_rule(face.type)
-                                                      : contact_rule(face.type, settings.gauss_points);
+    const auto rule = study::is_nodal(settings.method) ? node_rule(face.type)
+                                                       : contact_rule(face.type, settings.gauss_points);
     for (const auto& at : rule) {
       std::size_t index = points.size();
       if (at.node >= 0) {
@@ -190,7 +190,7 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const deck::ContactZ
 
 } // namespace
 
-Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surface master, Surface slave,
+Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surface master, Surface slave,
                std::span<const NodeIndex> excluded_nodes, const ZoneGeometry& geometry) {
   Zone zone;
   zone.settings = settings;
@@ -201,14 +201,14 @@ Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surfac
   zone.master = std::move(master);
   zone.slave = std::move(slave);
   for (auto& point : zone.points)
-    point.weight = deck::is_nodal(settings.method) ? 1.0 : point.area;
-  if (settings.normal != deck::ContactNormal::master)
+    point.weight = study::is_nodal(settings.method) ? 1.0 : point.area;
+  if (settings.normal != study::ContactNormal::master)
     for (auto& point : zone.points)
       add_turning_nodes(zone.slave, point);
   return zone;
 }
 
-Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Obstacle obstacle, Surface slave,
+Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Obstacle obstacle, Surface slave,
                std::span<const NodeIndex> excluded_nodes, const ZoneGeometry& geometry) {
   auto zone = make_zone(mesh, settings, Surface(), std::move(slave), excluded_nodes, geometry);
   zone.obstacle = std::move(obstacle);

@@ -5,8 +5,8 @@
 
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/contact/surface.hpp"
-#include "rubato/deck/study.hpp"
-#include "rubato/fem/dof_map.hpp"
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
 
@@ -47,7 +47,7 @@ struct SlavePoint {
 };
 
 struct Zone {
-  deck::ContactZone settings;
+  study::ContactZone settings;
   Surface master;                   ///< empty with an obstacle
   std::optional<Obstacle> obstacle; ///< instead of a master
   Surface slave;
@@ -69,8 +69,8 @@ struct Zone {
 inline std::span<const int> Zone::multiplier_variables() const {
   static constexpr std::array variables{0, 1, 2};
   const bool tangential =
-      settings.friction > 0 && settings.friction_method == deck::FrictionMethod::augmented_lagrangian;
-  const std::size_t first = deck::is_exact(settings.method) ? 0 : 1;
+      settings.friction > 0 && settings.friction_method == study::FrictionMethod::augmented_lagrangian;
+  const std::size_t first = study::is_exact(settings.method) ? 0 : 1;
   const std::size_t last = tangential ? static_cast<std::size_t>(space_dimension) : 1;
   return std::span(variables).subspan(first, last - first);
 }
@@ -85,18 +85,18 @@ struct ZoneGeometry {
 };
 
 /// `excluded_nodes` are mesh nodes (ascending), those that don't lie on the slave surface don't matter.
-Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Surface master, Surface slave,
+Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surface master, Surface slave,
                std::span<const mesh::NodeIndex> excluded_nodes, const ZoneGeometry& geometry);
 
 /// The same before an obstacle.
-Zone make_zone(const mesh::Mesh& mesh, const deck::ContactZone& settings, Obstacle obstacle, Surface slave,
+Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Obstacle obstacle, Surface slave,
                std::span<const mesh::NodeIndex> excluded_nodes, const ZoneGeometry& geometry);
 
 /// Where the nodes are: undeformed coordinates plus u; `start` is u at the beginning of the step. Obstacles
 /// are where the instants say.
 struct Configuration {
   const mesh::Mesh* mesh;
-  const fem::DofMap* dofs;
+  const domain::DofMap* dofs;
   const Eigen::VectorXd* displacement;
   const Eigen::VectorXd* start;
   double t = 0;       ///< of `displacement`

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Checks: numbers of a run that must come out.
 #include "rubato/deck/parts.hpp"
-#include "rubato/deck/stored_fields.hpp"
+#include "rubato/study/stored_fields.hpp"
 
 #include <fmt/format.h>
 
@@ -13,11 +13,11 @@ namespace {
 
 /// "tip.y" taken apart at its last dot.
 struct Quantity {
-  Name name;
+  study::Name name;
   std::string component; ///< empty without a dot
 };
 
-Quantity quantity_of(const Name& written) {
+Quantity quantity_of(const study::Name& written) {
   const auto dot = written.text.rfind('.');
   if (dot == std::string::npos)
     return {written, {}};
@@ -25,9 +25,9 @@ Quantity quantity_of(const Name& written) {
 }
 
 /// "tip.y": the probe and the component.
-void read_probe_component(const Value& value, const Context& context, const std::vector<Probe>& probes,
-                          Check& check) {
-  Name written;
+void read_probe_component(const Value& value, const Context& context, const std::vector<study::Probe>& probes,
+                          study::Check& check) {
+  study::Name written;
   if (!read(Found(value), written))
     return;
   auto [name, axis] = quantity_of(written);
@@ -37,30 +37,30 @@ void read_probe_component(const Value& value, const Context& context, const std:
   }
   check.probe = std::move(name);
   std::vector<std::string> names;
-  std::ranges::transform(probes, std::back_inserter(names), &Probe::name);
+  std::ranges::transform(probes, std::back_inserter(names), &study::Probe::name);
   if (std::ranges::find(names, check.probe.text) == names.end())
     value.fault(
         fmt::format("no probe is called {}{}", shown(check.probe.text), suggestion(check.probe.text, names)));
-  const auto axes = axis_words.begin() + (context.physics ? dimension_of(*context.physics) : 3);
-  const auto found = std::find(axis_words.begin(), axes, axis);
+  const auto axes = study::axis_words.begin() + (context.physics ? study::dimension_of(*context.physics) : 3);
+  const auto found = std::find(study::axis_words.begin(), axes, axis);
   if (found == axes)
     value.fault(fmt::format("found the component {}, expected {}", shown(axis),
-                            axes == axis_words.end() ? "x, y or z" : "x or y"));
+                            axes == study::axis_words.end() ? "x, y or z" : "x or y"));
   else
-    check.component = static_cast<int>(found - axis_words.begin());
+    check.component = static_cast<int>(found - study::axis_words.begin());
 }
 
 /// "displacement.y", or "displacement" for every component.
-void read_field_component(const Value& value, const Context& context, CheckedField& checked) {
-  Name written;
+void read_field_component(const Value& value, const Context& context, study::CheckedField& checked) {
+  study::Name written;
   if (!read(Found(value), written) || !context.physics)
     return;
   const auto [name, component] = quantity_of(written);
-  const auto fields = stored_fields(dimension_of(*context.physics));
-  const auto field = std::ranges::find(fields, name.text, &StoredField::name);
+  const auto fields = study::stored_fields(study::dimension_of(*context.physics));
+  const auto field = std::ranges::find(fields, name.text, &study::StoredField::name);
   if (field == fields.end()) {
     std::vector<std::string> names;
-    std::ranges::transform(fields, std::back_inserter(names), &StoredField::name);
+    std::ranges::transform(fields, std::back_inserter(names), &study::StoredField::name);
     value.fault(fmt::format("no field is called {}{}", shown(name.text), suggestion(name.text, names)));
     return;
   }
@@ -75,7 +75,8 @@ void read_field_component(const Value& value, const Context& context, CheckedFie
 }
 
 /// What is checked: a probe or a field.
-void read_subject(MapReader& map, const Context& context, const std::vector<Probe>& probes, Check& check) {
+void read_subject(MapReader& map, const Context& context, const std::vector<study::Probe>& probes,
+                  study::Check& check) {
   const auto probe = map.find("probe");
   const auto field = map.find("field");
   const auto on = map.find("on");
@@ -93,24 +94,24 @@ void read_subject(MapReader& map, const Context& context, const std::vector<Prob
 }
 
 /// `run` and `source: other_run` mean each other.
-void read_source(MapReader& map, Check& check) {
+void read_source(MapReader& map, study::Check& check) {
   const bool has_run = read(map.find("run"), check.run);
-  check.source = has_run ? CheckSource::other_run : CheckSource::external;
+  check.source = has_run ? study::CheckSource::other_run : study::CheckSource::external;
   const auto source = map.find("source");
-  if (!read(source, check.source, check_source_words) || check.field)
+  if (!read(source, check.source, study::check_source_words) || check.field)
     return;
-  if (has_run && check.source != CheckSource::other_run)
+  if (has_run && check.source != study::CheckSource::other_run)
     source->fault(fmt::format("found {} beside 'run', expected 'other_run'",
-                              shown(std::string(word_of(check_source_words, check.source)))));
-  if (!has_run && check.source == CheckSource::other_run)
+                              shown(std::string(study::word_of(study::check_source_words, check.source)))));
+  if (!has_run && check.source == study::CheckSource::other_run)
     source->fault("found 'other_run', but 'run', which names it, is missing");
 }
 
 /// A number, unless another run stands in for it.
-void read_reference(MapReader& map, Check& check) {
+void read_reference(MapReader& map, study::Check& check) {
   const auto kind = map.find("kind");
-  const bool kind_known = !kind || read(kind, check.relative, check_kind_words);
-  if (!check.run.text.empty() || check.source == CheckSource::other_run) {
+  const bool kind_known = !kind || read(kind, check.relative, study::check_kind_words);
+  if (!check.run.text.empty() || check.source == study::CheckSource::other_run) {
     map.refuse("reference", "goes without 'run': the difference from another run is held against 0");
     return;
   }
@@ -124,8 +125,8 @@ void read_reference(MapReader& map, Check& check) {
     reference->fault("found 0, to which nothing can be relative, expected 'kind: absolute' with it");
 }
 
-Check read_check(const Value& value, const Context& context, const std::vector<Probe>& probes) {
-  Check check;
+study::Check read_check(const Value& value, const Context& context, const std::vector<study::Probe>& probes) {
+  study::Check check;
   check.where = value.at();
   MapReader map(value);
   read_subject(map, context, probes, check);
@@ -141,8 +142,8 @@ Check read_check(const Value& value, const Context& context, const std::vector<P
 
 } // namespace
 
-void read_checks(const Found& value, const Context& context, const std::vector<Probe>& probes,
-                 std::vector<Check>& checks) {
+void read_checks(const Found& value, const Context& context, const std::vector<study::Probe>& probes,
+                 std::vector<study::Check>& checks) {
   for (const auto& item : items(value))
     checks.push_back(read_check(item, context, probes));
 }

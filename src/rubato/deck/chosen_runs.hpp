@@ -12,7 +12,7 @@ namespace rubato::deck {
 
 /// A run as the deck has it.
 struct WrittenRun {
-  Name name;
+  study::Name name;
   Tree over; ///< its own entries
 };
 

@@ -2,7 +2,7 @@
 /// What is wrong with a deck, gathered until everything has been read.
 #pragma once
 
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 
 #include <map>
 #include <string>

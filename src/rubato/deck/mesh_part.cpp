@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/cell/topology.hpp"
 #include "rubato/deck/parts.hpp"
 
 #include <fmt/format.h>
@@ -10,8 +11,6 @@
 
 namespace rubato::deck {
 namespace {
-
-using mesh::CellType;
 
 constexpr int finest = 1000;
 /// Beyond it neither local numbers nor memory hold.
@@ -64,23 +63,23 @@ std::vector<std::string> corner_words(int dimension) {
 }
 
 void read_groups(const Found& value, const std::vector<std::string>& words,
-                 std::map<std::string, Name>& groups) {
+                 std::map<std::string, study::Name>& groups) {
   if (!value)
     return;
   MapReader map(*value);
   for (const auto& word : words) {
-    Name name;
+    study::Name name;
     if (read(map.find(word), name))
       groups[word] = std::move(name);
   }
   map.finish();
 }
 
-void read_cells(const Found& value, Body& body) {
+void read_cells(const Found& value, study::Body& body) {
   const auto types = cells_of(body.dimension);
   std::vector<std::string> words;
   for (const auto type : types) {
-    std::string word(mesh::topology(type).name);
+    std::string word(cell::topology(type).name);
     std::ranges::transform(word, word.begin(), [](unsigned char letter) { return std::tolower(letter); });
     words.push_back(std::move(word));
   }
@@ -102,7 +101,7 @@ bool read_per_axis(const Found& value, int dimension, std::array<U, 3>& target, 
   return true;
 }
 
-void read_extent(const Found& value, Body& body) {
+void read_extent(const Found& value, study::Body& body) {
   if (!value)
     return;
   MapReader map(*value);
@@ -115,12 +114,12 @@ void read_extent(const Found& value, Body& body) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(body.dimension); ++axis)
     if (!(body.to[axis] > body.from[axis]) || !std::isfinite(body.to[axis] - body.from[axis]))
       to->fault(fmt::format("found {} for {}, expected more than the {} of 'from'", body.to[axis],
-                            axis_words[axis], body.from[axis]),
+                            study::axis_words[axis], body.from[axis]),
                 to->tree().items[axis].at);
 }
 
 /// The box or the rectangle of a body, and with it the body's dimension; nothing when it has neither or both.
-Found find_shape(MapReader& map, Body& body) {
+Found find_shape(MapReader& map, study::Body& body) {
   auto box = map.find("box");
   auto rectangle = map.find("rectangle");
   if (!map.is_map() || box.has_value() != rectangle.has_value()) {
@@ -132,8 +131,8 @@ Found find_shape(MapReader& map, Body& body) {
   return std::nullopt;
 }
 
-Body read_body(const Value& value, const Context& context) {
-  Body body;
+study::Body read_body(const Value& value, const Context& context) {
+  study::Body body;
   body.at = value.at();
   MapReader map(value);
   read(map.require("name"), body.name);
@@ -147,9 +146,9 @@ Body read_body(const Value& value, const Context& context) {
     return body;
   }
   read_extent(shape, body);
-  if (context.physics && dimension_of(*context.physics) != body.dimension)
+  if (context.physics && study::dimension_of(*context.physics) != body.dimension)
     shape->fault(fmt::format("found a {} in {}, expected a {}", body.dimension == 3 ? "box" : "rectangle",
-                             word_of(physics_words, *context.physics),
+                             study::word_of(study::physics_words, *context.physics),
                              body.dimension == 3 ? "rectangle" : "box"));
   read_per_axis<int>(map.require("divisions"), body.dimension, body.divisions, at_least(1));
   read_cells(map.find("cells"), body);
@@ -163,7 +162,7 @@ Body read_body(const Value& value, const Context& context) {
   return body;
 }
 
-void refuse_huge(const Found& generate, const MeshSource& mesh) {
+void refuse_huge(const Found& generate, const study::MeshSource& mesh) {
   double cells = 0;
   for (const auto& body : mesh.bodies) {
     double of_body = 1;
@@ -178,10 +177,10 @@ void refuse_huge(const Found& generate, const MeshSource& mesh) {
 
 } // namespace
 
-void read_bodies(const Found& value, const Context& context, std::vector<Body>& bodies) {
+void read_bodies(const Found& value, const Context& context, std::vector<study::Body>& bodies) {
   for (const auto& item : items(value)) {
     auto body = read_body(item, context);
-    if (!body.name.empty() && std::ranges::find(bodies, body.name, &Body::name) != bodies.end())
+    if (!body.name.empty() && std::ranges::find(bodies, body.name, &study::Body::name) != bodies.end())
       item.fault(fmt::format("found a second body named {}", shown(body.name)));
     bodies.push_back(std::move(body));
   }
@@ -189,7 +188,7 @@ void read_bodies(const Found& value, const Context& context, std::vector<Body>& 
     value->fault("found an empty list, expected at least one body");
 }
 
-void read_mesh(const Found& value, const Context& context, MeshSource& mesh) {
+void read_mesh(const Found& value, const Context& context, study::MeshSource& mesh) {
   if (!value)
     return;
   MapReader map(*value);
@@ -205,7 +204,7 @@ void read_mesh(const Found& value, const Context& context, MeshSource& mesh) {
   else
     map.refuse("name", "only a mesh from a file has a name");
   read_bodies(generate, context, mesh.bodies);
-  read(map.find("convert"), mesh.convert, conversion_words);
+  read(map.find("convert"), mesh.convert, study::conversion_words);
   read(map.find("refine"), mesh.refine, from_to(1, finest));
   map.finish();
   refuse_huge(generate, mesh);

@@ -10,7 +10,7 @@
 namespace rubato::deck {
 namespace {
 
-bool is(const Context& context, Physics physics) {
+bool is(const Context& context, study::Physics physics) {
   return context.physics == physics;
 }
 
@@ -24,29 +24,29 @@ bool read_direction(const Found& value, const Context& context, std::array<doubl
   return has_length;
 }
 
-void read_plane(MapReader& map, const Context& context, Obstacle& obstacle) {
+void read_plane(MapReader& map, const Context& context, study::Obstacle& obstacle) {
   read_point(map.require("point"), context, obstacle.point);
   const auto normal = map.require("normal");
-  if (read_direction(normal, context, obstacle.direction) && is(context, Physics::axisymmetric) &&
+  if (read_direction(normal, context, obstacle.direction) && is(context, study::Physics::axisymmetric) &&
       obstacle.direction[0] != 0)
     normal->fault("found a normal that leaves the axis of revolution, expected [0, 1] or [0, -1]: the "
                   "plane would be a cone");
 }
 
-void read_radius_and_side(MapReader& map, Obstacle& obstacle) {
+void read_radius_and_side(MapReader& map, study::Obstacle& obstacle) {
   read(map.require("radius"), obstacle.radius, above(0));
-  read(map.find("side"), obstacle.side, obstacle_side_words);
+  read(map.find("side"), obstacle.side, study::obstacle_side_words);
 }
 
-void read_cylinder(MapReader& map, const Context& context, Obstacle& obstacle) {
-  if (is(context, Physics::axisymmetric)) {
+void read_cylinder(MapReader& map, const Context& context, study::Obstacle& obstacle) {
+  if (is(context, study::Physics::axisymmetric)) {
     map.refuse("point", "the cylinder's axis is the axis of revolution in axisymmetric");
     map.refuse("axis", "the cylinder's axis is the axis of revolution in axisymmetric");
   } else {
     read_point(map.require("point"), context, obstacle.point);
-    if (context.physics && dimension_of(*context.physics) == 2) {
-      map.refuse("axis",
-                 fmt::format("the cylinder's axis is z in {}", word_of(physics_words, *context.physics)));
+    if (context.physics && study::dimension_of(*context.physics) == 2) {
+      map.refuse("axis", fmt::format("the cylinder's axis is z in {}",
+                                     study::word_of(study::physics_words, *context.physics)));
       obstacle.direction = {0, 0, 1};
     } else {
       read_direction(context.physics ? map.require("axis") : map.find("axis"), context, obstacle.direction);
@@ -55,12 +55,12 @@ void read_cylinder(MapReader& map, const Context& context, Obstacle& obstacle) {
   read_radius_and_side(map, obstacle);
 }
 
-void read_sphere(MapReader& map, const Context& context, Obstacle& obstacle) {
-  if (is(context, Physics::plane_stress) || is(context, Physics::plane_strain))
+void read_sphere(MapReader& map, const Context& context, study::Obstacle& obstacle) {
+  if (is(context, study::Physics::plane_stress) || is(context, study::Physics::plane_strain))
     map.value().fault(fmt::format("{} has no sphere, expected cylinder, which is a circle there",
-                                  word_of(physics_words, *context.physics)));
+                                  study::word_of(study::physics_words, *context.physics)));
   const auto point = map.require("point");
-  if (read_point(point, context, obstacle.point) && is(context, Physics::axisymmetric) &&
+  if (read_point(point, context, obstacle.point) && is(context, study::Physics::axisymmetric) &&
       obstacle.point[0] != 0)
     point->fault(fmt::format("found a centre {} from the axis of revolution, expected one on it: the sphere "
                              "would be a ring",
@@ -69,35 +69,35 @@ void read_sphere(MapReader& map, const Context& context, Obstacle& obstacle) {
 }
 
 struct Reader {
-  ObstacleKind kind;
-  void (*read)(MapReader&, const Context&, Obstacle&);
+  study::ObstacleKind kind;
+  void (*read)(MapReader&, const Context&, study::Obstacle&);
 };
-constexpr std::array<Reader, 3> readers{{{ObstacleKind::plane, read_plane},
-                                         {ObstacleKind::cylinder, read_cylinder},
-                                         {ObstacleKind::sphere, read_sphere}}};
+constexpr std::array<Reader, 3> readers{{{study::ObstacleKind::plane, read_plane},
+                                         {study::ObstacleKind::cylinder, read_cylinder},
+                                         {study::ObstacleKind::sphere, read_sphere}}};
 
 void read_move(const Value& value, const Context& context, const std::map<std::string, Function>& functions,
-               Obstacle& obstacle) {
+               study::Obstacle& obstacle) {
   MapReader map(value);
-  for (std::size_t axis = 0; axis < axis_words.size(); ++axis)
+  for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto given = find_axis(map, axis, context))
       obstacle.move[axis] = read_amplitude(*given, functions);
   map.finish();
-  if (is(context, Physics::axisymmetric) && obstacle.move[0])
+  if (is(context, study::Physics::axisymmetric) && obstacle.move[0])
     value.fault("found a motion along x, expected one along y: obstacles of axisymmetric move on the axis "
                 "of revolution only");
 }
 
 } // namespace
 
-Obstacle read_obstacle(const Value& value, const Context& context,
-                       const std::map<std::string, Function>& functions) {
-  Obstacle obstacle;
+study::Obstacle read_obstacle(const Value& value, const Context& context,
+                              const std::map<std::string, Function>& functions) {
+  study::Obstacle obstacle;
   obstacle.at = value.at();
   MapReader map(value);
   std::size_t kinds = 0;
   for (const auto& reader : readers)
-    if (const auto shape = map.find(word_of(obstacle_words, reader.kind))) {
+    if (const auto shape = map.find(study::word_of(study::obstacle_words, reader.kind))) {
       obstacle.kind = reader.kind;
       MapReader of_shape(*shape);
       reader.read(of_shape, context, obstacle);

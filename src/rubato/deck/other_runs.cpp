@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/other_runs.hpp"
 
-#include "rubato/deck/words.hpp"
+#include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
 
@@ -17,15 +17,15 @@ constexpr double same_instant = 1e-9;
 /// A place where one run names another: knows how to complain there.
 class Mention {
 public:
-  Mention(const Name& name, std::string path, Faults& faults)
+  Mention(const study::Name& name, std::string path, Faults& faults)
       : name_(name), path_(std::move(path)), faults_(faults) {}
 
   void fault(const std::string& text) const { faults_.add(name_.at, path_ + ": " + text); }
 
   /// The run that is named; nullptr and a fault when it is no earlier one. `verb` says what is done with it.
-  const Study* earlier_run(const Study& study, std::span<const Study> earlier,
-                           const std::vector<std::string>& all, std::string_view verb) const {
-    const auto source = std::ranges::find(earlier, name_.text, &Study::name);
+  const study::Study* earlier_run(const study::Study& study, std::span<const study::Study> earlier,
+                                  const std::vector<std::string>& all, std::string_view verb) const {
+    const auto source = std::ranges::find(earlier, name_.text, &study::Study::name);
     if (source != earlier.end())
       return &*source;
     if (name_.text == study.name)
@@ -38,13 +38,13 @@ public:
   }
 
 private:
-  const Name& name_;
+  const study::Name& name_;
   std::string path_;
   Faults& faults_;
 };
 
 /// However they move.
-bool same_surface(std::optional<Obstacle> one, std::optional<Obstacle> other) {
+bool same_surface(std::optional<study::Obstacle> one, std::optional<study::Obstacle> other) {
   for (auto* obstacle : {&one, &other})
     if (*obstacle)
       (*obstacle)->move = {};
@@ -52,23 +52,24 @@ bool same_surface(std::optional<Obstacle> one, std::optional<Obstacle> other) {
 }
 
 /// Whether multipliers and statuses of one study's contact mean the same in the other.
-bool same_contact(const Study& a, const Study& b) {
-  return std::ranges::equal(a.contact, b.contact, [](const ContactZone& one, const ContactZone& other) {
-    return one.name == other.name && one.master == other.master && one.slave == other.slave &&
-           same_surface(one.obstacle, other.obstacle) && one.gauss_points == other.gauss_points &&
-           (one.friction > 0) == (other.friction > 0);
-  });
+bool same_contact(const study::Study& a, const study::Study& b) {
+  return std::ranges::equal(
+      a.contact, b.contact, [](const study::ContactZone& one, const study::ContactZone& other) {
+        return one.name == other.name && one.master == other.master && one.slave == other.slave &&
+               same_surface(one.obstacle, other.obstacle) && one.gauss_points == other.gauss_points &&
+               (one.friction > 0) == (other.friction > 0);
+      });
 }
 
-bool same_mesh(const Study& a, const Study& b) {
+bool same_mesh(const study::Study& a, const study::Study& b) {
   return a.mesh == b.mesh && a.physics == b.physics;
 }
 
 /// Whether it fits.
-bool check_start(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
-                 Faults& faults) {
+bool check_start(const study::Study& study, std::span<const study::Study> earlier,
+                 const std::vector<std::string>& all, Faults& faults) {
   const auto& from = study.time.start_run;
-  if (study.time.start != StartKind::from_run || from.text.empty())
+  if (study.time.start != study::StartKind::from_run || from.text.empty())
     return true;
   const Mention mention(from, "time.start.from", faults);
   const auto* source = mention.earlier_run(study, earlier, all, "start from");
@@ -86,9 +87,9 @@ bool check_start(const Study& study, std::span<const Study> earlier, const std::
 }
 
 /// A run of the deck before the study that was not read.
-bool is_left_out(const std::string& name, const Study& study, std::span<const Study> earlier,
+bool is_left_out(const std::string& name, const study::Study& study, std::span<const study::Study> earlier,
                  const std::vector<std::string>& all) {
-  return std::ranges::find(earlier, name, &Study::name) == earlier.end() &&
+  return std::ranges::find(earlier, name, &study::Study::name) == earlier.end() &&
          std::ranges::find(all, name) < std::ranges::find(all, study.name);
 }
 
@@ -97,27 +98,28 @@ bool is_same_instant(double a, double b) {
 }
 
 /// What a comparison reads are MED files. Whether every n-th step meets an instant shows in the run only.
-bool may_store_fields(const Study& study, double instant) {
+bool may_store_fields(const study::Study& study, double instant) {
   const auto& fields = study.fields;
   const auto is_meant = [&](double at) { return is_same_instant(at, instant); };
   return fields.med && (fields.every > 0 || std::ranges::any_of(fields.at, is_meant) ||
                         (fields.last && is_meant(study.time.end)));
 }
 
-void check_probe(const Check& check, const Study& study, const Study& source, const Mention& mention) {
-  const auto own = std::ranges::find(study.probes, check.probe.text, &Probe::name);
-  const auto other = std::ranges::find(source.probes, check.probe.text, &Probe::name);
+void check_probe(const study::Check& check, const study::Study& study, const study::Study& source,
+                 const Mention& mention) {
+  const auto own = std::ranges::find(study.probes, check.probe.text, &study::Probe::name);
+  const auto other = std::ranges::find(source.probes, check.probe.text, &study::Probe::name);
   if (own == study.probes.end()) // a fault of its own, told already
     return;
   if (other == source.probes.end())
     mention.fault(fmt::format("run {} has no probe '{}'", source.name, check.probe.text));
-  else if (check.component >= dimension_of(source.physics))
+  else if (check.component >= study::dimension_of(source.physics))
     mention.fault(fmt::format("run {} has no component {}", source.name,
-                              axis_words.at(static_cast<std::size_t>(check.component))));
+                              study::axis_words.at(static_cast<std::size_t>(check.component))));
   else if (own->field != other->field)
     mention.fault(fmt::format("probe '{}' is of {} in run {} and of {} in run {}", check.probe.text,
-                              word_of(probe_field_words, other->field), source.name,
-                              word_of(probe_field_words, own->field), study.name));
+                              study::word_of(study::probe_field_words, other->field), source.name,
+                              study::word_of(study::probe_field_words, own->field), study.name));
   else if (own->take != other->take)
     mention.fault(
         fmt::format("probe '{}' takes something else of its nodes in run {} than in run {}, expected "
@@ -125,7 +127,8 @@ void check_probe(const Check& check, const Study& study, const Study& source, co
                     check.probe.text, source.name, study.name));
 }
 
-void check_field(const Check& check, const Study& study, const Study& source, const Mention& mention) {
+void check_field(const study::Check& check, const study::Study& study, const study::Study& source,
+                 const Mention& mention) {
   if (!same_mesh(source, study)) {
     mention.fault(fmt::format("run {} has another mesh or physics than run {}: fields are compared node by "
                               "node, probes of the same name can be",
@@ -142,7 +145,8 @@ void check_field(const Check& check, const Study& study, const Study& source, co
   }
 }
 
-void check_comparison(const Check& check, const Study& study, const Study& source, const Mention& mention) {
+void check_comparison(const study::Check& check, const study::Study& study, const study::Study& source,
+                      const Mention& mention) {
   const auto& time = source.time;
   if (check.at < time.begin || (check.at > time.end && !is_same_instant(check.at, time.end)))
     mention.fault(fmt::format("run {} goes from {} to {}, expected one that comes by {}", source.name,
@@ -155,8 +159,8 @@ void check_comparison(const Check& check, const Study& study, const Study& sourc
 
 } // namespace
 
-bool check_other_runs(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
-                      Faults& faults) {
+bool check_other_runs(const study::Study& study, std::span<const study::Study> earlier,
+                      const std::vector<std::string>& all, Faults& faults) {
   const bool fits = check_start(study, earlier, all, faults);
   for (std::size_t i = 0; i < study.checks.size(); ++i) {
     const auto& check = study.checks[i];

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rubato/deck/faults.hpp"
-#include "rubato/deck/study.hpp"
+#include "rubato/study/study.hpp"
 
 #include <span>
 #include <string>
@@ -14,7 +14,7 @@ namespace rubato::deck {
 /// Faults where the study names a run that no earlier one has, or that does not fit. `all` are the names of
 /// every run of the deck, in its order; `earlier` those of them before the study that were read: comparisons
 /// with others are left to the results. Whether the study fits what it starts from.
-bool check_other_runs(const Study& study, std::span<const Study> earlier, const std::vector<std::string>& all,
-                      Faults& faults);
+bool check_other_runs(const study::Study& study, std::span<const study::Study> earlier,
+                      const std::vector<std::string>& all, Faults& faults);
 
 } // namespace rubato::deck

@@ -17,28 +17,29 @@ namespace rubato::deck {
 /// What readers must know of other parts. Unset where those were faulty: nothing is judged by them then.
 struct Context {
   std::filesystem::path folder; ///< of the deck
-  std::optional<Physics> physics;
-  std::optional<SchemeKind> scheme;
+  std::optional<study::Physics> physics;
+  std::optional<study::SchemeKind> scheme;
   std::optional<Range> time; ///< instants of the run
 };
 
-void read_mesh(const Found& value, const Context& context, MeshSource& mesh);
+void read_mesh(const Found& value, const Context& context, study::MeshSource& mesh);
 /// The list of bodies of `mesh.generate`.
-void read_bodies(const Found& value, const Context& context, std::vector<Body>& bodies);
+void read_bodies(const Found& value, const Context& context, std::vector<study::Body>& bodies);
 
-void read_materials(const Found& value, const Context& context, std::vector<Material>& materials);
+void read_materials(const Found& value, const Context& context, std::vector<study::Material>& materials);
 void read_functions(const Found& value, std::map<std::string, Function>& functions);
 /// The name of a function that exists.
-void read_function_name(const Found& value, const std::map<std::string, Function>& functions, Name& name);
+void read_function_name(const Found& value, const std::map<std::string, Function>& functions,
+                        study::Name& name);
 void read_supports(const Found& value, const Context& context,
-                   const std::map<std::string, Function>& functions, std::vector<Support>& supports);
+                   const std::map<std::string, Function>& functions, std::vector<study::Support>& supports);
 void read_loads(const Found& value, const Context& context, const std::map<std::string, Function>& functions,
-                std::vector<Load>& loads);
+                std::vector<study::Load>& loads);
 
-void read_springs(const Found& value, const Context& context, std::vector<Springs>& springs);
+void read_springs(const Found& value, const Context& context, std::vector<study::Springs>& springs);
 /// Faults when the run begins in a way of its own: `time` must be read already.
-void read_initial(const Found& value, const Context& context, const TimeStepping& time,
-                  std::vector<InitialMotion>& initial);
+void read_initial(const Found& value, const Context& context, const study::TimeStepping& time,
+                  std::vector<study::InitialMotion>& initial);
 
 /// The value of an axis, "x", "y" or "z"; a fault when the physics doesn't have it.
 Found find_axis(MapReader& map, std::size_t axis, const Context& context);
@@ -47,25 +48,25 @@ Found find_axis(MapReader& map, std::size_t axis, const Context& context);
 bool read_point(const Found& value, const Context& context, std::array<double, 3>& point);
 
 /// A number, or a number times a named function of time.
-Amplitude read_amplitude(const Value& value, const std::map<std::string, Function>& functions);
+study::Amplitude read_amplitude(const Value& value, const std::map<std::string, Function>& functions);
 
 void read_contact(const Found& value, const Context& context,
-                  const std::map<std::string, Function>& functions, std::vector<ContactZone>& zones);
+                  const std::map<std::string, Function>& functions, std::vector<study::ContactZone>& zones);
 /// The rigid surface that stands for a zone's master.
-Obstacle read_obstacle(const Value& value, const Context& context,
-                       const std::map<std::string, Function>& functions);
+study::Obstacle read_obstacle(const Value& value, const Context& context,
+                              const std::map<std::string, Function>& functions);
 
 /// Also tells the context the scheme and the instants of the run.
-void read_time(const Found& value, Context& context, TimeStepping& time);
-void read_newton(const Found& value, NewtonSettings& newton);
+void read_time(const Found& value, Context& context, study::TimeStepping& time);
+void read_newton(const Found& value, study::NewtonSettings& newton);
 
 /// A fault when the run does not come by that instant.
 void require_within(const Value& value, double instant, const Context& context);
 
-void read_probes(const Found& value, const Context& context, std::vector<Probe>& probes);
-void read_fields(const Found& value, const Context& context, FieldOutput& fields);
-void read_checkpoint(const Found& value, const Context& context, CheckpointOutput& checkpoint);
-void read_checks(const Found& value, const Context& context, const std::vector<Probe>& probes,
-                 std::vector<Check>& checks);
+void read_probes(const Found& value, const Context& context, std::vector<study::Probe>& probes);
+void read_fields(const Found& value, const Context& context, study::FieldOutput& fields);
+void read_checkpoint(const Found& value, const Context& context, study::CheckpointOutput& checkpoint);
+void read_checks(const Found& value, const Context& context, const std::vector<study::Probe>& probes,
+                 std::vector<study::Check>& checks);
 
 } // namespace rubato::deck

@@ -54,71 +54,75 @@ std::vector<std::string> names_of(const std::vector<Run>& runs) {
   return names;
 }
 
-void read_physics(MapReader& map, Context& context, Study& study) {
-  if (read(map.require("physics"), study.physics, physics_words))
+void read_physics(MapReader& map, Context& context, study::Study& study) {
+  if (read(map.require("physics"), study.physics, study::physics_words))
     context.physics = study.physics;
   const auto thickness = map.find("thickness");
   read(thickness, study.thickness, above(0));
-  const bool has_thickness = study.physics == Physics::plane_stress || study.physics == Physics::plane_strain;
+  const bool has_thickness =
+      study.physics == study::Physics::plane_stress || study.physics == study::Physics::plane_strain;
   if (thickness && context.physics && !has_thickness)
     thickness->fault(fmt::format("{} has no thickness, plane_stress and plane_strain do",
-                                 word_of(physics_words, study.physics)));
+                                 study::word_of(study::physics_words, study.physics)));
 }
 
 /// Explicit steps solve nothing, multipliers least of all.
-void check_explicit_contact(const Study& study, Faults& faults) {
+void check_explicit_contact(const study::Study& study, Faults& faults) {
   for (const auto& zone : study.contact)
-    if (zone.method != ContactMethod::penalty || zone.friction_method != FrictionMethod::penalty)
+    if (zone.method != study::ContactMethod::penalty ||
+        zone.friction_method != study::FrictionMethod::penalty)
       faults.add(zone.at,
                  fmt::format("contact.{}: found the method {} with friction by {}, but the scheme {} "
                              "has forces only, expected penalty for both",
-                             zone.name, word_of(contact_method_words, zone.method),
-                             word_of(friction_method_words, zone.friction_method),
-                             word_of(scheme_words, study.time.scheme)));
+                             zone.name, study::word_of(study::contact_method_words, zone.method),
+                             study::word_of(study::friction_method_words, zone.friction_method),
+                             study::word_of(study::scheme_words, study.time.scheme)));
 }
 
 /// Velocities that jump ask for impulses, which springs have none of; and only they know of restitution.
-void check_velocity_contact(const Study& study, Faults& faults) {
-  const bool jumps = study.time.scheme == SchemeKind::moreau_jean;
+void check_velocity_contact(const study::Study& study, Faults& faults) {
+  const bool jumps = study.time.scheme == study::SchemeKind::moreau_jean;
   for (const auto& zone : study.contact) {
     if (zone.restitution > 0 && !jumps)
       faults.add(zone.at,
                  fmt::format("contact.{}: found a restitution, which the scheme moreau_jean takes; {} "
                              "computes the rebound from the bodies' own motion",
-                             zone.name, word_of(scheme_words, study.time.scheme)));
-    if (zone.restitution > 0 && study.time.contact_mass == ContactMass::redistributed)
+                             zone.name, study::word_of(study::scheme_words, study.time.scheme)));
+    if (zone.restitution > 0 && study.time.contact_mass == study::ContactMass::redistributed)
       faults.add(
           zone.at,
           fmt::format("contact.{}: found a restitution, but redistributed contact mass leaves nothing that "
                       "could bounce, expected contact_mass: consistent or no restitution",
                       zone.name));
-    const bool springs = zone.method == ContactMethod::penalty ||
-                         zone.method == ContactMethod::nodal_penalty ||
-                         (zone.friction > 0 && zone.friction_method != FrictionMethod::augmented_lagrangian);
+    const bool springs =
+        zone.method == study::ContactMethod::penalty || zone.method == study::ContactMethod::nodal_penalty ||
+        (zone.friction > 0 && zone.friction_method != study::FrictionMethod::augmented_lagrangian);
     if (jumps && springs)
       faults.add(zone.at,
                  fmt::format("contact.{}: found the method {} with friction by {}, but the scheme {} stops "
                              "bodies by impulses, expected augmented_lagrangian for both",
-                             zone.name, word_of(contact_method_words, zone.method),
-                             word_of(friction_method_words, zone.friction_method),
-                             word_of(scheme_words, study.time.scheme)));
+                             zone.name, study::word_of(study::contact_method_words, zone.method),
+                             study::word_of(study::friction_method_words, zone.friction_method),
+                             study::word_of(study::scheme_words, study.time.scheme)));
   }
 }
 
-void read_solver(const Found& value, Study& study) {
-  if (!read(value, study.solver, solver_words))
+void read_solver(const Found& value, study::Study& study) {
+  if (!read(value, study.solver, study::solver_words))
     return;
-  if (is_explicit(study.time.scheme) && study.solver != Solver::automatic)
+  if (study::is_explicit(study.time.scheme) && study.solver != study::Solver::automatic)
     value->fault(fmt::format("the scheme {} solves no system, expected auto",
-                             word_of(scheme_words, study.time.scheme)));
-  const auto by_cg = [](const ContactZone& zone) { return zone.method == ContactMethod::nodal_pcg; };
-  if (study.solver == Solver::full && std::ranges::any_of(study.contact, by_cg))
+                             study::word_of(study::scheme_words, study.time.scheme)));
+  const auto by_cg = [](const study::ContactZone& zone) {
+    return zone.method == study::ContactMethod::nodal_pcg;
+  };
+  if (study.solver == study::Solver::full && std::ranges::any_of(study.contact, by_cg))
     value->fault("found full, but nodal_pcg works on the factored bulk, expected auto or condensed");
 }
 
 /// The deck of one run, everything laid over it. Parts come in the order in which one needs another.
-Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& faults) {
-  Study study;
+study::Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& faults) {
+  study::Study study;
   Context context{.folder = folder, .physics = {}, .scheme = {}, .time = {}};
   MapReader map(Value(tree, "", faults));
   read(map.find("title"), study.title);
@@ -133,7 +137,7 @@ Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& 
   read_loads(map.find("loads"), context, study.functions, study.loads);
   read_initial(map.find("initial"), context, study.time, study.initial);
   read_contact(map.find("contact"), context, study.functions, study.contact);
-  if (context.scheme && is_explicit(*context.scheme))
+  if (context.scheme && study::is_explicit(*context.scheme))
     check_explicit_contact(study, faults);
   else if (context.scheme)
     check_velocity_contact(study, faults);
@@ -162,7 +166,7 @@ std::string title_of(Tree deck, std::span<const Change> changes) {
 enum class OtherRuns { in_the_deck, elsewhere };
 
 /// A setting that would have made the run before it fit is not seen in the deck.
-void hint_at_only(const Study& study, std::span<const ChosenRun> chosen, Faults& faults) {
+void hint_at_only(const study::Study& study, std::span<const ChosenRun> chosen, Faults& faults) {
   const auto& source = study.time.start_run.text;
   const auto is_left = [&](const ChosenRun& run) { return run.left && run.run->name.text == source; };
   if (std::ranges::any_of(chosen, is_left))
@@ -217,11 +221,11 @@ Deck parse_deck(std::string_view text, const std::string& file_name, std::span<c
   return parse(text, file_name, settings, only, OtherRuns::in_the_deck);
 }
 
-Study parse_echo(std::string_view text, const std::string& file_name) {
+study::Study parse_echo(std::string_view text, const std::string& file_name) {
   return parse(text, file_name, {}, {}, OtherRuns::elsewhere).runs.front();
 }
 
-bool accepts(const Study& study, std::span<const Setting> settings) {
+bool accepts(const study::Study& study, std::span<const Setting> settings) {
   try {
     parse(to_json(study), "", settings, {}, OtherRuns::elsewhere);
     return true;

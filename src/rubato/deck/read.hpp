@@ -2,7 +2,7 @@
 /// The deck room: a YAML deck becomes studies, plain data that the rest of the program works from.
 #pragma once
 
-#include "rubato/deck/study.hpp"
+#include "rubato/study/study.hpp"
 
 #include <filesystem>
 #include <span>
@@ -24,7 +24,8 @@ Setting parse_setting(std::string_view argument);
 /// A deck read whole.
 struct Deck {
   std::string title;
-  std::vector<Study> runs; ///< in the order of the file, at least one; a run starts only from an earlier one
+  std::vector<study::Study>
+      runs; ///< in the order of the file, at least one; a run starts only from an earlier one
   std::vector<std::string> notes; ///< sentences that whoever gave the settings should read
   bool operator==(const Deck&) const = default;
 };
@@ -46,13 +47,13 @@ Deck parse_deck(std::string_view text, const std::string& file_name, std::span<c
 
 /// The study as a deck of one run, in JSON (which is YAML) with every default written out and two blanks of
 /// indentation. It is a deck itself, unless it names other runs.
-std::string to_json(const Study& study);
+std::string to_json(const study::Study& study);
 
 /// Reads back what to_json wrote, to an equal study; the other runs that it names are not looked for. Throws
 /// as parse_deck does.
-Study parse_echo(std::string_view text, const std::string& file_name);
+study::Study parse_echo(std::string_view text, const std::string& file_name);
 
 /// Whether the study is still a sound one with these settings laid over it, as far as the deck alone tells.
-bool accepts(const Study& study, std::span<const Setting> settings);
+bool accepts(const study::Study& study, std::span<const Setting> settings);
 
 } // namespace rubato::deck

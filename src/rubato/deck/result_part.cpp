@@ -10,8 +10,8 @@
 namespace rubato::deck {
 namespace {
 
-Probe read_probe(const NamedValue& entry, const Context& context) {
-  Probe probe;
+study::Probe read_probe(const NamedValue& entry, const Context& context) {
+  study::Probe probe;
   probe.name = entry.name.text;
   probe.at = entry.name.at;
   MapReader map(entry.value);
@@ -28,18 +28,18 @@ Probe read_probe(const NamedValue& entry, const Context& context) {
                    : "'node', 'point' or 'on' is missing");
   read(node, probe.node);
   read(group, probe.node);
-  if (const auto take = map.find("take"); read(take, probe.take, probe_take_words) && !group)
+  if (const auto take = map.find("take"); read(take, probe.take, study::probe_take_words) && !group)
     take->fault("goes with 'on' only: it says what is taken of the nodes of a group");
   if (std::array<double, 3> place{}; read_point(point, context, place))
     probe.point = place;
-  read(map.find("field"), probe.field, probe_field_words);
+  read(map.find("field"), probe.field, study::probe_field_words);
   map.finish();
   return probe;
 }
 
-void read_formats(const Found& value, FieldOutput& fields) {
+void read_formats(const Found& value, study::FieldOutput& fields) {
   fields.vtu = !value;
-  std::vector<Name> formats;
+  std::vector<study::Name> formats;
   if (!read(value, formats))
     return;
   const auto list = value->tree().is(Tree::Kind::list) ? items(value) : std::vector<Value>{*value};
@@ -65,12 +65,12 @@ void require_within(const Value& value, double instant, const Context& context) 
                             context.time->high));
 }
 
-void read_probes(const Found& value, const Context& context, std::vector<Probe>& probes) {
+void read_probes(const Found& value, const Context& context, std::vector<study::Probe>& probes) {
   for (const auto& entry : named_entries(value))
     probes.push_back(read_probe(entry, context));
 }
 
-void read_fields(const Found& value, const Context& context, FieldOutput& fields) {
+void read_fields(const Found& value, const Context& context, study::FieldOutput& fields) {
   if (!value)
     return;
   MapReader map(*value);
@@ -81,7 +81,7 @@ void read_fields(const Found& value, const Context& context, FieldOutput& fields
   map.finish();
 }
 
-void read_checkpoint(const Found& value, const Context& context, CheckpointOutput& checkpoint) {
+void read_checkpoint(const Found& value, const Context& context, study::CheckpointOutput& checkpoint) {
   if (!value)
     return;
   MapReader map(*value);

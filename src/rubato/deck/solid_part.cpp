@@ -11,8 +11,8 @@
 namespace rubato::deck {
 namespace {
 
-Material read_material(const NamedValue& entry, const Context& context) {
-  Material material;
+study::Material read_material(const NamedValue& entry, const Context& context) {
+  study::Material material;
   material.name = entry.name.text;
   material.at = entry.name.at;
   MapReader map(entry.value);
@@ -20,9 +20,9 @@ Material read_material(const NamedValue& entry, const Context& context) {
   read(map.require("poisson"), material.poisson, between(-1, 0.5));
   const auto density = map.find("density");
   read(density, material.density, at_least(0)); // where 0 is enough only the mesh tells
-  if (!density && map.is_map() && context.scheme && *context.scheme != SchemeKind::static_steps)
+  if (!density && map.is_map() && context.scheme && *context.scheme != study::SchemeKind::static_steps)
     entry.value.fault(fmt::format("'density' is missing: the scheme {} moves masses",
-                                  word_of(scheme_words, *context.scheme)),
+                                  study::word_of(study::scheme_words, *context.scheme)),
                       entry.name.at);
   if (const auto rayleigh = map.find("rayleigh")) {
     MapReader damping(*rayleigh);
@@ -33,7 +33,7 @@ Material read_material(const NamedValue& entry, const Context& context) {
   const auto cells = map.find("cells");
   if (read(cells, material.cells) && material.cells.empty())
     cells->fault("found an empty list, expected 'all' or groups of cells");
-  material.everywhere = !cells || (material.cells.size() == 1 && material.cells[0].text == everywhere);
+  material.everywhere = !cells || (material.cells.size() == 1 && material.cells[0].text == study::everywhere);
   if (material.everywhere)
     material.cells.clear();
   map.finish();
@@ -41,7 +41,7 @@ Material read_material(const NamedValue& entry, const Context& context) {
 }
 
 /// No cell can have two materials; what groups share is only seen in the mesh.
-void refuse_overlap(const std::vector<Material>& materials, const std::vector<NamedValue>& entries) {
+void refuse_overlap(const std::vector<study::Material>& materials, const std::vector<NamedValue>& entries) {
   std::set<std::string> used;
   for (std::size_t i = 0; i < materials.size(); ++i) {
     if (materials[i].everywhere && materials.size() > 1)
@@ -63,7 +63,7 @@ Function read_function(const Value& value) {
   const bool times_read = read(times, function.times) && ascends(times, function.times);
   const bool values_read = read(values, function.values);
   const auto outside = map.find("outside");
-  read(outside, function.outside, outside_words);
+  read(outside, function.outside, study::outside_words);
   map.finish();
   if (!times_read)
     return function;
@@ -78,11 +78,11 @@ Function read_function(const Value& value) {
 
 /// The axis a word of `fix` means.
 std::optional<std::size_t> read_axis(const Value& value, const Context& context) {
-  const auto dimension = context.physics ? dimension_of(*context.physics) : 3;
-  return read_choice(value, {axis_words.begin(), axis_words.begin() + dimension});
+  const auto dimension = context.physics ? study::dimension_of(*context.physics) : 3;
+  return read_choice(value, {study::axis_words.begin(), study::axis_words.begin() + dimension});
 }
 
-void read_fixed(const Value& fix, const Context& context, Support& support) {
+void read_fixed(const Value& fix, const Context& context, study::Support& support) {
   const bool is_list = fix.tree().is(Tree::Kind::list);
   for (const auto& word : is_list ? items(fix) : std::vector<Value>{fix}) {
     const auto axis = read_axis(word, context);
@@ -90,19 +90,19 @@ void read_fixed(const Value& fix, const Context& context, Support& support) {
       continue;
     auto& component = support.components[*axis];
     if (component)
-      word.fault(fmt::format("{} is given a second time", axis_words[*axis]));
-    component = Amplitude{};
+      word.fault(fmt::format("{} is given a second time", study::axis_words[*axis]));
+    component = study::Amplitude{};
   }
 }
 
-Support read_support(const Value& value, const Context& context,
-                     const std::map<std::string, Function>& functions) {
-  Support support;
+study::Support read_support(const Value& value, const Context& context,
+                            const std::map<std::string, Function>& functions) {
+  study::Support support;
   support.at = value.at();
   MapReader map(value);
   read(map.require("on"), support.on);
   bool holds = false;
-  for (std::size_t axis = 0; axis < axis_words.size(); ++axis)
+  for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto given = find_axis(map, axis, context)) {
       support.components[axis] = read_amplitude(*given, functions);
       holds = true;
@@ -117,9 +117,9 @@ Support read_support(const Value& value, const Context& context,
   return support;
 }
 
-void read_components(MapReader& map, const Context& context, Load& load) {
+void read_components(MapReader& map, const Context& context, study::Load& load) {
   bool given = false;
-  for (std::size_t axis = 0; axis < axis_words.size(); ++axis)
+  for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto component = find_axis(map, axis, context)) {
       read(component, load.components[axis]);
       given = true;
@@ -128,14 +128,14 @@ void read_components(MapReader& map, const Context& context, Load& load) {
     map.value().fault("has no component, expected at least one of x, y, z");
 }
 
-Load read_load(const Value& value, LoadKind kind, const Context& context,
-               const std::map<std::string, Function>& functions) {
-  Load load;
+study::Load read_load(const Value& value, study::LoadKind kind, const Context& context,
+                      const std::map<std::string, Function>& functions) {
+  study::Load load;
   load.kind = kind;
   load.at = value.at();
   MapReader map(value);
-  read(kind == LoadKind::gravity ? map.find("on") : map.require("on"), load.on);
-  if (kind == LoadKind::pressure)
+  read(kind == study::LoadKind::gravity ? map.find("on") : map.require("on"), load.on);
+  if (kind == study::LoadKind::pressure)
     read(map.require("value"), load.components[0]);
   else
     read_components(map, context, load);
@@ -146,7 +146,7 @@ Load read_load(const Value& value, LoadKind kind, const Context& context,
 
 } // namespace
 
-void read_materials(const Found& value, const Context& context, std::vector<Material>& materials) {
+void read_materials(const Found& value, const Context& context, std::vector<study::Material>& materials) {
   const auto entries = named_entries(value);
   materials.reserve(entries.size());
   for (const auto& entry : entries)
@@ -161,7 +161,8 @@ void read_functions(const Found& value, std::map<std::string, Function>& functio
     functions[name.text] = read_function(function);
 }
 
-void read_function_name(const Found& value, const std::map<std::string, Function>& functions, Name& name) {
+void read_function_name(const Found& value, const std::map<std::string, Function>& functions,
+                        study::Name& name) {
   if (!read(value, name) || functions.contains(name.text))
     return;
   std::vector<std::string> names;
@@ -171,8 +172,8 @@ void read_function_name(const Found& value, const std::map<std::string, Function
   value->fault(fmt::format("no function is called {}{}", shown(name.text), suggestion(name.text, names)));
 }
 
-Amplitude read_amplitude(const Value& value, const std::map<std::string, Function>& functions) {
-  Amplitude amplitude;
+study::Amplitude read_amplitude(const Value& value, const std::map<std::string, Function>& functions) {
+  study::Amplitude amplitude;
   if (!value.tree().is(Tree::Kind::map)) {
     read(Found(value), amplitude.value);
     return amplitude;
@@ -189,7 +190,7 @@ bool read_point(const Found& value, const Context& context, std::array<double, 3
   if (!read(value, numbers))
     return false;
   const auto wanted =
-      context.physics ? static_cast<std::size_t>(dimension_of(*context.physics)) : numbers.size();
+      context.physics ? static_cast<std::size_t>(study::dimension_of(*context.physics)) : numbers.size();
   if (numbers.size() != wanted || numbers.size() > point.size()) {
     value->fault(fmt::format("found {} coordinates, expected {}", numbers.size(),
                              std::min<std::size_t>(wanted, point.size())));
@@ -200,26 +201,27 @@ bool read_point(const Found& value, const Context& context, std::array<double, 3
 }
 
 Found find_axis(MapReader& map, std::size_t axis, const Context& context) {
-  auto found = map.find(axis_words[axis]);
-  if (found && context.physics && axis >= static_cast<std::size_t>(dimension_of(*context.physics))) {
-    found->fault(fmt::format("{} has no {}, expected x or y", word_of(physics_words, *context.physics),
-                             axis_words[axis]));
+  auto found = map.find(study::axis_words[axis]);
+  if (found && context.physics && axis >= static_cast<std::size_t>(study::dimension_of(*context.physics))) {
+    found->fault(fmt::format("{} has no {}, expected x or y",
+                             study::word_of(study::physics_words, *context.physics),
+                             study::axis_words[axis]));
   }
   return found;
 }
 
 void read_supports(const Found& value, const Context& context,
-                   const std::map<std::string, Function>& functions, std::vector<Support>& supports) {
+                   const std::map<std::string, Function>& functions, std::vector<study::Support>& supports) {
   for (const auto& item : items(value))
     supports.push_back(read_support(item, context, functions));
 }
 
 void read_loads(const Found& value, const Context& context, const std::map<std::string, Function>& functions,
-                std::vector<Load>& loads) {
+                std::vector<study::Load>& loads) {
   for (const auto& item : items(value)) {
     MapReader map(item);
     std::size_t kinds = 0;
-    for (const auto& word : load_words)
+    for (const auto& word : study::load_words)
       if (const auto load = map.find(word.text)) {
         loads.push_back(read_load(*load, word.value, context, functions));
         ++kinds;

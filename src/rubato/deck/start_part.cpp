@@ -7,13 +7,13 @@
 namespace rubato::deck {
 namespace {
 
-Springs read_springs_of(const Value& value, const Context& context) {
-  Springs springs;
+study::Springs read_springs_of(const Value& value, const Context& context) {
+  study::Springs springs;
   springs.at = value.at();
   MapReader map(value);
   read(map.require("on"), springs.on);
   bool given = false;
-  for (std::size_t axis = 0; axis < axis_words.size(); ++axis)
+  for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto stiffness = find_axis(map, axis, context)) {
       read(stiffness, springs.stiffness[axis], above(0));
       given = true;
@@ -30,7 +30,7 @@ void read_vector(const Found& value, const Context& context, std::array<std::opt
     return;
   MapReader map(*value);
   bool given = false;
-  for (std::size_t axis = 0; axis < axis_words.size(); ++axis)
+  for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto component = find_axis(map, axis, context)) {
       read(component, vector[axis]);
       given = true;
@@ -40,8 +40,8 @@ void read_vector(const Found& value, const Context& context, std::array<std::opt
     value->fault("has no component, expected at least one of x, y, z");
 }
 
-InitialMotion read_motion(const Value& value, const Context& context) {
-  InitialMotion initial;
+study::InitialMotion read_motion(const Value& value, const Context& context) {
+  study::InitialMotion initial;
   initial.at = value.at();
   MapReader map(value);
   read(map.require("on"), initial.on);
@@ -56,25 +56,25 @@ InitialMotion read_motion(const Value& value, const Context& context) {
 }
 
 /// Why a run begins in no other way than its own; empty when it may.
-std::string_view own_beginning(const Context& context, const TimeStepping& time) {
-  if (time.start == StartKind::from_run)
+std::string_view own_beginning(const Context& context, const study::TimeStepping& time) {
+  if (time.start == study::StartKind::from_run)
     return "the run starts from the end of another one, whose motion it has";
-  if (time.start == StartKind::at_rest_unloaded)
+  if (time.start == study::StartKind::at_rest_unloaded)
     return "start: at_rest_unloaded begins at rest, expected start: consistent";
-  if (context.scheme == SchemeKind::static_steps)
+  if (context.scheme == study::SchemeKind::static_steps)
     return "the scheme static finds equilibrium wherever it begins";
   return {};
 }
 
 } // namespace
 
-void read_springs(const Found& value, const Context& context, std::vector<Springs>& springs) {
+void read_springs(const Found& value, const Context& context, std::vector<study::Springs>& springs) {
   for (const auto& item : items(value))
     springs.push_back(read_springs_of(item, context));
 }
 
-void read_initial(const Found& value, const Context& context, const TimeStepping& time,
-                  std::vector<InitialMotion>& initial) {
+void read_initial(const Found& value, const Context& context, const study::TimeStepping& time,
+                  std::vector<study::InitialMotion>& initial) {
   for (const auto& item : items(value))
     initial.push_back(read_motion(item, context));
   if (const auto reason = own_beginning(context, time); !reason.empty() && !initial.empty())

@@ -28,61 +28,61 @@ constexpr std::array<SchemeKey, 7> scheme_keys{{{"alpha", "hht and modified_aver
 /// Results an explicit run keeps when the deck doesn't say how many: its steps are too many to keep each.
 constexpr double usual_records = 1000;
 
-bool takes(SchemeKind scheme, std::string_view key) {
+bool takes(study::SchemeKind scheme, std::string_view key) {
   switch (scheme) {
-  case SchemeKind::newmark:
+  case study::SchemeKind::newmark:
     return key == "beta" || key == "gamma";
-  case SchemeKind::hht:
-  case SchemeKind::modified_average_acceleration:
+  case study::SchemeKind::hht:
+  case study::SchemeKind::modified_average_acceleration:
     return key == "alpha";
-  case SchemeKind::generalized_alpha:
+  case study::SchemeKind::generalized_alpha:
     return key == "spectral_radius";
-  case SchemeKind::moreau_jean:
+  case study::SchemeKind::moreau_jean:
     return key == "theta";
-  case SchemeKind::central_difference:
+  case study::SchemeKind::central_difference:
     return key == "safety" || key == "record";
-  case SchemeKind::static_steps:
+  case study::SchemeKind::static_steps:
     return false;
   }
   return false;
 }
 
-void read_scheme(MapReader& map, Context& context, TimeStepping& time) {
+void read_scheme(MapReader& map, Context& context, study::TimeStepping& time) {
   const auto named = map.find("scheme");
-  if (named && !read(named, time.scheme, scheme_words)) {
+  if (named && !read(named, time.scheme, study::scheme_words)) {
     for (const auto& known : scheme_keys)
       map.find(known.key);
     return;
   }
   context.scheme = time.scheme;
-  const bool jumps = time.scheme == SchemeKind::moreau_jean;
-  time.contact_mass = jumps ? ContactMass::redistributed : ContactMass::consistent;
-  const auto scheme = word_of(scheme_words, time.scheme);
+  const bool jumps = time.scheme == study::SchemeKind::moreau_jean;
+  time.contact_mass = jumps ? study::ContactMass::redistributed : study::ContactMass::consistent;
+  const auto scheme = study::word_of(study::scheme_words, time.scheme);
   for (const auto& [key, takers] : scheme_keys)
     if (!takes(time.scheme, key))
       map.refuse(key, fmt::format("the scheme {} takes no {}, {}; a run removes it by '{}: ~'", scheme, key,
                                   takers, key));
   switch (time.scheme) {
-  case SchemeKind::newmark:
+  case study::SchemeKind::newmark:
     read(map.find("beta"), time.beta, between(0, 1));
     read(map.find("gamma"), time.gamma, from_to(0.5, 2)); // below 1/2 it feeds energy in
     break;
-  case SchemeKind::hht:
+  case study::SchemeKind::hht:
     read(map.require("alpha"), time.alpha, from_to(-1.0 / 3.0, 0));
     break;
-  case SchemeKind::modified_average_acceleration:
+  case study::SchemeKind::modified_average_acceleration:
     read(map.require("alpha"), time.alpha, at_most(0));
     break;
-  case SchemeKind::generalized_alpha:
+  case study::SchemeKind::generalized_alpha:
     read(map.find("spectral_radius"), time.spectral_radius, from_to(0, 1));
     break;
-  case SchemeKind::moreau_jean:
+  case study::SchemeKind::moreau_jean:
     read(map.find("theta"), time.theta, from_to(0.5, 1));
     break;
-  case SchemeKind::central_difference:
+  case study::SchemeKind::central_difference:
     read(map.find("safety"), time.safety, Range{.low = 0, .high = 1, .low_allowed = false});
     break; // `record` is judged by the length of the run
-  case SchemeKind::static_steps:
+  case study::SchemeKind::static_steps:
     break;
   }
 }
@@ -96,7 +96,7 @@ void check_fits(const Found& value, double part, double length) {
 }
 
 /// The length of the run from `begin` and `end`, unless one of them is bad.
-std::optional<double> read_end(const Found& end, bool begin_read, TimeStepping& time) {
+std::optional<double> read_end(const Found& end, bool begin_read, study::TimeStepping& time) {
   if (!read(end, time.end) || !begin_read)
     return std::nullopt;
   const double length = time.end - time.begin;
@@ -107,7 +107,7 @@ std::optional<double> read_end(const Found& end, bool begin_read, TimeStepping& 
 }
 
 /// `step` and `end`.
-void read_even_steps(const Found& step, const Found& end, bool begin_read, TimeStepping& time) {
+void read_even_steps(const Found& step, const Found& end, bool begin_read, study::TimeStepping& time) {
   const bool step_read = read(step, time.step, above(0));
   const auto length = read_end(end, begin_read, time);
   if (step_read && length)
@@ -115,9 +115,9 @@ void read_even_steps(const Found& step, const Found& end, bool begin_read, TimeS
 }
 
 /// `step: auto` or a number, `end` and `record` of an explicit run.
-void read_explicit_steps(MapReader& map, bool begin_read, TimeStepping& time) {
+void read_explicit_steps(MapReader& map, bool begin_read, study::TimeStepping& time) {
   const auto step = map.find("step");
-  const bool given = step && step->tree().text != automatic_step && read(step, time.step, above(0));
+  const bool given = step && step->tree().text != study::automatic_step && read(step, time.step, above(0));
   const auto length = read_end(map.require("end"), begin_read, time);
   const auto record = map.find("record");
   const bool recorded = record && read(record, time.record, above(0));
@@ -131,7 +131,7 @@ void read_explicit_steps(MapReader& map, bool begin_read, TimeStepping& time) {
     time.record = *length / usual_records;
 }
 
-void read_instants(const Found& instants, bool begin_read, TimeStepping& time) {
+void read_instants(const Found& instants, bool begin_read, study::TimeStepping& time) {
   if (!read(instants, time.instants) || !ascends(instants, time.instants))
     return;
   if (time.instants.empty()) {
@@ -145,10 +145,10 @@ void read_instants(const Found& instants, bool begin_read, TimeStepping& time) {
         instants->tree().items.front().at);
 }
 
-void read_course(MapReader& map, TimeStepping& time) {
+void read_course(MapReader& map, study::TimeStepping& time) {
   const auto begin = map.find("begin");
   const bool begin_read = !begin || read(begin, time.begin);
-  if (is_explicit(time.scheme)) {
+  if (study::is_explicit(time.scheme)) {
     map.refuse("instants",
                "the scheme central_difference chooses its steps; results are kept every 'record'");
     read_explicit_steps(map, begin_read, time);
@@ -165,32 +165,34 @@ void read_course(MapReader& map, TimeStepping& time) {
 }
 
 /// A word, or `{from: run}`.
-void read_start(const Found& value, TimeStepping& time) {
+void read_start(const Found& value, study::TimeStepping& time) {
   if (!value)
     return;
   if (value->tree().is(Tree::Kind::map)) {
     MapReader map(*value);
-    time.start = StartKind::from_run;
+    time.start = study::StartKind::from_run;
     read(map.require("from"), time.start_run);
     map.finish();
-  } else if (read(value, time.start, start_words) && time.start == StartKind::at_rest_unloaded &&
-             time.scheme == SchemeKind::static_steps) {
+  } else if (read(value, time.start, study::start_words) &&
+             time.start == study::StartKind::at_rest_unloaded &&
+             time.scheme == study::SchemeKind::static_steps) {
     value->fault("the scheme static has no first acceleration, expected consistent or {from: run}");
   }
-  if (is_explicit(time.scheme) && time.start != StartKind::consistent)
+  if (study::is_explicit(time.scheme) && time.start != study::StartKind::consistent)
     value->fault("the scheme central_difference starts from the true equilibrium, expected consistent");
 }
 
-void read_contact_mass(const Found& value, TimeStepping& time) {
-  if (!read(value, time.contact_mass, contact_mass_words) || time.contact_mass == ContactMass::consistent)
+void read_contact_mass(const Found& value, study::TimeStepping& time) {
+  if (!read(value, time.contact_mass, study::contact_mass_words) ||
+      time.contact_mass == study::ContactMass::consistent)
     return;
-  if (time.scheme == SchemeKind::static_steps)
+  if (time.scheme == study::SchemeKind::static_steps)
     value->fault("the scheme static has no masses, expected consistent");
-  if (is_explicit(time.scheme))
+  if (study::is_explicit(time.scheme))
     value->fault("the scheme central_difference divides by the mass of every node, expected consistent");
 }
 
-void read_failure(const Found& value, TimeStepping& time) {
+void read_failure(const Found& value, study::TimeStepping& time) {
   if (!value)
     return;
   MapReader map(*value);
@@ -201,7 +203,7 @@ void read_failure(const Found& value, TimeStepping& time) {
 
 } // namespace
 
-void read_time(const Found& value, Context& context, TimeStepping& time) {
+void read_time(const Found& value, Context& context, study::TimeStepping& time) {
   if (!value)
     return;
   time.at = value->at();
@@ -210,7 +212,7 @@ void read_time(const Found& value, Context& context, TimeStepping& time) {
   read_contact_mass(map.find("contact_mass"), time);
   read_course(map, time);
   read_start(map.find("start"), time);
-  if (is_explicit(time.scheme))
+  if (study::is_explicit(time.scheme))
     map.refuse("on_failure", "the scheme central_difference has no steps that fail");
   else
     read_failure(map.find("on_failure"), time);
@@ -219,7 +221,7 @@ void read_time(const Found& value, Context& context, TimeStepping& time) {
     context.time = from_to(time.begin, time.end);
 }
 
-void read_newton(const Found& value, NewtonSettings& newton) {
+void read_newton(const Found& value, study::NewtonSettings& newton) {
   if (!value)
     return;
   MapReader map(*value);

@@ -157,7 +157,7 @@ bool read(const Found& value, std::optional<double>& target, const Range& range)
 }
 
 bool read(const Found& value, bool& target) {
-  constexpr std::array<Word<bool>, 2> table{{{"true", true}, {"false", false}}};
+  constexpr std::array<study::Word<bool>, 2> table{{{"true", true}, {"false", false}}};
   return read(value, target, table);
 }
 
@@ -180,7 +180,7 @@ bool read(const Found& value, std::string& target) {
   return good;
 }
 
-bool read(const Found& value, Name& target) {
+bool read(const Found& value, study::Name& target) {
   if (!value)
     return false;
   const bool good = value->tree().is(Tree::Kind::word) && !value->tree().text.empty();
@@ -199,15 +199,15 @@ bool read(const Found& value, std::vector<int>& target, const Range& range) {
   return read_numbers(value, target, range);
 }
 
-bool read(const Found& value, std::vector<Name>& target) {
+bool read(const Found& value, std::vector<study::Name>& target) {
   if (!value)
     return false;
   const bool is_list = value->tree().is(Tree::Kind::list);
-  std::vector<Name> names;
+  std::vector<study::Name> names;
   std::set<std::string> known;
   bool good = true;
   for (const auto& element : is_list ? items(value) : std::vector<Value>{*value}) {
-    Name name;
+    study::Name name;
     good = read(Found(element), name) && good;
     if (!name.text.empty() && !known.insert(name.text).second) {
       element.fault(fmt::format("found {} a second time", shown(name.text)));

@@ -2,9 +2,9 @@
 /// Reading single values of a deck: typed, checked, with every fault kept.
 #pragma once
 
-#include "rubato/deck/study.hpp"
 #include "rubato/deck/tree.hpp"
-#include "rubato/deck/words.hpp"
+#include "rubato/study/study.hpp"
+#include "rubato/study/words.hpp"
 
 #include <array>
 #include <limits>
@@ -98,19 +98,19 @@ bool read(const Found& value, bool& target);
 bool read(const Found& value, std::optional<bool>& target);
 /// Any word, also one that looks like a number.
 bool read(const Found& value, std::string& target);
-bool read(const Found& value, Name& target);
+bool read(const Found& value, study::Name& target);
 /// A list of numbers or of whole numbers.
 bool read(const Found& value, std::vector<double>& target, const Range& range = {});
 bool read(const Found& value, std::vector<int>& target, const Range& range = {});
 /// One name or a list of them, none twice.
-bool read(const Found& value, std::vector<Name>& target);
+bool read(const Found& value, std::vector<study::Name>& target);
 
 /// The place of the value among `words`; nothing and a fault when it is none of them.
 std::optional<std::size_t> read_choice(const Found& value, const std::vector<std::string>& words);
 
 /// One of the accepted words of a table.
 template <class E, std::size_t N>
-bool read(const Found& value, E& target, const std::array<Word<E>, N>& table) {
+bool read(const Found& value, E& target, const std::array<study::Word<E>, N>& table) {
   std::vector<std::string> words;
   std::vector<E> meanings;
   for (const auto& word : table) {
@@ -130,7 +130,7 @@ std::vector<Value> items(const Found& value);
 
 /// An entry of a map whose keys are names the user chose.
 struct NamedValue {
-  Name name;
+  study::Name name;
   Value value;
 };
 /// The entries of such a map. A name may be a column or a folder of the results: letters, digits, "_" and

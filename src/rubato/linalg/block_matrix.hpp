@@ -22,7 +22,7 @@ Instructions best_instructions();
 
 class SymmetricBlockMatrix {
 public:
-  /// `matrix`: symmetric, of size · block_size rows, entries in whole blocks (as fem::BlockPattern makes
+  /// `matrix`: symmetric, of size · block_size rows, entries in whole blocks (as domain::BlockPattern makes
   /// them; missing entries of a block count as 0). Only blocks on and above the diagonal are read. Throws
   /// std::invalid_argument when block_size is neither 2 nor 3 or the rows are no whole number of blocks.
   SymmetricBlockMatrix(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& matrix, int block_size);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/load/nodal_forces.hpp"
 
-#include "rubato/fem/shape_table.hpp"
+#include "rubato/cell/shape_table.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <Eigen/Geometry>
@@ -17,14 +17,14 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using mesh::NodeIndex;
 
-void check_carried(const mesh::Mesh& mesh, const fem::DofMap& dofs, NodeIndex node) {
+void check_carried(const mesh::Mesh& mesh, const domain::DofMap& dofs, NodeIndex node) {
   if (dofs.has(node))
     return;
   throw InputError(fmt::format("node {} is loaded but carries no cell that could bear a force",
                                mesh::node_name(mesh, node)));
 }
 
-void add(const mesh::Mesh& mesh, const fem::DofMap& dofs, NodeIndex node, const Vector3d& value,
+void add(const mesh::Mesh& mesh, const domain::DofMap& dofs, NodeIndex node, const Vector3d& value,
          VectorXd& force) {
   check_carried(mesh, dofs, node);
   force.segment(dofs.dof(node, 0), dofs.components) += value.head(dofs.components);
@@ -37,7 +37,7 @@ struct FacePoint {
   Vector3d second_tangent = Vector3d::Zero();
 };
 
-FacePoint face_point(const mesh::Mesh& mesh, const Face& face, const fem::ShapeTable& table, Index q) {
+FacePoint face_point(const mesh::Mesh& mesh, const Face& face, const cell::ShapeTable& table, Index q) {
   const bool edge = table.gradients.rows() == table.values.rows();
   FacePoint point;
   for (Index i = 0; i < table.values.rows(); ++i) {
@@ -52,17 +52,17 @@ FacePoint face_point(const mesh::Mesh& mesh, const Face& face, const fem::ShapeT
 
 /// Outward, its length the area (edges: the length) per reference measure.
 Vector3d area_vector(const Face& face, const FacePoint& point) {
-  if (mesh::topology(face.type).dimension == 1)
+  if (cell::topology(face.type).dimension == 1)
     return {point.tangent[1], -point.tangent[0], 0.};
   return point.tangent.cross(point.second_tangent);
 }
 
 /// Adds ∫ N `traction_at(point)` over the reference cell of each face.
 template <class Traction>
-void add_integral(const mesh::Mesh& mesh, const fem::DofMap& dofs, std::span<const Face> faces,
+void add_integral(const mesh::Mesh& mesh, const domain::DofMap& dofs, std::span<const Face> faces,
                   const Traction& traction_at, VectorXd& force) {
   for (const auto& face : faces) {
-    const auto& table = fem::mass_table(face.type);
+    const auto& table = cell::mass_table(face.type);
     for (Index q = 0; q < table.weights.size(); ++q) {
       const Vector3d value = table.weights[q] * traction_at(face, face_point(mesh, face, table, q));
       for (Index i = 0; i < table.values.rows(); ++i)
@@ -72,52 +72,52 @@ void add_integral(const mesh::Mesh& mesh, const fem::DofMap& dofs, std::span<con
 }
 
 /// Faces have one dimension less than the body they bound.
-void check_sides(const fem::Section& section, std::span<const Face> faces) {
+void check_sides(const element::Section& section, std::span<const Face> faces) {
   for (const auto& face : faces)
-    if (mesh::topology(face.type).dimension != fem::component_count(section.physics) - 1)
-      throw std::invalid_argument(std::string(mesh::topology(face.type).name) +
+    if (cell::topology(face.type).dimension != element::component_count(section.physics) - 1)
+      throw std::invalid_argument(std::string(cell::topology(face.type).name) +
                                   " is no side of a body of this physics");
 }
 
 } // namespace
 
-void add_nodal_force(const mesh::Mesh& mesh, const fem::DofMap& dofs, std::span<const NodeIndex> nodes,
+void add_nodal_force(const mesh::Mesh& mesh, const domain::DofMap& dofs, std::span<const NodeIndex> nodes,
                      const Vector3d& value, VectorXd& force) {
   for (const auto node : nodes)
     add(mesh, dofs, node, value, force);
 }
 
-void add_line_force(const mesh::Mesh& mesh, const fem::DofMap& dofs, std::span<const Face> edges,
+void add_line_force(const mesh::Mesh& mesh, const domain::DofMap& dofs, std::span<const Face> edges,
                     const Vector3d& q, VectorXd& force) {
   for (const auto& edge : edges)
-    if (mesh::topology(edge.type).dimension != 1)
+    if (cell::topology(edge.type).dimension != 1)
       throw std::invalid_argument("a line force needs segments, not " +
-                                  std::string(mesh::topology(edge.type).name));
+                                  std::string(cell::topology(edge.type).name));
   const auto per_reference_length = [&](const Face&, const FacePoint& point) -> Vector3d {
     return point.tangent.norm() * q;
   };
   add_integral(mesh, dofs, edges, per_reference_length, force);
 }
 
-void add_surface_force(const mesh::Mesh& mesh, const fem::DofMap& dofs, const fem::Section& section,
+void add_surface_force(const mesh::Mesh& mesh, const domain::DofMap& dofs, const element::Section& section,
                        std::span<const Face> faces, const Vector3d& s, VectorXd& force) {
   check_sides(section, faces);
   const auto per_reference_area = [&](const Face& face, const FacePoint& point) -> Vector3d {
-    return area_vector(face, point).norm() * fem::measure(section, point.x) * s;
+    return area_vector(face, point).norm() * element::measure(section, point.x) * s;
   };
   add_integral(mesh, dofs, faces, per_reference_area, force);
 }
 
-void add_pressure(const mesh::Mesh& mesh, const fem::DofMap& dofs, const fem::Section& section,
+void add_pressure(const mesh::Mesh& mesh, const domain::DofMap& dofs, const element::Section& section,
                   std::span<const Face> faces, double pressure, VectorXd& force) {
   check_sides(section, faces);
   const auto per_reference_area = [&](const Face& face, const FacePoint& point) -> Vector3d {
-    return -pressure * fem::measure(section, point.x) * area_vector(face, point);
+    return -pressure * element::measure(section, point.x) * area_vector(face, point);
   };
   add_integral(mesh, dofs, faces, per_reference_area, force);
 }
 
-void add_gravity(const mesh::Mesh& mesh, const fem::DofMap& dofs, const fem::Bulk& bulk,
+void add_gravity(const mesh::Mesh& mesh, const domain::DofMap& dofs, const domain::Bulk& bulk,
                  const Vector3d& acceleration, VectorXd& force) {
   Eigen::MatrixXd consistent;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
@@ -125,7 +125,8 @@ void add_gravity(const mesh::Mesh& mesh, const fem::DofMap& dofs, const fem::Bul
     const auto nodes = block->cell(index);
     const auto size = static_cast<Index>(nodes.size());
     consistent.resize(size, size);
-    fem::mass(block->type, fem::CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, consistent);
+    element::mass(block->type, domain::CellPoints(mesh, nodes), bulk.law(i).density, bulk.section,
+                  consistent);
     const VectorXd node_mass = consistent.rowwise().sum();
     for (Index n = 0; n < size; ++n)
       add(mesh, dofs, nodes[static_cast<std::size_t>(n)], node_mass[n] * acceleration, force);

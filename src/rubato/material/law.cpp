@@ -6,7 +6,7 @@
 namespace rubato::material {
 namespace {
 
-using deck::Physics;
+using study::Physics;
 
 /// Direct strains come first in every Voigt vector.
 int direct_count(Physics physics) {

@@ -10,7 +10,7 @@
 /// Tension is positive. Units are the user's own: Young's modulus, stress and energy per volume share one.
 #pragma once
 
-#include "rubato/deck/study.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
 
@@ -29,7 +29,7 @@ struct LinearElastic {
 };
 
 /// Length of the Voigt vectors.
-int strain_size(deck::Physics physics);
+int strain_size(study::Physics physics);
 
 /// σ = λ (trace of the strains at hand) 1 + 2 μ ε. In plane stress λ is the reduced E ν / (1 − ν²), which
 /// keeps σ_zz = 0.
@@ -37,18 +37,18 @@ struct Lame {
   double lambda;
   double mu;
 };
-Lame lame(const LinearElastic& law, deck::Physics physics);
+Lame lame(const LinearElastic& law, study::Physics physics);
 
 /// ½ ε·σ per volume. `strain` has strain_size(physics) components, here and below.
-double energy(const LinearElastic& law, deck::Physics physics, const Voigt& strain);
+double energy(const LinearElastic& law, study::Physics physics, const Voigt& strain);
 
-Voigt stress(const LinearElastic& law, deck::Physics physics, const Voigt& strain);
+Voigt stress(const LinearElastic& law, study::Physics physics, const Voigt& strain);
 
 /// ∂σ/∂ε, symmetric positive definite.
-Tangent tangent(const LinearElastic& law, deck::Physics physics);
+Tangent tangent(const LinearElastic& law, study::Physics physics);
 
 /// All six stresses: in plane strain σ_zz = ν (σ_xx + σ_yy), elsewhere what the physics leaves out is 0.
-FullStress full_stress(const LinearElastic& law, deck::Physics physics, const Voigt& stress);
+FullStress full_stress(const LinearElastic& law, study::Physics physics, const Voigt& stress);
 
 /// √(3/2 s:s), s the deviator.
 double von_mises(const FullStress& stress);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/builder.hpp"
 
-#include "rubato/mesh/cell_parts.hpp"
+#include "rubato/cell/parts.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ void set_last(std::vector<std::string>& names, std::size_t size, std::string nam
 
 MeshBuilder::MeshBuilder(int dimension) {
   mesh_.dimension = dimension;
-  for (const auto& shape : all_topologies())
+  for (const auto& shape : cell::all_topologies())
     blocks_[static_cast<std::size_t>(shape.type)].type = shape.type;
 }
 
@@ -100,7 +100,7 @@ void MeshBuilder::append(const Mesh& mesh) {
   for (const auto& point : mesh.points)
     add_node(point);
   std::vector<NodeIndex> own;
-  for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, std::span<const NodeIndex> nodes) {
+  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, std::span<const NodeIndex> nodes) {
     own.assign(nodes.begin(), nodes.end());
     for (auto& node : own)
       node += first_node;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/convert.hpp"
 
-#include "rubato/deck/study.hpp"
-#include "rubato/error.hpp"
+#include "rubato/cell/parts.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/builder.hpp"
-#include "rubato/mesh/cell_parts.hpp"
 #include "rubato/mesh/corner_sets.hpp"
 #include "rubato/mesh/interpolation.hpp"
 #include "rubato/mesh/names.hpp"
+#include "rubato/study/study.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ NodeIndex node_at(NodeSpan nodes, int local) {
   return nodes[static_cast<std::size_t>(local)];
 }
 
-CornerSet corners_of(NodeSpan nodes, const CellTopology& shape) {
+CornerSet corners_of(NodeSpan nodes, const cell::CellTopology& shape) {
   return corner_set(nodes.first(static_cast<std::size_t>(shape.corner_count)));
 }
 
@@ -43,7 +43,7 @@ void keep_cell_groups(MeshBuilder& builder, const Mesh& mesh) {
 std::vector<NodeIndex> kept_nodes(const Mesh& mesh) {
   enum class Role : std::uint8_t { free, middle, corner };
   std::vector<Role> roles(mesh.points.size(), Role::free);
-  for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, NodeSpan nodes) {
+  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, NodeSpan nodes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       auto& role = roles[static_cast<std::size_t>(nodes[i])];
       role = std::max(role, static_cast<int>(i) < shape.corner_count ? Role::corner : Role::middle);
@@ -67,11 +67,11 @@ std::vector<NodeIndex> renumbered(NodeSpan nodes, const std::vector<NodeIndex>& 
 
 SharedNodes middles_of(const Mesh& mesh) {
   SharedNodes middles;
-  for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, NodeSpan nodes) {
+  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, NodeSpan nodes) {
     if (shape.order != 2)
       return;
     for (std::size_t e = 0; e < shape.edges.size(); ++e)
-      middles[corner_set(nodes, shape.edges[e])] = node_at(nodes, mid_node(shape, e));
+      middles[corner_set(nodes, shape.edges[e])] = node_at(nodes, cell::mid_node(shape, e));
   });
   return middles;
 }
@@ -90,28 +90,28 @@ NodeIndex middle_of_edge(MeshBuilder& builder, SharedNodes& middles, const Corne
 /// already.
 SharedNodes centres_of(const Mesh& mesh) {
   SharedNodes centres;
-  for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, NodeSpan nodes) {
+  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, NodeSpan nodes) {
     for (const auto& side : shape.sides)
-      if (const auto centre = centre_node(side))
+      if (const auto centre = cell::centre_node(side))
         centres[corner_set(nodes, side)] = node_at(nodes, *centre);
-    if (const auto inner = inner_node(shape); inner && shape.dimension == 2)
+    if (const auto inner = cell::inner_node(shape); inner && shape.dimension == 2)
       centres[corners_of(nodes, shape)] = node_at(nodes, *inner);
   });
   return centres;
 }
 
 Vector3d reference_centre(CellType type) {
-  return linear_type(type) == CellType::tria3 ? Vector3d(1. / 3, 1. / 3, 0) : Vector3d(0, 0, 0);
+  return cell::linear_type(type) == CellType::tria3 ? Vector3d(1. / 3, 1. / 3, 0) : Vector3d(0, 0, 0);
 }
 
-bool is_eight_node_wall(const CellTopology& solid, const CellSide& side) {
-  return side.type == CellType::quad8 && linear_type(solid.type) != CellType::hexa8;
+bool is_eight_node_wall(const cell::CellTopology& solid, const cell::CellSide& side) {
+  return side.type == CellType::quad8 && cell::linear_type(solid.type) != CellType::hexa8;
 }
 
 /// The quadrangles of prisms and pyramids: they have no centre, and cells on them must not get one.
 CornerSets eight_node_walls(const Mesh& mesh) {
   CornerSets walls;
-  for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, NodeSpan nodes) {
+  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, NodeSpan nodes) {
     for (const auto& side : shape.sides)
       if (is_eight_node_wall(shape, side))
         walls.insert(corner_set(nodes, side));
@@ -126,7 +126,7 @@ public:
         walls_(eight_node_walls(quadratic)) {}
 
   Mesh build() && {
-    for_each_cell(mesh_, [&](CellIndex cell, const CellTopology& shape, NodeSpan nodes) {
+    for_each_cell(mesh_, [&](CellIndex cell, const cell::CellTopology& shape, NodeSpan nodes) {
       if (stays(shape, nodes))
         add_as(builder_, mesh_, cell, shape.type, nodes);
       else
@@ -137,14 +137,14 @@ public:
   }
 
 private:
-  bool stays(const CellTopology& shape, NodeSpan nodes) const {
-    if (full_quadratic_type(shape.type, mesh_.dimension) == shape.type)
+  bool stays(const cell::CellTopology& shape, NodeSpan nodes) const {
+    if (cell::full_quadratic_type(shape.type, mesh_.dimension) == shape.type)
       return true;
     return shape.type == CellType::quad8 && walls_.find(corners_of(nodes, shape)) != CornerSets::none;
   }
 
-  void add_full_cell(CellIndex cell, const CellTopology& shape, NodeSpan nodes) {
-    const auto type = full_quadratic_type(shape.type, mesh_.dimension);
+  void add_full_cell(CellIndex cell, const cell::CellTopology& shape, NodeSpan nodes) {
+    const auto type = cell::full_quadratic_type(shape.type, mesh_.dimension);
     std::vector<NodeIndex> all(nodes.begin(), nodes.end());
     if (shape.dimension == 2) {
       all.push_back(centre_of_face(shape.type, nodes));
@@ -156,7 +156,7 @@ private:
     add_as(builder_, mesh_, cell, type, all);
   }
 
-  NodeIndex centre_of_side(CellIndex cell, NodeSpan nodes, const CellSide& side) {
+  NodeIndex centre_of_side(CellIndex cell, NodeSpan nodes, const cell::CellSide& side) {
     if (walls_.find(corner_set(nodes, side)) != CornerSets::none)
       throw InputError(
           fmt::format("cannot make HEXA27 of cell {}: it shares a face with a prism or a pyramid, which "
@@ -169,7 +169,7 @@ private:
   }
 
   NodeIndex centre_of_face(CellType type, NodeSpan nodes) {
-    auto& centre = centres_[corners_of(nodes, topology(type))];
+    auto& centre = centres_[corners_of(nodes, cell::topology(type))];
     if (centre == SharedNodes::none)
       centre = builder_.add_node(position(type, nodes, builder_.points(), reference_centre(type)));
     return centre;
@@ -190,9 +190,9 @@ Mesh to_linear(const Mesh& mesh) {
     if (kept[i] >= 0)
       builder.add_node(mesh.points[i], mesh.node_numbers[i],
                        mesh.node_names.empty() ? "" : mesh.node_names[i]);
-  for_each_cell(mesh, [&](CellIndex cell, const CellTopology& shape, NodeSpan nodes) {
+  for_each_cell(mesh, [&](CellIndex cell, const cell::CellTopology& shape, NodeSpan nodes) {
     const auto corners = nodes.first(static_cast<std::size_t>(shape.corner_count));
-    add_as(builder, mesh, cell, linear_type(shape.type), renumbered(corners, kept));
+    add_as(builder, mesh, cell, cell::linear_type(shape.type), renumbered(corners, kept));
   });
   for (const auto& group : mesh.node_groups)
     builder.add_to_node_group(group.name, renumbered(group.items, kept));
@@ -204,12 +204,12 @@ Mesh to_quadratic(const Mesh& mesh) {
   auto builder = MeshBuilder::on_nodes_of(mesh);
   auto middles = middles_of(mesh);
   std::vector<NodeIndex> all;
-  for_each_cell(mesh, [&](CellIndex cell, const CellTopology& shape, NodeSpan nodes) {
+  for_each_cell(mesh, [&](CellIndex cell, const cell::CellTopology& shape, NodeSpan nodes) {
     all.assign(nodes.begin(), nodes.end());
     if (shape.order == 1)
       for (const auto& edge : shape.edges)
         all.push_back(middle_of_edge(builder, middles, corner_set(nodes, edge)));
-    add_as(builder, mesh, cell, quadratic_type(shape.type), all);
+    add_as(builder, mesh, cell, cell::quadratic_type(shape.type), all);
   });
   keep_cell_groups(builder, mesh);
   return std::move(builder).build();
@@ -220,15 +220,15 @@ Mesh to_full_quadratic(const Mesh& mesh) {
   return FullQuadratic(quadratic).build();
 }
 
-Mesh converted(const Mesh& mesh, deck::MeshConversion conversion) {
+Mesh converted(const Mesh& mesh, study::MeshConversion conversion) {
   switch (conversion) {
-  case deck::MeshConversion::linear:
+  case study::MeshConversion::linear:
     return to_linear(mesh);
-  case deck::MeshConversion::quadratic:
+  case study::MeshConversion::quadratic:
     return to_quadratic(mesh);
-  case deck::MeshConversion::full_quadratic:
+  case study::MeshConversion::full_quadratic:
     return to_full_quadratic(mesh);
-  case deck::MeshConversion::none:
+  case study::MeshConversion::none:
     break;
   }
   return mesh;

@@ -6,7 +6,7 @@
 
 #include "rubato/mesh/mesh.hpp"
 
-namespace rubato::deck {
+namespace rubato::study {
 enum class MeshConversion;
 }
 
@@ -25,6 +25,6 @@ Mesh to_quadratic(const Mesh& mesh);
 Mesh to_full_quadratic(const Mesh& mesh);
 
 /// The conversion a deck asks for.
-Mesh converted(const Mesh& mesh, deck::MeshConversion conversion);
+Mesh converted(const Mesh& mesh, study::MeshConversion conversion);
 
 } // namespace rubato::mesh

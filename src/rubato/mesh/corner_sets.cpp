@@ -14,9 +14,9 @@ CornerSet corner_set(std::span<const NodeIndex> corners) {
   return set;
 }
 
-CornerSet corner_set(std::span<const NodeIndex> cell_nodes, const CellSide& side) {
+CornerSet corner_set(std::span<const NodeIndex> cell_nodes, const cell::CellSide& side) {
   CornerSet corners{};
-  const auto count = static_cast<std::size_t>(topology(side.type).corner_count);
+  const auto count = static_cast<std::size_t>(cell::topology(side.type).corner_count);
   for (std::size_t i = 0; i < count; ++i)
     corners[i] = cell_nodes[side.nodes[i]];
   return corner_set(std::span(corners).first(count));

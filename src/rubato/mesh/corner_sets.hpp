@@ -17,7 +17,7 @@ using CornerSet = std::array<NodeIndex, 4>;
 
 CornerSet corner_set(std::span<const NodeIndex> corners);
 /// The corners of a side of the cell with these nodes.
-CornerSet corner_set(std::span<const NodeIndex> cell_nodes, const CellSide& side);
+CornerSet corner_set(std::span<const NodeIndex> cell_nodes, const cell::CellSide& side);
 /// The ends of an edge of the cell with these nodes.
 CornerSet corner_set(std::span<const NodeIndex> cell_nodes, const std::array<std::uint8_t, 2>& edge);
 

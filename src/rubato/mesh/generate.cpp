@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/generate.hpp"
 
-#include "rubato/deck/study.hpp"
-#include "rubato/error.hpp"
+#include "rubato/cell/parts.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/builder.hpp"
-#include "rubato/mesh/cell_parts.hpp"
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/grid_place.hpp"
 #include "rubato/mesh/skin.hpp"
+#include "rubato/study/study.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,7 +47,7 @@ struct Grid {
   }
 };
 
-Grid grid_of(const deck::Body& body, int refine) {
+Grid grid_of(const study::Body& body, int refine) {
   Grid grid{body.from, body.to, {}};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(body.dimension); ++axis)
     grid.divisions[axis] = body.divisions[axis] * refine;
@@ -88,11 +88,11 @@ std::array<NodeIndex, 8> grid_cell(const Grid& grid, NodeIndex i, NodeIndex j, N
   return corners;
 }
 
-Mesh bulk_mesh(const deck::Body& body, const Grid& grid) {
+Mesh bulk_mesh(const study::Body& body, const Grid& grid) {
   MeshBuilder builder(body.dimension);
   add_nodes(builder, grid);
-  const auto linear = linear_type(body.cells);
-  const auto node_count = static_cast<std::size_t>(topology(linear).node_count);
+  const auto linear = cell::linear_type(body.cells);
+  const auto node_count = static_cast<std::size_t>(cell::topology(linear).node_count);
   std::array<NodeIndex, 8> nodes{};
   Handles cells;
   const NodeIndex layers = body.dimension == 3 ? grid.divisions[2] : 1;
@@ -110,7 +110,7 @@ Mesh bulk_mesh(const deck::Body& body, const Grid& grid) {
   return std::move(builder).build();
 }
 
-void add_sides(MeshBuilder& builder, const deck::Body& body, const Grid& grid, const Mesh& bulk) {
+void add_sides(MeshBuilder& builder, const study::Body& body, const Grid& grid, const Mesh& bulk) {
   const auto faces = skin(bulk);
   for (const auto& [key, group] : body.sides) {
     const auto place = *grid_place(key, body.dimension, 1);
@@ -142,7 +142,7 @@ std::vector<NodeIndex> nodes_of_place(const Grid& grid, const GridPlace& place) 
   return nodes;
 }
 
-void add_edges(MeshBuilder& builder, const deck::Body& body, const Grid& grid) {
+void add_edges(MeshBuilder& builder, const study::Body& body, const Grid& grid) {
   for (const auto& [key, group] : body.edges) {
     const auto nodes = nodes_of_place(grid, *grid_place(key, body.dimension, 2));
     Handles cells;
@@ -152,20 +152,21 @@ void add_edges(MeshBuilder& builder, const deck::Body& body, const Grid& grid) {
   }
 }
 
-void add_points(MeshBuilder& builder, const deck::Body& body, const Grid& grid) {
+void add_points(MeshBuilder& builder, const study::Body& body, const Grid& grid) {
   for (const auto& [key, group] : body.points)
     builder.add_to_node_group(group.text,
                               nodes_of_place(grid, *grid_place(key, body.dimension, body.dimension)));
 }
 
 Mesh in_type(Mesh linear, CellType type) {
-  const auto& shape = topology(type);
+  const auto& shape = cell::topology(type);
   if (shape.order == 1)
     return linear;
-  return type == quadratic_type(linear_type(type)) ? to_quadratic(linear) : to_full_quadratic(linear);
+  return type == cell::quadratic_type(cell::linear_type(type)) ? to_quadratic(linear)
+                                                               : to_full_quadratic(linear);
 }
 
-Mesh body_mesh(const deck::Body& body, int refine) {
+Mesh body_mesh(const study::Body& body, int refine) {
   const auto grid = grid_of(body, refine);
   const auto bulk = bulk_mesh(body, grid);
   MeshBuilder builder(body.dimension);
@@ -188,7 +189,7 @@ std::vector<std::string> cell_names(int dimension) {
 
 class BodyCheck {
 public:
-  BodyCheck(const deck::Body& body, std::vector<Fault>& faults) : body_(body), faults_(faults) {}
+  BodyCheck(const study::Body& body, std::vector<Fault>& faults) : body_(body), faults_(faults) {}
 
   void run() {
     if (body_.dimension != 2 && body_.dimension != 3) {
@@ -226,13 +227,13 @@ private:
 
   void check_cells() {
     const auto allowed = cell_names(body_.dimension);
-    const std::string name(topology(body_.cells).name);
+    const std::string name(cell::topology(body_.cells).name);
     if (std::ranges::find(allowed, name) == allowed.end())
       fault(fmt::format("is to be made of {}: a {} takes {}", name,
                         body_.dimension == 2 ? "rectangle" : "box", fmt::join(allowed, ", ")));
   }
 
-  void check_places(const char* what, const std::map<std::string, deck::Name>& places, int sides) {
+  void check_places(const char* what, const std::map<std::string, study::Name>& places, int sides) {
     for (const auto& [key, group] : places) {
       if (grid_place(key, body_.dimension, sides))
         continue;
@@ -245,12 +246,12 @@ private:
     }
   }
 
-  const deck::Body& body_;
+  const study::Body& body_;
   std::vector<Fault>& faults_;
 };
 
 /// An upper bound: the densest cells have nodes at half a division, and triangles one more inside each.
-double most_nodes(std::span<const deck::Body> bodies, int refine) {
+double most_nodes(std::span<const study::Body> bodies, int refine) {
   double sum = 0;
   for (const auto& body : bodies) {
     double nodes = 1;
@@ -261,7 +262,7 @@ double most_nodes(std::span<const deck::Body> bodies, int refine) {
   return sum;
 }
 
-void refuse_bad_input(std::span<const deck::Body> bodies, int refine) {
+void refuse_bad_input(std::span<const study::Body> bodies, int refine) {
   if (bodies.empty())
     throw InputError("there is no body to mesh: at least one is expected");
   if (refine < 1)
@@ -285,7 +286,7 @@ void refuse_bad_input(std::span<const deck::Body> bodies, int refine) {
 
 } // namespace
 
-Mesh generate(std::span<const deck::Body> bodies, int refine) {
+Mesh generate(std::span<const study::Body> bodies, int refine) {
   refuse_bad_input(bodies, refine);
   MeshBuilder builder(bodies.front().dimension);
   for (const auto& body : bodies)

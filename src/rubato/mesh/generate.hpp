@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace rubato::deck {
+namespace rubato::study {
 struct Body;
 }
 
@@ -27,6 +27,6 @@ namespace rubato::mesh {
 /// Throws InputError with every fault found: a size or number of divisions not above 0, a cell type that does
 /// not fit the dimension, an unknown side, edge or point, bodies of different dimensions, more nodes than an
 /// index holds.
-Mesh generate(std::span<const deck::Body> bodies, int refine = 1);
+Mesh generate(std::span<const study::Body> bodies, int refine = 1);
 
 } // namespace rubato::mesh

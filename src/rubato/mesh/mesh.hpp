@@ -2,7 +2,7 @@
 /// Coordinates, blocks of cells of one type, and named groups; made once, then only read.
 #pragma once
 
-#include "rubato/mesh/cell_type.hpp"
+#include "rubato/cell/topology.hpp"
 
 #include <Eigen/Core>
 
@@ -24,9 +24,11 @@ struct CellBlock {
   std::vector<std::int64_t> numbers;   ///< the file's own cell numbers, one a cell
   std::vector<std::string> names = {}; ///< those the file gives its cells, one a cell; empty: it gives none
 
-  CellIndex cell_count() const { return static_cast<CellIndex>(nodes.size()) / topology(type).node_count; }
+  CellIndex cell_count() const {
+    return static_cast<CellIndex>(nodes.size()) / cell::topology(type).node_count;
+  }
   std::span<const NodeIndex> cell(CellIndex index_in_block) const {
-    const auto n = static_cast<std::size_t>(topology(type).node_count);
+    const auto n = static_cast<std::size_t>(cell::topology(type).node_count);
     return std::span(nodes).subspan(static_cast<std::size_t>(index_in_block) * n, n);
   }
 };
@@ -67,5 +69,15 @@ std::vector<NodeIndex> nodes_named(const Mesh& mesh, std::string_view name);
 
 /// Every group name, nodes' and cells', sorted and without repeats; for suggestions and listings.
 std::vector<std::string> group_names(const Mesh& mesh);
+
+/// Calls visit(cell index, topology, nodes) for every cell of the mesh in the order of the cell indices.
+template <typename Visit> void for_each_cell(const Mesh& mesh, Visit visit) {
+  CellIndex cell = 0;
+  for (const auto& block : mesh.blocks) {
+    const auto& shape = cell::topology(block.type);
+    for (CellIndex i = 0; i < block.cell_count(); ++i)
+      visit(cell++, shape, block.cell(i));
+  }
+}
 
 } // namespace rubato::mesh

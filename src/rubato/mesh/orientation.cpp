@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/orientation.hpp"
 
-#include "rubato/mesh/cell_parts.hpp"
+#include "rubato/cell/parts.hpp"
 
 #include <Eigen/Geometry>
 
@@ -34,11 +34,11 @@ double six_volumes_below(std::span<const Vector3d> x) {
          2;
 }
 
-double volume(const CellTopology& shape, std::span<const Vector3d> corners) {
+double volume(const cell::CellTopology& shape, std::span<const Vector3d> corners) {
   double sum = 0;
   std::array<Vector3d, 4> face;
   for (const auto& side : shape.sides) {
-    const auto count = static_cast<std::size_t>(topology(side.type).corner_count);
+    const auto count = static_cast<std::size_t>(cell::topology(side.type).corner_count);
     for (std::size_t i = 0; i < count; ++i)
       face[i] = corners[side.nodes[i]] - corners[0];
     sum += six_volumes_below(std::span(face).first(count));
@@ -72,8 +72,8 @@ bool same_set(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b) 
   return std::ranges::is_permutation(a, b);
 }
 
-std::vector<std::uint8_t> mirror_of(const CellTopology& shape) {
-  auto mirror = mirrored_corners(linear_type(shape.type));
+std::vector<std::uint8_t> mirror_of(const cell::CellTopology& shape) {
+  auto mirror = mirrored_corners(cell::linear_type(shape.type));
   const auto image = [&mirror](std::span<const std::uint8_t> corners) {
     std::vector<std::uint8_t> mirrored;
     for (const auto corner : corners)
@@ -85,18 +85,18 @@ std::vector<std::uint8_t> mirror_of(const CellTopology& shape) {
       const auto ends = image(edge);
       const auto old = std::ranges::find_if(shape.edges, [&](const auto& e) { return same_set(e, ends); });
       const auto index = static_cast<std::size_t>(old - shape.edges.begin());
-      mirror.push_back(static_cast<std::uint8_t>(mid_node(shape, index)));
+      mirror.push_back(static_cast<std::uint8_t>(cell::mid_node(shape, index)));
     }
   for (const auto& side : shape.sides) {
-    if (!centre_node(side))
+    if (!cell::centre_node(side))
       continue;
     const auto corners = image(side.nodes.first(4));
-    const auto old = std::ranges::find_if(shape.sides, [&](const CellSide& s) {
-      return centre_node(s).has_value() && same_set(s.nodes.first(4), corners);
+    const auto old = std::ranges::find_if(shape.sides, [&](const cell::CellSide& s) {
+      return cell::centre_node(s).has_value() && same_set(s.nodes.first(4), corners);
     });
-    mirror.push_back(static_cast<std::uint8_t>(*centre_node(*old)));
+    mirror.push_back(static_cast<std::uint8_t>(*cell::centre_node(*old)));
   }
-  if (const auto inner = inner_node(shape))
+  if (const auto inner = cell::inner_node(shape))
     mirror.push_back(static_cast<std::uint8_t>(*inner));
   return mirror;
 }
@@ -117,7 +117,7 @@ double signed_measure(const Mesh& mesh, CellIndex cell) {
 
 double signed_measure(CellType type, std::span<const NodeIndex> nodes, const std::vector<Vector3d>& points,
                       int space_dimension) {
-  const auto& shape = topology(type);
+  const auto& shape = cell::topology(type);
   std::array<Vector3d, 8> storage;
   const auto count = static_cast<std::size_t>(shape.corner_count);
   for (std::size_t i = 0; i < count; ++i)
@@ -138,7 +138,7 @@ double signed_measure(CellType type, std::span<const NodeIndex> nodes, const std
 std::span<const std::uint8_t> mirrored_numbering(CellType type) {
   static const auto tables = [] {
     std::vector<std::vector<std::uint8_t>> all;
-    for (const auto& shape : all_topologies())
+    for (const auto& shape : cell::all_topologies())
       all.push_back(mirror_of(shape));
     return all;
   }();
@@ -150,7 +150,7 @@ std::vector<CellIndex> mend_orientation(Mesh& mesh) {
   CellIndex first = 0;
   for (auto& block : mesh.blocks) {
     const auto first_of_block = std::exchange(first, first + block.cell_count());
-    if (topology(block.type).dimension != mesh.dimension)
+    if (cell::topology(block.type).dimension != mesh.dimension)
       continue;
     const auto mirror = mirrored_numbering(block.type);
     for (CellIndex i = 0; i < block.cell_count(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/quality.hpp"
 
-#include "rubato/mesh/cell_parts.hpp"
+#include "rubato/cell/parts.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/rounding.hpp"
@@ -39,11 +39,11 @@ class ConnectedNodes {
 public:
   explicit ConnectedNodes(const Mesh& mesh) : parent_(mesh.points.size()), bulk_(mesh.points.size(), false) {
     std::iota(parent_.begin(), parent_.end(), 0);
-    for_each_cell(mesh, [this](CellIndex, const CellTopology&, NodeSpan nodes) {
+    for_each_cell(mesh, [this](CellIndex, const cell::CellTopology&, NodeSpan nodes) {
       for (const auto node : nodes)
         join(nodes.front(), node);
     });
-    for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, NodeSpan nodes) {
+    for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, NodeSpan nodes) {
       if (shape.dimension == mesh.dimension)
         bulk_[static_cast<std::size_t>(root(nodes.front()))] = true;
     });
@@ -82,7 +82,7 @@ TypeQuality examine_block(MeshReport& report, const Mesh& mesh, const CellBlock&
   TypeQuality quality;
   quality.type = block.type;
   quality.count = block.cell_count();
-  const bool bulk = topology(block.type).dimension == mesh.dimension;
+  const bool bulk = cell::topology(block.type).dimension == mesh.dimension;
   for (CellIndex i = 0; i < quality.count; ++i) {
     const auto nodes = block.cell(i);
     if (bulk)
@@ -104,7 +104,7 @@ TypeQuality examine_block(MeshReport& report, const Mesh& mesh, const CellBlock&
 
 void measure_edges(MeshReport& report, const Mesh& mesh) {
   double shortest = std::numeric_limits<double>::infinity();
-  for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, NodeSpan nodes) {
+  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, NodeSpan nodes) {
     for (const auto& [a, b] : shape.edges) {
       const double length =
           (mesh.points[static_cast<std::size_t>(nodes[a])] - mesh.points[static_cast<std::size_t>(nodes[b])])
@@ -127,7 +127,7 @@ GroupSummary summary_of_cells(const Mesh& mesh, const Group& group) {
   GroupSummary summary{.name = group.name, .kind = GroupSummary::Kind::cells, .count = group.items.size()};
   int smallest = 3;
   for (const auto cell : group.items) {
-    const int dimension = topology(mesh.type_of(cell)).dimension;
+    const int dimension = cell::topology(mesh.type_of(cell)).dimension;
     summary.dimension = std::max(summary.dimension, dimension);
     smallest = std::min(smallest, dimension);
   }
@@ -154,7 +154,7 @@ void find_lost_nodes(MeshReport& report, const Mesh& mesh) {
 
 void find_free_nodes(MeshReport& report, const Mesh& mesh) {
   std::vector<bool> used(mesh.points.size(), false);
-  for_each_cell(mesh, [&](CellIndex, const CellTopology&, NodeSpan nodes) {
+  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology&, NodeSpan nodes) {
     for (const auto node : nodes)
       used[static_cast<std::size_t>(node)] = true;
   });
@@ -205,7 +205,7 @@ void find_coincident_nodes(MeshReport& report, const Mesh& mesh, ConnectedNodes&
 
 void find_stray_cells(MeshReport& report, const Mesh& mesh, ConnectedNodes& connected) {
   std::vector<CellIndex> faces;
-  for_each_cell(mesh, [&](CellIndex cell, const CellTopology& shape, NodeSpan nodes) {
+  for_each_cell(mesh, [&](CellIndex cell, const cell::CellTopology& shape, NodeSpan nodes) {
     if (!connected.in_bulk(nodes.front()))
       record_cell(report.loose_cells, mesh, cell);
     else if (shape.dimension == mesh.dimension - 1)

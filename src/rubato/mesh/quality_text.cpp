@@ -35,7 +35,7 @@ void write_types(Out out, const MeshReport& report) {
   fmt::format_to(out, "\n{:<10}{:>10}   scaled Jacobian: {:>10}{:>10}   worst cell\n", "cells", "count",
                  "smallest", "mean");
   for (const auto& type : report.types) {
-    fmt::format_to(out, "{:<10}{:>10}", topology(type.type).name, type.count);
+    fmt::format_to(out, "{:<10}{:>10}", cell::topology(type.type).name, type.count);
     if (type.has_jacobian)
       fmt::format_to(out, "{:>30.4f}{:>10.4f}   {}", type.smallest_jacobian, type.mean_jacobian,
                      type.worst_cell);

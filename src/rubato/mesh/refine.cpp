@@ -4,9 +4,10 @@
 // follow from those.
 #include "rubato/mesh/refine.hpp"
 
-#include "rubato/error.hpp"
+#include "rubato/cell/parts.hpp"
+#include "rubato/cell/reference_nodes.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/builder.hpp"
-#include "rubato/mesh/cell_parts.hpp"
 #include "rubato/mesh/corner_sets.hpp"
 #include "rubato/mesh/interpolation.hpp"
 
@@ -26,7 +27,7 @@ using NodeSpan = std::span<const NodeIndex>;
 using Child = std::array<std::uint8_t, 8>;
 
 CellType lattice_of(CellType type) {
-  switch (linear_type(type)) {
+  switch (cell::linear_type(type)) {
   case CellType::seg2:
     return CellType::seg3;
   case CellType::tria3:
@@ -46,19 +47,19 @@ CellType lattice_of(CellType type) {
 
 std::uint8_t lattice_node_at(CellType lattice, const Vector3d& xi) {
   std::uint8_t node = 0;
-  while ((reference_node(lattice, node) - xi).squaredNorm() > 1e-12)
+  while ((cell::reference_node(lattice, node) - xi).squaredNorm() > 1e-12)
     ++node;
   return node;
 }
 
 /// The children that keep a corner of the parent: the parent shrunk to half its size towards that corner.
 std::vector<Child> corner_children(CellType lattice) {
-  const int corners = topology(lattice).corner_count;
+  const int corners = cell::topology(lattice).corner_count;
   std::vector<Child> children(static_cast<std::size_t>(corners));
   for (int k = 0; k < corners; ++k)
     for (int c = 0; c < corners; ++c)
       children[static_cast<std::size_t>(k)][static_cast<std::size_t>(c)] =
-          lattice_node_at(lattice, (reference_node(lattice, k) + reference_node(lattice, c)) / 2);
+          lattice_node_at(lattice, (cell::reference_node(lattice, k) + cell::reference_node(lattice, c)) / 2);
   return children;
 }
 
@@ -94,7 +95,7 @@ public:
 
   Mesh build() && {
     first_child_.reserve(static_cast<std::size_t>(mesh_.cell_count()) + 1);
-    for_each_cell(mesh_, [this](CellIndex, const CellTopology& shape, NodeSpan nodes) {
+    for_each_cell(mesh_, [this](CellIndex, const cell::CellTopology& shape, NodeSpan nodes) {
       first_child_.push_back(builder_.cell_count());
       split(shape, nodes);
     });
@@ -105,7 +106,7 @@ public:
   }
 
 private:
-  void split(const CellTopology& shape, NodeSpan nodes) {
+  void split(const cell::CellTopology& shape, NodeSpan nodes) {
     const auto lattice = lattice_nodes(shape, nodes);
     if (shape.type == CellType::tria7)
       keep_inner_node(nodes);
@@ -113,30 +114,30 @@ private:
       add_child(shape, nodes, lattice, child);
   }
 
-  std::vector<NodeIndex> lattice_nodes(const CellTopology& shape, NodeSpan nodes) {
-    const auto& lattice = topology(lattice_of(shape.type));
+  std::vector<NodeIndex> lattice_nodes(const cell::CellTopology& shape, NodeSpan nodes) {
+    const auto& lattice = cell::topology(lattice_of(shape.type));
     const auto corners = static_cast<std::size_t>(shape.corner_count);
     std::vector<NodeIndex> result(nodes.begin(), nodes.begin() + shape.corner_count);
-    const auto next_xi = [&] { return reference_node(lattice.type, static_cast<int>(result.size())); };
+    const auto next_xi = [&] { return cell::reference_node(lattice.type, static_cast<int>(result.size())); };
 
     for (std::size_t e = 0; e < shape.edges.size(); ++e)
       result.push_back(shape.order == 2
                            ? nodes[corners + e]
                            : shared(middles_, corner_set(nodes, shape.edges[e]), shape, nodes, next_xi()));
     for (std::size_t s = 0; s < lattice.sides.size(); ++s) {
-      if (!centre_node(lattice.sides[s]))
+      if (!cell::centre_node(lattice.sides[s]))
         continue;
-      const auto own = centre_node(shape.sides[s]);
+      const auto own = cell::centre_node(shape.sides[s]);
       result.push_back(own ? nodes[static_cast<std::size_t>(*own)]
                            : shared(centres_, corner_set(nodes, shape.sides[s]), shape, nodes, next_xi()));
     }
-    if (inner_node(lattice))
+    if (cell::inner_node(lattice))
       result.push_back(inner_lattice_node(shape, nodes));
     return result;
   }
 
-  NodeIndex inner_lattice_node(const CellTopology& shape, NodeSpan nodes) {
-    if (const auto own = inner_node(shape))
+  NodeIndex inner_lattice_node(const cell::CellTopology& shape, NodeSpan nodes) {
+    if (const auto own = cell::inner_node(shape))
       return nodes[static_cast<std::size_t>(*own)];
     const Vector3d xi = Vector3d::Zero();
     if (shape.dimension == 3)
@@ -148,9 +149,9 @@ private:
   /// The node at the centroid of TRIA7 becomes that of its middle child.
   void keep_inner_node(NodeSpan nodes) { centres_[corner_set(nodes.subspan(3, 3))] = nodes[6]; }
 
-  std::span<const Child> children_for(const CellTopology& shape, NodeSpan lattice) const {
+  std::span<const Child> children_for(const cell::CellTopology& shape, NodeSpan lattice) const {
     const auto& tables = children_tables();
-    switch (linear_type(shape.type)) {
+    switch (cell::linear_type(shape.type)) {
     case CellType::seg2:
       return tables.segment;
     case CellType::tria3:
@@ -181,13 +182,13 @@ private:
     return shortest;
   }
 
-  void add_child(const CellTopology& shape, NodeSpan parent, NodeSpan lattice, const Child& child) {
+  void add_child(const cell::CellTopology& shape, NodeSpan parent, NodeSpan lattice, const Child& child) {
     const auto lattice_type = lattice_of(shape.type);
     const auto corners = static_cast<std::size_t>(shape.corner_count);
     const auto centre_of = [&](std::span<const std::uint8_t> local_corners) {
       Vector3d sum = Vector3d::Zero();
       for (const auto corner : local_corners)
-        sum += reference_node(lattice_type, child[corner]);
+        sum += cell::reference_node(lattice_type, child[corner]);
       return Vector3d(sum / static_cast<double>(local_corners.size()));
     };
     std::vector<NodeIndex> nodes;
@@ -197,10 +198,10 @@ private:
       for (const auto& edge : shape.edges)
         nodes.push_back(shared(middles_, corner_set(nodes, edge), shape, parent, centre_of(edge)));
     for (const auto& side : shape.sides)
-      if (centre_node(side))
+      if (cell::centre_node(side))
         nodes.push_back(
             shared(centres_, corner_set(nodes, side), shape, parent, centre_of(side.nodes.first(4))));
-    if (inner_node(shape)) {
+    if (cell::inner_node(shape)) {
       constexpr std::array<std::uint8_t, 8> all{0, 1, 2, 3, 4, 5, 6, 7};
       const auto xi = centre_of(std::span(all).first(corners));
       nodes.push_back(shape.dimension == 3
@@ -210,15 +211,15 @@ private:
     builder_.add_cell(shape.type, nodes);
   }
 
-  NodeIndex shared(SharedNodes& known, const CornerSet& corners, const CellTopology& shape, NodeSpan parent,
-                   const Vector3d& xi) {
+  NodeIndex shared(SharedNodes& known, const CornerSet& corners, const cell::CellTopology& shape,
+                   NodeSpan parent, const Vector3d& xi) {
     auto& node = known[corners];
     if (node == SharedNodes::none)
       node = new_node(shape, parent, xi);
     return node;
   }
 
-  NodeIndex new_node(const CellTopology& shape, NodeSpan parent, const Vector3d& xi) {
+  NodeIndex new_node(const cell::CellTopology& shape, NodeSpan parent, const Vector3d& xi) {
     return builder_.add_node(position(shape.type, parent, builder_.points(), xi));
   }
 
@@ -248,11 +249,11 @@ void refuse_bad_input(const Mesh& mesh, int parts) {
                     "refined by halving, so 1, 2, 4, 8… are expected",
                     parts));
   for (const auto& block : mesh.blocks)
-    if (linear_type(block.type) == CellType::pyra5 || block.type == CellType::penta18)
+    if (cell::linear_type(block.type) == CellType::pyra5 || block.type == CellType::penta18)
       throw InputError(
           fmt::format("cannot refine {} {} cells: pyramids and 18-node prisms have no children of "
                       "their own type here",
-                      block.cell_count(), topology(block.type).name));
+                      block.cell_count(), cell::topology(block.type).name));
   const double growth = std::pow(double(parts), mesh.dimension);
   const double largest = growth * std::max(mesh.node_count(), mesh.cell_count());
   if (largest > std::numeric_limits<NodeIndex>::max())

@@ -26,7 +26,7 @@ Vector3d extent(const Mesh& mesh) {
 }
 
 bool has_surfaces_only(const Mesh& mesh) {
-  const auto dimension = [](const CellBlock& block) { return topology(block.type).dimension; };
+  const auto dimension = [](const CellBlock& block) { return cell::topology(block.type).dimension; };
   return std::ranges::any_of(mesh.blocks, [&](const auto& block) { return dimension(block) == 2; }) &&
          std::ranges::none_of(mesh.blocks, [&](const auto& block) { return dimension(block) == 3; });
 }

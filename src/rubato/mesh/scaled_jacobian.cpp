@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/mesh/cell_parts.hpp"
+#include "rubato/cell/parts.hpp"
+#include "rubato/cell/reference_nodes.hpp"
 #include "rubato/mesh/interpolation.hpp"
 #include "rubato/mesh/quality.hpp"
 
@@ -26,7 +27,7 @@ struct Frame {
   std::array<Spoke, 3> spokes;
 };
 
-std::vector<Spoke> spokes_at(const CellTopology& shape, std::uint8_t corner) {
+std::vector<Spoke> spokes_at(const cell::CellTopology& shape, std::uint8_t corner) {
   std::vector<Spoke> spokes;
   for (std::size_t e = 0; e < shape.edges.size(); ++e)
     for (const int end : {0, 1})
@@ -40,14 +41,15 @@ double determinant(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
 }
 
 /// The apex of a pyramid, where four edges meet, has no frame.
-std::vector<Frame> frames_of(const CellTopology& shape) {
+std::vector<Frame> frames_of(const cell::CellTopology& shape) {
   std::vector<Frame> frames;
   for (std::uint8_t corner = 0; corner < shape.corner_count; ++corner) {
     auto spokes = spokes_at(shape, corner);
     if (spokes.size() != static_cast<std::size_t>(shape.dimension) || shape.dimension < 2)
       continue;
     const auto tangent = [&](std::size_t i) -> Vector3d {
-      return reference_node(shape.type, spokes[i].far_corner) - reference_node(shape.type, corner);
+      return cell::reference_node(shape.type, spokes[i].far_corner) -
+             cell::reference_node(shape.type, corner);
     };
     const Vector3d third = shape.dimension == 3 ? tangent(2) : Vector3d::UnitZ();
     if (determinant(tangent(0), tangent(1), third) < 0)
@@ -62,7 +64,7 @@ std::vector<Frame> frames_of(const CellTopology& shape) {
 const std::vector<Frame>& frames(CellType type) {
   static const auto tables = [] {
     std::vector<std::vector<Frame>> all;
-    for (const auto& shape : all_topologies())
+    for (const auto& shape : cell::all_topologies())
       all.push_back(frames_of(shape));
     return all;
   }();
@@ -71,7 +73,7 @@ const std::vector<Frame>& frames(CellType type) {
 
 /// The determinant of unit tangents at a corner of the ideal cell, inverted.
 double ideal_factor(CellType type) {
-  switch (linear_type(type)) {
+  switch (cell::linear_type(type)) {
   case CellType::tria3:
   case CellType::penta6:
     return 2 / std::numbers::sqrt3;
@@ -87,7 +89,7 @@ double ideal_factor(CellType type) {
 
 std::optional<double> scaled_jacobian(CellType type, std::span<const NodeIndex> nodes,
                                       const std::vector<Vector3d>& points, int space_dimension) {
-  const auto& shape = topology(type);
+  const auto& shape = cell::topology(type);
   const auto& corners = frames(type);
   if (corners.empty())
     return std::nullopt;
@@ -100,7 +102,7 @@ std::optional<double> scaled_jacobian(CellType type, std::span<const NodeIndex> 
       return at(spoke.far_corner) - at(frame.corner);
     // The derivative of the quadratic edge at its end, equal to the chord when the middle node is in the
     // middle.
-    const auto middle = static_cast<std::size_t>(mid_node(shape, spoke.edge));
+    const auto middle = static_cast<std::size_t>(cell::mid_node(shape, spoke.edge));
     return 4 * at(middle) - 3 * at(frame.corner) - at(spoke.far_corner);
   };
 

@@ -21,13 +21,13 @@ struct Border {
 };
 
 std::span<const NodeIndex> corners_of(const SurfaceFace& face) {
-  return face.nodes().first(static_cast<std::size_t>(topology(face.type).corner_count));
+  return face.nodes().first(static_cast<std::size_t>(cell::topology(face.type).corner_count));
 }
 
 /// Calls take(corner set, whether the face runs forwards) for each border.
 template <class Take> void for_each_border(const SurfaceFace& face, const Take& take) {
   const auto corners = corners_of(face);
-  if (topology(face.type).dimension == 1) {
+  if (cell::topology(face.type).dimension == 1) {
     take(corner_set(corners.first(1)), false);
     take(corner_set(corners.last(1)), true);
     return;
@@ -125,7 +125,7 @@ Sheets sheets_of(const Mesh& mesh, std::span<const CellIndex> cells) {
 
 void turn(const Mesh& mesh, SurfaceFace& face) {
   const auto before = face.node_list;
-  if (topology(face.type).dimension == 1) {
+  if (cell::topology(face.type).dimension == 1) {
     std::swap(face.node_list[0], face.node_list[1]);
     return;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/skin.hpp"
 
-#include "rubato/mesh/cell_parts.hpp"
+#include "rubato/cell/parts.hpp"
 #include "rubato/mesh/corner_sets.hpp"
 #include "rubato/mesh/names.hpp"
 
@@ -30,7 +30,7 @@ void claim(Owner& owner, CellIndex cell, std::size_t side) {
 SurfaceFace surface_face(const Mesh& mesh, const Owner& owner, CellIndex face) {
   const auto place = mesh.place_of(owner.cell);
   const auto nodes = place.block->cell(place.index);
-  const auto& side = topology(place.block->type).sides[owner.side];
+  const auto& side = cell::topology(place.block->type).sides[owner.side];
   SurfaceFace result;
   result.type = side.type;
   result.side = owner.side;
@@ -45,7 +45,7 @@ class SkinSearch {
 public:
   explicit SkinSearch(int dimension) : dimension_(dimension) {}
 
-  void add(CellIndex cell, const CellTopology& shape, std::span<const NodeIndex> nodes) {
+  void add(CellIndex cell, const cell::CellTopology& shape, std::span<const NodeIndex> nodes) {
     if (shape.dimension != dimension_)
       return;
     for (std::size_t side = 0; side < shape.sides.size(); ++side) {
@@ -93,13 +93,13 @@ private:
 
 CornerSet corners_of_face(const Mesh& mesh, CellIndex cell) {
   const auto place = mesh.place_of(cell);
-  const auto corners = static_cast<std::size_t>(topology(place.block->type).corner_count);
+  const auto corners = static_cast<std::size_t>(cell::topology(place.block->type).corner_count);
   return corner_set(place.block->cell(place.index).first(corners));
 }
 
 std::vector<Owner> owners_of(const Mesh& mesh, const CornerSets& wanted, const NodeMarks& marks) {
   std::vector<Owner> owners(static_cast<std::size_t>(wanted.size()));
-  for_each_cell(mesh, [&](CellIndex cell, const CellTopology& shape, std::span<const NodeIndex> nodes) {
+  for_each_cell(mesh, [&](CellIndex cell, const cell::CellTopology& shape, std::span<const NodeIndex> nodes) {
     if (shape.dimension != mesh.dimension)
       return;
     for (std::size_t side = 0; side < shape.sides.size(); ++side) {
@@ -124,14 +124,14 @@ std::vector<SurfaceFace> skin(const Mesh& mesh, std::span<const CellIndex> bulk_
   SkinSearch search(mesh.dimension);
   for (const auto cell : bulk_cells) {
     const auto place = mesh.place_of(cell);
-    search.add(cell, topology(place.block->type), place.block->cell(place.index));
+    search.add(cell, cell::topology(place.block->type), place.block->cell(place.index));
   }
   return search.faces(mesh);
 }
 
 std::vector<SurfaceFace> skin(const Mesh& mesh) {
   SkinSearch search(mesh.dimension);
-  for_each_cell(mesh, [&](CellIndex cell, const CellTopology& shape, std::span<const NodeIndex> nodes) {
+  for_each_cell(mesh, [&](CellIndex cell, const cell::CellTopology& shape, std::span<const NodeIndex> nodes) {
     search.add(cell, shape, nodes);
   });
   return search.faces(mesh);
@@ -143,7 +143,7 @@ OrientedFaces oriented_faces(const Mesh& mesh, std::span<const CellIndex> cells)
   CornerSets wanted;
   NodeMarks marks(mesh.node_count());
   for (const auto cell : cells) {
-    if (topology(mesh.type_of(cell)).dimension != mesh.dimension - 1) {
+    if (cell::topology(mesh.type_of(cell)).dimension != mesh.dimension - 1) {
       surface.not_faces.push_back(cell);
       continue;
     }
@@ -169,7 +169,7 @@ std::vector<std::string> faults_of(const Mesh& mesh, const OrientedFaces& surfac
     if (!cells.empty())
       sentences.push_back(fmt::format("{} cell{} (the first: {} of {}) {}", cells.size(),
                                       cells.size() == 1 ? "" : "s", called(mesh, cells.front()),
-                                      topology(mesh.type_of(cells.front())).name, what));
+                                      cell::topology(mesh.type_of(cells.front())).name, what));
   };
   tell(surface.not_faces, mesh.dimension == 3 ? "found where faces (triangles, quadrangles) are expected"
                                               : "found where segments are expected");

@@ -25,7 +25,7 @@ struct SurfaceFace {
 
   /// node_count(type) nodes in the order of `type`, the normal pointing out of the owner.
   std::span<const NodeIndex> nodes() const {
-    return std::span(node_list).first(static_cast<std::size_t>(topology(type).node_count));
+    return std::span(node_list).first(static_cast<std::size_t>(cell::topology(type).node_count));
   }
 };
 

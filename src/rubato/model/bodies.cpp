@@ -32,7 +32,7 @@ private:
 
 } // namespace
 
-Bodies::Bodies(const mesh::Mesh& mesh, const fem::Bulk& bulk)
+Bodies::Bodies(const mesh::Mesh& mesh, const domain::Bulk& bulk)
     : of_node_(static_cast<std::size_t>(mesh.node_count()), -1) {
   Sets sets(mesh.node_count());
   for (const auto cell : bulk.cells)

@@ -2,7 +2,7 @@
 /// Which nodes hang together: a body is what cells connect, whatever touches it.
 #pragma once
 
-#include "rubato/fem/bulk.hpp"
+#include "rubato/domain/bulk.hpp"
 #include "rubato/mesh/mesh.hpp"
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace rubato::model {
 
 class Bodies {
 public:
-  Bodies(const mesh::Mesh& mesh, const fem::Bulk& bulk);
+  Bodies(const mesh::Mesh& mesh, const domain::Bulk& bulk);
 
   /// The body of a node, −1 where no cell is.
   int of(mesh::NodeIndex node) const { return of_node_[static_cast<std::size_t>(node)]; }

@@ -3,7 +3,7 @@
 /// the first.
 #pragma once
 
-#include "rubato/fem/assembly.hpp"
+#include "rubato/domain/assembly.hpp"
 #include "rubato/model/model.hpp"
 
 #include <span>
@@ -13,45 +13,46 @@
 namespace rubato::model {
 
 /// The cells that deform and their materials; a cell that got none has the first one.
-fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
+domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
 
 /// Faults for cells that cannot be computed with.
-void check_shapes(const deck::Study& study, const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,
+void check_shapes(const study::Study& study, const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,
                   std::vector<Fault>& faults);
 
 /// Prescribed displacements, ascending by dof.
-std::vector<Constraint> make_constraints(const deck::Study& study, const mesh::Mesh& mesh,
-                                         const fem::DofMap& dofs, std::vector<Fault>& faults);
+std::vector<Constraint> make_constraints(const study::Study& study, const mesh::Mesh& mesh,
+                                         const domain::DofMap& dofs, std::vector<Fault>& faults);
 
 /// Springs to the ground.
-std::vector<Spring> make_springs(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                 std::vector<Fault>& faults);
+std::vector<Spring> make_springs(const study::Study& study, const mesh::Mesh& mesh,
+                                 const domain::DofMap& dofs, std::vector<Fault>& faults);
 
 /// How the run begins; faults where two entries, or an entry and a support, say different things of one dof.
-InitialMotion make_initial_motion(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                  std::span<const Constraint> constraints, std::vector<Fault>& faults);
+InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& mesh,
+                                  const domain::DofMap& dofs, std::span<const Constraint> constraints,
+                                  std::vector<Fault>& faults);
 
 /// Loads as nodal forces.
-std::vector<Force> make_forces(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                               const fem::Bulk& bulk, std::vector<Fault>& faults);
+std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
+                               const domain::Bulk& bulk, std::vector<Fault>& faults);
 
 /// Contact zones on oriented surfaces.
-std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh,
-                                      const fem::DofMap& dofs, std::span<const Constraint> constraints,
+std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,
+                                      const domain::DofMap& dofs, std::span<const Constraint> constraints,
                                       std::vector<Fault>& faults);
 
 /// Faces of masters that bound no cell: rigid surfaces drawn as a mesh, whose nodes supports hold or move.
-std::vector<mesh::CellIndex> rigid_faces(const deck::Study& study, const mesh::Mesh& mesh);
+std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh);
 
 /// The nodes of each probe: those of its group when something is taken of them, else one. A note for each
 /// point that several nodes are equally near to.
-std::vector<std::vector<mesh::NodeIndex>> make_probe_nodes(const deck::Study& study, const mesh::Mesh& mesh,
-                                                           const fem::DofMap& dofs,
+std::vector<std::vector<mesh::NodeIndex>> make_probe_nodes(const study::Study& study, const mesh::Mesh& mesh,
+                                                           const domain::DofMap& dofs,
                                                            std::vector<Fault>& faults,
                                                            std::vector<std::string>& notes);
 
 /// Faults for checks on groups or nodes that there are not.
-void check_compared_places(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
+void check_compared_places(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
 
 /// A static run needs bodies that cannot move as rigid ones: supports must hold them, or contact with what is
 /// held.
@@ -62,19 +63,19 @@ void check_supported(const Model& model, std::vector<Fault>& faults);
 void check_masses(const Model& model, std::vector<Fault>& faults);
 
 /// The cells of a group, or a fault that names the nearest group; nullptr then.
-const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, std::vector<Fault>& faults);
+const mesh::Group* cells_named(const mesh::Mesh& mesh, const study::Name& name, std::vector<Fault>& faults);
 
 /// The nodes of a group or a numbered node; empty and a fault when there is none.
-std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const deck::Name& name,
+std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const study::Name& name,
                                             std::vector<Fault>& faults);
 
 /// Those of them that deforming cells have; empty and a fault when there is none. `use` completes "expected a
 /// part of a body …".
-std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                                 const deck::Name& name, std::string_view use,
+std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const domain::DofMap& dofs,
+                                                 const study::Name& name, std::string_view use,
                                                  std::vector<Fault>& faults);
 
 /// The function of that name; nothing when the name is empty.
-std::optional<deck::Function> function_named(const deck::Study& study, const deck::Name& name);
+std::optional<Function> function_named(const study::Study& study, const study::Name& name);
 
 } // namespace rubato::model

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/contact_mass.hpp"
 
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/model.hpp"
 
@@ -16,10 +16,10 @@
 namespace rubato::model {
 namespace {
 
+using domain::SparseMatrix;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using fem::SparseMatrix;
 
 /// Rounds of Newton's method, which is quadratic from the factor that keeps the mass.
 constexpr int newton_rounds = 20;
@@ -52,7 +52,7 @@ struct Body {
   MatrixXd positions;     ///< 1, x, y, z of each node, from the middle of the body in units of its size
 };
 
-MatrixXd positions_of(const mesh::Mesh& mesh, const fem::DofMap& dofs, const std::vector<int>& nodes) {
+MatrixXd positions_of(const mesh::Mesh& mesh, const domain::DofMap& dofs, const std::vector<int>& nodes) {
   MatrixXd x(static_cast<Index>(nodes.size()), mesh.dimension);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     x.row(static_cast<Index>(i)) =
@@ -66,7 +66,7 @@ MatrixXd positions_of(const mesh::Mesh& mesh, const fem::DofMap& dofs, const std
   return positions;
 }
 
-Body take_body(const mesh::Mesh& mesh, const fem::DofMap& dofs, const SparseMatrix& mass,
+Body take_body(const mesh::Mesh& mesh, const domain::DofMap& dofs, const SparseMatrix& mass,
                std::vector<int> nodes, const std::vector<char>& massless) {
   std::vector<int> place(dofs.nodes.size(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -162,7 +162,7 @@ void scale(const Body& body, const VectorXd& factors, const std::vector<char>& m
 
 } // namespace
 
-void redistribute_mass(const mesh::Mesh& mesh, const fem::Bulk& bulk, const fem::DofMap& dofs,
+void redistribute_mass(const mesh::Mesh& mesh, const domain::Bulk& bulk, const domain::DofMap& dofs,
                        std::span<const mesh::NodeIndex> massless, SparseMatrix& mass) {
   const Bodies bodies(mesh, bulk);
   std::vector<char> is_massless(dofs.nodes.size(), 0);

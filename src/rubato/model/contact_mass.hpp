@@ -8,9 +8,9 @@
 /// contact problems in elastodynamics, Eur. J. Mech. A/Solids 27 (2008) 918–932).
 #pragma once
 
-#include "rubato/fem/assembly.hpp"
-#include "rubato/fem/bulk.hpp"
-#include "rubato/fem/dof_map.hpp"
+#include "rubato/domain/assembly.hpp"
+#include "rubato/domain/bulk.hpp"
+#include "rubato/domain/dof_map.hpp"
 #include "rubato/mesh/mesh.hpp"
 
 #include <span>
@@ -23,7 +23,7 @@ namespace rubato::model {
 /// inertia (Σ m_ij p_i q_j, p and q of 1, x, y, z). A body whose inside is too thin for that, so that some d
 /// would be below 1/2 or beyond 2, keeps its mass and d is a constant. Throws InputError for a body without
 /// inside.
-void redistribute_mass(const mesh::Mesh& mesh, const fem::Bulk& bulk, const fem::DofMap& dofs,
-                       std::span<const mesh::NodeIndex> massless, fem::SparseMatrix& mass);
+void redistribute_mass(const mesh::Mesh& mesh, const domain::Bulk& bulk, const domain::DofMap& dofs,
+                       std::span<const mesh::NodeIndex> massless, domain::SparseMatrix& mass);
 
 } // namespace rubato::model

@@ -16,32 +16,32 @@ using Eigen::VectorXd;
 
 class LoadBuilder {
 public:
-  LoadBuilder(const mesh::Mesh& mesh, const fem::DofMap& dofs, const fem::Bulk& bulk,
+  LoadBuilder(const mesh::Mesh& mesh, const domain::DofMap& dofs, const domain::Bulk& bulk,
               std::vector<Fault>& faults)
       : mesh_(mesh), dofs_(dofs), bulk_(bulk), faults_(faults) {}
 
-  VectorXd pattern(const deck::Load& load) {
+  VectorXd pattern(const study::Load& load) {
     VectorXd force = VectorXd::Zero(dofs_.dof_count);
     const Vector3d value(load.components[0], load.components[1], load.components[2]);
     switch (load.kind) {
-    case deck::LoadKind::nodal_force:
+    case study::LoadKind::nodal_force:
       if (const auto nodes = nodes_or_fault(mesh_, load.on, faults_); !nodes.empty())
         load::add_nodal_force(mesh_, dofs_, nodes, value, force);
       break;
-    case deck::LoadKind::line_force:
+    case study::LoadKind::line_force:
       load::add_line_force(mesh_, dofs_, edges(load), value, force);
       break;
-    case deck::LoadKind::surface_force:
+    case study::LoadKind::surface_force:
       add_on_faces(load, [&](const auto& faces) {
         load::add_surface_force(mesh_, dofs_, bulk_.section, faces, value, force);
       });
       break;
-    case deck::LoadKind::pressure:
+    case study::LoadKind::pressure:
       add_on_faces(load, [&](const auto& faces) {
         load::add_pressure(mesh_, dofs_, bulk_.section, faces, load.components[0], force);
       });
       break;
-    case deck::LoadKind::gravity:
+    case study::LoadKind::gravity:
       add_gravity(load, value, force);
       break;
     }
@@ -49,17 +49,17 @@ public:
   }
 
 private:
-  std::vector<load::Face> edges(const deck::Load& load) {
+  std::vector<load::Face> edges(const study::Load& load) {
     std::vector<load::Face> edges;
     const auto* group = cells_named(mesh_, load.on, faults_);
     if (group == nullptr)
       return edges;
     for (const auto cell : group->items) {
       const auto type = mesh_.type_of(cell);
-      if (mesh::topology(type).dimension != 1) {
+      if (cell::topology(type).dimension != 1) {
         faults_.push_back(
             {load.on.at, fmt::format("group '{}' holds {} cells, expected edges for a line force",
-                                     load.on.text, mesh::topology(type).name)});
+                                     load.on.text, cell::topology(type).name)});
         return {};
       }
       edges.push_back({type, mesh_.nodes_of(cell)});
@@ -67,7 +67,7 @@ private:
     return edges;
   }
 
-  template <class Add> void add_on_faces(const deck::Load& load, const Add& add) {
+  template <class Add> void add_on_faces(const study::Load& load, const Add& add) {
     const auto* group = cells_named(mesh_, load.on, faults_);
     if (group == nullptr)
       return;
@@ -81,7 +81,7 @@ private:
     add(faces);
   }
 
-  void add_gravity(const deck::Load& load, const Vector3d& acceleration, VectorXd& force) {
+  void add_gravity(const study::Load& load, const Vector3d& acceleration, VectorXd& force) {
     if (load.on.text.empty()) {
       load::add_gravity(mesh_, dofs_, bulk_, acceleration, force);
       return;
@@ -89,7 +89,7 @@ private:
     const auto* group = cells_named(mesh_, load.on, faults_);
     if (group == nullptr)
       return;
-    fem::Bulk part{bulk_.section, {}, bulk_.laws, {}};
+    domain::Bulk part{bulk_.section, {}, bulk_.laws, {}};
     for (std::size_t i = 0; i < bulk_.cells.size(); ++i)
       if (std::ranges::binary_search(group->items, bulk_.cells[i])) {
         part.cells.push_back(bulk_.cells[i]);
@@ -103,15 +103,15 @@ private:
   }
 
   const mesh::Mesh& mesh_;
-  const fem::DofMap& dofs_;
-  const fem::Bulk& bulk_;
+  const domain::DofMap& dofs_;
+  const domain::Bulk& bulk_;
   std::vector<Fault>& faults_;
 };
 
 } // namespace
 
-std::vector<Force> make_forces(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                               const fem::Bulk& bulk, std::vector<Fault>& faults) {
+std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
+                               const domain::Bulk& bulk, std::vector<Fault>& faults) {
   LoadBuilder builder(mesh, dofs, bulk, faults);
   std::vector<Force> forces;
   for (const auto& load : study.loads) {

@@ -24,7 +24,7 @@ bool same(double a, double b) {
 
 class Collector {
 public:
-  Collector(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+  Collector(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
             std::span<const Constraint> constraints, std::vector<Fault>& faults)
       : time_(study.time), mesh_(mesh), dofs_(dofs), faults_(faults) {
     for (const auto& constraint : constraints)
@@ -33,7 +33,7 @@ public:
     motion_.velocity = motion_.displacement;
   }
 
-  void add(const deck::InitialMotion& initial) {
+  void add(const study::InitialMotion& initial) {
     told_ = false;
     for (const auto node : nodes_of(initial.on))
       for (int i = 0; i < dofs_.components; ++i) {
@@ -48,13 +48,13 @@ public:
   InitialMotion take() { return std::move(motion_); }
 
 private:
-  std::vector<mesh::NodeIndex> nodes_of(const deck::Name& name) {
-    if (name.text == deck::everywhere)
+  std::vector<mesh::NodeIndex> nodes_of(const study::Name& name) {
+    if (name.text == study::everywhere)
       return {dofs_.nodes.begin(), dofs_.nodes.end()};
     return body_nodes_or_fault(mesh_, dofs_, name, "to set in motion", faults_);
   }
 
-  void set_displacement(const deck::InitialMotion& initial, mesh::NodeIndex node, int component,
+  void set_displacement(const study::InitialMotion& initial, mesh::NodeIndex node, int component,
                         double value) {
     const int dof = dofs_.dof(node, component);
     if (const auto support = supports_.find(dof); support != supports_.end()) {
@@ -66,7 +66,7 @@ private:
     set(initial, node, component, "displacement", value, displaced_, motion_.displacement);
   }
 
-  void set_velocity(const deck::InitialMotion& initial, mesh::NodeIndex node, int component, double value) {
+  void set_velocity(const study::InitialMotion& initial, mesh::NodeIndex node, int component, double value) {
     const int dof = dofs_.dof(node, component);
     if (const auto support = supports_.find(dof); support != supports_.end()) {
       const double held = velocity_of(*support->second);
@@ -77,7 +77,7 @@ private:
   }
 
   /// What two entries say of one dof must be the same.
-  void set(const deck::InitialMotion& initial, mesh::NodeIndex node, int component, std::string_view what,
+  void set(const study::InitialMotion& initial, mesh::NodeIndex node, int component, std::string_view what,
            double value, std::map<int, double>& known, VectorXd& values) {
     const int dof = dofs_.dof(node, component);
     const auto [there, fresh] = known.emplace(dof, value);
@@ -87,7 +87,7 @@ private:
   }
 
   /// One node of an entry is enough.
-  void tell(const deck::InitialMotion& initial, mesh::NodeIndex node, int component, std::string_view what,
+  void tell(const study::InitialMotion& initial, mesh::NodeIndex node, int component, std::string_view what,
             double value, const std::string& contradiction) {
     if (told_)
       return;
@@ -102,9 +102,9 @@ private:
     return (displacement_of(support, time_.begin + h) - displacement_of(support, time_.begin)) / h;
   }
 
-  const deck::TimeStepping& time_;
+  const study::TimeStepping& time_;
   const mesh::Mesh& mesh_;
-  const fem::DofMap& dofs_;
+  const domain::DofMap& dofs_;
   std::vector<Fault>& faults_;
   std::map<int, const Constraint*> supports_;
   std::map<int, double> displaced_;
@@ -115,8 +115,9 @@ private:
 
 } // namespace
 
-InitialMotion make_initial_motion(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                  std::span<const Constraint> constraints, std::vector<Fault>& faults) {
+InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& mesh,
+                                  const domain::DofMap& dofs, std::span<const Constraint> constraints,
+                                  std::vector<Fault>& faults) {
   Collector collector(study, mesh, dofs, constraints, faults);
   for (const auto& initial : study.initial)
     collector.add(initial);

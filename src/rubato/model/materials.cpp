@@ -17,11 +17,11 @@ using mesh::CellIndex;
 /// Which material each bulk cell of the mesh has.
 class Assignment {
 public:
-  Assignment(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults)
-      : study_(study), mesh_(mesh), faults_(faults), dimension_(fem::component_count(study.physics)),
+  Assignment(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults)
+      : study_(study), mesh_(mesh), faults_(faults), dimension_(element::component_count(study.physics)),
         material_(static_cast<std::size_t>(mesh.cell_count()), -1) {
     for (CellIndex cell = 0; cell < mesh.cell_count(); ++cell)
-      if (mesh::topology(mesh.type_of(cell)).dimension == dimension_)
+      if (cell::topology(mesh.type_of(cell)).dimension == dimension_)
         bulk_.push_back(cell);
   }
 
@@ -54,7 +54,7 @@ public:
          fmt::format("{} of {} cells have no material, the first one is cell {} ({}); expected one for every "
                      "cell (`cells: all`, or a group)",
                      count, bulk_.size(), mesh::cell_name(mesh_, first),
-                     mesh::topology(mesh_.type_of(first)).name)});
+                     cell::topology(mesh_.type_of(first)).name)});
   }
 
 private:
@@ -74,20 +74,20 @@ private:
     }
   }
 
-  void give_group(int index, const deck::Name& name, std::span<const CellIndex> items) {
+  void give_group(int index, const study::Name& name, std::span<const CellIndex> items) {
     std::vector<CellIndex> cells;
     std::ranges::copy_if(items, std::back_inserter(cells), [&](CellIndex cell) {
-      return mesh::topology(mesh_.type_of(cell)).dimension == dimension_;
+      return cell::topology(mesh_.type_of(cell)).dimension == dimension_;
     });
     if (cells.empty())
       faults_.push_back(
           {name.at, fmt::format("group '{}' holds {} cells, expected {} cells for material '{}'", name.text,
-                                mesh::topology(mesh_.type_of(items.front())).name, bulk_noun(),
+                                cell::topology(mesh_.type_of(items.front())).name, bulk_noun(),
                                 study_.materials[static_cast<std::size_t>(index)].name)});
     give(index, cells);
   }
 
-  const deck::Study& study_;
+  const study::Study& study_;
   const mesh::Mesh& mesh_;
   std::vector<Fault>& faults_;
   int dimension_;
@@ -98,8 +98,8 @@ private:
 
 } // namespace
 
-fem::Bulk make_bulk(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
-  fem::Bulk bulk;
+domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
+  domain::Bulk bulk;
   bulk.section = {study.physics, study.thickness};
   Assignment assignment(study, mesh, faults);
   for (std::size_t i = 0; i < study.materials.size(); ++i) {
@@ -161,14 +161,14 @@ template <class Tell> bool tell_lost_nodes(const mesh::Mesh& mesh, const Tell& t
   return count > 0;
 }
 
-void check_shapes(const deck::Study& study, const mesh::Mesh& mesh, std::span<const CellIndex> cells,
+void check_shapes(const study::Study& study, const mesh::Mesh& mesh, std::span<const CellIndex> cells,
                   std::vector<Fault>& faults) {
   const auto& file = study.mesh.file;
   const auto where = file.text.empty() ? "" : fmt::format("mesh file '{}': ", file.text);
   const auto tell = [&](const std::string& text) { faults.push_back(Fault{file.at, text}); };
   if (tell_lost_nodes(mesh, [&](const std::string& text) { tell(where + text); }))
     return;
-  const auto bad = fem::cell_faults(mesh, cells, study.physics);
+  const auto bad = domain::cell_faults(mesh, cells, study.physics);
   for (const auto& fault : std::span(bad).first(std::min(bad.size(), listed_faults)))
     tell(where + fault.text);
   if (bad.size() > listed_faults)

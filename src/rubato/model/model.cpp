@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/model.hpp"
 
-#include "rubato/load/function.hpp"
+#include "rubato/core/function.hpp"
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/generate.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
@@ -52,21 +52,21 @@ void free_contact_of_mass(Model& model) {
   redistribute_mass(model.mesh, model.bulk, model.dofs, nodes, model.mass);
 }
 
-void assemble_matrices(Model& model, const std::vector<deck::Material>& materials) {
+void assemble_matrices(Model& model, const std::vector<study::Material>& materials) {
   const auto& bulk = model.bulk;
-  const fem::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
-  model.stiffness = fem::assemble_stiffness(model.mesh, bulk, pattern);
+  const domain::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
+  model.stiffness = domain::assemble_stiffness(model.mesh, bulk, pattern);
   for (const auto& spring : model.springs)
     model.stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
   const auto scheme = model.study.time.scheme;
-  if (scheme == deck::SchemeKind::static_steps)
+  if (scheme == study::SchemeKind::static_steps)
     return;
-  const bool lumped = deck::is_explicit(scheme);
+  const bool lumped = study::is_explicit(scheme);
   if (lumped)
-    model.lumped_mass = fem::lumped_mass(model.mesh, bulk, model.dofs);
+    model.lumped_mass = domain::lumped_mass(model.mesh, bulk, model.dofs);
   else
-    model.mass = fem::assemble_mass(model.mesh, bulk, pattern);
-  if (model.study.time.contact_mass == deck::ContactMass::redistributed)
+    model.mass = domain::assemble_mass(model.mesh, bulk, pattern);
+  if (model.study.time.contact_mass == study::ContactMass::redistributed)
     free_contact_of_mass(model);
   std::vector<double> by_stiffness;
   std::vector<double> by_mass;
@@ -78,11 +78,11 @@ void assemble_matrices(Model& model, const std::vector<deck::Material>& material
   }
   if (!damped)
     return;
-  model.damping = fem::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness);
+  model.damping = domain::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness);
   if (lumped)
-    model.damping.diagonal() += fem::lumped_mass(model.mesh, bulk, model.dofs, by_mass);
+    model.damping.diagonal() += domain::lumped_mass(model.mesh, bulk, model.dofs, by_mass);
   else
-    model.damping += fem::assemble_mass(model.mesh, bulk, pattern, by_mass);
+    model.damping += domain::assemble_mass(model.mesh, bulk, pattern, by_mass);
 }
 
 void stop_on(const std::vector<Fault>& faults) {
@@ -90,11 +90,11 @@ void stop_on(const std::vector<Fault>& faults) {
     throw InputError(faults);
 }
 
-double value_of(const std::optional<deck::Function>& function, double t) {
-  return function ? load::value_at(*function, t) : 1.0;
+double value_of(const std::optional<Function>& function, double t) {
+  return function ? value_at(*function, t) : 1.0;
 }
 
-mesh::Mesh source_mesh(const deck::MeshSource& source) {
+mesh::Mesh source_mesh(const study::MeshSource& source) {
   mesh::Mesh mesh;
   if (source.file.text.empty()) {
     mesh = mesh::generate(source.bodies, source.refine);
@@ -109,11 +109,11 @@ mesh::Mesh source_mesh(const deck::MeshSource& source) {
 }
 
 /// Everything but the matrices.
-Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
+Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   Model model;
   model.study = study;
   model.mesh = std::move(mesh);
-  if (study.physics == deck::Physics::axisymmetric)
+  if (study.physics == study::Physics::axisymmetric)
     mesh::snap_to_axis(model.mesh);
   std::vector<Fault> faults;
   model.bulk = make_bulk(study, model.mesh, faults);
@@ -124,7 +124,7 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
     stop_on(faults);
   auto numbered = rigid_faces(study, model.mesh);
   numbered.insert(numbered.end(), model.bulk.cells.begin(), model.bulk.cells.end());
-  model.dofs = fem::number_dofs(model.mesh, numbered, fem::component_count(study.physics));
+  model.dofs = domain::number_dofs(model.mesh, numbered, element::component_count(study.physics));
   model.constraints = make_constraints(study, model.mesh, model.dofs, faults);
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
   model.initial = make_initial_motion(study, model.mesh, model.dofs, model.constraints, faults);
@@ -133,7 +133,7 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults, model.notes);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
-  if (study.time.scheme == deck::SchemeKind::static_steps) {
+  if (study.time.scheme == study::SchemeKind::static_steps) {
     check_supported(model, faults);
     model.free_body_nodes = free_body_nodes(model);
   } else {
@@ -157,7 +157,7 @@ void add_new(const std::vector<Fault>& met, std::vector<Fault>& faults) {
 
 } // namespace
 
-mesh::Mesh load_mesh(const deck::MeshSource& source) {
+mesh::Mesh load_mesh(const study::MeshSource& source) {
   try {
     return source_mesh(source);
   } catch (const InputError& error) {
@@ -169,10 +169,10 @@ mesh::Mesh load_mesh(const deck::MeshSource& source) {
   }
 }
 
-void check_studies(std::span<const deck::Study* const> studies) {
+void check_studies(std::span<const study::Study* const> studies) {
   std::vector<Fault> faults;
   std::optional<mesh::Mesh> mesh;
-  const deck::MeshSource* source = nullptr;
+  const study::MeshSource* source = nullptr;
   for (const auto* study : studies) {
     try {
       if (source == nullptr || *source != study->mesh) {
@@ -187,14 +187,14 @@ void check_studies(std::span<const deck::Study* const> studies) {
   stop_on(faults);
 }
 
-Model build_model(const deck::Study& study) {
+Model build_model(const study::Study& study) {
   return build_model(study, load_mesh(study.mesh));
 }
 
-Model build_model(const deck::Study& study, mesh::Mesh mesh) {
+Model build_model(const study::Study& study, mesh::Mesh mesh) {
   auto model = lay_out(study, std::move(mesh));
   assemble_matrices(model, study.materials);
-  if (!deck::is_explicit(study.time.scheme))
+  if (!study::is_explicit(study.time.scheme))
     model.products = Products(model.stiffness, model.mass, model.dofs.components);
   return model;
 }

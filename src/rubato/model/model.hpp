@@ -3,11 +3,11 @@
 #pragma once
 
 #include "rubato/contact/zone.hpp"
-#include "rubato/deck/study.hpp"
-#include "rubato/fem/bulk.hpp"
-#include "rubato/fem/dof_map.hpp"
+#include "rubato/domain/bulk.hpp"
+#include "rubato/domain/dof_map.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/products.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -24,14 +24,14 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 /// A force pattern times a function of time (1 when there is none).
 struct Force {
   Eigen::VectorXd pattern; ///< [force], one a dof
-  std::optional<deck::Function> function;
+  std::optional<Function> function;
 };
 
 /// A displacement that is prescribed: value times function (1 when there is none).
 struct Constraint {
   int dof = 0;
   double value = 0; ///< [length]
-  std::optional<deck::Function> function;
+  std::optional<Function> function;
 };
 
 /// A spring from a dof to the ground, slack at displacement 0.
@@ -48,10 +48,10 @@ struct InitialMotion {
 };
 
 struct Model {
-  deck::Study study;
+  study::Study study;
   mesh::Mesh mesh;
-  fem::Bulk bulk; ///< the cells that deform and their materials
-  fem::DofMap dofs;
+  domain::Bulk bulk; ///< the cells that deform and their materials
+  domain::DofMap dofs;
   SparseMatrix stiffness; ///< of the cells and of the springs
   SparseMatrix mass;      ///< empty (no entries) in a static or explicit run
   /// Ascending; on contact surfaces when their mass is redistributed.
@@ -79,18 +79,18 @@ struct Model {
 };
 
 /// Builds the discrete problem. Throws InputError with every fault of the study that shows against the mesh.
-Model build_model(const deck::Study& study);
+Model build_model(const study::Study& study);
 
 /// The same on a mesh that is already there.
-Model build_model(const deck::Study& study, mesh::Mesh mesh);
+Model build_model(const study::Study& study, mesh::Mesh mesh);
 
 /// Throws InputError with every fault of the studies that shows against their meshes, without assembling
 /// anything: whoever is about to run several learns first whether one of them is bad.
-void check_studies(std::span<const deck::Study* const> studies);
+void check_studies(std::span<const study::Study* const> studies);
 
 /// The mesh a study names or describes: read or generated, mended, converted and refined. Throws InputError;
 /// what is wrong with a mesh file is told at the place that names it.
-mesh::Mesh load_mesh(const deck::MeshSource& source);
+mesh::Mesh load_mesh(const study::MeshSource& source);
 
 /// [force], one a dof.
 Eigen::VectorXd external_force(const Model& model, double t);

@@ -9,7 +9,7 @@
 namespace rubato::model {
 namespace {
 
-std::string unknown_group(const mesh::Mesh& mesh, const deck::Name& name) {
+std::string unknown_group(const mesh::Mesh& mesh, const study::Name& name) {
   const auto names = mesh::group_names(mesh);
   const auto nearest = nearest_word(name.text, names);
   const auto text = fmt::format("found '{}', expected a group of cells of the mesh", name.text);
@@ -21,7 +21,7 @@ std::string unknown_group(const mesh::Mesh& mesh, const deck::Name& name) {
 
 } // namespace
 
-const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, std::vector<Fault>& faults) {
+const mesh::Group* cells_named(const mesh::Mesh& mesh, const study::Name& name, std::vector<Fault>& faults) {
   const auto* group = mesh.cell_group(name.text);
   if (group == nullptr) {
     if (mesh.node_group(name.text) != nullptr)
@@ -36,7 +36,7 @@ const mesh::Group* cells_named(const mesh::Mesh& mesh, const deck::Name& name, s
   return group;
 }
 
-std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const deck::Name& name,
+std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const study::Name& name,
                                             std::vector<Fault>& faults) {
   auto found = mesh::find_nodes(mesh, name.text);
   if (found.nodes.empty())
@@ -44,8 +44,8 @@ std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const deck::
   return found.nodes;
 }
 
-std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                                 const deck::Name& name, std::string_view use,
+std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const domain::DofMap& dofs,
+                                                 const study::Name& name, std::string_view use,
                                                  std::vector<Fault>& faults) {
   auto nodes = nodes_or_fault(mesh, name, faults);
   if (nodes.empty())
@@ -58,7 +58,7 @@ std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const f
   return nodes;
 }
 
-std::optional<deck::Function> function_named(const deck::Study& study, const deck::Name& name) {
+std::optional<Function> function_named(const study::Study& study, const study::Name& name) {
   if (name.text.empty())
     return std::nullopt;
   return study.functions.at(name.text);

@@ -22,7 +22,7 @@ using Nodes = std::vector<NodeIndex>;
 constexpr double same_distance = 1e-6;
 constexpr std::size_t named_nodes = 5;
 
-double size_of(const mesh::Mesh& mesh, const fem::DofMap& dofs) {
+double size_of(const mesh::Mesh& mesh, const domain::DofMap& dofs) {
   Eigen::AlignedBox3d box;
   for (const auto node : dofs.nodes)
     box.extend(mesh.points[static_cast<std::size_t>(node)]);
@@ -30,7 +30,7 @@ double size_of(const mesh::Mesh& mesh, const fem::DofMap& dofs) {
 }
 
 /// The nodes that no other one is nearer than.
-Nodes nearest_nodes(const mesh::Mesh& mesh, const fem::DofMap& dofs, const std::array<double, 3>& point) {
+Nodes nearest_nodes(const mesh::Mesh& mesh, const domain::DofMap& dofs, const std::array<double, 3>& point) {
   const Eigen::Vector3d x(point[0], point[1], point[2]);
   const auto distance = [&](NodeIndex node) {
     return (mesh.points[static_cast<std::size_t>(node)] - x).norm();
@@ -45,7 +45,8 @@ Nodes nearest_nodes(const mesh::Mesh& mesh, const fem::DofMap& dofs, const std::
   return nodes;
 }
 
-std::string ambiguity(const deck::Probe& probe, const mesh::Mesh& mesh, const Nodes& nodes, NodeIndex taken) {
+std::string ambiguity(const study::Probe& probe, const mesh::Mesh& mesh, const Nodes& nodes,
+                      NodeIndex taken) {
   std::vector<std::string> labels;
   for (const auto node : std::span(nodes).first(std::min(nodes.size(), named_nodes)))
     labels.push_back(node_label(mesh, node));
@@ -58,7 +59,7 @@ std::string ambiguity(const deck::Probe& probe, const mesh::Mesh& mesh, const No
 }
 
 /// The node nearest to a point, and a note when it is not the only one.
-Nodes node_at(const deck::Probe& probe, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+Nodes node_at(const study::Probe& probe, const mesh::Mesh& mesh, const domain::DofMap& dofs,
               std::vector<std::string>& notes) {
   const auto nodes = nearest_nodes(mesh, dofs, *probe.point);
   const Eigen::Vector3d x(probe.point->at(0), probe.point->at(1), probe.point->at(2));
@@ -71,7 +72,7 @@ Nodes node_at(const deck::Probe& probe, const mesh::Mesh& mesh, const fem::DofMa
 }
 
 /// The nodes a name means; node 0 and a fault when it means none, or several where one is wanted.
-Nodes named_nodes_of(const deck::Probe& probe, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+Nodes named_nodes_of(const study::Probe& probe, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                      std::vector<Fault>& faults) {
   auto nodes = nodes_or_fault(mesh, probe.node, faults);
   const auto fault = [&](const std::string& text) {
@@ -83,7 +84,7 @@ Nodes named_nodes_of(const deck::Probe& probe, const mesh::Mesh& mesh, const fem
   const auto first = nodes.front();
   const auto count = nodes.size();
   std::erase_if(nodes, [&](NodeIndex node) { return !dofs.has(node); });
-  if (probe.take == deck::ProbeTake::node && count > 1)
+  if (probe.take == study::ProbeTake::node && count > 1)
     return fault(
         fmt::format("group '{}' has {} nodes, expected one, or what is taken of them: {{on: {}, take: "
                     "sum}}, mean, min or max",
@@ -97,8 +98,9 @@ Nodes named_nodes_of(const deck::Probe& probe, const mesh::Mesh& mesh, const fem
 
 } // namespace
 
-std::vector<Nodes> make_probe_nodes(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                    std::vector<Fault>& faults, std::vector<std::string>& notes) {
+std::vector<Nodes> make_probe_nodes(const study::Study& study, const mesh::Mesh& mesh,
+                                    const domain::DofMap& dofs, std::vector<Fault>& faults,
+                                    std::vector<std::string>& notes) {
   std::vector<Nodes> nodes;
   for (const auto& probe : study.probes)
     nodes.push_back(probe.point ? node_at(probe, mesh, dofs, notes)
@@ -106,7 +108,7 @@ std::vector<Nodes> make_probe_nodes(const deck::Study& study, const mesh::Mesh& 
   return nodes;
 }
 
-void check_compared_places(const deck::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
+void check_compared_places(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
   for (const auto& check : study.checks)
     if (check.field && !check.field->on.text.empty())
       nodes_or_fault(mesh, check.field->on, faults);

@@ -25,7 +25,7 @@ constexpr double rank_tolerance = 1e-9;
 constexpr double negligible = 1e-6;
 
 Index mode_count(const Model& model) {
-  if (model.study.physics == deck::Physics::axisymmetric)
+  if (model.study.physics == study::Physics::axisymmetric)
     return 1;
   return model.dofs.components == 3 ? 6 : 3;
 }

@@ -3,8 +3,8 @@
 
 namespace rubato::model {
 
-std::vector<Spring> make_springs(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
-                                 std::vector<Fault>& faults) {
+std::vector<Spring> make_springs(const study::Study& study, const mesh::Mesh& mesh,
+                                 const domain::DofMap& dofs, std::vector<Fault>& faults) {
   std::vector<Spring> list;
   for (const auto& springs : study.springs)
     for (const auto node : body_nodes_or_fault(mesh, dofs, springs.on, "to pull at", faults))

@@ -12,11 +12,11 @@ constexpr std::string_view axes = "xyz";
 
 class Collector {
 public:
-  Collector(const deck::Study& study, const mesh::Mesh& mesh, const fem::DofMap& dofs,
+  Collector(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
             std::vector<Fault>& faults)
       : study_(study), mesh_(mesh), dofs_(dofs), faults_(faults) {}
 
-  void add(const deck::Support& support) {
+  void add(const study::Support& support) {
     for (const auto node : body_nodes_or_fault(mesh_, dofs_, support.on, "to hold", faults_))
       for (int i = 0; i < dofs_.components; ++i)
         if (const auto& amplitude = support.components[static_cast<std::size_t>(i)])
@@ -31,8 +31,8 @@ public:
   }
 
 private:
-  void prescribe(const deck::Support& support, mesh::NodeIndex node, int component,
-                 const deck::Amplitude& amplitude) {
+  void prescribe(const study::Support& support, mesh::NodeIndex node, int component,
+                 const study::Amplitude& amplitude) {
     const int dof = dofs_.dof(node, component);
     const Constraint wanted{dof, amplitude.value, function_named(study_, amplitude.function)};
     const auto [entry, fresh] = by_dof_.emplace(dof, wanted);
@@ -45,9 +45,9 @@ private:
                                  node_label(mesh_, node), axes[static_cast<std::size_t>(component)])});
   }
 
-  const deck::Study& study_;
+  const study::Study& study_;
   const mesh::Mesh& mesh_;
-  const fem::DofMap& dofs_;
+  const domain::DofMap& dofs_;
   std::vector<Fault>& faults_;
   std::map<int, Constraint> by_dof_;
   bool told_ = false;
@@ -55,8 +55,8 @@ private:
 
 } // namespace
 
-std::vector<Constraint> make_constraints(const deck::Study& study, const mesh::Mesh& mesh,
-                                         const fem::DofMap& dofs, std::vector<Fault>& faults) {
+std::vector<Constraint> make_constraints(const study::Study& study, const mesh::Mesh& mesh,
+                                         const domain::DofMap& dofs, std::vector<Fault>& faults) {
   Collector collector(study, mesh, dofs, faults);
   for (const auto& support : study.supports)
     collector.add(support);

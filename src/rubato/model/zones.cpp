@@ -39,7 +39,7 @@ contact::Face face_of(const mesh::Mesh& mesh, const mesh::SurfaceFace& side) {
   if (mesh.type_of(side.face) != side.type)
     return face;
   const auto own = mesh.nodes_of(side.face);
-  const auto& topology = mesh::topology(side.type);
+  const auto& topology = cell::topology(side.type);
   const auto mirrored = mesh::mirrored_numbering(side.type);
   const bool outwards = topology.dimension == 1 ? own[0] == side.nodes()[0]
                                                 : same_sense(own, side.nodes(), topology.corner_count);
@@ -61,7 +61,7 @@ struct NamedFaces {
   mesh::Sheets sheets;
 };
 
-std::optional<NamedFaces> faces_named(const mesh::Mesh& mesh, const deck::Name& name, bool takes_sheets,
+std::optional<NamedFaces> faces_named(const mesh::Mesh& mesh, const study::Name& name, bool takes_sheets,
                                       std::vector<Fault>& faults) {
   const auto* group = cells_named(mesh, name, faults);
   if (group == nullptr)
@@ -122,8 +122,8 @@ void turn_to_slave(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> sl
 }
 
 /// Nothing but supports moves the nodes of a sheet.
-void check_sheets(const mesh::Mesh& mesh, const deck::Name& name, const mesh::Sheets& sheets,
-                  const fem::DofMap& dofs, std::span<const Constraint> constraints,
+void check_sheets(const mesh::Mesh& mesh, const study::Name& name, const mesh::Sheets& sheets,
+                  const domain::DofMap& dofs, std::span<const Constraint> constraints,
                   std::vector<Fault>& faults) {
   const auto is_held = [&](int dof) {
     return std::ranges::binary_search(constraints, dof, {}, &Constraint::dof);
@@ -151,7 +151,7 @@ bool share_a_face(const contact::Surface& a, const contact::Surface& b) {
                              [&](const auto& face) { return std::ranges::binary_search(cells, face.cell); });
 }
 
-std::vector<mesh::NodeIndex> excluded_nodes(const mesh::Mesh& mesh, const deck::ContactZone& zone,
+std::vector<mesh::NodeIndex> excluded_nodes(const mesh::Mesh& mesh, const study::ContactZone& zone,
                                             std::vector<Fault>& faults) {
   std::vector<mesh::NodeIndex> all;
   for (const auto& name : zone.exclude_nodes) {
@@ -164,23 +164,23 @@ std::vector<mesh::NodeIndex> excluded_nodes(const mesh::Mesh& mesh, const deck::
 }
 
 /// With fewer Gauss points than the multipliers of a face can tell apart, their equations would be dependent.
-void check_rule(const deck::ContactZone& zone, const contact::Surface& slave, std::vector<Fault>& faults) {
+void check_rule(const study::ContactZone& zone, const contact::Surface& slave, std::vector<Fault>& faults) {
   if (zone.gauss_points == 0)
     return;
   for (const auto& face : slave.faces) {
-    const int least = mesh::topology(face.type).order + 1;
+    const int least = cell::topology(face.type).order + 1;
     if (zone.gauss_points >= least)
       continue;
     faults.push_back(
         {zone.at,
          fmt::format("found {} Gauss points a direction, expected at least {} on the {} faces of '{}'",
-                     zone.gauss_points, least, mesh::topology(face.type).name, zone.slave.text)});
+                     zone.gauss_points, least, cell::topology(face.type).name, zone.slave.text)});
     return;
   }
 }
 
-std::pair<contact::Surface, contact::Surface> surfaces_of(const deck::ContactZone& settings,
-                                                          const mesh::Mesh& mesh, const fem::DofMap& dofs,
+std::pair<contact::Surface, contact::Surface> surfaces_of(const study::ContactZone& settings,
+                                                          const mesh::Mesh& mesh, const domain::DofMap& dofs,
                                                           std::span<const Constraint> constraints,
                                                           std::vector<Fault>& faults) {
   const auto slave = faces_named(mesh, settings.slave, false, faults);
@@ -197,7 +197,7 @@ std::pair<contact::Surface, contact::Surface> surfaces_of(const deck::ContactZon
 
 } // namespace
 
-std::vector<mesh::CellIndex> rigid_faces(const deck::Study& study, const mesh::Mesh& mesh) {
+std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh) {
   std::vector<mesh::CellIndex> faces;
   for (const auto& settings : study.contact)
     if (const auto* group = settings.obstacle ? nullptr : mesh.cell_group(settings.master.text)) {
@@ -207,14 +207,14 @@ std::vector<mesh::CellIndex> rigid_faces(const deck::Study& study, const mesh::M
   return faces;
 }
 
-std::vector<contact::Zone> make_zones(const deck::Study& study, const mesh::Mesh& mesh,
-                                      const fem::DofMap& dofs, std::span<const Constraint> constraints,
+std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,
+                                      const domain::DofMap& dofs, std::span<const Constraint> constraints,
                                       std::vector<Fault>& faults) {
   const bool plane =
-      study.physics == deck::Physics::plane_stress || study.physics == deck::Physics::plane_strain;
-  const contact::ZoneGeometry geometry{dofs.components, plane ? study.thickness : 1.0,
-                                       study.physics == deck::Physics::axisymmetric ? contact::Measure::ring
-                                                                                    : contact::Measure::unit};
+      study.physics == study::Physics::plane_stress || study.physics == study::Physics::plane_strain;
+  const contact::ZoneGeometry geometry{
+      dofs.components, plane ? study.thickness : 1.0,
+      study.physics == study::Physics::axisymmetric ? contact::Measure::ring : contact::Measure::unit};
   std::vector<contact::Zone> zones;
   for (const auto& settings : study.contact) {
     const auto known = faults.size();

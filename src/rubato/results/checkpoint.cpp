@@ -3,10 +3,10 @@
 // what it is shown or replaces it by what it reads.
 #include "rubato/results/checkpoint.hpp"
 
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/core/writing.hpp"
 #include "rubato/results/hdf5_file.hpp"
 #include "rubato/results/seal.hpp"
-#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 

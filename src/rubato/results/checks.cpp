@@ -20,12 +20,12 @@ struct Found {
   double scale = 1;
 };
 
-std::optional<Found> of_probe(const deck::Check& check, const std::string& column, const Table& probes) {
+std::optional<Found> of_probe(const study::Check& check, const std::string& column, const Table& probes) {
   const auto value = value_at(probes, probes.column(column), check.at);
   return value ? std::optional<Found>({*value, std::abs(check.reference)}) : std::nullopt;
 }
 
-std::optional<Found> of_probe_difference(const deck::Check& check, const std::string& column,
+std::optional<Found> of_probe_difference(const study::Check& check, const std::string& column,
                                          const Table& probes, const std::filesystem::path& other) {
   const auto own = value_at(probes, probes.column(column), check.at);
   const auto table = read_csv(other / probes_file);
@@ -35,7 +35,7 @@ std::optional<Found> of_probe_difference(const deck::Check& check, const std::st
   return own ? std::optional<Found>({*own - *others, std::abs(*others)}) : std::nullopt;
 }
 
-Found of_field_difference(const deck::Check& check, const std::filesystem::path& folder,
+Found of_field_difference(const study::Check& check, const std::filesystem::path& folder,
                           const std::filesystem::path& other, std::string& where) {
   const auto fields = compare_fields(folder, other, check.field->name, check.at);
   const auto& on = check.field->on.text;
@@ -56,7 +56,7 @@ Found of_field_difference(const deck::Check& check, const std::filesystem::path&
   return found;
 }
 
-std::string quantity_of(const deck::Check& check) {
+std::string quantity_of(const study::Check& check) {
   if (!check.field)
     return fmt::format("{}.{}", check.probe.text, "xyz"[check.component]);
   const auto& field = *check.field;
@@ -65,7 +65,7 @@ std::string quantity_of(const deck::Check& check) {
 }
 
 /// Throws InputError when the other run does not have what is compared.
-std::optional<Found> find(const deck::Check& check, const Table& probes, const std::filesystem::path& folder,
+std::optional<Found> find(const study::Check& check, const Table& probes, const std::filesystem::path& folder,
                           CheckResult& result) {
   if (check.run.text.empty())
     return of_probe(check, result.quantity, probes);
@@ -80,7 +80,7 @@ double deviation_of(double difference, double scale) {
   return difference == 0 ? 0 : std::abs(difference) / scale;
 }
 
-CheckResult evaluate(const deck::Check& check, const Table& probes, const std::filesystem::path& folder) {
+CheckResult evaluate(const study::Check& check, const Table& probes, const std::filesystem::path& folder) {
   CheckResult result;
   result.quantity = quantity_of(check);
   result.at = check.at;
@@ -115,7 +115,7 @@ std::string source_of(const CheckResult& r) {
 
 } // namespace
 
-std::vector<CheckResult> evaluate_checks(std::span<const deck::Check> checks, const Table& probes,
+std::vector<CheckResult> evaluate_checks(std::span<const study::Check> checks, const Table& probes,
                                          const std::filesystem::path& folder) {
   std::vector<CheckResult> results;
   for (const auto& check : checks)
@@ -138,15 +138,15 @@ std::string to_text(std::span<const CheckResult> results) {
   return text;
 }
 
-std::string_view to_string(deck::CheckSource source) {
+std::string_view to_string(study::CheckSource source) {
   switch (source) {
-  case deck::CheckSource::external:
+  case study::CheckSource::external:
     return "external";
-  case deck::CheckSource::analytic:
+  case study::CheckSource::analytic:
     return "analytic";
-  case deck::CheckSource::other_code:
+  case study::CheckSource::other_code:
     return "other_code";
-  case deck::CheckSource::other_run:
+  case study::CheckSource::other_run:
     return "other_run";
   }
   return "";

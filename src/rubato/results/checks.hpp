@@ -2,8 +2,8 @@
 /// Values of a run held against references and against other runs.
 #pragma once
 
-#include "rubato/deck/study.hpp"
 #include "rubato/results/csv.hpp"
+#include "rubato/study/study.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -34,12 +34,12 @@ struct CheckResult {
 /// Looks the checks' instants up in a run's table of probes (first column t), between two rows linearly. Of
 /// checks against another run the value is the difference, this run's minus the other's; the other's folder
 /// stands beside `folder`, this run's own.
-std::vector<CheckResult> evaluate_checks(std::span<const deck::Check> checks, const Table& probes,
+std::vector<CheckResult> evaluate_checks(std::span<const study::Check> checks, const Table& probes,
                                          const std::filesystem::path& folder = {});
 
 /// The comparison as a table for people.
 std::string to_text(std::span<const CheckResult> results);
 
-std::string_view to_string(deck::CheckSource source);
+std::string_view to_string(study::CheckSource source);
 
 } // namespace rubato::results

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/hdf5_file.hpp"
 
-#include "rubato/writing.hpp"
+#include "rubato/core/writing.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/med_fields.hpp"
 
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med_file.hpp"
-#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 #include <med.h>

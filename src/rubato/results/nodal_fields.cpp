@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/nodal_fields.hpp"
 
-#include "rubato/fem/recovery.hpp"
+#include "rubato/domain/recovery.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ mesh::NodeIndex node_of(const contact::SlavePoint& point) {
 /// Pressure of the nodes: where they have multipliers their own, else the mean of the points around.
 void put_pressure(const contact::Zone& zone, const contact::ZoneState& state, std::vector<double>& values) {
   const auto variables = zone.multiplier_variables();
-  const bool own = !variables.empty() && variables.front() == 0 && !deck::is_nodal(zone.settings.method);
+  const bool own = !variables.empty() && variables.front() == 0 && !study::is_nodal(zone.settings.method);
   VectorXd pressure = VectorXd::Zero(static_cast<Index>(zone.slave.nodes.size()));
   VectorXd share = VectorXd::Zero(pressure.size());
   for (Index i = 0; own && i < pressure.size(); ++i)
@@ -97,7 +97,7 @@ std::vector<OwnedField> nodal_fields(const Model& model, const step::State& now)
   fields.push_back(vector_field(model, "displacement", now.motion.u));
   fields.push_back(vector_field(model, "velocity", now.motion.v));
   fields.push_back(vector_field(model, "acceleration", now.motion.a));
-  const auto recovered = fem::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u);
+  const auto recovered = domain::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u);
   const auto& stress = recovered.stress;
   OwnedField tensor{
       "stress", 6, {stress.data(), stress.data() + stress.size()}, {"xx", "yy", "zz", "xy", "yz", "xz"}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/recorder.hpp"
 
+#include "rubato/core/writing.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/results/attempt_json.hpp"
@@ -10,7 +11,6 @@
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/vtu.hpp"
 #include "rubato/version.hpp"
-#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -56,33 +56,33 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
   });
 }
 
-const Eigen::VectorXd& field_of(const step::State& state, deck::ProbeField field) {
+const Eigen::VectorXd& field_of(const step::State& state, study::ProbeField field) {
   switch (field) {
-  case deck::ProbeField::displacement:
+  case study::ProbeField::displacement:
     return state.motion.u;
-  case deck::ProbeField::velocity:
+  case study::ProbeField::velocity:
     return state.motion.v;
-  case deck::ProbeField::acceleration:
+  case study::ProbeField::acceleration:
     return state.motion.a;
-  case deck::ProbeField::reaction:
+  case study::ProbeField::reaction:
     break;
   }
   return state.reaction;
 }
 
 /// `values`: of one component at the nodes of a probe, at least one.
-double taken(deck::ProbeTake take, const std::vector<double>& values) {
+double taken(study::ProbeTake take, const std::vector<double>& values) {
   const auto sum = [&] { return std::accumulate(values.begin(), values.end(), 0.0); };
   switch (take) {
-  case deck::ProbeTake::sum:
+  case study::ProbeTake::sum:
     return sum();
-  case deck::ProbeTake::mean:
+  case study::ProbeTake::mean:
     return sum() / static_cast<double>(values.size());
-  case deck::ProbeTake::least:
+  case study::ProbeTake::least:
     return *std::ranges::min_element(values);
-  case deck::ProbeTake::largest:
+  case study::ProbeTake::largest:
     return *std::ranges::max_element(values);
-  case deck::ProbeTake::node:
+  case study::ProbeTake::node:
     break;
   }
   return values.front();

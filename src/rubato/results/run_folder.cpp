@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/run_folder.hpp"
 
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 
 #include <fmt/format.h>
 

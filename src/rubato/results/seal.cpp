@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/seal.hpp"
 
-#include "rubato/error.hpp"
-#include "rubato/writing.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/core/writing.hpp"
 
 #include <fmt/format.h>
 

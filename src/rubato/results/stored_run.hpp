@@ -2,9 +2,9 @@
 /// A run's folder, read back.
 #pragma once
 
-#include "rubato/deck/study.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/results/run_status.hpp"
+#include "rubato/study/study.hpp"
 
 #include <filesystem>
 #include <string>
@@ -13,7 +13,7 @@
 namespace rubato::results {
 
 struct StoredRun {
-  deck::Study study;
+  study::Study study;
   RunStatus status = RunStatus::running;
   std::string reason; ///< why it is not complete
   Table probes;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/vtu.hpp"
 
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/vtu.hpp"
-#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #include "rubato/run/advice.hpp"
 
 #include "rubato/deck/read.hpp"
-#include "rubato/deck/words.hpp"
 #include "rubato/model/rigid_motions.hpp"
+#include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ constexpr int more_rounds = 3;
 /// Gathers what may help.
 class Advice {
 public:
-  explicit Advice(const deck::Study& study) : study_(study) {}
+  explicit Advice(const study::Study& study) : study_(study) {}
 
   void add(std::string text) {
     if (std::ranges::find(lines_, text) == lines_.end())
@@ -45,7 +45,7 @@ public:
   std::vector<std::string> take() { return std::move(lines_); }
 
 private:
-  const deck::Study& study_;
+  const study::Study& study_;
   std::vector<std::string> lines_;
 };
 
@@ -63,8 +63,8 @@ std::string key_of(const contact::Zone& zone, const std::string& key) {
   return fmt::format("contact.{}.{}", zone.settings.name, key);
 }
 
-void on_loop(const contact::Zone& zone, const deck::Level& level, const std::string& name, Advice& advice) {
-  if (level.by != deck::Iteration::fixed_point)
+void on_loop(const contact::Zone& zone, const study::Level& level, const std::string& name, Advice& advice) {
+  if (level.by != study::Iteration::fixed_point)
     return;
   const auto key = key_of(zone, "iterate." + name);
   advice.set(key, "newton");
@@ -76,15 +76,15 @@ void on_loop(const contact::Zone& zone, const deck::Level& level, const std::str
 /// Springs in the place of exact gaps.
 void on_gap(const contact::Zone& zone, Advice& advice) {
   const auto key = key_of(zone, "method");
-  const std::string method = deck::is_nodal(zone.settings.method) ? "nodal_penalty" : "penalty";
+  const std::string method = study::is_nodal(zone.settings.method) ? "nodal_penalty" : "penalty";
   advice.add(fmt::format("{}: {}, whose gaps need not close", key, method),
              {{key, method}, {key_of(zone, "friction_method"), ""}, {key_of(zone, "coefficients"), ""}});
 }
 
 void on_projection(const contact::Zone& zone, Advice& advice) {
-  for (const auto normal : {deck::ContactNormal::slave, deck::ContactNormal::average})
+  for (const auto normal : {study::ContactNormal::slave, study::ContactNormal::average})
     if (zone.settings.normal != normal)
-      advice.set(key_of(zone, "normal"), std::string(deck::word_of(deck::contact_normal_words, normal)));
+      advice.set(key_of(zone, "normal"), std::string(study::word_of(study::contact_normal_words, normal)));
 }
 
 void on_lost_point(const model::Model& model, const step::Unmet& unmet, Advice& advice) {
@@ -96,7 +96,7 @@ void on_lost_point(const model::Model& model, const step::Unmet& unmet, Advice& 
 }
 
 void on_status(const contact::Zone& zone, Advice& advice) {
-  if (zone.settings.status.by == deck::Iteration::newton)
+  if (zone.settings.status.by == study::Iteration::newton)
     advice.set(key_of(zone, "iterate.status"), "fixed_point");
   else
     on_loop(zone, zone.settings.status, "status", advice);
@@ -110,7 +110,7 @@ void on_singular(const model::Model& model, Advice& advice) {
   if (!loose.empty())
     return;
   for (const auto& zone : model.zones)
-    if (deck::is_exact(zone.settings.method))
+    if (study::is_exact(zone.settings.method))
       advice.add(fmt::format("{}: the slave nodes that supports hold", key_of(zone, "exclude_nodes")));
 }
 
@@ -118,14 +118,14 @@ void on_singular(const model::Model& model, Advice& advice) {
 void on_coefficients(const contact::Zone& zone, Advice& advice) {
   const auto& settings = zone.settings;
   const bool springs =
-      settings.friction > 0 && settings.friction_method != deck::FrictionMethod::augmented_lagrangian;
+      settings.friction > 0 && settings.friction_method != study::FrictionMethod::augmented_lagrangian;
   const auto smaller = [&](const char* name, double now) {
     advice.add(fmt::format("a smaller {} than {:g}, or none",
                            key_of(zone, std::string("coefficients.") + name), now));
   };
   if (springs && settings.tangential_coefficient)
     smaller("tangential", *settings.tangential_coefficient);
-  if (!deck::is_exact(settings.method) && settings.normal_coefficient)
+  if (!study::is_exact(settings.method) && settings.normal_coefficient)
     smaller("normal", *settings.normal_coefficient);
 }
 
@@ -162,13 +162,13 @@ bool only_residual(const step::StepReport& report) {
 }
 
 /// The keys of time that moreau_jean does not take, as a run removes them.
-std::string without_numbers(const deck::TimeStepping& time) {
+std::string without_numbers(const study::TimeStepping& time) {
   std::string removed;
   const auto remove = [&](bool given, std::string_view key) {
     if (given)
       removed += fmt::format(", {}: ~", key);
   };
-  using enum deck::SchemeKind;
+  using enum study::SchemeKind;
   remove(time.scheme == newmark && time.beta, "beta");
   remove(time.scheme == newmark && time.gamma, "gamma");
   remove(time.scheme == hht || time.scheme == modified_average_acceleration, "alpha");
@@ -183,7 +183,7 @@ void on_scheme(const model::Model& model, const time::Scheme& scheme, Advice& ad
   advice.add(fmt::format("time: {}, which gains no energy from contact", time), {{"time", time}});
 }
 
-void on_step(const deck::TimeStepping& time, const results::Failure& failure, Advice& advice) {
+void on_step(const study::TimeStepping& time, const results::Failure& failure, Advice& advice) {
   if (std::pow(time.cut_parts, failure.cut_level) >= short_enough)
     return;
   if (time.instants.empty())
@@ -208,7 +208,7 @@ void on_place(const model::Model& model, const step::StepReport& report, Advice&
 
 bool feeds_on_contact(const model::Model& model, const time::Scheme& scheme) {
   return time::is_undamped(scheme) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
-           return deck::is_exact(zone.settings.method);
+           return study::is_exact(zone.settings.method);
          });
 }
 

@@ -25,13 +25,13 @@ constexpr double part_of_step = 1e-6;
       "{}: the checkpoint is of another run: {}; without --resume the run starts over", file.string(), why));
 }
 
-bool reaches_end(const deck::TimeStepping& time, double t) {
+bool reaches_end(const study::TimeStepping& time, double t) {
   return t >= time.end - same_end * (time.end - time.begin);
 }
 
 } // namespace
 
-std::optional<results::Checkpoint> find_checkpoint(const deck::Study& study, const Course& course) {
+std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, const Course& course) {
   const auto file = course.folder / results::checkpoint_file;
   if (!std::filesystem::exists(file))
     return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<results::Checkpoint> find_checkpoint(const deck::Study& study, con
   return checkpoint;
 }
 
-std::optional<RunResult> finished_run(const deck::Study& study, const Course& course) {
+std::optional<RunResult> finished_run(const study::Study& study, const Course& course) {
   if (!course.from || !reaches_end(study.time, course.from->state.t) ||
       !std::filesystem::exists(course.folder / results::summary_file))
     return std::nullopt;
@@ -70,7 +70,7 @@ std::optional<RunResult> finished_run(const deck::Study& study, const Course& co
   return result;
 }
 
-std::optional<RunResult> unchanged_run(const deck::Study& study, Course& course) {
+std::optional<RunResult> unchanged_run(const study::Study& study, Course& course) {
   try {
     course.from = find_checkpoint(study, course);
     if (course.from && results::same_results_expected(course.from->study, deck::to_json(study)))
@@ -82,7 +82,7 @@ std::optional<RunResult> unchanged_run(const deck::Study& study, Course& course)
   return std::nullopt;
 }
 
-Keeper::Keeper(const deck::Study& study, const Course& course, const Watch& watch)
+Keeper::Keeper(const study::Study& study, const Course& course, const Watch& watch)
     : settings_(study.checkpoint), course_(course), watch_(watch), study_(deck::to_json(study)) {}
 
 bool Keeper::is_due(int count, double t, double step) const {

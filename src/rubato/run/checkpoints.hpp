@@ -2,11 +2,11 @@
 /// When a run keeps checkpoints, and which ones it may go on from.
 #pragma once
 
-#include "rubato/deck/study.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/results/checkpoint.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/run/time_loop.hpp"
+#include "rubato/study/study.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -27,20 +27,20 @@ struct Course {
 
 /// The checkpoint in the run's folder; nothing when there is none. Throws InputError, with the reason, when
 /// it is not one this run can go on from.
-std::optional<results::Checkpoint> find_checkpoint(const deck::Study& study, const Course& course);
+std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, const Course& course);
 
 /// The run as it was left in its folder, when it came to the end that the study wants.
-std::optional<RunResult> finished_run(const deck::Study& study, const Course& course);
+std::optional<RunResult> finished_run(const study::Study& study, const Course& course);
 
 /// The same of a run that the study would make again with every result: `course.from` is its checkpoint then,
 /// else nothing, as when the folder holds no run, another one, or one that was not finished.
-std::optional<RunResult> unchanged_run(const deck::Study& study, Course& course);
+std::optional<RunResult> unchanged_run(const study::Study& study, Course& course);
 
 /// Writes the checkpoints of a run.
 class Keeper {
 public:
   /// Everything must outlive this.
-  Keeper(const deck::Study& study, const Course& course, const Watch& watch);
+  Keeper(const study::Study& study, const Course& course, const Watch& watch);
 
   /// Whether the step that led to t in `step`, the run's `count`-th, is one to keep: no step is made shorter
   /// for a checkpoint, so that results don't depend on it.
@@ -52,7 +52,7 @@ public:
   bool keep(const std::function<results::Checkpoint()>& make) const;
 
 private:
-  const deck::CheckpointOutput& settings_;
+  const study::CheckpointOutput& settings_;
   const Course& course_;
   const Watch& watch_;
   std::string study_; ///< its echo

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/explicit_loop.hpp"
 
+#include "rubato/core/writing.hpp"
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/loop_parts.hpp"
 #include "rubato/step/explicit.hpp"
 #include "rubato/step/finiteness.hpp"
 #include "rubato/time/step_control.hpp"
-#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ int whole(double quotient) {
 }
 
 /// The begin and the instants of records, those of `time.stops` among them.
-std::vector<double> instants_of(const deck::TimeStepping& time, int records) {
+std::vector<double> instants_of(const study::TimeStepping& time, int records) {
   std::vector<double> instants{time.begin};
   for (int record = 1; record < records; ++record)
     instants.push_back(time::as_meant(time.begin + record * (time.end - time.begin) / records, time.begin));
@@ -39,7 +39,7 @@ std::vector<double> instants_of(const deck::TimeStepping& time, int records) {
 }
 
 /// Throws InputError when the deck asks for steps that would not be stable.
-void check_step(const deck::TimeStepping& time, double stable) {
+void check_step(const study::TimeStepping& time, double stable) {
   if (time.step > stable)
     throw InputError(
         fmt::format("time.step: found {:g}, expected at most the stable step of this model, {:g}, "
@@ -252,7 +252,7 @@ private:
   }
 
   const model::Model& model_;
-  const deck::TimeStepping& time_;
+  const study::TimeStepping& time_;
   Course& course_;
   const Watch& watch_;
   step::ExplicitMotion motion_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/time_loop.hpp"
 
+#include "rubato/core/writing.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/advice.hpp"
@@ -13,7 +14,6 @@
 #include "rubato/step/finiteness.hpp"
 #include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
-#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
@@ -64,14 +64,14 @@ void check_fits(const model::Model& model, const step::State& end) {
 
 step::State first_state(const model::Model& model, const time::Scheme& scheme, const step::State* previous) {
   const auto& settings = model.study.time;
-  if (settings.start == deck::StartKind::from_run) {
+  if (settings.start == study::StartKind::from_run) {
     if (previous == nullptr)
       throw std::invalid_argument("a study that starts from another run needs the end of that run");
     check_fits(model, *previous);
     return step::continued_state(model, scheme, *previous, settings.begin);
   }
   return step::initial_state(model, scheme, settings.begin,
-                             settings.start != deck::StartKind::at_rest_unloaded);
+                             settings.start != study::StartKind::at_rest_unloaded);
 }
 
 class Loop {
@@ -157,7 +157,7 @@ private:
   /// Throws InputError when the deck wants what the matrix doesn't allow.
   void tell_solver() {
     const auto& system = systems_.of(control_.length());
-    if (model_.study.solver == deck::Solver::condensed && !system.compliance)
+    if (model_.study.solver == study::Solver::condensed && !system.compliance)
       throw InputError("solver: found condensed, but the effective matrix is not positive definite without "
                        "contact; expected auto or full");
     tell_scheme();
@@ -175,7 +175,7 @@ private:
   void tell_scheme() {
     const auto& settings = model_.study.time;
     const auto name = std::ranges::find(time::all_schemes(), settings.scheme, &time::SchemeEntry::kind)->name;
-    const bool massless = settings.contact_mass == deck::ContactMass::redistributed;
+    const bool massless = settings.contact_mass == study::ContactMass::redistributed;
     watch_.say(fmt::format("{}: scheme {}{}", model_.study.name, name,
                            massless ? ", contact surfaces without mass" : ""));
     if (!course_.from && feeds_on_contact(model_, scheme_))
@@ -319,7 +319,7 @@ bool RunResult::checks_hold() const {
   return std::ranges::all_of(checks, &results::CheckResult::holds);
 }
 
-RunResult run_study(const deck::Study& study, const std::filesystem::path& folder, const Watch& watch,
+RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous, Begin begin) {
   const double start = processor_seconds();
   auto mesh = model::load_mesh(study.mesh);
@@ -354,7 +354,7 @@ RunResult run_study(const deck::Study& study, const std::filesystem::path& folde
                         }()));
   for (const auto& note : model.notes)
     watch.warn(fmt::format("{}: {}", study.name, note));
-  if (deck::is_explicit(study.time.scheme))
+  if (study::is_explicit(study.time.scheme))
     return run_explicit(model, course, watch, start);
   return Loop(model, course, watch, previous).run(start);
 }

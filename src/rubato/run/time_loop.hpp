@@ -2,13 +2,13 @@
 /// The whole story of a run: build the model, step through time, record, check.
 #pragma once
 
-#include "rubato/deck/study.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/run_status.hpp"
 #include "rubato/step/energy.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
+#include "rubato/study/study.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -70,7 +70,7 @@ enum class Begin { anew, resumed, unless_done };
 /// Throws InputError, before the folder is made or touched, for a study that cannot be run, for an end that
 /// does not fit it, and for a checkpoint it cannot go on from. A run that came to its end is not run again
 /// when it is resumed, nor `unless_done` when deck, mesh and the end it starts from are those it had.
-RunResult run_study(const deck::Study& study, const std::filesystem::path& folder, const Watch& watch,
+RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous = nullptr, Begin begin = Begin::anew);
 
 } // namespace rubato::run

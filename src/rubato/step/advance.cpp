@@ -51,9 +51,9 @@ public:
   /// Without one, every attempt is the same.
   bool has_augmentation() const {
     return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
-      return deck::is_exact(zone.settings.method) ||
+      return study::is_exact(zone.settings.method) ||
              (zone.settings.friction > 0 &&
-              zone.settings.friction_method == deck::FrictionMethod::augmented_lagrangian);
+              zone.settings.friction_method == study::FrictionMethod::augmented_lagrangian);
     });
   }
 
@@ -66,7 +66,7 @@ public:
 
   bool has_newton_geometry() const {
     return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
-      return zone.settings.geometry.by == deck::Iteration::newton;
+      return zone.settings.geometry.by == study::Iteration::newton;
     });
   }
 
@@ -75,7 +75,7 @@ public:
 
   bool has_status_loop() const {
     return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
-      return zone.settings.status.by == deck::Iteration::fixed_point;
+      return zone.settings.status.by == study::Iteration::fixed_point;
     });
   }
 
@@ -129,7 +129,7 @@ private:
 };
 
 std::string solver_text(const Model& model, const EffectiveSystem& system) {
-  if (model.study.solver == deck::Solver::full)
+  if (model.study.solver == study::Solver::full)
     return "full, as the deck says";
   if (!system.compliance)
     return "full: the effective matrix is not positive definite without contact";

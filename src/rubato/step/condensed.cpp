@@ -45,21 +45,21 @@ void CondensedScratch::forget() {
 bool can_condense(const Model& model, const EffectiveSystem& system) {
   return system.compliance && !model.zones.empty() &&
          std::ranges::all_of(model.zones, [](const contact::Zone& zone) {
-           return zone.points_own_multipliers && zone.settings.method != deck::ContactMethod::nodal_pcg;
+           return zone.points_own_multipliers && zone.settings.method != study::ContactMethod::nodal_pcg;
          });
 }
 
 bool can_guess(const Model& model, const EffectiveSystem& system) {
   return system.compliance && !model.zones.empty() &&
          std::ranges::none_of(model.zones, [](const contact::Zone& zone) {
-           return zone.settings.method == deck::ContactMethod::nodal_pcg;
+           return zone.settings.method == study::ContactMethod::nodal_pcg;
          });
 }
 
 std::optional<Start> other_start(const Model& model, const EffectiveSystem& system) {
   const bool guesses =
       can_guess(model, system) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
-        return zone.settings.status.by == deck::Iteration::newton;
+        return zone.settings.status.by == study::Iteration::newton;
       });
   if (!guesses)
     return std::nullopt;
@@ -313,7 +313,7 @@ ContactForce Condensed::contact_force() const {
         force.all[dof] += on_dof;
         if (!settings.history_force)
           force.forgotten[dof] += on_dof;
-        if (deck::is_nodal(settings.method))
+        if (study::is_nodal(settings.method))
           force.nodal[dof] += on_dof;
       }
   }

@@ -25,10 +25,10 @@ constexpr double deep_in_edges = 0.5;
 
 /// Augmentations may be anything; penalties are the user's.
 void vary(const contact::Zone& zone, const Variant& variant, contact::ZoneCoefficients& coefficients) {
-  if (deck::is_exact(zone.settings.method))
+  if (study::is_exact(zone.settings.method))
     for (auto& normal : coefficients.normal)
       normal *= variant.normal_multiple;
-  if (zone.settings.friction_method == deck::FrictionMethod::augmented_lagrangian)
+  if (zone.settings.friction_method == study::FrictionMethod::augmented_lagrangian)
     for (auto& tangential : coefficients.tangential)
       tangential *= variant.tangential_multiple;
 }
@@ -319,7 +319,7 @@ std::optional<Unmet> ContactSide::open_gap(const Held& held, const ContactIterat
   std::optional<Unmet> worst;
   for (std::size_t z = 0; z < now.points.size(); ++z) {
     const auto& zone = model_.zones[z];
-    if (!deck::is_exact(zone.settings.method))
+    if (!study::is_exact(zone.settings.method))
       continue;
     const double allowed = closed_gap * zone.edge();
     const auto check = [&](double gap, mesh::NodeIndex node) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/effective_system.hpp"
 
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/step/linear_step.hpp"
 #include "rubato/time/step_control.hpp"
@@ -107,7 +107,7 @@ double add_weak_springs(const Model& model, EffectiveSystem& system) {
 /// A free body that lies on few points moves by more than the elastic displacements before it comes to rest:
 /// augmentations of the stiffness of the body would open points that press for gaps that are traces of that.
 void soften_augmentation(const contact::Zone& zone, double weak, contact::ZoneCoefficients& coefficients) {
-  if (!deck::is_exact(zone.settings.method) || zone.settings.normal_coefficient)
+  if (!study::is_exact(zone.settings.method) || zone.settings.normal_coefficient)
     return;
   for (std::size_t i = 0; i < zone.points.size(); ++i)
     coefficients.normal[i] =
@@ -115,8 +115,8 @@ void soften_augmentation(const contact::Zone& zone, double weak, contact::ZoneCo
 }
 
 bool has_springs(const contact::Zone& zone) {
-  return !deck::is_exact(zone.settings.method) ||
-         zone.settings.friction_method == deck::FrictionMethod::nodal_penalty;
+  return !study::is_exact(zone.settings.method) ||
+         zone.settings.friction_method == study::FrictionMethod::nodal_penalty;
 }
 
 /// What only leads to the answer follows the step at hand. Springs are part of the model: stiffer ones in a
@@ -127,7 +127,7 @@ contact::ZoneCoefficients coefficients_of(const contact::Zone& zone, const Model
   if (!has_springs(zone))
     return coefficients;
   auto usual = contact::automatic_coefficients(zone, model.dofs, usual_diagonal(model, scheme));
-  if (!deck::is_exact(zone.settings.method))
+  if (!study::is_exact(zone.settings.method))
     return usual;
   coefficients.tangential = std::move(usual.tangential);
   return coefficients;
@@ -159,7 +159,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
       soften_augmentation(zone, weak, system.zones.back());
     system.neighbours.emplace_back(zone);
   }
-  if (model.study.solver != deck::Solver::full)
+  if (model.study.solver != study::Solver::full)
     if (auto factor = factored(model, system.matrix, tell_memory))
       system.compliance = std::make_unique<Compliance>(std::move(*factor), model.free_dofs,
                                                        static_cast<Eigen::Index>(model.dofs.dof_count));

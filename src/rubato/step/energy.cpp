@@ -195,7 +195,7 @@ double EnergyAccount::dissipation_of_inertia(const VectorXd& moved, const State&
 double energy_of_springs(std::span<const contact::Zone> zones, std::span<const contact::ZoneState> states) {
   double sum = 0;
   for (std::size_t z = 0; z < states.size(); ++z)
-    if (!deck::is_exact(zones[z].settings.method))
+    if (!study::is_exact(zones[z].settings.method))
       for (const auto& outcome : states[z].outcomes)
         if (outcome.gap < 0)
           sum -= 0.5 * outcome.gap * outcome.normal.norm();

@@ -36,9 +36,9 @@ VectorXd history_forces(const time::Scheme& scheme, const State& committed) {
 double stiffness_of_springs(const contact::Zone& zone, const contact::ZoneCoefficients& coefficients,
                             std::size_t point) {
   double stiffness = 0;
-  if (!deck::is_exact(zone.settings.method))
+  if (!study::is_exact(zone.settings.method))
     stiffness = std::abs(zone.points[point].weight) * coefficients.normal[point];
-  if (zone.settings.friction > 0 && zone.settings.friction_method == deck::FrictionMethod::nodal_penalty)
+  if (zone.settings.friction > 0 && zone.settings.friction_method == study::FrictionMethod::nodal_penalty)
     stiffness = std::max(stiffness, coefficients.tangential[point]);
   return stiffness;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/explicit.hpp"
 
+#include "rubato/core/function.hpp"
 #include "rubato/linalg/lanczos.hpp"
-#include "rubato/load/function.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@ constexpr double rounding = 1e-9;
 /// How many times stiffer a spring counts that only pushes.
 constexpr double impact = 4;
 
-double factor_at(const std::optional<deck::Function>& function, double t) {
-  return function ? load::value_at(*function, t) : 1.0;
+double factor_at(const std::optional<Function>& function, double t) {
+  return function ? value_at(*function, t) : 1.0;
 }
 
 VectorXd inverse_masses(const Model& model) {

@@ -78,7 +78,7 @@ private:
   struct Load {
     std::vector<int> dofs;
     std::vector<double> values; ///< [force]
-    const std::optional<deck::Function>* function;
+    const std::optional<Function>* function;
     double displacement = 0; ///< values · u
     double factor = 0;       ///< of the function, now
   };

@@ -61,7 +61,7 @@ void set_forces(const contact::PointOutcome& outcome, const contact::Kinematics&
 /// Which of their points stick and which slip is often not unique: the last step's statuses are the better
 /// start then, and the one that other codes take.
 bool has_friction_springs(const contact::Zone& zone) {
-  return zone.settings.friction > 0 && zone.settings.friction_method == deck::FrictionMethod::nodal_penalty;
+  return zone.settings.friction > 0 && zone.settings.friction_method == study::FrictionMethod::nodal_penalty;
 }
 
 double friction_limit(const GuessPoint& guess) {
@@ -117,7 +117,7 @@ void take_points(const Model& model, const ContactSide& side, const Held& held, 
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
     const auto law = side.law_of(z, held);
-    const bool soft = !deck::is_exact(zone.settings.method);
+    const bool soft = !study::is_exact(zone.settings.method);
     const bool averaged = !zone.points_own_multipliers;
     for (std::size_t i = 0; held[z].status.empty() && i < zone.points.size(); ++i) {
       const auto& kinematics = contact.points[z][i].kinematics;

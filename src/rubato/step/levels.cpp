@@ -14,9 +14,9 @@ namespace rubato::step {
 namespace {
 
 using contact::PointEvaluation;
-using deck::Iteration;
 using Eigen::VectorXd;
 using model::Model;
+using study::Iteration;
 
 /// How settled a geometry should be that the zones want by Newton but a loop found.
 constexpr double newton_like = 1e-8;
@@ -39,16 +39,16 @@ struct Loop {
   }
 };
 
-using LevelOfZone = deck::Level deck::ContactZone::*;
+using LevelOfZone = study::Level study::ContactZone::*;
 
 /// Whether this attempt loops a level that the zone wants by Newton.
 bool loops_instead(const contact::Zone& zone, LevelOfZone level, const Variant& variant) {
-  return variant.geometry_by_loop && level == &deck::ContactZone::geometry &&
+  return variant.geometry_by_loop && level == &study::ContactZone::geometry &&
          zone.settings.geometry.by == Iteration::newton;
 }
 
 bool loops(const contact::Zone& zone, LevelOfZone level, const Variant& variant) {
-  if (variant.status_by_newton && level == &deck::ContactZone::status)
+  if (variant.status_by_newton && level == &study::ContactZone::status)
     return false;
   return (zone.settings.*level).by == Iteration::fixed_point || loops_instead(zone, level, variant);
 }
@@ -93,7 +93,7 @@ private:
   bool loops(LevelOfZone level) const { return loop_of(model_, level, side_.variant()).exists; }
 
   void settle_geometry() {
-    const auto loop = loop_of(model_, &deck::ContactZone::geometry, side_.variant());
+    const auto loop = loop_of(model_, &study::ContactZone::geometry, side_.variant());
     for (int round = 1; round <= loop.max_rounds; ++round) {
       const VectorXd before = trial_.motion.u;
       const int spent = iterations_;
@@ -113,7 +113,7 @@ private:
   }
 
   void settle_friction() {
-    const auto loop = loop_of(model_, &deck::ContactZone::threshold, side_.variant());
+    const auto loop = loop_of(model_, &study::ContactZone::threshold, side_.variant());
     for (int round = 1; round <= loop.max_rounds; ++round) {
       const int spent = iterations_;
       settle_status();
@@ -132,7 +132,7 @@ private:
   }
 
   void settle_status() {
-    const auto loop = loop_of(model_, &deck::ContactZone::status, side_.variant());
+    const auto loop = loop_of(model_, &study::ContactZone::status, side_.variant());
     hold_status();
     for (int round = 1; round <= loop.max_rounds; ++round) {
       auto report = solve_(trial_, held_);
@@ -153,15 +153,15 @@ private:
   }
 
   void hold_frames(int round) {
-    if (!loops(&deck::ContactZone::geometry))
+    if (!loops(&study::ContactZone::geometry))
       return;
     const Held before = std::exchange(held_, released());
     auto here = side_.at(trial_, held_);
     for (std::size_t z = 0; z < held_.size(); ++z) {
-      if (!loops(z, &deck::ContactZone::geometry))
+      if (!loops(z, &study::ContactZone::geometry))
         continue;
       held_[z].frames = contact::with_held_frames(std::move(here.points[z]));
-      const bool instead = loops_instead(model_.zones[z], &deck::ContactZone::geometry, side_.variant());
+      const bool instead = loops_instead(model_.zones[z], &study::ContactZone::geometry, side_.variant());
       if (round > (instead ? patience : own_patience))
         hold_between(before[z].frames, z, instead);
       former_faces_[z] = faces_of(before[z].frames);
@@ -207,12 +207,12 @@ private:
 
   /// The friction pressures that are held from here on, zone after zone.
   std::vector<double> hold_thresholds() {
-    if (!loops(&deck::ContactZone::threshold))
+    if (!loops(&study::ContactZone::threshold))
       return {};
     const auto here = side_.at(trial_, held_);
     std::vector<double> all;
     for (std::size_t z = 0; z < held_.size(); ++z) {
-      if (!loops(z, &deck::ContactZone::threshold))
+      if (!loops(z, &study::ContactZone::threshold))
         continue;
       held_[z].thresholds =
           contact::friction_pressures(side_.law_of(z, held_), here.points[z], here.status[z]);
@@ -222,13 +222,13 @@ private:
   }
 
   void hold_status() {
-    if (!loops(&deck::ContactZone::status))
+    if (!loops(&study::ContactZone::status))
       return;
     for (auto& zone : held_)
       zone.status.clear();
     const auto here = side_.at(trial_, held_);
     for (std::size_t z = 0; z < held_.size(); ++z)
-      if (loops(z, &deck::ContactZone::status))
+      if (loops(z, &study::ContactZone::status))
         held_[z].status = here.status[z];
   }
 
@@ -236,7 +236,7 @@ private:
   void take_wanted_status() {
     const auto here = side_.at(trial_, held_);
     for (std::size_t z = 0; z < held_.size(); ++z) {
-      if (!loops(z, &deck::ContactZone::status))
+      if (!loops(z, &study::ContactZone::status))
         continue;
       auto wanted = contact::wanted_status(side_.law_of(z, held_), here.points[z]);
       for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -277,7 +277,7 @@ private:
     double largest = -1;
     std::size_t at = 0;
     for (std::size_t z = 0; z < held_.size(); ++z)
-      for (std::size_t i = 0; loops(z, &deck::ContactZone::threshold) && i < held_[z].thresholds.size();
+      for (std::size_t i = 0; loops(z, &study::ContactZone::threshold) && i < held_[z].thresholds.size();
            ++i, ++at)
         if (const double here = std::abs(pressures_[at] - before[at]); here > largest) {
           largest = here;

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 using model::Model;
 
 bool by_projected_cg(const Model& model) {
-  return !model.zones.empty() && model.zones.front().settings.method == deck::ContactMethod::nodal_pcg;
+  return !model.zones.empty() && model.zones.front().settings.method == study::ContactMethod::nodal_pcg;
 }
 
 } // namespace
@@ -99,7 +99,7 @@ void Newton::add_zone(std::size_t z, const Held& held) {
                              model_.multiplier_offsets[z], contact_);
   if (!settings.history_force)
     force_.forgotten += contact_.force - before;
-  if (deck::is_nodal(settings.method))
+  if (study::is_nodal(settings.method))
     force_.nodal += contact_.force - before;
 }
 

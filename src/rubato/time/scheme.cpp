@@ -7,7 +7,7 @@
 namespace rubato::time {
 namespace {
 
-using deck::SchemeKind;
+using study::SchemeKind;
 
 constexpr std::array<SchemeEntry, 7> entries{{
     {SchemeKind::newmark, "newmark", "NEWMARK", "average acceleration, or any β and γ"},
@@ -54,7 +54,7 @@ Scheme theta_method(double theta) {
 
 } // namespace
 
-Scheme make_scheme(const deck::TimeStepping& settings) {
+Scheme make_scheme(const study::TimeStepping& settings) {
   switch (settings.scheme) {
   case SchemeKind::newmark: {
     Scheme scheme;

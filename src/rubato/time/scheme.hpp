@@ -8,7 +8,7 @@
 /// with the predictor ũ = u₀, ṽ = (β−γ)/β v₀ + (2β−γ)h/(2β) a₀, ã = −v₀/(βh) + (2β−1)/(2β) a₀.
 #pragma once
 
-#include "rubato/deck/study.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
 
@@ -43,7 +43,7 @@ struct Scheme {
 /// (1−θ) v₀), a₁ = (v₁ − v₀)/h, forces and damping weighted alike (M. Jean, The non-smooth contact dynamics
 /// method, Comput. Methods Appl. Mech. Eng. 177 (1999) 235–257). static_steps: no inertia. Throws
 /// std::invalid_argument for central_difference, which step/explicit.hpp computes.
-Scheme make_scheme(const deck::TimeStepping& settings);
+Scheme make_scheme(const study::TimeStepping& settings);
 
 /// Whether high frequencies keep their energy, so that exact contact feeds them.
 bool is_undamped(const Scheme& scheme);
@@ -68,7 +68,7 @@ Motion predict(const Scheme& scheme, double step, const Motion& start);
 void correct(const StepCoefficients& coefficients, const Eigen::VectorXd& d, Motion& motion);
 
 struct SchemeEntry {
-  deck::SchemeKind kind;
+  study::SchemeKind kind;
   std::string_view name;
   std::string_view code_aster;
   std::string_view summary;

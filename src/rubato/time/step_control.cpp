@@ -43,7 +43,7 @@ std::vector<double> with_stops(std::vector<double> instants, std::span<const dou
 
 namespace {
 
-std::vector<double> listed_or_even(const deck::TimeStepping& settings) {
+std::vector<double> listed_or_even(const study::TimeStepping& settings) {
   std::vector<double> instants{settings.begin};
   if (!settings.instants.empty()) {
     std::ranges::copy_if(settings.instants, std::back_inserter(instants),
@@ -61,11 +61,11 @@ std::vector<double> listed_or_even(const deck::TimeStepping& settings) {
 
 } // namespace
 
-std::vector<double> instants_of(const deck::TimeStepping& settings) {
+std::vector<double> instants_of(const study::TimeStepping& settings) {
   return with_stops(listed_or_even(settings), settings.stops);
 }
 
-StepControl::StepControl(const deck::TimeStepping& settings, double start)
+StepControl::StepControl(const study::TimeStepping& settings, double start)
     : instants_(instants_of(settings)), now_(start),
       usual_length_(settings.instants.empty() ? settings.step : 0), parts_(settings.cut_parts),
       levels_(settings.cut_levels) {

@@ -2,7 +2,7 @@
 /// Which instants a run aims at, and how it gets there when steps fail: cut, and grow back.
 #pragma once
 
-#include "rubato/deck/study.hpp"
+#include "rubato/study/study.hpp"
 
 #include <span>
 #include <vector>
@@ -18,14 +18,14 @@ double as_meant(double t, double begin);
 std::vector<double> with_stops(std::vector<double> instants, std::span<const double> stops);
 
 /// The instants a run must reach, ascending, the first one being the start; its stops among them.
-std::vector<double> instants_of(const deck::TimeStepping& settings);
+std::vector<double> instants_of(const study::TimeStepping& settings);
 
 /// Walks through the list of instants. A failed step is cut into `cut_parts`; the parts may be cut again,
 /// `cut_levels` deep. Parts that succeed bring the walk back to the list, so growing back needs no memory
 /// beyond the stack of ends. A value: copying it copies the place in the list.
 class StepControl {
 public:
-  StepControl(const deck::TimeStepping& settings, double start);
+  StepControl(const study::TimeStepping& settings, double start);
 
   bool finished() const { return ends_.empty() && next_ >= instants_.size(); }
   double now() const { return now_; }

@@ -15,7 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using mesh::CellType;
 
 /// The upper beam, the master, slides along the lower one and off its end; both bend.
 VectorXd sliding(const model::Model& model, double t) {
@@ -211,7 +210,7 @@ TEST_P(ProjectionWantedInside, IsFoundWhereThereIsOneAndNowhereElse) {
     std::uniform_real_distribution<double> along(-2, 2);
     std::uniform_real_distribution<double> above(-0.3, 0.3);
     for (int i = 0; i < 400; ++i) {
-      const bool plane = mesh::topology(GetParam()).dimension == 1;
+      const bool plane = cell::topology(GetParam()).dimension == 1;
       const double x = along(random), y = along(random), z = above(random);
       const Vector3d point = plane ? Vector3d(x, z, 0) : Vector3d(x, y, z);
       const auto any = project(GetParam(), nodes, point);
@@ -230,7 +229,7 @@ TEST_P(ProjectionWantedInside, IsFoundWhereThereIsOneAndNowhereElse) {
 INSTANTIATE_TEST_SUITE_P(Faces, ProjectionWantedInside,
                          testing::Values(CellType::seg2, CellType::seg3, CellType::tria3, CellType::tria6,
                                          CellType::tria7, CellType::quad4, CellType::quad8, CellType::quad9),
-                         [](const auto& face) { return std::string(mesh::topology(face.param).name); });
+                         [](const auto& face) { return std::string(cell::topology(face.param).name); });
 
 } // namespace
 } // namespace rubato::contact

@@ -115,14 +115,15 @@ TEST_P(ExplicitPenaltyOn, BoundsItsOwnFrequency) {
 
 INSTANTIATE_TEST_SUITE_P(
     Faces, ExplicitPenaltyOn,
-    testing::Values(
-        Variant{"Segments", {.slave = mesh::CellType::seg2, .master = mesh::CellType::seg2}},
-        Variant{"QuadraticSegments", {.slave = mesh::CellType::seg3, .master = mesh::CellType::seg3}},
-        Variant{"Quadrangles", {}}, Variant{"BesideTheEdge", {.shift = 0.3}},
-        Variant{"GaussPoints", {.gauss = 3}}, Variant{"SlaveNormal", {.normal = deck::ContactNormal::slave}},
-        Variant{"AverageNormal", {.normal = deck::ContactNormal::average}},
-        Variant{"CodeAstersClampedNormal", {.clamped_normal = deck::ClampedNormal::code_aster, .shift = 0.3}},
-        Variant{"Nonagons", {.slave = mesh::CellType::quad9, .master = mesh::CellType::quad9}}),
+    testing::Values(Variant{"Segments", {.slave = CellType::seg2, .master = CellType::seg2}},
+                    Variant{"QuadraticSegments", {.slave = CellType::seg3, .master = CellType::seg3}},
+                    Variant{"Quadrangles", {}}, Variant{"BesideTheEdge", {.shift = 0.3}},
+                    Variant{"GaussPoints", {.gauss = 3}},
+                    Variant{"SlaveNormal", {.normal = study::ContactNormal::slave}},
+                    Variant{"AverageNormal", {.normal = study::ContactNormal::average}},
+                    Variant{"CodeAstersClampedNormal",
+                            {.clamped_normal = study::ClampedNormal::code_aster, .shift = 0.3}},
+                    Variant{"Nonagons", {.slave = CellType::quad9, .master = CellType::quad9}}),
     [](const auto& variant) { return variant.param.name; });
 
 std::vector<Variant> before_obstacles() {
@@ -139,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Before, ExplicitPenaltyOn, testing::ValuesIn(before_obs
 class ASlider : public testing::Test {
 protected:
   ASlider() {
-    faces_ = two_faces({.slave = mesh::CellType::seg2, .master = mesh::CellType::seg2, .friction = 0.25});
+    faces_ = two_faces({.slave = CellType::seg2, .master = CellType::seg2, .friction = 0.25});
     const auto& zone = faces_.zone;
     for (const auto& [surface, half, height] :
          {std::tuple{&zone.master, 2.0, 0.0}, std::tuple{&zone.slave, 0.5, 0.0}})
@@ -238,7 +239,7 @@ TEST_F(ASlider, SaturatesAtTheSlipTheDeckSays) {
 }
 
 TEST(PenaltyStiffness, MakesAPointVibrateWithAThirdOfTheBulksFrequency) {
-  auto faces = two_faces({.slave = mesh::CellType::seg2, .master = mesh::CellType::seg2});
+  auto faces = two_faces({.slave = CellType::seg2, .master = CellType::seg2});
   const VectorXd inverse_mass = VectorXd::Constant(faces.dofs.dof_count, 4);
   const auto automatic = penalty_stiffness(faces.zone, faces.dofs, inverse_mass, 100);
   for (std::size_t i = 0; i < automatic.size(); ++i)

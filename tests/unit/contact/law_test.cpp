@@ -11,8 +11,8 @@
 namespace rubato::contact {
 namespace {
 
-using deck::ContactMethod;
-using deck::FrictionMethod;
+using study::ContactMethod;
+using study::FrictionMethod;
 
 PointLaw law_of(ContactMethod method, FrictionMethod friction) {
   PointLaw law;

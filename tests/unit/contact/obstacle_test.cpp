@@ -13,15 +13,15 @@
 namespace rubato::contact {
 namespace {
 
-using deck::ObstacleKind;
-using deck::ObstacleSide;
-using deck::Physics;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using study::ObstacleKind;
+using study::ObstacleSide;
+using study::Physics;
 
 constexpr double h = 1e-6;
 
-PlaceOnObstacle seen(const deck::Obstacle& obstacle, const Vector3d& x, Physics physics = Physics::solid) {
+PlaceOnObstacle seen(const study::Obstacle& obstacle, const Vector3d& x, Physics physics = Physics::solid) {
   return place_on(make_obstacle(obstacle, physics, {}), Vector3d::Zero(), x, x);
 }
 
@@ -32,15 +32,15 @@ void expect_at(const PlaceOnObstacle& place, double gap, const Vector3d& normal)
 
 TEST(Obstacles, AreWhereTheDeckPutsThem) {
   expect_at(seen({.point = {0, 1, 0}, .direction = {0, -3, 0}}, {7, 0.25, 5}), 0.75, {0, -1, 0});
-  const deck::Obstacle pipe{
+  const study::Obstacle pipe{
       .kind = ObstacleKind::cylinder, .point = {0, 0, 9}, .direction = {0, 0, 2}, .radius = 2};
   expect_at(seen(pipe, {3, 4, 1}), 3, {0.6, 0.8, 0});
-  const deck::Obstacle ball{.kind = ObstacleKind::sphere, .point = {1, 1, 1}, .radius = 4};
+  const study::Obstacle ball{.kind = ObstacleKind::sphere, .point = {1, 1, 1}, .radius = 4};
   expect_at(seen(ball, {1, 1, 4}), -1, {0, 0, 1});
 }
 
 TEST(Obstacles, TouchFromOutsideOrInside) {
-  deck::Obstacle bowl{
+  study::Obstacle bowl{
       .kind = ObstacleKind::sphere, .point = {1, 1, 1}, .radius = 4, .side = ObstacleSide::inside};
   expect_at(seen(bowl, {1, 1, 4}), 1, {0, 0, -1});
   bowl.kind = ObstacleKind::cylinder;
@@ -49,22 +49,22 @@ TEST(Obstacles, TouchFromOutsideOrInside) {
 }
 
 TEST(Obstacles, AreCirclesInPlanePhysicsAndAroundTheAxisOfRevolution) {
-  const deck::Obstacle circle{
+  const study::Obstacle circle{
       .kind = ObstacleKind::cylinder, .point = {1, 0, 0}, .direction = {0, 0, 1}, .radius = 1};
   const auto beside = seen(circle, {1, 3, 0}, Physics::plane_stress);
   expect_at(beside, 2, {0, 1, 0});
   EXPECT_EQ(beside.tangent, Vector3d(-1, 0, 0));
-  const deck::Obstacle ball{.kind = ObstacleKind::sphere, .point = {0, 1, 0}, .radius = 1};
+  const study::Obstacle ball{.kind = ObstacleKind::sphere, .point = {0, 1, 0}, .radius = 1};
   expect_at(seen(ball, {3, 5, 0}, Physics::axisymmetric), 4, {0.6, 0.8, 0});
-  deck::Obstacle shaft{.kind = ObstacleKind::cylinder, .radius = 2};
+  study::Obstacle shaft{.kind = ObstacleKind::cylinder, .radius = 2};
   expect_at(seen(shaft, {3, 5, 0}, Physics::axisymmetric), 1, {1, 0, 0});
   shaft.side = ObstacleSide::inside;
   expect_at(seen(shaft, {0.5, 5, 0}, Physics::axisymmetric), 1.5, {-1, 0, 0});
 }
 
 TEST(Obstacles, FollowTheirFunctionsOfTime) {
-  deck::Obstacle plane{.direction = {0, 1, 0}};
-  plane.move = {deck::Amplitude{2, {"ramp", {}}}, deck::Amplitude{-1, {}}, {}};
+  study::Obstacle plane{.direction = {0, 1, 0}};
+  plane.move = {study::Amplitude{2, {"ramp", {}}}, study::Amplitude{-1, {}}, {}};
   const auto obstacle = make_obstacle(plane, Physics::plane_strain, {{"ramp", {{0, 4}, {0, 1}, {}, {}}}});
   EXPECT_TRUE(obstacle.moves());
   EXPECT_EQ(obstacle.offset(1), Vector3d(0.5, -1, 0));

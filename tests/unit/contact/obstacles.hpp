@@ -15,34 +15,33 @@ struct NamedObstacle {
   TwoFacesOptions options;
 };
 
-inline contact::Obstacle on_its_way(deck::Obstacle obstacle, deck::Physics physics) {
-  obstacle.move = {deck::Amplitude{0.03, {"ramp", {}}}, deck::Amplitude{-0.02, {"ramp", {}}}, {}};
-  if (physics == deck::Physics::solid)
-    obstacle.move[2] = deck::Amplitude{0.01, {}};
+inline contact::Obstacle on_its_way(study::Obstacle obstacle, study::Physics physics) {
+  obstacle.move = {study::Amplitude{0.03, {"ramp", {}}}, study::Amplitude{-0.02, {"ramp", {}}}, {}};
+  if (physics == study::Physics::solid)
+    obstacle.move[2] = study::Amplitude{0.01, {}};
   return contact::make_obstacle(obstacle, physics, {{"ramp", {{0, 1}, {0.2, 1}, {}, {}}}});
 }
 
 inline std::vector<NamedObstacle> every_obstacle() {
-  using deck::ObstacleKind;
-  using deck::ObstacleSide;
-  using deck::Physics;
-  using mesh::CellType;
-  const auto with = [](CellType slave, const deck::Obstacle& obstacle, Physics physics) {
+  using study::ObstacleKind;
+  using study::ObstacleSide;
+  using study::Physics;
+  const auto with = [](CellType slave, const study::Obstacle& obstacle, Physics physics) {
     return TwoFacesOptions{.slave = slave, .obstacle = on_its_way(obstacle, physics)};
   };
-  const auto in_plane = [&](CellType slave, const deck::Obstacle& obstacle) {
+  const auto in_plane = [&](CellType slave, const study::Obstacle& obstacle) {
     return with(slave, obstacle, Physics::plane_strain);
   };
-  const auto in_space = [&](CellType slave, const deck::Obstacle& obstacle) {
+  const auto in_space = [&](CellType slave, const study::Obstacle& obstacle) {
     return with(slave, obstacle, Physics::solid);
   };
-  const deck::Obstacle line{.point = {0.1, 0, 0}, .direction = {-0.1, 2, 0}};
-  const deck::Obstacle circle{
+  const study::Obstacle line{.point = {0.1, 0, 0}, .direction = {-0.1, 2, 0}};
+  const study::Obstacle circle{
       .kind = ObstacleKind::cylinder, .point = {0.2, -0.5, 0}, .direction = {0, 0, 1}, .radius = 1.1};
-  const deck::Obstacle plane{.point = {0.1, 0, 0}, .direction = {0.1, -0.2, 3}};
-  const deck::Obstacle cylinder{
+  const study::Obstacle plane{.point = {0.1, 0, 0}, .direction = {0.1, -0.2, 3}};
+  const study::Obstacle cylinder{
       .kind = ObstacleKind::cylinder, .point = {0.2, 3, -0.5}, .direction = {0.02, 2, 0.1}, .radius = 1.1};
-  const deck::Obstacle ball{.kind = ObstacleKind::sphere, .point = {0.2, 0.1, -0.5}, .radius = 1.5};
+  const study::Obstacle ball{.kind = ObstacleKind::sphere, .point = {0.2, 0.1, -0.5}, .radius = 1.5};
   auto bore = circle;
   bore.point = {0.2, 0.5, 0};
   bore.side = ObstacleSide::inside;

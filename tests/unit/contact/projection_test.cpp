@@ -12,10 +12,9 @@ namespace {
 using contact::FaceCoordinates;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using mesh::CellType;
 
 FaceCoordinates flat(CellType type, double size) {
-  const auto& cell = fem::reference_cell(type);
+  const auto& cell = cell::reference_cell(type);
   FaceCoordinates nodes(3, cell.node_count);
   for (int i = 0; i < cell.node_count; ++i)
     nodes.col(i) = size * cell.nodes[static_cast<std::size_t>(i)];
@@ -26,7 +25,7 @@ class EveryFace : public testing::TestWithParam<CellType> {};
 
 TEST_P(EveryFace, ProjectsOrthogonallyOnItself) {
   const auto nodes = flat(GetParam(), 3.0);
-  const bool segment = mesh::topology(GetParam()).dimension == 1;
+  const bool segment = cell::topology(GetParam()).dimension == 1;
   const Vector3d point(0.6, segment ? -2.0 : 0.9, segment ? 0.0 : 5.0);
   const auto projection = contact::project(GetParam(), nodes, point);
   EXPECT_TRUE(projection.converged);
@@ -54,11 +53,11 @@ TEST_P(EveryFace, DistanceIsStationaryOnWarpedFaces) {
     const auto configuration = setup.configuration(setup.u);
     const auto nodes = contact::deformed(setup.zone.master.faces.front(), configuration);
     const Vector3d point =
-        nodes.rowwise().mean() + Vector3d(0.1, 0.1, mesh::topology(GetParam()).dimension == 1 ? 0 : 0.2);
+        nodes.rowwise().mean() + Vector3d(0.1, 0.1, cell::topology(GetParam()).dimension == 1 ? 0 : 0.2);
     const auto projection = contact::project(GetParam(), nodes, point);
     ASSERT_TRUE(projection.converged);
     const auto at = contact::face_geometry(GetParam(), nodes, projection.xi);
-    for (int a = 0; a < mesh::topology(GetParam()).dimension; ++a)
+    for (int a = 0; a < cell::topology(GetParam()).dimension; ++a)
       EXPECT_NEAR(at.tangents.col(a).dot(point - at.position), 0, 1e-13);
   }
 }
@@ -67,14 +66,14 @@ TEST_P(EveryFace, NodalWeightsAddUpToTheFace) {
   double sum = 0;
   for (const auto& point : contact::contact_rule(GetParam(), 0))
     sum += point.weight;
-  const auto corners = mesh::topology(GetParam()).corner_count;
+  const auto corners = cell::topology(GetParam()).corner_count;
   EXPECT_NEAR(sum, corners == 2 ? 2.0 : corners == 3 ? 0.5 : 4.0, 1e-14);
 }
 
 INSTANTIATE_TEST_SUITE_P(Faces, EveryFace,
                          testing::Values(CellType::seg2, CellType::seg3, CellType::tria3, CellType::tria6,
                                          CellType::tria7, CellType::quad4, CellType::quad8, CellType::quad9),
-                         [](const auto& face) { return std::string(mesh::topology(face.param).name); });
+                         [](const auto& face) { return std::string(cell::topology(face.param).name); });
 
 TEST(TriangleClamp, GoesToTheNearestEdgeInTheParametricPlane) {
   contact::Projection p;

@@ -12,7 +12,6 @@ namespace {
 
 using contact::Status;
 using Eigen::VectorXd;
-using mesh::CellType;
 using test::moved;
 using test::system_at;
 
@@ -34,8 +33,8 @@ std::vector<Variant> variants() {
   for (const auto& [slave, master] : pairs)
     for (const double shift : {0.0, 0.9})
       for (const auto normal :
-           {deck::ContactNormal::master, deck::ContactNormal::slave, deck::ContactNormal::average})
-        for (const auto clamped : {deck::ClampedNormal::projection, deck::ClampedNormal::code_aster}) {
+           {study::ContactNormal::master, study::ContactNormal::slave, study::ContactNormal::average})
+        for (const auto clamped : {study::ClampedNormal::projection, study::ClampedNormal::code_aster}) {
           test::TwoFacesOptions options;
           options.slave = slave;
           options.master = master;
@@ -43,12 +42,12 @@ std::vector<Variant> variants() {
           options.normal = normal;
           options.clamped_normal = clamped;
           options.seed = static_cast<unsigned>(list.size()) + 3;
-          list.push_back({std::string(mesh::topology(slave).name) + "On" +
-                              std::string(mesh::topology(master).name) + (shift > 0 ? "Shifted" : "") +
-                              (normal == deck::ContactNormal::master  ? "MasterNormal"
-                               : normal == deck::ContactNormal::slave ? "SlaveNormal"
-                                                                      : "AverageNormal") +
-                              (clamped == deck::ClampedNormal::projection ? "" : "Accumulated"),
+          list.push_back({std::string(cell::topology(slave).name) + "On" +
+                              std::string(cell::topology(master).name) + (shift > 0 ? "Shifted" : "") +
+                              (normal == study::ContactNormal::master  ? "MasterNormal"
+                               : normal == study::ContactNormal::slave ? "SlaveNormal"
+                                                                       : "AverageNormal") +
+                              (clamped == study::ClampedNormal::projection ? "" : "Accumulated"),
                           options});
         }
   return list;

@@ -3,8 +3,8 @@
 /// master may be an obstacle instead.
 #pragma once
 
+#include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/enforcement.hpp"
-#include "rubato/fem/reference_cell.hpp"
 
 #include <optional>
 #include <random>
@@ -13,7 +13,7 @@ namespace rubato::test {
 
 struct TwoFaces {
   mesh::Mesh mesh;
-  fem::DofMap dofs;
+  domain::DofMap dofs;
   contact::Zone zone;
   Eigen::VectorXd u;
   Eigen::VectorXd u_start;
@@ -26,10 +26,10 @@ struct TwoFaces {
 };
 
 struct TwoFacesOptions {
-  mesh::CellType slave = mesh::CellType::quad4;
-  mesh::CellType master = mesh::CellType::quad4;
-  deck::ContactNormal normal = deck::ContactNormal::master;
-  deck::ClampedNormal clamped_normal = deck::ClampedNormal::projection;
+  CellType slave = CellType::quad4;
+  CellType master = CellType::quad4;
+  study::ContactNormal normal = study::ContactNormal::master;
+  study::ClampedNormal clamped_normal = study::ClampedNormal::projection;
   double friction = 0.3;
   int gauss = 0;
   double shift = 0;      ///< of the slave along x: beyond 1 its points leave the master
@@ -39,10 +39,10 @@ struct TwoFacesOptions {
 };
 
 /// Reference points of the face, the master's normal upwards, the slave's downwards (mirrored in x).
-inline void add_face(TwoFaces& setup, contact::Face& face, mesh::CellType type, bool downwards, double shift,
+inline void add_face(TwoFaces& setup, contact::Face& face, CellType type, bool downwards, double shift,
                      double height, std::mt19937& random, double warp) {
   std::uniform_real_distribution<double> noise(-warp, warp);
-  const auto& cell = fem::reference_cell(type);
+  const auto& cell = cell::reference_cell(type);
   const bool plane = cell.dimension == 1;
   face.type = type;
   face.node_count = cell.node_count;
@@ -62,7 +62,7 @@ inline void add_face(TwoFaces& setup, contact::Face& face, mesh::CellType type, 
 inline TwoFaces two_faces(const TwoFacesOptions& options) {
   TwoFaces setup;
   std::mt19937 random(options.seed);
-  const bool plane = mesh::topology(options.slave).dimension == 1;
+  const bool plane = cell::topology(options.slave).dimension == 1;
   setup.mesh.dimension = plane ? 2 : 3;
   contact::Face master;
   contact::Face slave;
@@ -79,7 +79,7 @@ inline TwoFaces two_faces(const TwoFacesOptions& options) {
   std::uniform_real_distribution<double> move(-0.03, 0.03);
   setup.u = Eigen::VectorXd::NullaryExpr(setup.dofs.dof_count, [&] { return move(random); });
   setup.u_start = Eigen::VectorXd::NullaryExpr(setup.dofs.dof_count, [&] { return move(random); });
-  deck::ContactZone settings;
+  study::ContactZone settings;
   settings.name = "zone";
   settings.friction = options.friction;
   settings.normal = options.normal;

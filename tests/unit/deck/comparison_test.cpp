@@ -36,7 +36,7 @@ TEST(Comparison, WithAnotherRunNeedsNoReference) {
   const auto deck = test::parse(deck_with(probe + ", run: evol1}"));
   const auto& check = deck.runs.at(1).checks.at(0);
   EXPECT_EQ(check.run.text, "evol1");
-  EXPECT_EQ(check.source, CheckSource::other_run);
+  EXPECT_EQ(check.source, study::CheckSource::other_run);
   EXPECT_EQ(check.reference, 0);
   EXPECT_TRUE(check.relative);
   EXPECT_EQ(faults_of(deck_with(probe + ", run: evol1, source: other_run, kind: absolute}")), Sentences{});

@@ -12,7 +12,7 @@ using test::parse_one;
 using test::replaced;
 using test::smallest_deck;
 
-Study read_back(const Study& study) {
+study::Study read_back(const study::Study& study) {
   return parse_deck(to_json(study), "echo.json").runs.at(0);
 }
 
@@ -65,7 +65,7 @@ TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {
 
 TEST(StudyEcho, NamesTheRunItStartsFrom) {
   auto study = parse_one(smallest_deck);
-  study.time.start = StartKind::from_run;
+  study.time.start = study::StartKind::from_run;
   study.time.start_run.text = "preload";
   EXPECT_EQ(nlohmann::json::parse(to_json(study))["time"]["start"]["from"], "preload");
 }
@@ -85,9 +85,9 @@ runs:
   const auto& study = deck.runs.at(1);
   ASSERT_EQ(study.checks.size(), 3U);
   EXPECT_EQ(parse_echo(to_json(study), "echo.json"), study);
-  EXPECT_EQ(study.checks[0].source, CheckSource::other_run);
-  EXPECT_EQ(study.checks[1].field, (CheckedField{"stress", "xy", {"N1", {}}}));
-  EXPECT_EQ(study.checks[2].field, (CheckedField{"displacement", "", {}}));
+  EXPECT_EQ(study.checks[0].source, study::CheckSource::other_run);
+  EXPECT_EQ(study.checks[1].field, (study::CheckedField{"stress", "xy", {"N1", {}}}));
+  EXPECT_EQ(study.checks[2].field, (study::CheckedField{"displacement", "", {}}));
 }
 
 TEST(Study, IsEqualWhateverPlaceItWasReadFrom) {

@@ -126,7 +126,7 @@ const std::string deck_with_runs = test::full_deck + R"(runs:
 void expect_sound(const Deck& deck, const std::string& text) {
   EXPECT_FALSE(deck.runs.empty()) << text;
   for (const auto& study : deck.runs) {
-    if (study.time.start == StartKind::from_run)
+    if (study.time.start == study::StartKind::from_run)
       continue;
     EXPECT_EQ(parse_deck(to_json(study), "echo.json").runs.at(0), study) << text;
   }

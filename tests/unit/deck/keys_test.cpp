@@ -10,7 +10,6 @@
 namespace rubato::deck {
 namespace {
 
-using mesh::CellType;
 using test::full_deck;
 using test::parse;
 using test::parse_one;
@@ -22,17 +21,17 @@ TEST(DeckDefaults, AreThoseOfTheStudy) {
   ASSERT_EQ(deck.runs.size(), 1U);
   EXPECT_EQ(deck.title, "");
 
-  Study expected;
+  study::Study expected;
   expected.name = "run";
   expected.mesh.file.text = "beams.med";
-  Material steel;
+  study::Material steel;
   steel.name = "steel";
   steel.young = 200e9;
   steel.poisson = 0.3;
   steel.density = 7800;
   expected.materials = {steel};
-  expected.time.scheme = SchemeKind::newmark;
-  expected.time.contact_mass = ContactMass::consistent;
+  expected.time.scheme = study::SchemeKind::newmark;
+  expected.time.contact_mass = study::ContactMass::consistent;
   expected.time.step = 1e-3;
   expected.time.end = 0.012;
   EXPECT_EQ(deck.runs[0], expected);
@@ -42,11 +41,11 @@ TEST(DeckDefaults, OfTheStudyAreTheDocumentedOnes) {
   const auto study = parse_one(smallest_deck);
   EXPECT_EQ(study.units, "SI");
   EXPECT_EQ(study.thickness, 1);
-  EXPECT_EQ(study.mesh.convert, MeshConversion::none);
+  EXPECT_EQ(study.mesh.convert, study::MeshConversion::none);
   EXPECT_EQ(study.mesh.refine, 1);
   EXPECT_TRUE(study.materials[0].everywhere);
   EXPECT_EQ(study.time.begin, 0);
-  EXPECT_EQ(study.time.start, StartKind::consistent);
+  EXPECT_EQ(study.time.start, study::StartKind::consistent);
   EXPECT_EQ(study.time.spectral_radius, 0.5);
   EXPECT_EQ(study.time.cut_parts, 2);
   EXPECT_EQ(study.time.cut_levels, 12);
@@ -60,7 +59,7 @@ TEST(DeckKeys, TitleUnitsAndPhysics) {
   EXPECT_EQ(parse(full_deck).title, "two beams");
   EXPECT_EQ(study.title, "two beams");
   EXPECT_EQ(study.units, "mm, N, s");
-  EXPECT_EQ(study.physics, Physics::plane_stress);
+  EXPECT_EQ(study.physics, study::Physics::plane_stress);
   EXPECT_EQ(study.thickness, 0.5);
 }
 
@@ -68,7 +67,7 @@ TEST(DeckKeys, GeneratedMesh) {
   const auto mesh = parse_one(full_deck).mesh;
   ASSERT_EQ(mesh.bodies.size(), 2U);
   EXPECT_EQ(mesh.file.text, "");
-  EXPECT_EQ(mesh.convert, MeshConversion::full_quadratic);
+  EXPECT_EQ(mesh.convert, study::MeshConversion::full_quadratic);
   EXPECT_EQ(mesh.refine, 2);
   const auto& upper = mesh.bodies[0];
   EXPECT_EQ(upper.name, "upper");
@@ -155,25 +154,25 @@ TEST(DeckKeys, Supports) {
   const auto supports = parse_one(full_deck).supports;
   ASSERT_EQ(supports.size(), 2U);
   EXPECT_EQ(supports[0].on.text, "Clamped");
-  EXPECT_EQ(supports[0].components[0], Amplitude{});
-  EXPECT_EQ(supports[0].components[1], Amplitude{});
+  EXPECT_EQ(supports[0].components[0], study::Amplitude{});
+  EXPECT_EQ(supports[0].components[1], study::Amplitude{});
   EXPECT_FALSE(supports[0].components[2]);
-  EXPECT_EQ(supports[1].components[0], (Amplitude{0.1, {}}));
-  EXPECT_EQ(supports[1].components[1], (Amplitude{0.2, {"ramp", {}}}));
+  EXPECT_EQ(supports[1].components[0], (study::Amplitude{0.1, {}}));
+  EXPECT_EQ(supports[1].components[1], (study::Amplitude{0.2, {"ramp", {}}}));
 }
 
 TEST(DeckKeys, Loads) {
   const auto loads = parse_one(full_deck).loads;
   ASSERT_EQ(loads.size(), 5U);
-  const auto is = [&](std::size_t i, LoadKind kind, const std::string& on, std::array<double, 3> components,
-                      const std::string& function) {
-    EXPECT_EQ(loads[i], (Load{kind, {on, {}}, components, {function, {}}, {}})) << i;
+  const auto is = [&](std::size_t i, study::LoadKind kind, const std::string& on,
+                      std::array<double, 3> components, const std::string& function) {
+    EXPECT_EQ(loads[i], (study::Load{kind, {on, {}}, components, {function, {}}, {}})) << i;
   };
-  is(0, LoadKind::nodal_force, "Force", {0, -1e7, 0}, "ramp");
-  is(1, LoadKind::line_force, "Above", {1, 0, 0}, "");
-  is(2, LoadKind::surface_force, "Above", {2, 3, 0}, "");
-  is(3, LoadKind::pressure, "Above", {4, 0, 0}, "hold");
-  is(4, LoadKind::gravity, "upper", {0, -9.81, 0}, "");
+  is(0, study::LoadKind::nodal_force, "Force", {0, -1e7, 0}, "ramp");
+  is(1, study::LoadKind::line_force, "Above", {1, 0, 0}, "");
+  is(2, study::LoadKind::surface_force, "Above", {2, 3, 0}, "");
+  is(3, study::LoadKind::pressure, "Above", {4, 0, 0}, "hold");
+  is(4, study::LoadKind::gravity, "upper", {0, -9.81, 0}, "");
 }
 
 TEST(DeckKeys, Functions) {
@@ -191,26 +190,26 @@ TEST(DeckKeys, Contact) {
   EXPECT_EQ(zone.master.text, "Below");
   EXPECT_EQ(zone.slave.text, "Beneath");
   EXPECT_EQ(zone.friction, 0.2);
-  EXPECT_EQ(zone.method, ContactMethod::augmented_lagrangian);
-  EXPECT_EQ(zone.normal, ContactNormal::average);
-  EXPECT_EQ(zone.clamped_normal, ClampedNormal::code_aster);
+  EXPECT_EQ(zone.method, study::ContactMethod::augmented_lagrangian);
+  EXPECT_EQ(zone.normal, study::ContactNormal::average);
+  EXPECT_EQ(zone.clamped_normal, study::ClampedNormal::code_aster);
   EXPECT_EQ(zone.gauss_points, 3);
   ASSERT_EQ(zone.exclude_nodes.size(), 2U);
   EXPECT_EQ(zone.exclude_nodes[1].text, "N6");
   EXPECT_EQ(zone.initially_active, false);
   EXPECT_EQ(zone.normal_coefficient, 1e9);
   EXPECT_EQ(zone.tangential_coefficient, 1e7);
-  EXPECT_EQ(zone.friction_method, FrictionMethod::penalty);
-  EXPECT_EQ(zone.geometry, (Level{Iteration::fixed_point, 2e-3, 7}));
-  EXPECT_EQ(zone.threshold, (Level{Iteration::newton, 1e-4, 10}));
-  EXPECT_EQ(zone.status, (Level{Iteration::fixed_point, 0, 30}));
+  EXPECT_EQ(zone.friction_method, study::FrictionMethod::penalty);
+  EXPECT_EQ(zone.geometry, (study::Level{study::Iteration::fixed_point, 2e-3, 7}));
+  EXPECT_EQ(zone.threshold, (study::Level{study::Iteration::newton, 1e-4, 10}));
+  EXPECT_EQ(zone.status, (study::Level{study::Iteration::fixed_point, 0, 30}));
   EXPECT_FALSE(zone.history_force);
 }
 
 TEST(DeckKeys, ContactOnlyNeedsItsTwoSurfaces) {
   const auto zone =
       parse_one(smallest_deck + "contact: {a: {master: M, slave: S, integration: nodes}}").contact.at(0);
-  ContactZone expected;
+  study::ContactZone expected;
   expected.name = "a";
   expected.master.text = "M";
   expected.slave.text = "S";
@@ -222,39 +221,39 @@ TEST(DeckKeys, AContactMethodBringsItsFrictionAndItsGeometryLoop) {
     return parse_one(smallest_deck + "contact: {a: {master: M, slave: S, method: " + method + "}}")
         .contact.at(0);
   };
-  EXPECT_EQ(zone_of("augmented_lagrangian").friction_method, FrictionMethod::augmented_lagrangian);
-  EXPECT_EQ(zone_of("penalty").friction_method, FrictionMethod::penalty);
-  EXPECT_EQ(zone_of("penalty").geometry.by, Iteration::newton);
+  EXPECT_EQ(zone_of("augmented_lagrangian").friction_method, study::FrictionMethod::augmented_lagrangian);
+  EXPECT_EQ(zone_of("penalty").friction_method, study::FrictionMethod::penalty);
+  EXPECT_EQ(zone_of("penalty").geometry.by, study::Iteration::newton);
   for (const std::string nodal : {"nodal_lagrange", "nodal_penalty", "nodal_pcg"}) {
-    EXPECT_EQ(zone_of(nodal).friction_method, FrictionMethod::nodal_penalty) << nodal;
-    EXPECT_EQ(zone_of(nodal).geometry.by, Iteration::fixed_point) << nodal;
+    EXPECT_EQ(zone_of(nodal).friction_method, study::FrictionMethod::nodal_penalty) << nodal;
+    EXPECT_EQ(zone_of(nodal).geometry.by, study::Iteration::fixed_point) << nodal;
   }
 }
 
 TEST(DeckKeys, TimeSteps) {
   const auto time = parse_one(full_deck).time;
-  EXPECT_EQ(time.scheme, SchemeKind::hht);
+  EXPECT_EQ(time.scheme, study::SchemeKind::hht);
   EXPECT_EQ(time.alpha, -0.3);
   EXPECT_EQ(time.begin, 0.001);
   EXPECT_EQ(time.step, 1e-3);
   EXPECT_EQ(time.end, 0.013);
-  EXPECT_EQ(time.start, StartKind::consistent);
+  EXPECT_EQ(time.start, study::StartKind::consistent);
   EXPECT_EQ(parse_one(replaced(smallest_deck, "newmark", "newmark, start: at_rest_unloaded")).time.start,
-            StartKind::at_rest_unloaded);
+            study::StartKind::at_rest_unloaded);
   EXPECT_EQ(time.cut_parts, 4);
   EXPECT_EQ(time.cut_levels, 6);
 }
 
 TEST(DeckKeys, ADeckThatNamesNoSchemeHasTheOneThatContactGivesNoEnergy) {
   const auto time = parse_one(replaced(smallest_deck, "scheme: newmark, ", "")).time;
-  EXPECT_EQ(time.scheme, SchemeKind::moreau_jean);
-  EXPECT_EQ(time.contact_mass, ContactMass::redistributed);
-  EXPECT_EQ(parse_one(smallest_deck).time.contact_mass, ContactMass::consistent);
+  EXPECT_EQ(time.scheme, study::SchemeKind::moreau_jean);
+  EXPECT_EQ(time.contact_mass, study::ContactMass::redistributed);
+  EXPECT_EQ(parse_one(smallest_deck).time.contact_mass, study::ContactMass::consistent);
   EXPECT_EQ(parse_one(replaced(smallest_deck, "scheme: newmark", "scheme: moreau_jean")).time.contact_mass,
-            ContactMass::redistributed);
+            study::ContactMass::redistributed);
   EXPECT_EQ(
       parse_one(replaced(smallest_deck, "scheme: newmark", "contact_mass: consistent")).time.contact_mass,
-      ContactMass::consistent);
+      study::ContactMass::consistent);
 }
 
 TEST(DeckKeys, EverySchemeWithItsOwnNumbers) {
@@ -270,7 +269,7 @@ TEST(DeckKeys, EverySchemeWithItsOwnNumbers) {
   EXPECT_EQ(time("generalized_alpha, spectral_radius: 0.5").spectral_radius, 0.5);
   EXPECT_EQ(time("moreau_jean").theta, 0.5);
   EXPECT_EQ(time("moreau_jean, theta: 0.75").theta, 0.75);
-  EXPECT_EQ(time("static").scheme, SchemeKind::static_steps);
+  EXPECT_EQ(time("static").scheme, study::SchemeKind::static_steps);
   EXPECT_EQ(time("central_difference, safety: 0.5").safety, 0.5);
   EXPECT_EQ(time("central_difference").safety, 0.9);
   EXPECT_EQ(time("central_difference").step, 1e-3);
@@ -294,29 +293,38 @@ TEST(DeckKeys, StaticRunsNeedNoDensity) {
 
 TEST(DeckKeys, NewtonProbesFieldsAndChecks) {
   const auto study = parse_one(full_deck);
-  EXPECT_EQ(study.newton, (NewtonSettings{25, 1e-9}));
+  EXPECT_EQ(study.newton, (study::NewtonSettings{25, 1e-9}));
   ASSERT_EQ(study.probes.size(), 2U);
   EXPECT_EQ(study.probes[0].name, "tip");
   EXPECT_EQ(study.probes[0].node.text, "Force");
-  EXPECT_EQ(study.probes[0].field, ProbeField::velocity);
+  EXPECT_EQ(study.probes[0].field, study::ProbeField::velocity);
   EXPECT_EQ(study.probes[1].point, (std::array{0.5, 0.15, 0.0}));
-  EXPECT_EQ(study.probes[1].field, ProbeField::reaction);
-  EXPECT_EQ(study.fields, (FieldOutput{true, true, {0.001, 0.006}, 10, false}));
-  EXPECT_EQ(study.checkpoint, (CheckpointOutput{{0.002}, 20, false}));
+  EXPECT_EQ(study.probes[1].field, study::ProbeField::reaction);
+  EXPECT_EQ(study.fields, (study::FieldOutput{true, true, {0.001, 0.006}, 10, false}));
+  EXPECT_EQ(study.checkpoint, (study::CheckpointOutput{{0.002}, 20, false}));
   ASSERT_EQ(study.checks.size(), 1U);
-  EXPECT_EQ(
-      study.checks[0],
-      (Check{{"tip", {}}, 1, {}, {}, 0.012, -0.0132, 1e-3, false, CheckSource::other_code, "table 3", {}}));
+  EXPECT_EQ(study.checks[0], (study::Check{{"tip", {}},
+                                           1,
+                                           {},
+                                           {},
+                                           0.012,
+                                           -0.0132,
+                                           1e-3,
+                                           false,
+                                           study::CheckSource::other_code,
+                                           "table 3",
+                                           {}}));
 }
 
 TEST(DeckKeys, WithoutACheckpointTheEndIsKept) {
-  EXPECT_EQ(parse_one(smallest_deck).checkpoint, (CheckpointOutput{{}, 0, true}));
-  EXPECT_EQ(parse_one(smallest_deck + "checkpoint: {every: 3}").checkpoint, (CheckpointOutput{{}, 3, true}));
+  EXPECT_EQ(parse_one(smallest_deck).checkpoint, (study::CheckpointOutput{{}, 0, true}));
+  EXPECT_EQ(parse_one(smallest_deck + "checkpoint: {every: 3}").checkpoint,
+            (study::CheckpointOutput{{}, 3, true}));
 }
 
 TEST(DeckKeys, FieldsAloneAreWrittenForParaView) {
   const auto fields = parse_one(smallest_deck + "fields: {}").fields;
-  EXPECT_EQ(fields, (FieldOutput{true, false, {}, 0, true}));
+  EXPECT_EQ(fields, (study::FieldOutput{true, false, {}, 0, true}));
 }
 
 TEST(DeckKeys, NamesAndPartsKeepTheirPlaces) {

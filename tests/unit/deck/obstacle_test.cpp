@@ -21,7 +21,7 @@ std::string deck_with(const std::string& obstacle, const std::string& physics = 
          "contact: {floor: {slave: S, obstacle: " + obstacle + "}}\n";
 }
 
-Obstacle obstacle_of(const std::string& deck) {
+study::Obstacle obstacle_of(const std::string& deck) {
   return parse_one(deck).contact.at(0).obstacle.value();
 }
 
@@ -29,38 +29,39 @@ TEST(Obstacles, StandInForAMaster) {
   const auto zone = parse_one(deck_with("{plane: {point: [1, 2, 3], normal: [0, 0, 4]}}")).contact.at(0);
   EXPECT_EQ(zone.master.text, "");
   EXPECT_EQ(zone.slave.text, "S");
-  EXPECT_EQ(zone.obstacle.value(), (Obstacle{.point = {1, 2, 3}, .direction = {0, 0, 4}}));
+  EXPECT_EQ(zone.obstacle.value(), (study::Obstacle{.point = {1, 2, 3}, .direction = {0, 0, 4}}));
 }
 
 TEST(Obstacles, AreCylindersAndSpheresTouchedFromOutsideOrInside) {
   EXPECT_EQ(
       obstacle_of(deck_with("{cylinder: {point: [1, 2, 3], axis: [1, 0, 0], radius: 2, side: inside}}")),
-      (Obstacle{.kind = ObstacleKind::cylinder,
-                .point = {1, 2, 3},
-                .direction = {1, 0, 0},
-                .radius = 2,
-                .side = ObstacleSide::inside}));
+      (study::Obstacle{.kind = study::ObstacleKind::cylinder,
+                       .point = {1, 2, 3},
+                       .direction = {1, 0, 0},
+                       .radius = 2,
+                       .side = study::ObstacleSide::inside}));
   EXPECT_EQ(obstacle_of(deck_with("{sphere: {point: [1, 2, 3], radius: 2}}")),
-            (Obstacle{.kind = ObstacleKind::sphere, .point = {1, 2, 3}, .radius = 2}));
+            (study::Obstacle{.kind = study::ObstacleKind::sphere, .point = {1, 2, 3}, .radius = 2}));
 }
 
 TEST(Obstacles, AreFlatterWherePhysicsIs) {
   EXPECT_EQ(
       obstacle_of(deck_with("{cylinder: {point: [1, 2], radius: 2}}", "plane_stress")),
-      (Obstacle{.kind = ObstacleKind::cylinder, .point = {1, 2, 0}, .direction = {0, 0, 1}, .radius = 2}));
+      (study::Obstacle{
+          .kind = study::ObstacleKind::cylinder, .point = {1, 2, 0}, .direction = {0, 0, 1}, .radius = 2}));
   EXPECT_EQ(obstacle_of(deck_with("{cylinder: {radius: 2}}", "axisymmetric")),
-            (Obstacle{.kind = ObstacleKind::cylinder, .radius = 2}));
+            (study::Obstacle{.kind = study::ObstacleKind::cylinder, .radius = 2}));
   EXPECT_EQ(obstacle_of(deck_with("{sphere: {point: [0, 2], radius: 2}}", "axisymmetric")),
-            (Obstacle{.kind = ObstacleKind::sphere, .point = {0, 2, 0}, .radius = 2}));
+            (study::Obstacle{.kind = study::ObstacleKind::sphere, .point = {0, 2, 0}, .radius = 2}));
 }
 
 TEST(Obstacles, MoveByNumbersAndFunctions) {
   const auto moved = obstacle_of(deck_with("{plane: {point: [0, 0, 0], normal: [0, 0, 1]}, "
                                            "move: {x: 0.5, z: {value: 1e-3, function: ramp}}}"))
                          .move;
-  EXPECT_EQ(moved[0], (Amplitude{0.5, {}}));
+  EXPECT_EQ(moved[0], (study::Amplitude{0.5, {}}));
   EXPECT_FALSE(moved[1].has_value());
-  EXPECT_EQ(moved[2], (Amplitude{1e-3, {"ramp", {}}}));
+  EXPECT_EQ(moved[2], (study::Amplitude{1e-3, {"ramp", {}}}));
 }
 
 TEST(Obstacles, ReadBackFromTheirEcho) {

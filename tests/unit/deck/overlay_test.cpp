@@ -56,11 +56,11 @@ TEST(DeckRuns, NothingRemovesAKey) {
   one_probe: {probes: {middle: ~}}
 )")
                         .runs;
-  EXPECT_EQ(runs.at(0).time.scheme, SchemeKind::newmark);
-  EXPECT_EQ(runs.at(0).time.start, StartKind::consistent);
+  EXPECT_EQ(runs.at(0).time.scheme, study::SchemeKind::newmark);
+  EXPECT_EQ(runs.at(0).time.start, study::StartKind::consistent);
   EXPECT_TRUE(runs.at(0).contact.empty());
   EXPECT_FALSE(runs.at(0).fields.vtu);
-  EXPECT_EQ(runs.at(0).newton, NewtonSettings{});
+  EXPECT_EQ(runs.at(0).newton, study::NewtonSettings{});
   EXPECT_EQ(runs.at(1).probes.size(), 1U);
 }
 
@@ -116,7 +116,7 @@ TEST(DeckStart, FromAnEarlierRun) {
   motion: {time: {begin: 1, end: 2, start: {from: preload}}}
 )")
                         .runs;
-  EXPECT_EQ(runs.at(1).time.start, StartKind::from_run);
+  EXPECT_EQ(runs.at(1).time.start, study::StartKind::from_run);
   EXPECT_EQ(runs.at(1).time.start_run.text, "preload");
 }
 
@@ -152,7 +152,7 @@ TEST(DeckSettings, ChangeWordsListsAndEntries) {
   EXPECT_EQ(study.contact.at(0).friction, 0);
   EXPECT_EQ(study.mesh.bodies.at(1).divisions, (std::array{40, 4, 1}));
   EXPECT_EQ(study.mesh.bodies.at(0).divisions, (std::array{20, 8, 1}));
-  EXPECT_EQ(study.newton, (NewtonSettings{25, 1e-6}));
+  EXPECT_EQ(study.newton, (study::NewtonSettings{25, 1e-6}));
   EXPECT_EQ(study.title, "set");
   EXPECT_EQ(study.probes.size(), 3U);
   EXPECT_FALSE(study.fields.vtu);

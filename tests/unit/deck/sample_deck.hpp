@@ -119,7 +119,7 @@ inline deck::Deck parse(std::string_view text, const std::vector<deck::Setting>&
   return deck::parse_deck(text, "study.yaml", settings);
 }
 
-inline deck::Study parse_one(std::string_view text, const std::vector<deck::Setting>& settings = {}) {
+inline study::Study parse_one(std::string_view text, const std::vector<deck::Setting>& settings = {}) {
   return parse(text, settings).runs.at(0);
 }
 

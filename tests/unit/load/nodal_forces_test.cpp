@@ -12,10 +12,10 @@
 namespace rubato::load {
 namespace {
 
-using deck::Physics;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using std::numbers::pi;
+using study::Physics;
 
 const material::LinearElastic law{210., 0.3, 7.8};
 constexpr double thickness = 0.7;
@@ -24,12 +24,12 @@ constexpr double thickness = 0.7;
 class EveryLoadedBody : public testing::TestWithParam<test::BulkCase> {
 protected:
   Physics physics_ = GetParam().physics;
-  int d_ = fem::component_count(physics_);
-  fem::Section section_{physics_, thickness};
+  int d_ = element::component_count(physics_);
+  element::Section section_{physics_, thickness};
   mesh::Mesh mesh_ =
       test::patch_mesh(GetParam().type, 2, test::moved_by(test::shaken(d_, 2, 0.2), Vector3d(1, 0, 0)));
-  fem::Bulk bulk_ = test::whole_bulk(mesh_, section_, law);
-  fem::DofMap dofs_ = fem::number_dofs(mesh_, bulk_.cells, d_);
+  domain::Bulk bulk_ = test::whole_bulk(mesh_, section_, law);
+  domain::DofMap dofs_ = domain::number_dofs(mesh_, bulk_.cells, d_);
   std::vector<test::BoundarySide> sides_ = test::boundary_sides(mesh_);
   VectorXd force_ = VectorXd::Zero(dofs_.dof_count);
 
@@ -112,17 +112,16 @@ INSTANTIATE_TEST_SUITE_P(Loads, EveryLoadedBody, testing::ValuesIn(test::every_b
 
 class OneBox : public testing::Test {
 protected:
-  mesh::Mesh mesh_ =
-      test::patch_mesh(mesh::CellType::hexa20, 1, [](const Vector3d& x) { return Vector3d(3 * x); });
-  fem::Bulk bulk_ = test::whole_bulk(mesh_, {}, law);
-  fem::DofMap dofs_ = fem::number_dofs(mesh_, bulk_.cells, 3);
+  mesh::Mesh mesh_ = test::patch_mesh(CellType::hexa20, 1, [](const Vector3d& x) { return Vector3d(3 * x); });
+  domain::Bulk bulk_ = test::whole_bulk(mesh_, {}, law);
+  domain::DofMap dofs_ = domain::number_dofs(mesh_, bulk_.cells, 3);
   VectorXd force_ = VectorXd::Zero(dofs_.dof_count);
 };
 
 TEST_F(OneBox, TakesALineForceOnAQuadraticEdgeBySimpsonsWeights) {
   const auto cell = mesh_.nodes_of(0);
   const std::vector<mesh::NodeIndex> edge{cell[0], cell[1], cell[8]};
-  const std::vector<Face> edges{{mesh::CellType::seg3, edge}};
+  const std::vector<Face> edges{{CellType::seg3, edge}};
   add_line_force(mesh_, dofs_, edges, {0, 2, 0}, force_);
   EXPECT_NEAR(force_[dofs_.dof(edge[0], 1)], 1, 1e-14);
   EXPECT_NEAR(force_[dofs_.dof(edge[1], 1)], 1, 1e-14);
@@ -142,7 +141,7 @@ TEST_F(OneBox, TakesANodalForceOnEachNode) {
 TEST_F(OneBox, RefusesALoadOnANodeWithoutCellsByItsName) {
   mesh_.points.emplace_back(9, 9, 9);
   mesh_.node_numbers.push_back(90);
-  dofs_ = fem::number_dofs(mesh_, bulk_.cells, 3);
+  dofs_ = domain::number_dofs(mesh_, bulk_.cells, 3);
   const std::vector<mesh::NodeIndex> nodes{mesh_.node_count() - 1};
   try {
     add_nodal_force(mesh_, dofs_, nodes, {1, 0, 0}, force_);
@@ -154,8 +153,8 @@ TEST_F(OneBox, RefusesALoadOnANodeWithoutCellsByItsName) {
 
 TEST_F(OneBox, RefusesSidesOfAnotherDimension) {
   const auto cell = mesh_.nodes_of(0);
-  const std::vector<Face> edges{{mesh::CellType::seg3, cell.first(3)}};
-  const std::vector<Face> faces{{mesh::CellType::quad8, cell.first(8)}};
+  const std::vector<Face> edges{{CellType::seg3, cell.first(3)}};
+  const std::vector<Face> faces{{CellType::quad8, cell.first(8)}};
   EXPECT_THROW(add_pressure(mesh_, dofs_, {}, edges, 1, force_), std::invalid_argument);
   EXPECT_THROW(add_surface_force(mesh_, dofs_, {}, edges, {1, 0, 0}, force_), std::invalid_argument);
   EXPECT_THROW(add_line_force(mesh_, dofs_, faces, {1, 0, 0}, force_), std::invalid_argument);

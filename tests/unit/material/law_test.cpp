@@ -9,7 +9,7 @@
 namespace rubato::material {
 namespace {
 
-using deck::Physics;
+using study::Physics;
 
 const LinearElastic rubbery{3.2e3, 0.37, 0};
 constexpr Physics all_physics[] = {Physics::solid, Physics::plane_stress, Physics::plane_strain,

@@ -2,12 +2,12 @@
 /// Bodies and measures that the tests of the mesh room share.
 #pragma once
 
-#include "rubato/deck/study.hpp"
-#include "rubato/mesh/cell_parts.hpp"
+#include "rubato/cell/parts.hpp"
 #include "rubato/mesh/corner_sets.hpp"
 #include "rubato/mesh/generate.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/mesh/orientation.hpp"
+#include "rubato/study/study.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +30,10 @@ inline std::vector<CellType> all_types() {
 }
 
 /// [0, 2] × [0, 1] (× [0, 3]) in 2 × 3 (× 2) divisions with every side, one edge and one corner named.
-inline deck::Body body_of(CellType type) {
-  deck::Body body;
+inline study::Body body_of(CellType type) {
+  study::Body body;
   body.name = "body";
-  body.dimension = topology(type).dimension;
+  body.dimension = cell::topology(type).dimension;
   body.to = {2, 1, 3};
   body.divisions = {2, 3, 2};
   body.cells = type;
@@ -56,10 +56,10 @@ inline Mesh mesh_of(CellType type, int refine = 1) {
 }
 
 /// Two beams [0,1] × [−0.1,0] and [0,1] × [0,0.1] (× [0,0.1]) that touch with coincident, distinct nodes.
-inline std::vector<deck::Body> two_beams(CellType type) {
-  deck::Body lower;
+inline std::vector<study::Body> two_beams(CellType type) {
+  study::Body lower;
   lower.name = "lower";
-  lower.dimension = topology(type).dimension;
+  lower.dimension = cell::topology(type).dimension;
   lower.from = {0, -0.1, 0};
   lower.to = {1, 0, 0.1};
   lower.divisions = {20, 2, 1};
@@ -77,7 +77,7 @@ inline std::vector<deck::Body> two_beams(CellType type) {
 inline double bulk_measure(const Mesh& mesh) {
   double sum = 0;
   for (CellIndex cell = 0; cell < mesh.cell_count(); ++cell)
-    if (topology(mesh.type_of(cell)).dimension == mesh.dimension) {
+    if (cell::topology(mesh.type_of(cell)).dimension == mesh.dimension) {
       const double measure = signed_measure(mesh, cell);
       if (!(measure > 0))
         return std::nan("");
@@ -105,7 +105,7 @@ inline CellIndex count_of(const Mesh& mesh, CellType type) {
 inline std::vector<int> side_multiplicities(const Mesh& mesh) {
   CornerSets sides;
   std::vector<int> counts;
-  for_each_cell(mesh, [&](CellIndex, const CellTopology& shape, std::span<const NodeIndex> nodes) {
+  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, std::span<const NodeIndex> nodes) {
     if (shape.dimension != mesh.dimension)
       return;
     for (const auto& side : shape.sides) {

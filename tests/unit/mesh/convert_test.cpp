@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/builder.hpp"
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/interpolation.hpp"
@@ -124,7 +124,7 @@ TEST(Conversion, PutsFaceAndBodyNodesOnCurvedCellsByTheSerendipityRule) {
   for (auto& point : mesh.points)
     point += 0.1 * Vector3d(point.y() * point.z(), point.x() * point.x(), point.z() * point.y());
   const auto full = to_full_quadratic(mesh);
-  for_each_cell(full, [&](CellIndex, const CellTopology& shape, std::span<const NodeIndex> nodes) {
+  for_each_cell(full, [&](CellIndex, const cell::CellTopology& shape, std::span<const NodeIndex> nodes) {
     if (shape.type != CellType::hexa27)
       return;
     const auto at = [&](std::size_t i) { return full.points[static_cast<std::size_t>(nodes[i])]; };
@@ -166,10 +166,10 @@ TEST(Conversion, RefusesAHexahedronThatSharesAFaceWithAPrism) {
 
 TEST(Conversion, DoesWhatTheDeckAsks) {
   const auto mesh = mesh_of(CellType::quad8);
-  EXPECT_EQ(count_of(converted(mesh, deck::MeshConversion::none), CellType::quad8), 6);
-  EXPECT_EQ(count_of(converted(mesh, deck::MeshConversion::linear), CellType::quad4), 6);
-  EXPECT_EQ(count_of(converted(mesh, deck::MeshConversion::quadratic), CellType::quad8), 6);
-  EXPECT_EQ(count_of(converted(mesh, deck::MeshConversion::full_quadratic), CellType::quad9), 6);
+  EXPECT_EQ(count_of(converted(mesh, study::MeshConversion::none), CellType::quad8), 6);
+  EXPECT_EQ(count_of(converted(mesh, study::MeshConversion::linear), CellType::quad4), 6);
+  EXPECT_EQ(count_of(converted(mesh, study::MeshConversion::quadratic), CellType::quad8), 6);
+  EXPECT_EQ(count_of(converted(mesh, study::MeshConversion::full_quadratic), CellType::quad9), 6);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/generate.hpp"
 #include "rubato/mesh/skin.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 
 int parts_of_grid_cell(CellType type) {
-  switch (linear_type(type)) {
+  switch (cell::linear_type(type)) {
   case CellType::tria3:
   case CellType::penta6:
     return 2;
@@ -24,7 +24,7 @@ int parts_of_grid_cell(CellType type) {
   }
 }
 
-std::string message_of(const std::vector<deck::Body>& bodies, int refine = 1) {
+std::string message_of(const std::vector<study::Body>& bodies, int refine = 1) {
   try {
     generate(bodies, refine);
   } catch (const InputError& error) {
@@ -36,15 +36,15 @@ std::string message_of(const std::vector<deck::Body>& bodies, int refine = 1) {
 class GeneratedMesh : public testing::TestWithParam<CellType> {};
 
 TEST_P(GeneratedMesh, FillsTheBodyWithPositiveCells) {
-  const bool solid = topology(GetParam()).dimension == 3;
+  const bool solid = cell::topology(GetParam()).dimension == 3;
   const auto mesh = mesh_of(GetParam());
   EXPECT_EQ(count_of(mesh, GetParam()), 6 * (solid ? 2 : 1) * parts_of_grid_cell(GetParam()));
   EXPECT_NEAR(bulk_measure(mesh), solid ? 6 : 2, 1e-13);
-  EXPECT_EQ(mesh.dimension, topology(GetParam()).dimension);
+  EXPECT_EQ(mesh.dimension, cell::topology(GetParam()).dimension);
 }
 
 TEST_P(GeneratedMesh, SharesEveryInnerSideBetweenTwoCells) {
-  const bool solid = topology(GetParam()).dimension == 3;
+  const bool solid = cell::topology(GetParam()).dimension == 3;
   const auto mesh = mesh_of(GetParam(), 2);
   const auto sides = side_multiplicities(mesh);
   EXPECT_EQ(sides[2], 0);
@@ -105,7 +105,7 @@ TEST_P(GeneratedMesh, NamesEdgesAndCorners) {
   for (const auto node : nodes_named(mesh, "rim"))
     EXPECT_EQ(mesh.points[static_cast<std::size_t>(node)].head<2>(), Eigen::Vector2d(2, 1));
   EXPECT_EQ(mesh.type_of(mesh.cell_group("rim")->items[0]),
-            topology(GetParam()).order == 1 ? CellType::seg2 : CellType::seg3);
+            cell::topology(GetParam()).order == 1 ? CellType::seg2 : CellType::seg3);
 }
 
 TEST_P(GeneratedMesh, KeepsTheNodesOfTouchingBodiesApart) {
@@ -123,8 +123,9 @@ TEST_P(GeneratedMesh, KeepsTheNodesOfTouchingBodiesApart) {
     EXPECT_TRUE(oriented_faces(mesh, mesh.cell_group(name)->items).sound());
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryType, GeneratedMesh, testing::ValuesIn(all_types()),
-                         [](const auto& parameter) { return std::string(topology(parameter.param).name); });
+INSTANTIATE_TEST_SUITE_P(EveryType, GeneratedMesh, testing::ValuesIn(all_types()), [](const auto& parameter) {
+  return std::string(cell::topology(parameter.param).name);
+});
 
 TEST(Generate, CountsAsTheTwoBeamStudiesDo) {
   const auto plane = generate(two_beams(CellType::quad4));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/cell/reference_nodes.hpp"
 #include "rubato/mesh/interpolation.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/quality.hpp"
@@ -16,12 +17,12 @@ using namespace test;
 using Eigen::Vector3d;
 
 /// The reference cell as a mesh of one cell.
-Mesh reference_mesh(const CellTopology& shape) {
+Mesh reference_mesh(const cell::CellTopology& shape) {
   Mesh mesh;
   mesh.dimension = shape.dimension;
   mesh.blocks = {{shape.type, {}, {1}}};
   for (int i = 0; i < shape.node_count; ++i) {
-    mesh.points.push_back(reference_node(shape.type, i));
+    mesh.points.push_back(cell::reference_node(shape.type, i));
     mesh.node_numbers.push_back(i + 1);
     mesh.blocks[0].nodes.push_back(i);
   }
@@ -53,9 +54,9 @@ TEST(SignedMeasure, IsThatOfTheReferenceCell) {
   const std::map<CellType, double> measures{
       {CellType::seg2, 2},       {CellType::tria3, 0.5}, {CellType::quad4, 4}, {CellType::tetra4, 1. / 6},
       {CellType::pyra5, 4. / 3}, {CellType::penta6, 1},  {CellType::hexa8, 8}};
-  for (const auto& shape : all_topologies()) {
+  for (const auto& shape : cell::all_topologies()) {
     if (shape.type != CellType::point1) {
-      EXPECT_NEAR(signed_measure(reference_mesh(shape), 0), measures.at(linear_type(shape.type)), 1e-14)
+      EXPECT_NEAR(signed_measure(reference_mesh(shape), 0), measures.at(cell::linear_type(shape.type)), 1e-14)
           << shape.name;
     }
   }
@@ -65,7 +66,7 @@ TEST(SignedMeasure, OfAWarpedHexahedronIsTheIntegralOfItsJacobian) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> shift(-0.4, 0.4);
   for (int sample = 0; sample < 10; ++sample) {
-    auto mesh = reference_mesh(topology(CellType::hexa8));
+    auto mesh = reference_mesh(cell::topology(CellType::hexa8));
     for (auto& point : mesh.points)
       point += Vector3d(shift(random), shift(random), shift(random));
     EXPECT_NEAR(signed_measure(mesh, 0), gauss_volume(mesh), 1e-13);
@@ -73,7 +74,7 @@ TEST(SignedMeasure, OfAWarpedHexahedronIsTheIntegralOfItsJacobian) {
 }
 
 TEST(MirroredNumbering, IsItsOwnInverse) {
-  for (const auto& shape : all_topologies()) {
+  for (const auto& shape : cell::all_topologies()) {
     const auto mirror = mirrored_numbering(shape.type);
     ASSERT_EQ(static_cast<int>(mirror.size()), shape.node_count) << shape.name;
     for (std::size_t i = 0; i < mirror.size(); ++i)
@@ -82,7 +83,7 @@ TEST(MirroredNumbering, IsItsOwnInverse) {
 }
 
 TEST(MendOrientation, MakesEveryMirroredCellPositiveWithMiddlesAndCentresInPlace) {
-  for (const auto& shape : all_topologies()) {
+  for (const auto& shape : cell::all_topologies()) {
     if (shape.dimension < 2)
       continue;
     auto mesh = reference_mesh(shape);
@@ -95,13 +96,13 @@ TEST(MendOrientation, MakesEveryMirroredCellPositiveWithMiddlesAndCentresInPlace
     const auto nodes = mesh.nodes_of(0);
     const auto at = [&](std::size_t local) { return mesh.points[static_cast<std::size_t>(nodes[local])]; };
     for (std::size_t e = 0; shape.order == 2 && e < shape.edges.size(); ++e)
-      EXPECT_LT((at(static_cast<std::size_t>(mid_node(shape, e))) -
+      EXPECT_LT((at(static_cast<std::size_t>(cell::mid_node(shape, e))) -
                  (at(shape.edges[e][0]) + at(shape.edges[e][1])) / 2)
                     .norm(),
                 1e-15)
           << shape.name;
     for (const auto& side : shape.sides)
-      if (const auto centre = centre_node(side)) {
+      if (const auto centre = cell::centre_node(side)) {
         const Vector3d mean =
             (at(side.nodes[0]) + at(side.nodes[1]) + at(side.nodes[2]) + at(side.nodes[3])) / 4;
         EXPECT_LT((at(static_cast<std::size_t>(*centre)) - mean).norm(), 1e-15) << shape.name;

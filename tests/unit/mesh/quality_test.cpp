@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/cell/reference_nodes.hpp"
 #include "rubato/mesh/interpolation.hpp"
 #include "rubato/mesh/quality.hpp"
 
@@ -15,13 +16,13 @@ using Eigen::Vector3d;
 double jacobian_of(CellType type, const std::vector<Vector3d>& points) {
   std::vector<NodeIndex> nodes(points.size());
   std::iota(nodes.begin(), nodes.end(), 0);
-  return scaled_jacobian(type, nodes, points, topology(type).dimension).value();
+  return scaled_jacobian(type, nodes, points, cell::topology(type).dimension).value();
 }
 
 std::vector<Vector3d> reference_points(CellType type) {
-  std::vector<Vector3d> points(static_cast<std::size_t>(topology(type).node_count));
+  std::vector<Vector3d> points(static_cast<std::size_t>(cell::topology(type).node_count));
   for (std::size_t i = 0; i < points.size(); ++i)
-    points[i] = reference_node(type, static_cast<int>(i));
+    points[i] = cell::reference_node(type, static_cast<int>(i));
   return points;
 }
 
@@ -38,7 +39,7 @@ TEST(ScaledJacobian, IsOneForTheIdealCell) {
       1, 1e-14);
   for (const auto type : {CellType::quad4, CellType::quad8, CellType::quad9, CellType::hexa8,
                           CellType::hexa20, CellType::hexa27})
-    EXPECT_NEAR(jacobian_of(type, reference_points(type)), 1, 1e-14) << topology(type).name;
+    EXPECT_NEAR(jacobian_of(type, reference_points(type)), 1, 1e-14) << cell::topology(type).name;
 }
 
 TEST(ScaledJacobian, IsTheSineOfTheSharpestAngleOfAParallelogram) {
@@ -49,11 +50,11 @@ TEST(ScaledJacobian, IsTheSineOfTheSharpestAngleOfAParallelogram) {
 TEST(ScaledJacobian, IsNegativeForMirroredCells) {
   for (const auto type : all_types()) {
     auto points = reference_points(type);
-    EXPECT_GT(jacobian_of(type, points), 0) << topology(type).name;
+    EXPECT_GT(jacobian_of(type, points), 0) << cell::topology(type).name;
     for (auto& point : points)
       point.x() = -point.x();
-    EXPECT_LT(jacobian_of(type, points), 0) << topology(type).name;
-    EXPECT_GE(jacobian_of(type, points), -1) << topology(type).name;
+    EXPECT_LT(jacobian_of(type, points), 0) << cell::topology(type).name;
+    EXPECT_GE(jacobian_of(type, points), -1) << cell::topology(type).name;
   }
 }
 
@@ -134,7 +135,7 @@ TEST(MeshReport, FindsInvertedCellsAndTheWorstOne) {
 
 TEST(MeshReport, CallsCellsThatARunMendsReversedAndNotInverted) {
   for (const auto type : {CellType::quad8, CellType::hexa20}) {
-    SCOPED_TRACE(topology(type).name);
+    SCOPED_TRACE(cell::topology(type).name);
     auto mesh = mesh_of(type);
     const auto before = examine(mesh);
     EXPECT_EQ(before.reversed_cells.count, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/quality.hpp"
 #include "rubato/mesh/refine.hpp"
 #include "rubato/mesh/skin.hpp"
@@ -62,17 +62,18 @@ TEST_P(RefinedMesh, InheritsGroupsAndKeepsOldNodes) {
     const auto surface = oriented_faces(fine, fine.cell_group(side)->items);
     EXPECT_TRUE(surface.sound()) << side;
     for (const auto& face : surface.faces)
-      EXPECT_TRUE(same_direction(face.nodes(), fine.nodes_of(face.face), topology(face.type).corner_count))
+      EXPECT_TRUE(
+          same_direction(face.nodes(), fine.nodes_of(face.face), cell::topology(face.type).corner_count))
           << side;
   }
 }
 
 TEST_P(RefinedMesh, HasMiddlesInTheMiddleOfStraightEdges) {
   const auto fine = refined(mesh_of(GetParam()), 2);
-  for_each_cell(fine, [&](CellIndex, const CellTopology& shape, std::span<const NodeIndex> nodes) {
+  for_each_cell(fine, [&](CellIndex, const cell::CellTopology& shape, std::span<const NodeIndex> nodes) {
     const auto at = [&](std::size_t i) { return fine.points[static_cast<std::size_t>(nodes[i])]; };
     for (std::size_t e = 0; shape.order == 2 && e < shape.edges.size(); ++e)
-      EXPECT_LT((at(static_cast<std::size_t>(mid_node(shape, e))) -
+      EXPECT_LT((at(static_cast<std::size_t>(cell::mid_node(shape, e))) -
                  (at(shape.edges[e][0]) + at(shape.edges[e][1])) / 2)
                     .norm(),
                 1e-14);
@@ -85,8 +86,9 @@ TEST_P(RefinedMesh, HasMiddlesInTheMiddleOfStraightEdges) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryType, RefinedMesh, testing::ValuesIn(all_types()),
-                         [](const auto& parameter) { return std::string(topology(parameter.param).name); });
+INSTANTIATE_TEST_SUITE_P(EveryType, RefinedMesh, testing::ValuesIn(all_types()), [](const auto& parameter) {
+  return std::string(cell::topology(parameter.param).name);
+});
 
 TEST(Refine, KeepsTheCurveOfQuadraticCells) {
   // A parabola y = 1 + x²/4 along the top is what quadratic cells represent exactly.
@@ -100,7 +102,7 @@ TEST(Refine, KeepsTheCurveOfQuadraticCells) {
     const auto fine = refined(mesh, 4);
     for (const auto node : nodes_named(fine, "top")) {
       const auto& point = fine.points[static_cast<std::size_t>(node)];
-      EXPECT_NEAR(point.y(), 1 + point.x() * point.x() / 4, 1e-13) << topology(type).name;
+      EXPECT_NEAR(point.y(), 1 + point.x() * point.x() / 4, 1e-13) << cell::topology(type).name;
     }
   }
 }

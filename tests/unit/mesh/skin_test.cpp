@@ -29,7 +29,7 @@ Vector3d normal_of(const Mesh& mesh, const SurfaceFace& face) {
 /// Turns every face cell of the mesh round.
 Mesh with_reversed_faces(Mesh mesh) {
   for (auto& block : mesh.blocks) {
-    const auto& shape = topology(block.type);
+    const auto& shape = cell::topology(block.type);
     if (shape.dimension != mesh.dimension - 1)
       continue;
     const auto mirror = mirrored_numbering(block.type);
@@ -48,7 +48,7 @@ TEST_P(Skin, PointsOutOfTheOwners) {
     EXPECT_EQ(face.face, SurfaceFace::none);
     const Vector3d out = centre_of(mesh, face.nodes()) - centre_of(mesh, mesh.nodes_of(face.owner));
     EXPECT_GT(normal_of(mesh, face).dot(out), 0);
-    EXPECT_EQ(topology(GetParam()).sides[face.side].type, face.type);
+    EXPECT_EQ(cell::topology(GetParam()).sides[face.side].type, face.type);
   }
 }
 
@@ -79,8 +79,9 @@ TEST_P(Skin, FacesAreOrientedByTheOwnerWhateverTheirOwnDirection) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryType, Skin, testing::ValuesIn(all_types()),
-                         [](const auto& parameter) { return std::string(topology(parameter.param).name); });
+INSTANTIATE_TEST_SUITE_P(EveryType, Skin, testing::ValuesIn(all_types()), [](const auto& parameter) {
+  return std::string(cell::topology(parameter.param).name);
+});
 
 TEST(SkinCount, IsThatOfTheBoxAndOfAPartOfIt) {
   const auto mesh = mesh_of(CellType::hexa8);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Mutated mesh files: each ends in a mesh or in one sentence, whatever the bytes. RUBATO_MUTATIONS says how
 // many there are of each kind, 2,000 for a thorough look.
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/msh.hpp"
 #include "rubato/mesh/quality.hpp"

@@ -44,16 +44,16 @@ const CellBlock* block_of(const Mesh& mesh, CellType type) {
 /// Every node of every cell where its corners want it, and the solids right side out and of that volume in
 /// all.
 void expect_regular(const Mesh& mesh, CellType body, double volume) {
-  ASSERT_NE(block_of(mesh, body), nullptr) << topology(body).name;
+  ASSERT_NE(block_of(mesh, body), nullptr) << cell::topology(body).name;
   double sum = 0.0;
   for (const auto& block : mesh.blocks)
     for (CellIndex cell = 0; cell < block.cell_count(); ++cell) {
       const auto points = test::points_of(mesh, block, cell);
-      const auto corners = topology(block.type).corner_count;
+      const auto corners = cell::topology(block.type).corner_count;
       const auto expected = test::filled(block.type, {points.begin(), points.begin() + corners});
       for (std::size_t i = 0; i < points.size(); ++i)
-        ASSERT_LT((points[i] - expected[i]).norm(), 1e-9) << topology(block.type).name << " node " << i;
-      if (topology(block.type).dimension == 3) {
+        ASSERT_LT((points[i] - expected[i]).norm(), 1e-9) << cell::topology(block.type).name << " node " << i;
+      if (cell::topology(block.type).dimension == 3) {
         EXPECT_GT(test::measure(block.type, points), 0.0);
       }
       if (block.type == body)
@@ -106,7 +106,7 @@ TEST_F(GmshFile, HasTheNodesOfEveryQuadraticCellInOurOrder) {
                                 {tetra, "", CellType::tetra4},
                                 {tetra, full, CellType::tetra10}};
   for (const auto& one : cases) {
-    SCOPED_TRACE(topology(one.body).name);
+    SCOPED_TRACE(cell::topology(one.body).name);
     const auto mesh = mesh_of("box.geo", unit_square + one.extrusion + one.options + "\n");
     EXPECT_EQ(mesh.dimension, 3);
     expect_regular(mesh, one.body, 1.0);

@@ -53,7 +53,7 @@ Mesh small_mesh() {
 
 TEST(MedFile, KeepsEveryCellTypeWithItsGroupsAndNumbers) {
   const ScratchFolder folder;
-  for (const auto& cell : all_topologies()) {
+  for (const auto& cell : cell::all_topologies()) {
     SCOPED_TRACE(cell.name);
     for (int dimension = std::max(2, cell.dimension); dimension <= 3; ++dimension) {
       const auto mesh = test::one_cell(cell.type, dimension);

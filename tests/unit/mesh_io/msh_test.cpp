@@ -168,7 +168,7 @@ std::vector<GmshCell> gmsh_cells() {
 
 TEST_P(MshFile, HasTheNodesOfEveryCellInOurOrder) {
   for (const auto& cell : gmsh_cells()) {
-    SCOPED_TRACE(topology(cell.type).name);
+    SCOPED_TRACE(cell::topology(cell.type).name);
     auto points = test::reference_corners(cell.type);
     for (const auto& corners : cell.middles)
       points.push_back(test::mean_of(points, corners, static_cast<int>(corners.size())));
@@ -178,7 +178,7 @@ TEST_P(MshFile, HasTheNodesOfEveryCellInOurOrder) {
       nodes.push_back(static_cast<std::int64_t>(nodes.size()) + 1);
       sample.nodes.emplace_back(nodes.back(), point);
     }
-    sample.cells = {{topology(cell.type).dimension, 1, cell.number, {1}, {nodes}}};
+    sample.cells = {{cell::topology(cell.type).dimension, 1, cell.number, {1}, {nodes}}};
     const auto mesh = read(sample);
     ASSERT_EQ(mesh.blocks.size(), 1U);
     ASSERT_EQ(mesh.blocks[0].type, cell.type);

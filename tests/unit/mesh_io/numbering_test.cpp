@@ -20,7 +20,7 @@ test::Points in_med_order(CellType type) {
 }
 
 TEST(MedNumbering, IsMirroredForSolidsAndOursForTheRest) {
-  for (const auto& cell : all_topologies()) {
+  for (const auto& cell : cell::all_topologies()) {
     SCOPED_TRACE(cell.name);
     EXPECT_EQ(med::node_order(cell.type).empty(), cell.dimension < 3);
     if (cell.dimension == 3) {
@@ -32,7 +32,7 @@ TEST(MedNumbering, IsMirroredForSolidsAndOursForTheRest) {
 
 // MED's edges are listed as ours are, by MED's own corners.
 TEST(MedNumbering, HasEdgeNodesInTheMiddleOfMedsEdges) {
-  for (const auto& cell : all_topologies()) {
+  for (const auto& cell : cell::all_topologies()) {
     if (cell.order == 1)
       continue;
     SCOPED_TRACE(cell.name);
@@ -59,7 +59,7 @@ TEST(MedNumbering, HasFaceNodesInTheMiddleOfMedsFaces) {
 }
 
 TEST(MedNumbering, NamesEveryCellTypeBothWays) {
-  for (const auto& cell : all_topologies())
+  for (const auto& cell : cell::all_topologies())
     EXPECT_EQ(med::type_of_geometry(med::geometry_of(cell.type)), cell.type);
   EXPECT_EQ(med::geometry_of(CellType::hexa20), 320);
   EXPECT_FALSE(med::type_of_geometry(400));

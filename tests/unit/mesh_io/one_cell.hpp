@@ -12,9 +12,9 @@ namespace rubato::test {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-inline Points reference_corners(mesh::CellType type) {
+inline Points reference_corners(CellType type) {
   using V = Eigen::Vector3d;
-  const auto& cell = mesh::topology(type);
+  const auto& cell = cell::topology(type);
   switch (cell.dimension * 10 + cell.corner_count) {
   case 1:
     return {V(0, 0, 0)};
@@ -45,8 +45,8 @@ template <class Locals> Eigen::Vector3d mean_of(const Points& points, const Loca
 
 /// Where the nodes of a cell stand when its corners stand there: edge nodes in the middle of their corners,
 /// face nodes of their face's, the rest in the middle of all.
-inline Points filled(mesh::CellType type, const Points& corners) {
-  const auto& cell = mesh::topology(type);
+inline Points filled(CellType type, const Points& corners) {
+  const auto& cell = cell::topology(type);
   std::vector<int> all(static_cast<std::size_t>(cell.corner_count));
   std::iota(all.begin(), all.end(), 0);
   const auto middle = mean_of(corners, all, cell.corner_count);
@@ -57,12 +57,12 @@ inline Points filled(mesh::CellType type, const Points& corners) {
   for (std::size_t edge = 0; edge < cell.edges.size(); ++edge)
     points[static_cast<std::size_t>(cell.corner_count) + edge] = mean_of(points, cell.edges[edge], 2);
   for (const auto& side : cell.sides)
-    if (mesh::topology(side.type).node_count == 9)
+    if (cell::topology(side.type).node_count == 9)
       points[side.nodes[8]] = mean_of(points, side.nodes, 4);
   return points;
 }
 
-inline mesh::Mesh one_cell(mesh::CellType type, int dimension) {
+inline mesh::Mesh one_cell(CellType type, int dimension) {
   mesh::Mesh mesh;
   mesh.dimension = dimension;
   mesh.points = filled(type, reference_corners(type));
@@ -77,11 +77,11 @@ inline mesh::Mesh one_cell(mesh::CellType type, int dimension) {
 }
 
 /// Volume of a solid by its faces, or area (in x, y) of a surface by its edges; negative when inside out.
-inline double measure(mesh::CellType type, const Points& points) {
-  const auto& cell = mesh::topology(type);
+inline double measure(CellType type, const Points& points) {
+  const auto& cell = cell::topology(type);
   double sum = 0.0;
   for (const auto& side : cell.sides) {
-    const auto corners = mesh::topology(side.type).corner_count;
+    const auto corners = cell::topology(side.type).corner_count;
     const auto at = [&](int i) { return points[side.nodes[static_cast<std::size_t>(i % corners)]]; };
     if (cell.dimension == 2) {
       sum += 0.5 * (at(0).x() * at(1).y() - at(1).x() * at(0).y());

@@ -130,11 +130,11 @@ TEST_P(SharedMesh, HasEdgeNodesInTheMiddleOfTheirCorners) {
   for (const auto& block : mesh_.blocks)
     for (CellIndex cell = 0; cell < block.cell_count(); ++cell) {
       const auto points = test::points_of(mesh_, block, cell);
-      const auto corners = static_cast<std::size_t>(topology(block.type).corner_count);
+      const auto corners = static_cast<std::size_t>(cell::topology(block.type).corner_count);
       const test::Points expected = test::filled(block.type, {points.begin(), points.begin() + corners});
       for (std::size_t i = 0; i < points.size(); ++i)
         ASSERT_LT((points[i] - expected[i]).norm(), 1e-9)
-            << topology(block.type).name << " " << cell << " " << i;
+            << cell::topology(block.type).name << " " << cell << " " << i;
     }
 }
 

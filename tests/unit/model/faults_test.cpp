@@ -74,7 +74,7 @@ TEST(BadModel, NamesNoMoreThanTheFirstFewBadCells) {
   for (int i = 0; i < 4; ++i)
     builder.add_node(Eigen::Vector3d(i % 2, i / 2, 0));
   for (int i = 0; i < 15; ++i)
-    builder.add_cell(mesh::CellType::quad4, std::array{0, 1, 2, 3});
+    builder.add_cell(CellType::quad4, std::array{0, 1, 2, 3});
   try {
     build_model(study_of(with(two_blocks, "cells: all", "cells: all")), std::move(builder).build());
     FAIL() << "nothing thrown";

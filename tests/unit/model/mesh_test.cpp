@@ -11,9 +11,7 @@
 namespace rubato::model {
 namespace {
 
-using mesh::CellType;
-
-deck::MeshSource generated() {
+study::MeshSource generated() {
   return test::study_of(test::two_blocks).mesh;
 }
 
@@ -25,7 +23,7 @@ const mesh::CellBlock* block_of(const mesh::Mesh& mesh, CellType type) {
 /// The same request for a mesh from a file and for one made on the spot.
 class StudyMesh : public testing::TestWithParam<bool> {
 protected:
-  deck::MeshSource source() const {
+  study::MeshSource source() const {
     auto source = generated();
     if (!GetParam())
       return source;
@@ -40,7 +38,7 @@ protected:
 
 TEST_P(StudyMesh, IsConvertedAndRefined) {
   auto source = this->source();
-  source.convert = deck::MeshConversion::full_quadratic;
+  source.convert = study::MeshConversion::full_quadratic;
   source.refine = 2;
   const auto mesh = load_mesh(source);
   ASSERT_NE(block_of(mesh, CellType::quad9), nullptr);
@@ -67,7 +65,7 @@ TEST(MirroredCells, OfAFileAreMended) {
   ASSERT_EQ(mesh.blocks.back().type, CellType::quad4);
   std::swap(nodes[1], nodes[3]);
   mesh::write_med(folder / "blocks.med", mesh);
-  deck::MeshSource source;
+  study::MeshSource source;
   source.file.text = (folder / "blocks.med").string();
   const auto mended = load_mesh(source);
   for (mesh::CellIndex cell = 0; cell < mended.cell_count(); ++cell)

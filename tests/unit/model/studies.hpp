@@ -11,7 +11,7 @@
 
 namespace rubato::test {
 
-inline deck::Study study_of(std::string_view deck) {
+inline study::Study study_of(std::string_view deck) {
   return deck::parse_deck(deck, "deck.yaml").runs.front();
 }
 

@@ -12,8 +12,8 @@ namespace {
 /// y = −1 − 10 t at four instants, x = 0.
 const Table probes{{"t", "tip.x", "tip.y"}, {{0, 0, -1}, {0.1, 0, -2}, {0.3, 0, -4}, {0.4, 0, -5}}};
 
-deck::Check check(int component, double at, double reference, double tolerance, bool relative) {
-  deck::Check check;
+study::Check check(int component, double at, double reference, double tolerance, bool relative) {
+  study::Check check;
   check.probe.text = "tip";
   check.component = component;
   check.at = at;
@@ -23,7 +23,7 @@ deck::Check check(int component, double at, double reference, double tolerance, 
   return check;
 }
 
-CheckResult result_of(const deck::Check& check, const Table& table = probes) {
+CheckResult result_of(const study::Check& check, const Table& table = probes) {
   return evaluate_checks(std::array{check}, table).at(0);
 }
 
@@ -73,7 +73,7 @@ TEST(Check, NeverHoldsForWhatIsNotANumber) {
 
 TEST(CheckTable, ShowsSourceAndNote) {
   auto one = check(1, 0.3, -4, 1e-3, true);
-  one.source = deck::CheckSource::other_code;
+  one.source = study::CheckSource::other_code;
   one.note = "a report";
   const auto text = to_text(std::array{result_of(one), result_of(check(0, 0.1, 1, 0.5, false))});
   EXPECT_NE(text.find("ok     other_code: a report\n"), std::string::npos) << text;

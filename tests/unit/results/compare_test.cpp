@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Two small runs, with and without friction, side by side.
 #include "rubato/deck/read.hpp"
-#include "rubato/deck/stored_fields.hpp"
 #include "rubato/results/compare.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/stored_run.hpp"
 #include "rubato/run/time_loop.hpp"
+#include "rubato/study/stored_fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -139,14 +139,14 @@ TEST_F(TwoRuns, AreRefusedWithOneSentence) {
 
 TEST_F(TwoRuns, StoreTheFieldsThatDecksMayName) {
   const auto fields = med_fields(of("rough") / "fields.med");
-  for (const auto& known : deck::stored_fields(2)) {
+  for (const auto& known : study::stored_fields(2)) {
     const auto found = std::ranges::find(fields, known.name, &MedField::name);
     ASSERT_NE(found, fields.end()) << known.name;
     EXPECT_EQ(found->component_names,
               known.components.empty() ? std::vector<std::string>{"1"} : known.components)
         << known.name;
   }
-  EXPECT_EQ(fields.size(), deck::stored_fields(2).size());
+  EXPECT_EQ(fields.size(), study::stored_fields(2).size());
 }
 
 // ---- histories

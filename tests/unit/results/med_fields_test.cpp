@@ -19,7 +19,7 @@ mesh::Mesh triangle() {
   mesh.dimension = 2;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.node_numbers = {1, 2, 3};
-  mesh.blocks = {{mesh::CellType::tria3, {0, 1, 2}, {1}}};
+  mesh.blocks = {{CellType::tria3, {0, 1, 2}, {1}}};
   return mesh;
 }
 

@@ -92,9 +92,9 @@ mesh::Mesh flat_mesh() {
   for (int i = 0; i < 13; ++i)
     mesh.points.emplace_back(i, 0.5 * i, 0.0);
   mesh.node_numbers = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 130};
-  mesh.blocks = {{mesh::CellType::seg3, {0, 1, 4}, {1}},
-                 {mesh::CellType::tria7, {1, 9, 2, 10, 11, 5, 12}, {3}},
-                 {mesh::CellType::quad9, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {2}}};
+  mesh.blocks = {{CellType::seg3, {0, 1, 4}, {1}},
+                 {CellType::tria7, {1, 9, 2, 10, 11, 5, 12}, {3}},
+                 {CellType::quad9, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {2}}};
   return mesh;
 }
 
@@ -127,7 +127,7 @@ TEST(VtuFile, KnowsVtksNumberOfEveryCellType) {
       {"TRIA7", 34},   {"QUAD4", 9},    {"QUAD8", 23},  {"QUAD9", 28},  {"TETRA4", 10},
       {"TETRA10", 24}, {"PYRA5", 14},   {"PYRA13", 27}, {"PENTA6", 13}, {"HEXA8", 12},
       {"PENTA15", 26}, {"PENTA18", 32}, {"HEXA20", 25}, {"HEXA27", 29}};
-  for (const auto& cell : mesh::all_topologies()) {
+  for (const auto& cell : cell::all_topologies()) {
     mesh::Mesh mesh;
     const auto nodes = static_cast<std::size_t>(cell.node_count);
     mesh.points.assign(nodes, Eigen::Vector3d::Zero());
@@ -197,7 +197,7 @@ double volume_within(const std::vector<std::vector<int>>& faces, const test::Poi
 
 TEST(VtuFile, HasSolidsOfPositiveVolumeWithTheirMiddlesWhereVtkHasThem) {
   const ScratchFolder folder;
-  for (const auto& cell : mesh::all_topologies()) {
+  for (const auto& cell : cell::all_topologies()) {
     if (cell.dimension < 3)
       continue;
     SCOPED_TRACE(cell.name);

@@ -36,7 +36,7 @@ std::vector<bool> open_points(const RunResult& result) {
 
 class ContinuedRun : public testing::Test {
 protected:
-  RunResult run(const deck::Study& study, const step::State* previous = nullptr) const {
+  RunResult run(const study::Study& study, const step::State* previous = nullptr) const {
     return run_study(study, folder_ / study.name, {}, previous);
   }
   static deck::Deck deck_of(const std::string& text) { return deck::parse_deck(text, "deck.yaml"); }

@@ -19,7 +19,7 @@ using test::with;
 
 const std::string hht = "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}";
 
-deck::Study explicit_study(const std::string& more = "") {
+study::Study explicit_study(const std::string& more = "") {
   const auto time = "{scheme: central_difference, end: 4e-4, record: 5e-5" + more + "}";
   const auto deck =
       with(with(test::two_blocks, hht, time), "friction: 0.2", "friction: 0.2, method: penalty");
@@ -28,7 +28,7 @@ deck::Study explicit_study(const std::string& more = "") {
 
 class ExplicitRun : public testing::Test {
 protected:
-  RunResult run(const deck::Study& study) {
+  RunResult run(const study::Study& study) {
     Watch watch;
     watch.say = [this](const std::string& text) { said_ += text + "\n"; };
     return run_study(study, folder_ / study.name, watch);

@@ -38,7 +38,7 @@ public:
     return advice(model_, time::make_scheme(model_.study.time), failure);
   }
   std::string told(const results::Failure& failure) const { return explain(model_, failure); }
-  const deck::Study& study() const { return model_.study; }
+  const study::Study& study() const { return model_.study; }
 
 private:
   model::Model model_;

@@ -18,7 +18,7 @@ protected:
     return run_study(study_, folder_ / folder, watch, nullptr, begin);
   }
 
-  const deck::Study study_ = deck::parse_deck(test::two_blocks, "deck.yaml").runs.front();
+  const study::Study study_ = deck::parse_deck(test::two_blocks, "deck.yaml").runs.front();
   test::ScratchFolder folder_;
 };
 

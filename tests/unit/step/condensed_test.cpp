@@ -52,7 +52,7 @@ struct History {
   int iterations = 0;
 };
 
-History history(const std::string& deck, deck::Solver solver) {
+History history(const std::string& deck, study::Solver solver) {
   auto study = deck::parse_deck(deck, "beams.yaml").runs.front();
   study.solver = solver;
   const auto model = model::build_model(study);
@@ -80,8 +80,8 @@ class Condensed : public testing::TestWithParam<Variant> {};
 
 TEST_P(Condensed, GivesWhatTheWholeSystemGives) {
   const auto deck = beams(GetParam().cells, GetParam().contact);
-  const auto condensed = history(deck, deck::Solver::condensed);
-  const auto full = history(deck, deck::Solver::full);
+  const auto condensed = history(deck, study::Solver::condensed);
+  const auto full = history(deck, study::Solver::full);
   EXPECT_LT((condensed.u - full.u).cwiseAbs().maxCoeff(), 1e-10 * full.u.cwiseAbs().maxCoeff());
 }
 
@@ -102,8 +102,8 @@ loads: [{line_force: {on: loaded, y: -2.26714e+06}}]
 contact: {interface: {master: above, slave: below, friction: 0.3, method: nodal_lagrange, exclude_nodes: [wall]}}
 time: {scheme: hht, alpha: -0.164, step: 1.6e-5, end: 1.6e-4}
 )";
-  const auto condensed = history(deck, deck::Solver::condensed);
-  const auto full = history(deck, deck::Solver::full);
+  const auto condensed = history(deck, study::Solver::condensed);
+  const auto full = history(deck, study::Solver::full);
   EXPECT_LE(condensed.iterations, full.iterations);
   EXPECT_LT((condensed.u - full.u).cwiseAbs().maxCoeff(), 1e-7 * full.u.cwiseAbs().maxCoeff());
 }

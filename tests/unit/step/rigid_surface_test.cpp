@@ -24,7 +24,7 @@ bool is_turned(Sense sense, int face) {
 }
 
 /// The mesh of a deck, and under it, from −0.5 to 1.5 at y = −0.01, a table of loose segments or quadrangles.
-mesh::Mesh with_table(const deck::Study& study, Sense sense) {
+mesh::Mesh with_table(const study::Study& study, Sense sense) {
   constexpr int parts = 9;
   const auto bodies = model::load_mesh(study.mesh);
   mesh::MeshBuilder builder(bodies.dimension);
@@ -41,12 +41,12 @@ mesh::Mesh with_table(const deck::Study& study, Sense sense) {
       std::array ends{nodes[at], nodes[at + 1]};
       if (is_turned(sense, i))
         std::swap(ends[0], ends[1]);
-      faces.push_back(builder.add_cell(mesh::CellType::seg2, ends));
+      faces.push_back(builder.add_cell(CellType::seg2, ends));
     } else {
       std::array corners{nodes[at], nodes[at + 1], nodes[at + 3], nodes[at + 2]};
       if (is_turned(sense, i))
         std::swap(corners[1], corners[3]);
-      faces.push_back(builder.add_cell(mesh::CellType::quad4, corners));
+      faces.push_back(builder.add_cell(CellType::quad4, corners));
     }
   }
   builder.add_to_cell_group("table", faces);
@@ -73,11 +73,11 @@ contact: {rest: {slave: under, friction: 0.3}}
 time: {scheme: static, step: 0.5, end: 1}
 )";
 
-deck::Study study_of(const std::string& deck, const std::vector<deck::Setting>& changes) {
+study::Study study_of(const std::string& deck, const std::vector<deck::Setting>& changes) {
   return deck::parse_deck(deck, "deck.yaml", changes).runs.front();
 }
 
-deck::Study on_table(const std::string& deck, const std::string& time) {
+study::Study on_table(const std::string& deck, const std::string& time) {
   const std::string moved = "x: {value: 0.02, function: push}, y: {value: 0.03, function: push}";
   const std::string supports = deck == solid_deck
                                    ? "[{on: roof, fix: [x, y, z]}, {on: table, fix: z, " + moved + "}]"
@@ -85,7 +85,7 @@ deck::Study on_table(const std::string& deck, const std::string& time) {
   return study_of(deck, {{"contact.rest.master", "table"}, {"supports", supports}, {"time", time}});
 }
 
-deck::Study before_plane(const std::string& deck, const std::string& time) {
+study::Study before_plane(const std::string& deck, const std::string& time) {
   const std::string plane = deck == solid_deck ? "{plane: {point: [0, -0.01, 0], normal: [0, 1, 0]}, "
                                                : "{plane: {point: [0, -0.01], normal: [0, 1]}, ";
   const std::string move = "move: {x: {value: 0.02, function: push}, y: {value: 0.03, function: push}}}";

@@ -27,7 +27,7 @@ public:
   explicit Walk(model::Model given)
       : model(std::move(given)), scheme(time::make_scheme(model.study.time)),
         state(step::initial_state(model, scheme, model.study.time.begin,
-                                  model.study.time.start != deck::StartKind::at_rest_unloaded)),
+                                  model.study.time.start != study::StartKind::at_rest_unloaded)),
         control(model.study.time, state.t) {}
 
   /// Steps to the next instant of the list, cutting when it must; false when that doesn't help.

@@ -22,8 +22,8 @@ TEST(SchemeTable, NewmarkIsAverageAccelerationUnlessTold) {
   expect_weights(scheme.forces, 1, 0);
   expect_weights(scheme.inertia, 1, 0);
 
-  deck::TimeStepping settings;
-  settings.scheme = deck::SchemeKind::newmark;
+  study::TimeStepping settings;
+  settings.scheme = study::SchemeKind::newmark;
   settings.beta = 1. / 6;
   settings.gamma = 0.5;
   const auto linear = make_scheme(settings);
@@ -86,7 +86,7 @@ TEST(SchemeTable, ChungAndHulbertFollowFromTheSpectralRadius) {
 
 TEST(SchemeTable, WeightsOfEveryDynamicSchemeSumToOne) {
   for (const auto& entry : all_schemes()) {
-    if (deck::is_explicit(entry.kind))
+    if (study::is_explicit(entry.kind))
       continue;
     const auto scheme = test::scheme_of(entry.kind, -0.2);
     EXPECT_DOUBLE_EQ(scheme.forces.now + scheme.forces.before, 1) << entry.name;
@@ -95,12 +95,12 @@ TEST(SchemeTable, WeightsOfEveryDynamicSchemeSumToOne) {
 }
 
 TEST(SchemeTable, HasNoWeightsOfAnExplicitScheme) {
-  EXPECT_THROW(test::scheme_of(deck::SchemeKind::central_difference), std::invalid_argument);
+  EXPECT_THROW(test::scheme_of(study::SchemeKind::central_difference), std::invalid_argument);
 }
 
 TEST(SchemeTable, NamesEachSchemeOnce) {
   std::set<std::string_view> names;
-  std::set<deck::SchemeKind> kinds;
+  std::set<study::SchemeKind> kinds;
   for (const auto& entry : all_schemes()) {
     names.insert(entry.name);
     kinds.insert(entry.kind);
@@ -134,7 +134,7 @@ TEST(Step, IsPredictedWhereItStartsAndIsExactForUniformAcceleration) {
 }
 
 TEST(Step, OfAStaticSchemeMovesNoMass) {
-  const auto scheme = test::scheme_of(deck::SchemeKind::static_steps);
+  const auto scheme = test::scheme_of(study::SchemeKind::static_steps);
   EXPECT_FALSE(scheme.dynamic);
   const auto c = coefficients_of(scheme, 0.1);
   EXPECT_EQ(c.mass, 0);

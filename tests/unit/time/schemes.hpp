@@ -6,31 +6,31 @@
 
 namespace rubato::test {
 
-inline time::Scheme scheme_of(deck::SchemeKind kind, double alpha = 0) {
-  deck::TimeStepping settings;
+inline time::Scheme scheme_of(study::SchemeKind kind, double alpha = 0) {
+  study::TimeStepping settings;
   settings.scheme = kind;
   settings.alpha = alpha;
   return time::make_scheme(settings);
 }
 inline time::Scheme newmark() {
-  return scheme_of(deck::SchemeKind::newmark);
+  return scheme_of(study::SchemeKind::newmark);
 }
 inline time::Scheme hht(double alpha) {
-  return scheme_of(deck::SchemeKind::hht, alpha);
+  return scheme_of(study::SchemeKind::hht, alpha);
 }
 inline time::Scheme modified(double alpha) {
-  return scheme_of(deck::SchemeKind::modified_average_acceleration, alpha);
+  return scheme_of(study::SchemeKind::modified_average_acceleration, alpha);
 }
 inline time::Scheme generalized_alpha(double spectral_radius) {
-  deck::TimeStepping settings;
-  settings.scheme = deck::SchemeKind::generalized_alpha;
+  study::TimeStepping settings;
+  settings.scheme = study::SchemeKind::generalized_alpha;
   settings.spectral_radius = spectral_radius;
   return time::make_scheme(settings);
 }
 
 inline time::Scheme moreau_jean(double theta) {
-  deck::TimeStepping settings;
-  settings.scheme = deck::SchemeKind::moreau_jean;
+  study::TimeStepping settings;
+  settings.scheme = study::SchemeKind::moreau_jean;
   settings.theta = theta;
   return time::make_scheme(settings);
 }

@@ -10,15 +10,15 @@ namespace {
 
 using Instants = std::vector<double>;
 
-deck::TimeStepping even(double step, double end) {
-  deck::TimeStepping settings;
+study::TimeStepping even(double step, double end) {
+  study::TimeStepping settings;
   settings.step = step;
   settings.end = end;
   return settings;
 }
 
-deck::TimeStepping listed(Instants instants) {
-  deck::TimeStepping settings;
+study::TimeStepping listed(Instants instants) {
+  study::TimeStepping settings;
   settings.instants = std::move(instants);
   settings.end = settings.instants.back();
   return settings;
@@ -41,7 +41,7 @@ TEST(Instants, AreMultiplesOfTheStepNotSums) {
 
 TEST(Instants, AreTheDecimalNumbersThatWereMeant) {
   EXPECT_EQ(instants_of(even(1e-3, 1))[9], 0.009); // 9 · 1e-3 is 0.009000000000000001
-  deck::TimeStepping late = even(1e-3, 1);
+  study::TimeStepping late = even(1e-3, 1);
   late.begin = 0.03;
   EXPECT_EQ(instants_of(late)[5], 0.035);
 }
@@ -184,7 +184,7 @@ TEST(StepControl, MeasuresListedStepsOneByOne) {
   EXPECT_EQ(control.length(), 0.7 - 0.15);
 }
 
-StepControl resumed(const deck::TimeStepping& settings, const StepControl::Place& place) {
+StepControl resumed(const study::TimeStepping& settings, const StepControl::Place& place) {
   StepControl control(settings, settings.begin);
   control.go_on(place);
   return control;

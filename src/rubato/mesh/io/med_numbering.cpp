@@ -77,7 +77,7 @@ std::optional<CellType> type_of_geometry(int geometry) {
 
 std::span<const std::uint8_t> node_order(CellType type) {
   const auto order = family_order(type);
-  return order.empty() ? order : order.first(static_cast<std::size_t>(topology(type).node_count));
+  return order.empty() ? order : order.first(static_cast<std::size_t>(cell::topology(type).node_count));
 }
 
 } // namespace rubato::mesh::med

@@ -2,7 +2,7 @@
 /// Inside the project only: MED's cell types and the order of their nodes.
 #pragma once
 
-#include "rubato/mesh/cell_type.hpp"
+#include "rubato/cell/topology.hpp"
 
 #include <cstdint>
 #include <optional>

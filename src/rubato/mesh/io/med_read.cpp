@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/med_file.hpp"
 #include "rubato/mesh/io/med_numbering.hpp"
@@ -122,7 +122,7 @@ public:
   /// don't say which types there are.
   std::vector<CellType> types() const {
     std::vector<CellType> found;
-    for (const auto& cell : all_topologies())
+    for (const auto& cell : cell::all_topologies())
       if (count(MED_CELL, med::geometry_of(cell.type), MED_CONNECTIVITY, MED_NODAL, "cells") > 0)
         found.push_back(cell.type);
     refuse_unknown_types(found.size());
@@ -239,7 +239,7 @@ void read_nodes(const med::File& file, const Entities& entities, Mesh& mesh) {
 }
 
 std::vector<NodeIndex> nodes_in_our_order(const med::File& file, const std::vector<med_int>& from,
-                                          const CellTopology& cell, NodeIndex node_count) {
+                                          const cell::CellTopology& cell, NodeIndex node_count) {
   const auto bad = std::ranges::find_if(from, [&](med_int node) { return node < 1 || node > node_count; });
   if (bad != from.end())
     file.refuse(fmt::format("is damaged: a cell of type {} has node {}, but the nodes go from 1 to {}",
@@ -263,7 +263,7 @@ struct BlockWithFamilies {
 BlockWithFamilies read_block(const med::File& file, const Entities& entities, CellType type,
                              NodeIndex node_count) {
   const auto geometry = med::geometry_of(type);
-  const auto& cell = topology(type);
+  const auto& cell = cell::topology(type);
   const auto cells = entities.count(MED_CELL, geometry, MED_CONNECTIVITY, MED_NODAL, "cells");
   const auto size =
       file.plausible(static_cast<std::int64_t>(cells) * cell.node_count, "nodes in the cells of one type");

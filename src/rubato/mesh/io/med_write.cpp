@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/med_file.hpp"
 #include "rubato/mesh/io/med_numbering.hpp"
-#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 #include <med.h>
@@ -69,7 +69,7 @@ void write_header(const med::File& file, const std::string& name, const Mesh& me
                         med::short_name_size);
   int own_dimension = 0;
   for (const auto& block : mesh.blocks)
-    own_dimension = std::max(own_dimension, topology(block.type).dimension);
+    own_dimension = std::max(own_dimension, cell::topology(block.type).dimension);
   const std::string no_units(axes.size(), ' ');
   file.check(MEDmeshCr(file.id(), name.c_str(), mesh.dimension, own_dimension, MED_UNSTRUCTURED_MESH, "", "",
                        MED_SORT_DTIT, MED_CARTESIAN, axes.c_str(), no_units.c_str()),
@@ -126,7 +126,7 @@ void write_nodes(const med::File& file, const std::string& name, const Mesh& mes
 
 std::vector<med_int> nodes_in_med_order(const CellBlock& block) {
   const auto order = med::node_order(block.type);
-  const auto width = static_cast<std::size_t>(topology(block.type).node_count);
+  const auto width = static_cast<std::size_t>(cell::topology(block.type).node_count);
   std::vector<med_int> nodes(block.nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto local = i % width;

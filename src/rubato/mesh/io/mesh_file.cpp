@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/io/mesh_file.hpp"
 
-#include "rubato/error.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/io/gmsh.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/msh.hpp"

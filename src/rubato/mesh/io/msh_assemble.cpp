@@ -169,7 +169,7 @@ void read_cell_nodes(Input& input, const KnownType& type, Tag (Input::*next)(std
                      std::vector<Tag>& nodes) {
   constexpr std::size_t most = 27;
   std::array<Tag, most> own{};
-  const auto width = static_cast<std::size_t>(topology(type.ours).node_count);
+  const auto width = static_cast<std::size_t>(cell::topology(type.ours).node_count);
   for (std::size_t i = 0; i < width; ++i)
     own[i] = (input.*next)("a node of a cell");
   for (std::size_t i = 0; i < width; ++i)

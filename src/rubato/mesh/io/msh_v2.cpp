@@ -111,7 +111,7 @@ std::unordered_set<Tag> pieces_in_several_groups(const TaggedCells& cells) {
 /// Takes the cells of one type into the content, one for all the lines that say the same cell of several
 /// groups.
 void take_cells(CellType type, const TaggedCells& all, Content& content) {
-  const auto& shape = topology(type);
+  const auto& shape = cell::topology(type);
   const auto width = static_cast<std::size_t>(shape.node_count);
   const auto several = pieces_in_several_groups(all);
   SameCells same(all, width);

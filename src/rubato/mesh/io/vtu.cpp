@@ -3,10 +3,10 @@
 // block is a 64-bit byte count and its bytes, found by its offset from the underscore.
 #include "rubato/mesh/io/vtu.hpp"
 
-#include "rubato/error.hpp"
-#include "rubato/mesh/cell_parts.hpp"
+#include "rubato/cell/parts.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/core/writing.hpp"
 #include "rubato/mesh/orientation.hpp"
-#include "rubato/writing.hpp"
 
 #include <fmt/format.h>
 
@@ -74,10 +74,10 @@ private:
 std::vector<const CellBlock*> chosen_blocks(const Mesh& mesh, VtuCells which) {
   int highest = 0;
   for (const auto& block : mesh.blocks)
-    highest = std::max(highest, topology(block.type).dimension);
+    highest = std::max(highest, cell::topology(block.type).dimension);
   std::vector<const CellBlock*> chosen;
   for (const auto& block : mesh.blocks)
-    if (which == VtuCells::all || topology(block.type).dimension == highest)
+    if (which == VtuCells::all || cell::topology(block.type).dimension == highest)
       chosen.push_back(&block);
   return chosen;
 }
@@ -95,7 +95,7 @@ void add_points(Document& document, std::span<const Eigen::Vector3d> points) {
 /// turn outward in VTK, quadratic wedges included; vtkCellValidator alone wants the faces of those inward.
 /// All other cells are VTK's.
 void append_in_vtk_order(const CellBlock& block, std::vector<std::int32_t>& nodes) {
-  if (linear_type(block.type) != CellType::penta6) {
+  if (cell::linear_type(block.type) != CellType::penta6) {
     nodes.insert(nodes.end(), block.nodes.begin(), block.nodes.end());
     return;
   }
@@ -114,7 +114,7 @@ void add_cells(Document& document, const std::vector<const CellBlock*>& blocks) 
     types.insert(types.end(), static_cast<std::size_t>(block->cell_count()),
                  vtk_types[static_cast<std::size_t>(block->type)]);
     for (CellIndex cell = 0; cell < block->cell_count(); ++cell)
-      ends.push_back((ends.empty() ? 0 : ends.back()) + topology(block->type).node_count);
+      ends.push_back((ends.empty() ? 0 : ends.back()) + cell::topology(block->type).node_count);
   }
   document.line("<Cells>");
   document.array<std::int32_t>("connectivity", 1, nodes);

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/domain/assembly.hpp"
+
+#include "rubato/core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string_view>
+
+namespace rubato::domain {
+namespace {
+
+using mesh::CellIndex;
+using mesh::NodeIndex;
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// The cells around each numbered node, in compressed rows.
+struct CellsOfNodes {
+  std::vector<std::int64_t> start;
+  std::vector<CellIndex> cells;
+};
+
+CellsOfNodes cells_around_nodes(const mesh::Mesh& mesh, std::span<const CellIndex> cells,
+                                const DofMap& dofs) {
+  const auto number = [&](NodeIndex node) { return at(dofs.first_dof[at(node)] / dofs.components); };
+  CellsOfNodes around{std::vector<std::int64_t>(dofs.nodes.size() + 1, 0), {}};
+  for (const auto cell : cells)
+    for (const auto node : mesh.nodes_of(cell))
+      ++around.start[number(node) + 1];
+  std::partial_sum(around.start.begin(), around.start.end(), around.start.begin());
+  around.cells.resize(at(around.start.back()));
+  auto next = around.start;
+  for (const auto cell : cells)
+    for (const auto node : mesh.nodes_of(cell))
+      around.cells[at(next[number(node)]++)] = cell;
+  return around;
+}
+
+double factor_of(std::span<const double> factors, const Bulk& bulk, std::size_t i) {
+  return factors.empty() ? 1. : factors[at(bulk.law_of_cell[i])];
+}
+
+/// The reason is a material or a size beyond what numbers hold: it is told where it comes from.
+template <class Values>
+void require_finite(const Values& element, const mesh::Mesh& mesh, const Bulk& bulk, std::size_t i,
+                    std::string_view what) {
+  if (element.allFinite())
+    return;
+  const auto& law = bulk.law(i);
+  throw InputError(fmt::format("{}: its {} is not finite (young {:g}, poisson {:g}, density {:g})",
+                               cell_label(mesh, bulk.cells[i]), what, law.young, law.poisson, law.density));
+}
+
+} // namespace
+
+BlockPattern::BlockPattern(const mesh::Mesh& mesh, std::span<const CellIndex> cells, const DofMap& dofs)
+    : components_(dofs.components), first_dof_(dofs.first_dof), start_(dofs.nodes.size() + 1, 0) {
+  const auto around = cells_around_nodes(mesh, cells, dofs);
+  std::vector<std::int32_t> last_seen_by(dofs.nodes.size(), -1);
+  for (std::int32_t node = 0; at(node) < dofs.nodes.size(); ++node) {
+    for (auto c = around.start[at(node)]; c < around.start[at(node) + 1]; ++c)
+      for (const auto other : mesh.nodes_of(around.cells[at(c)])) {
+        const auto neighbour = number_of(other);
+        if (last_seen_by[at(neighbour)] != node)
+          neighbours_.push_back(neighbour);
+        last_seen_by[at(neighbour)] = node;
+      }
+    start_[at(node) + 1] = static_cast<std::int64_t>(neighbours_.size());
+    std::sort(neighbours_.begin() + start_[at(node)], neighbours_.end());
+  }
+  if (start_.back() * components_ * components_ > std::numeric_limits<int>::max())
+    throw std::length_error("the matrix of this mesh has more entries than a 32-bit index can count");
+}
+
+SparseMatrix BlockPattern::zero_matrix() const {
+  const auto nodes = static_cast<std::int64_t>(start_.size()) - 1;
+  const auto size = static_cast<Eigen::Index>(nodes * components_);
+  SparseMatrix matrix(size, size);
+  matrix.resizeNonZeros(static_cast<Eigen::Index>(start_.back() * components_ * components_));
+  int* outer = matrix.outerIndexPtr();
+  int* inner = matrix.innerIndexPtr();
+  *outer++ = 0;
+  for (std::int64_t node = 0; node < nodes; ++node)
+    for (int b = 0; b < components_; ++b) {
+      for (auto k = start_[at(node)]; k < start_[at(node) + 1]; ++k)
+        for (int a = 0; a < components_; ++a)
+          *inner++ = neighbours_[at(k)] * components_ + a;
+      *outer++ = static_cast<int>(inner - matrix.innerIndexPtr());
+    }
+  matrix.coeffs().setZero();
+  return matrix;
+}
+
+std::int32_t BlockPattern::number_of(NodeIndex node) const {
+  return first_dof_[at(node)] / components_;
+}
+
+std::int64_t BlockPattern::place_in_column(std::int32_t row_node, std::int32_t column_node) const {
+  const auto begin = neighbours_.begin() + start_[at(column_node)];
+  const auto end = neighbours_.begin() + start_[at(column_node) + 1];
+  return (std::lower_bound(begin, end, row_node) - begin) * components_;
+}
+
+void BlockPattern::add(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& element,
+                       SparseMatrix& matrix) const {
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    const auto column = number_of(nodes[j]);
+    const int* outer = matrix.outerIndexPtr() + std::int64_t{column} * components_;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto place = place_in_column(number_of(nodes[i]), column);
+      for (int b = 0; b < components_; ++b) {
+        double* value = matrix.valuePtr() + outer[b] + place;
+        const double* source = element.col(static_cast<Eigen::Index>(j) * components_ + b).data() +
+                               static_cast<std::ptrdiff_t>(i) * components_;
+        for (int a = 0; a < components_; ++a)
+          value[a] += source[a];
+      }
+    }
+  }
+}
+
+void BlockPattern::add_to_diagonals(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& m,
+                                    SparseMatrix& matrix) const {
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    const auto column = number_of(nodes[j]);
+    const int* outer = matrix.outerIndexPtr() + std::int64_t{column} * components_;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto place = place_in_column(number_of(nodes[i]), column);
+      for (int b = 0; b < components_; ++b)
+        matrix.valuePtr()[outer[b] + place + b] +=
+            m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+  }
+}
+
+SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
+                                std::span<const double> factors) {
+  auto matrix = pattern.zero_matrix();
+  Eigen::MatrixXd element;
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
+    const auto [block, index] = mesh.place_of(bulk.cells[i]);
+    const auto nodes = block->cell(index);
+    const auto size =
+        static_cast<Eigen::Index>(nodes.size()) * element::component_count(bulk.section.physics);
+    element.resize(size, size);
+    stiffness(block->type, CellPoints(mesh, nodes), bulk.law(i), bulk.section, element);
+    if (!factors.empty())
+      element *= factor_of(factors, bulk, i);
+    require_finite(element, mesh, bulk, i, "stiffness");
+    pattern.add(nodes, element, matrix);
+  }
+  return matrix;
+}
+
+SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
+                           std::span<const double> factors) {
+  auto matrix = pattern.zero_matrix();
+  Eigen::MatrixXd element;
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
+    const auto [block, index] = mesh.place_of(bulk.cells[i]);
+    const auto nodes = block->cell(index);
+    element.resize(static_cast<Eigen::Index>(nodes.size()), static_cast<Eigen::Index>(nodes.size()));
+    mass(block->type, CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, element);
+    element *= factor_of(factors, bulk, i);
+    require_finite(element, mesh, bulk, i, "mass");
+    pattern.add_to_diagonals(nodes, element, matrix);
+  }
+  return matrix;
+}
+
+Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                            std::span<const double> factors) {
+  Eigen::VectorXd total = Eigen::VectorXd::Zero(dofs.dof_count);
+  Eigen::VectorXd element;
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
+    const auto [block, index] = mesh.place_of(bulk.cells[i]);
+    const auto nodes = block->cell(index);
+    element.resize(static_cast<Eigen::Index>(nodes.size()));
+    lumped_mass(block->type, CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, element);
+    element *= factor_of(factors, bulk, i);
+    require_finite(element, mesh, bulk, i, "mass");
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      total.segment(dofs.first_dof[at(nodes[n])], dofs.components).array() +=
+          element[static_cast<Eigen::Index>(n)];
+  }
+  return total;
+}
+
+} // namespace rubato::domain

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The cells that deform, and what each is made of.
+#pragma once
+
+#include "rubato/core/error.hpp"
+#include "rubato/element/element.hpp"
+#include "rubato/material/law.hpp"
+#include "rubato/mesh/mesh.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rubato::domain {
+
+struct Bulk {
+  element::Section section;
+  std::vector<mesh::CellIndex> cells;
+  std::vector<material::LinearElastic> laws;
+  std::vector<std::int32_t> law_of_cell; ///< index in `laws`, one a cell of `cells`
+
+  const material::LinearElastic& law(std::size_t i) const {
+    return laws[static_cast<std::size_t>(law_of_cell[i])];
+  }
+};
+
+/// The coordinates of one cell's nodes, copied beside each other.
+class CellPoints {
+public:
+  CellPoints(const mesh::Mesh& mesh, std::span<const mesh::NodeIndex> nodes) : count_(nodes.size()) {
+    for (std::size_t i = 0; i < count_; ++i)
+      points_[i] = mesh.points[static_cast<std::size_t>(nodes[i])];
+  }
+  operator std::span<const Eigen::Vector3d>() const { return {points_.data(), count_}; }
+
+private:
+  std::array<Eigen::Vector3d, 27> points_;
+  std::size_t count_;
+};
+
+/// "cell 12 (QUAD4) at (1.5, 0.5)": its number in the file, its type and the mean of its nodes.
+std::string cell_label(const mesh::Mesh& mesh, mesh::CellIndex cell);
+
+/// One fault for each cell that cannot be computed with, naming it by its number in the file and its type:
+/// wrong dimension for the physics, Jacobian not positive (inverted or degenerate), or, when axisymmetric,
+/// reaching below the axis x = 0. Empty when all is well.
+std::vector<Fault> cell_faults(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,
+                               study::Physics physics);
+
+} // namespace rubato::domain

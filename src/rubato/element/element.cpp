@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Isotropic elasticity needs of a cell's shape only the Gram matrix of the physical gradients g_i,
+///   A_ab(i,j) = ∫ ∂_a N_i ∂_b N_j,
+/// one matrix product over all quadrature points; then
+///   K_ab(i,j) = λ A_ab(i,j) + μ A_ba(i,j) + μ δ_ab Σ_c A_cc(i,j).
+/// Axisymmetric cells add the hoop row N_i / r to the gradients: ε_zz = u_x / r.
+#include "rubato/element/element.hpp"
+
+#include "rubato/cell/shape_table.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace rubato::element {
+namespace {
+
+using Eigen::Index;
+using study::Physics;
+using Points = std::span<const Eigen::Vector3d>;
+
+constexpr Index most_points = 27;
+constexpr Index most_nodes = 27;
+
+[[noreturn]] void refuse(CellType type) {
+  throw std::invalid_argument(std::string(cell::topology(type).name) + " is no bulk cell of this physics");
+}
+
+void check_dimension(CellType type, Physics physics) {
+  if (cell::topology(type).dimension != component_count(physics))
+    refuse(type);
+}
+
+/// Calls `work` with the dimension of the type, known at compile time.
+template <class Work> void with_dimension(CellType type, const Work& work) {
+  switch (cell::topology(type).dimension) {
+  case 2:
+    return work(std::integral_constant<int, 2>{});
+  case 3:
+    return work(std::integral_constant<int, 3>{});
+  default:
+    refuse(type);
+  }
+}
+
+/// A vector of D components for each node.
+template <int D> using Nodal = Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::ColMajor, D, most_nodes>;
+template <int D> using Square = Eigen::Matrix<double, D, D>;
+/// One column a quadrature point.
+template <int MostRows>
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, MostRows, most_points>;
+
+template <int D> Nodal<D> coordinates(Points points) {
+  Nodal<D> x(D, static_cast<Index>(points.size()));
+  for (Index i = 0; i < x.cols(); ++i)
+    x.col(i) = points[static_cast<std::size_t>(i)].template head<D>();
+  return x;
+}
+
+template <int D> auto reference_gradients(const cell::ShapeTable& table, Index q) {
+  return Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>>(table.gradients.col(q).data(), D,
+                                                                    table.values.rows());
+}
+
+template <int D> Square<D> jacobian(const Nodal<D>& x, const cell::ShapeTable& table, Index q) {
+  const auto slopes = reference_gradients<D>(table, q);
+  Square<D> j = Square<D>::Zero();
+  for (Index i = 0; i < x.cols(); ++i)
+    j += x.col(i) * slopes.col(i).transpose();
+  return j;
+}
+
+template <int D> double radius(const Nodal<D>& x, const cell::ShapeTable& table, Index q) {
+  return x.row(0).dot(table.values.col(q));
+}
+
+/// One quadrature point in space.
+template <int D> struct PointInSpace {
+  Square<D> inverse; ///< transposed inverse Jacobian: takes reference gradients to ∂N_i/∂x_a
+  double jacobian;
+  double radius; ///< x
+};
+
+template <int D> PointInSpace<D> point_in_space(const Nodal<D>& x, const cell::ShapeTable& table, Index q) {
+  const auto j = jacobian<D>(x, table, q);
+  return {j.inverse().transpose(), j.determinant(), radius<D>(x, table, q)};
+}
+
+/// The gradients of every point times the root of its volume; with Rows = D + 1 the hoop row N_i / r follows
+/// those of each node.
+template <int D, int Rows>
+Columns<Rows * most_nodes> scaled_gradients(const cell::ShapeTable& table, Points points,
+                                            const Section& section) {
+  const auto x = coordinates<D>(points);
+  Columns<Rows * most_nodes> scaled(Rows * x.cols(), table.weights.size());
+  for (Index q = 0; q < table.weights.size(); ++q) {
+    const auto at = point_in_space<D>(x, table, q);
+    const auto slopes = reference_gradients<D>(table, q);
+    const double root = std::sqrt(table.weights[q] * at.jacobian * measure(section, at.radius));
+    const Square<D> to_space = root * at.inverse;
+    Eigen::Map<Eigen::Matrix<double, Rows, Eigen::Dynamic>> column(scaled.col(q).data(), Rows, x.cols());
+    for (Index i = 0; i < x.cols(); ++i)
+      column.col(i).template head<D>() = to_space * slopes.col(i);
+    if constexpr (Rows > D)
+      column.row(D) = root / at.radius * table.values.col(q).transpose();
+  }
+  return scaled;
+}
+
+/// K_ab(i,j) from A_ab(i,j), both for one pair of nodes.
+template <int D, int Rows> Square<D> stiffness_block(const material::Lame& lame, const Square<Rows>& a) {
+  const Square<D> plane = a.template topLeftCorner<D, D>();
+  Square<D> block = lame.lambda * plane + lame.mu * plane.transpose();
+  block.diagonal().array() += lame.mu * plane.trace();
+  if constexpr (Rows > D) {
+    block.row(0) += lame.lambda * a.row(D).template head<D>();
+    block.col(0) += lame.lambda * a.col(D).template head<D>();
+    block(0, 0) += (lame.lambda + 2 * lame.mu) * a(D, D);
+  }
+  return block;
+}
+
+template <int D, int Rows>
+void stiffness_of(const cell::ShapeTable& table, Points points, const material::Lame& lame,
+                  const Section& section, Eigen::Ref<Eigen::MatrixXd> k) {
+  const auto scaled = scaled_gradients<D, Rows>(table, points, section);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Rows * most_nodes, Rows * most_nodes>
+      gram(scaled.rows(), scaled.rows());
+  gram.noalias() = scaled * scaled.transpose();
+  const auto nodes = static_cast<Index>(points.size());
+  for (Index j = 0; j < nodes; ++j)
+    for (Index i = 0; i <= j; ++i) {
+      const auto block = stiffness_block<D, Rows>(lame, gram.template block<Rows, Rows>(Rows * i, Rows * j));
+      k.block<D, D>(D * i, D * j) = block;
+      k.block<D, D>(D * j, D * i) = block.transpose();
+    }
+}
+
+template <int D>
+void mass_of(const cell::ShapeTable& table, Points points, double density, const Section& section,
+             Eigen::Ref<Eigen::MatrixXd> m) {
+  const auto x = coordinates<D>(points);
+  Columns<most_nodes> scaled(x.cols(), table.weights.size());
+  for (Index q = 0; q < table.weights.size(); ++q) {
+    const double volume =
+        table.weights[q] * jacobian<D>(x, table, q).determinant() * measure(section, radius<D>(x, table, q));
+    scaled.col(q) = std::sqrt(density * volume) * table.values.col(q);
+  }
+  m.noalias() = scaled * scaled.transpose();
+}
+
+/// Small-strain Voigt vector from the displacement gradient h_ab = ∂u_a/∂x_b (and u_x / r).
+material::Voigt voigt(const Eigen::Matrix3d& h) {
+  material::Voigt strain(6);
+  strain << h(0, 0), h(1, 1), h(2, 2), h(0, 1) + h(1, 0), h(1, 2) + h(2, 1), h(0, 2) + h(2, 0);
+  return strain;
+}
+
+material::Voigt voigt(const Eigen::Matrix2d& h, double hoop, Physics physics) {
+  material::Voigt strain(material::strain_size(physics));
+  if (physics == Physics::axisymmetric)
+    strain << h(0, 0), h(1, 1), hoop, h(0, 1) + h(1, 0);
+  else
+    strain << h(0, 0), h(1, 1), h(0, 1) + h(1, 0);
+  return strain;
+}
+
+template <int D>
+void strains_of(const cell::ShapeTable& table, Points points, Physics physics,
+                std::span<const double> displacement, Eigen::Ref<Eigen::MatrixXd> strain) {
+  const auto x = coordinates<D>(points);
+  const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> u(displacement.data(), D, x.cols());
+  for (Index q = 0; q < table.weights.size(); ++q) {
+    const auto at = point_in_space<D>(x, table, q);
+    const auto slopes = reference_gradients<D>(table, q);
+    Square<D> h = Square<D>::Zero();
+    for (Index i = 0; i < x.cols(); ++i)
+      h += u.col(i) * (at.inverse * slopes.col(i)).transpose();
+    if constexpr (D == 3)
+      strain.col(q) = voigt(h);
+    else
+      strain.col(q) = voigt(h, u.row(0).dot(table.values.col(q)) / at.radius, physics);
+  }
+}
+
+template <int D> double worst_jacobian_of(const cell::ShapeTable& table, Points points) {
+  const auto x = coordinates<D>(points);
+  double worst = std::numeric_limits<double>::infinity();
+  for (Index q = 0; q < table.weights.size(); ++q)
+    if (const double here = jacobian<D>(x, table, q).determinant(); !(here >= worst))
+      worst = here;
+  return worst;
+}
+
+/// Diagonal of the consistent mass scaled to the cell's mass.
+void scale_diagonal(const Eigen::MatrixXd& consistent, Eigen::Ref<Eigen::VectorXd> m) {
+  m = consistent.diagonal() * (consistent.sum() / consistent.trace());
+}
+
+} // namespace
+
+int component_count(Physics physics) {
+  return physics == Physics::solid ? 3 : 2;
+}
+
+double measure(const Section& section, double x) {
+  switch (section.physics) {
+  case Physics::solid:
+    return 1;
+  case Physics::axisymmetric:
+    return 2 * std::numbers::pi * x;
+  default:
+    return section.thickness;
+  }
+}
+
+void stiffness(CellType type, Points points, const material::LinearElastic& law, const Section& section,
+               Eigen::Ref<Eigen::MatrixXd> k) {
+  check_dimension(type, section.physics);
+  const auto& table = cell::stiffness_table(type);
+  const auto lame = material::lame(law, section.physics);
+  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
+    if constexpr (D == 2)
+      if (section.physics == Physics::axisymmetric)
+        return stiffness_of<D, 3>(table, points, lame, section, k);
+    stiffness_of<D, D>(table, points, lame, section, k);
+  });
+}
+
+void mass(CellType type, Points points, double density, const Section& section,
+          Eigen::Ref<Eigen::MatrixXd> m) {
+  check_dimension(type, section.physics);
+  const auto& table = cell::mass_table(type);
+  with_dimension(
+      type, [&]<int D>(std::integral_constant<int, D>) { mass_of<D>(table, points, density, section, m); });
+}
+
+void lumped_mass(CellType type, Points points, double density, const Section& section,
+                 Eigen::Ref<Eigen::VectorXd> m) {
+  Eigen::MatrixXd consistent(m.size(), m.size());
+  mass(type, points, density, section, consistent);
+  if (cell::topology(type).order == 1)
+    m = consistent.rowwise().sum();
+  else
+    scale_diagonal(consistent, m);
+}
+
+void strains(CellType type, Points points, Physics physics, std::span<const double> displacement,
+             Eigen::Ref<Eigen::MatrixXd> strain) {
+  check_dimension(type, physics);
+  const auto& table = cell::stiffness_table(type);
+  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
+    strains_of<D>(table, points, physics, displacement, strain);
+  });
+}
+
+void point_volumes(CellType type, Points points, const Section& section, Eigen::Ref<Eigen::VectorXd> volume) {
+  check_dimension(type, section.physics);
+  const auto& table = cell::stiffness_table(type);
+  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
+    const auto x = coordinates<D>(points);
+    for (Index q = 0; q < table.weights.size(); ++q)
+      volume[q] = table.weights[q] * jacobian<D>(x, table, q).determinant() *
+                  measure(section, radius<D>(x, table, q));
+  });
+}
+
+double worst_jacobian(CellType type, Points points) {
+  double worst = 0;
+  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
+    const double in_stiffness = worst_jacobian_of<D>(cell::stiffness_table(type), points);
+    const double in_mass = worst_jacobian_of<D>(cell::mass_table(type), points);
+    worst = in_mass < in_stiffness ? in_mass : in_stiffness;
+  });
+  return worst;
+}
+
+} // namespace rubato::element

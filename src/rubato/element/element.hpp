@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Element matrices and strains of one bulk cell, on its undeformed shape, small strains.
+///
+/// Local dof = node · d + component, d = 2 or 3 displacement components. `points` are the node coordinates of
+/// the cell in the order of its type (2D: z is ignored; axisymmetric: x is the radius, y the axis). Integrals
+/// are over the volume: 2D ones carry the thickness, axisymmetric ones the whole ring, 2πr. Strains and
+/// stresses are Voigt vectors as material/law.hpp orders them. Nothing here checks the cell's shape:
+/// cell_faults (bulk.hpp) does, once, beforehand. What these functions give for an inverted cell is
+/// meaningless, possibly not finite, but no crash. All throw std::invalid_argument when the type is no bulk
+/// cell of the physics (HEXA8 in plane stress, SEG2 ever).
+#pragma once
+
+#include "rubato/cell/topology.hpp"
+#include "rubato/material/law.hpp"
+#include "rubato/study/study.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace rubato::element {
+
+struct Section {
+  study::Physics physics = study::Physics::solid;
+  double thickness = 1; ///< plane stress and plane strain only [length]
+};
+
+/// Displacement components a node: 3 for solids, else 2.
+int component_count(study::Physics physics);
+
+/// What a length² or length³ of the model's drawing stands for: 1, the thickness, or 2πr at radius `x`.
+double measure(const Section& section, double x);
+
+/// Element stiffness ∫ Bᵀ D B into `k`, square of size nodes · d.
+void stiffness(CellType type, std::span<const Eigen::Vector3d> points, const material::LinearElastic& law,
+               const Section& section, Eigen::Ref<Eigen::MatrixXd> k);
+
+/// Consistent mass ∫ ρ N_i N_j into `m`, square of size nodes: the same for each component, so the whole
+/// element matrix is m ⊗ 1.
+void mass(CellType type, std::span<const Eigen::Vector3d> points, double density, const Section& section,
+          Eigen::Ref<Eigen::MatrixXd> m);
+
+/// Lumped mass of each node into `m` (size nodes), positive and adding up to the cell's mass. Linear cells:
+/// row sums. Quadratic cells, where row sums may be negative: diagonal scaling of E. Hinton, T. Rock, O. C.
+/// Zienkiewicz, A note on mass lumping and related processes in the finite element method, Earthq. Eng.
+/// Struct. Dyn. 4 (1976) 245–249.
+void lumped_mass(CellType type, std::span<const Eigen::Vector3d> points, double density,
+                 const Section& section, Eigen::Ref<Eigen::VectorXd> m);
+
+/// Strains at the points of cell::stiffness_rule into the columns of `strain` (strain_size × points);
+/// `displacement` has nodes · d numbers.
+void strains(CellType type, std::span<const Eigen::Vector3d> points, study::Physics physics,
+             std::span<const double> displacement, Eigen::Ref<Eigen::MatrixXd> strain);
+
+/// Volume times weight (measure included) of each point of cell::stiffness_rule into `volume`.
+void point_volumes(CellType type, std::span<const Eigen::Vector3d> points, const Section& section,
+                   Eigen::Ref<Eigen::VectorXd> volume);
+
+/// The smallest Jacobian determinant at the points of cell::stiffness_rule and cell::mass_rule: positive for
+/// a cell that can be computed with. [length^dimension of the cell over that of its reference cell]
+double worst_jacobian(CellType type, std::span<const Eigen::Vector3d> points);
+
+} // namespace rubato::element

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What the user asked for: plain data without behaviour, comparable, echoed whole into the results.
+/// Units are the user's own, consistent ones (SI unless the deck says otherwise).
+#pragma once
+
+#include "rubato/core/cell_type.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/core/function.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace rubato::study {
+
+/// A name that must mean something in the mesh or in the deck, with the place where it was written.
+struct Name {
+  std::string text;
+  Location at;
+  bool operator==(const Name&) const = default;
+};
+
+// ---- mesh ------------------------------------------------------------------------------------------------
+
+/// A box or a rectangle cut into a regular grid.
+struct Body {
+  std::string name;
+  int dimension = 3; ///< 2: rectangle, 3: box
+  std::array<double, 3> from{};
+  std::array<double, 3> to{};
+  std::array<int, 3> divisions{1, 1, 1};
+  CellType cells = CellType::hexa8;
+  /// Group names of the sides: keys left, right (x), bottom, top (y), back, front (z).
+  std::map<std::string, Name> sides;
+  /// Group names of edges (3D) and of corner points, by the sides that meet there: "right_top",
+  /// "right_top_back". In 2D a corner is "right_top".
+  std::map<std::string, Name> edges;
+  std::map<std::string, Name> points;
+  Location at;
+  bool operator==(const Body&) const = default;
+};
+
+enum class MeshConversion { none, linear, quadratic, full_quadratic };
+
+struct MeshSource {
+  Name file;                ///< empty when generated; found from the current folder
+  std::string file_mesh;    ///< name of the mesh inside the file; empty: its only (first) one
+  std::vector<Body> bodies; ///< empty when read
+  MeshConversion convert = MeshConversion::none;
+  int refine = 1; ///< every edge is cut into that many parts
+  bool operator==(const MeshSource&) const = default;
+};
+
+// ---- physics ---------------------------------------------------------------------------------------------
+
+enum class Physics { solid, plane_stress, plane_strain, axisymmetric };
+
+struct Material {
+  std::string name;
+  double young = 0;   ///< E [pressure] > 0
+  double poisson = 0; ///< −1 < ν < 0.5
+  std::optional<double> density;
+  double rayleigh_stiffness = 0; ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
+  double rayleigh_mass = 0;      ///< [1/time]
+  bool everywhere = true;        ///< `cells: all`
+  std::vector<Name> cells;       ///< groups, when not everywhere
+  Location at;
+  bool operator==(const Material&) const = default;
+};
+
+/// A number, times a named function of time when `function` is not empty.
+struct Amplitude {
+  double value = 0;
+  Name function;
+  bool operator==(const Amplitude&) const = default;
+};
+
+/// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`).
+struct Support {
+  Name on;
+  std::array<std::optional<Amplitude>, 3> components;
+  Location at;
+  bool operator==(const Support&) const = default;
+};
+
+enum class LoadKind {
+  nodal_force,   ///< [force] on each node of the group
+  line_force,    ///< [force/length] on edges
+  surface_force, ///< [force/area] on faces (2D: on edges, the thickness multiplies it)
+  pressure,      ///< [force/area] on faces, positive pushes into the body
+  gravity        ///< [acceleration] on the mass
+};
+
+struct Load {
+  LoadKind kind = LoadKind::nodal_force;
+  Name on;                            ///< gravity: empty means every cell
+  std::array<double, 3> components{}; ///< pressure: the first
+  Name function;
+  Location at;
+  bool operator==(const Load&) const = default;
+};
+
+/// Springs between the nodes of a group and the ground, without force where the nodes are undeformed.
+struct Springs {
+  Name on;
+  std::array<double, 3> stiffness{}; ///< of each node's spring along an axis [force/length], 0: none
+  Location at;
+  bool operator==(const Springs&) const = default;
+};
+
+/// Where nodes are and how they move when the run begins. What isn't given is 0, or the support's.
+struct InitialMotion {
+  Name on;                                           ///< a group, a node, or "all"
+  std::array<std::optional<double>, 3> displacement; ///< [length]
+  std::array<std::optional<double>, 3> velocity;     ///< [length/time]
+  Location at;
+  bool operator==(const InitialMotion&) const = default;
+};
+
+/// `on: all`, `cells: all`.
+inline constexpr std::string_view everywhere = "all";
+
+// ---- contact ---------------------------------------------------------------------------------------------
+
+enum class ContactMethod {
+  augmented_lagrangian, ///< exact, multipliers on the slave nodes
+  penalty,              ///< pressure grows with penetration
+  nodal_lagrange,       ///< exact, one force a slave node
+  nodal_penalty,        ///< force a slave node grows with penetration
+  nodal_pcg             ///< as nodal_lagrange without friction, by projected conjugate gradients
+};
+enum class FrictionMethod {
+  augmented_lagrangian, ///< semi-multipliers on the slave nodes
+  penalty,              ///< μ p times a slip measured in saturation slips
+  nodal_penalty         ///< spring from the start of the step, at most μ N
+};
+enum class ContactNormal { master, slave, average };
+enum class ClampedNormal { projection, code_aster };
+enum class Iteration { newton, fixed_point };
+
+/// One of the three nested levels: part of every Newton iteration, or a loop of its own around them.
+struct Level {
+  Iteration by = Iteration::newton;
+  double tolerance = 0; ///< of the loop; the status has none: it must not change
+  int max_loops = 0;
+  bool operator==(const Level&) const = default;
+};
+
+enum class ObstacleKind { plane, cylinder, sphere };
+/// Where the bodies are that an obstacle touches: around it, or in its hole.
+enum class ObstacleSide { outside, inside };
+
+/// A rigid surface given by a formula, where the deck puts it and moved from there as a function of time. In
+/// plane physics a cylinder is a circle; in axisymmetric ones it has the axis of revolution.
+struct Obstacle {
+  ObstacleKind kind = ObstacleKind::plane;
+  std::array<double, 3> point{};     ///< of the plane, of the axis, or the centre [length]
+  std::array<double, 3> direction{}; ///< normal out of the plane's obstacle, or axis; of any length > 0
+  double radius = 0;                 ///< > 0 unless it is a plane [length]
+  ObstacleSide side = ObstacleSide::outside;
+  std::array<std::optional<Amplitude>, 3> move{}; ///< [length]
+  Location at{};
+  bool operator==(const Obstacle&) const = default;
+};
+
+struct ContactZone {
+  std::string name;
+  Name master;                      ///< empty with an obstacle
+  std::optional<Obstacle> obstacle; ///< instead of a master
+  Name slave;
+  double friction = 0; ///< Coulomb's μ ≥ 0
+  ContactMethod method = ContactMethod::augmented_lagrangian;
+  FrictionMethod friction_method = FrictionMethod::augmented_lagrangian;
+  ContactNormal normal = ContactNormal::master;
+  ClampedNormal clamped_normal = ClampedNormal::projection;
+  /// 0: contact points stand on the slave nodes (`integration: nodes`); n > 0: n Gauss points a direction.
+  int gauss_points = 0;
+  std::vector<Name> exclude_nodes;
+  /// Augmentation or penalty, as the method has it; chosen per point from the effective matrix when not
+  /// given.
+  std::optional<double> normal_coefficient;     ///< c, k_n [pressure/length]; nodal methods [force/length]
+  std::optional<double> tangential_coefficient; ///< c_t, k_t [1/length]; nodal methods [force/length]
+  /// First guess of the contact set: nothing given means the whole surface.
+  std::optional<bool> initially_active;
+  Level geometry{Iteration::newton, 1e-2, 10};
+  Level threshold{Iteration::newton, 1e-4, 10}; ///< of friction
+  Level status{Iteration::newton, 0, 30};
+  /// Whether contact forces at the start of a step enter its equilibrium with the scheme's weight.
+  bool history_force = true;
+  double restitution = 0; ///< moreau_jean: part of the approach velocity that comes back, in 0…1
+  Location at;
+  bool operator==(const ContactZone&) const = default;
+};
+
+/// Whether gaps close exactly, by a multiplier λ of their own.
+constexpr bool is_exact(ContactMethod method) {
+  return method != ContactMethod::penalty && method != ContactMethod::nodal_penalty;
+}
+
+/// One relation a slave node, without regard to areas.
+constexpr bool is_nodal(ContactMethod method) {
+  return method == ContactMethod::nodal_lagrange || method == ContactMethod::nodal_penalty ||
+         method == ContactMethod::nodal_pcg;
+}
+
+// ---- time and solver
+// ---------------------------------------------------------------------------------------
+
+enum class SchemeKind {
+  newmark,
+  hht,
+  modified_average_acceleration,
+  generalized_alpha,
+  moreau_jean, ///< velocities jump where bodies hit
+  static_steps,
+  central_difference
+};
+
+/// Whether steps follow from forces at their start, with nothing to solve and a largest stable length.
+constexpr bool is_explicit(SchemeKind scheme) {
+  return scheme == SchemeKind::central_difference;
+}
+
+/// What the slave surfaces weigh.
+enum class ContactMass {
+  consistent,   ///< what the elements give them
+  redistributed ///< nothing: the inside of their bodies carries it
+};
+
+enum class StartKind {
+  consistent,       ///< a0 from equilibrium, history bracket evaluated at the start (default)
+  at_rest_unloaded, ///< Code_Aster's first step: history bracket taken as zero
+  from_run          ///< the end of another run of the same deck
+};
+
+struct TimeStepping {
+  SchemeKind scheme = SchemeKind::moreau_jean;
+  double alpha = 0;             ///< hht −1/3…0, modified_average_acceleration ≤ 0
+  std::optional<double> beta;   ///< newmark only
+  std::optional<double> gamma;  ///< newmark only
+  double spectral_radius = 0.5; ///< generalized_alpha: ρ_∞ in 0…1
+  double theta = 0.5;           ///< moreau_jean: in 1/2…1
+  /// moreau_jean has it redistributed unless the deck says otherwise: contact never gives energy then.
+  ContactMass contact_mass = ContactMass::redistributed;
+  double begin = 0;
+  /// > 0 unless instants are listed. central_difference: 0 stands for the stable step times `safety`.
+  double step = 0;
+  double end = 0;               ///< the last of the instants when they are listed
+  std::vector<double> instants; ///< ascending, after begin; instead of step and end
+  std::vector<double> stops;    ///< instants that a step must end at, too: those at which fields are wanted
+  double safety = 0.9;          ///< central_difference: part of the stable step that is taken, in 0…1
+  double record = 0;            ///< central_difference: > 0, the time between results
+  StartKind start = StartKind::consistent;
+  Name start_run; ///< with from_run
+  int cut_parts = 2;
+  int cut_levels = 12;
+  Location at;
+  bool operator==(const TimeStepping&) const = default;
+};
+
+/// How implicit steps are solved: with the bulk factored once a step length, or whole in every iteration.
+enum class Solver { automatic, condensed, full };
+
+struct NewtonSettings {
+  int max_iterations = 40;
+  double residual = 1e-8; ///< relative, PHYSICS.md's residual test
+  bool operator==(const NewtonSettings&) const = default;
+};
+
+// ---- results ---------------------------------------------------------------------------------------------
+
+enum class ProbeField { displacement, velocity, acceleration, reaction };
+
+/// What is taken of the nodes of a group, of each component by itself.
+enum class ProbeTake { node, sum, mean, least, largest };
+
+/// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point; or of
+/// the nodes of a group.
+struct Probe {
+  std::string name;
+  Name node; ///< or the group, when something is taken of its nodes
+  std::optional<std::array<double, 3>> point;
+  ProbeField field = ProbeField::displacement;
+  ProbeTake take = ProbeTake::node; ///< `node`: there is one node
+  Location at;
+  bool operator==(const Probe&) const = default;
+};
+
+struct FieldOutput {
+  bool vtu = false;
+  bool med = false;
+  std::vector<double> at; ///< instants
+  int every = 0;          ///< and every n-th step; 0: none
+  bool last = true;       ///< and the last one
+  bool operator==(const FieldOutput&) const = default;
+};
+
+/// When the state is stored that `--resume` goes on from.
+struct CheckpointOutput {
+  std::vector<double> at; ///< instants
+  int every = 0;          ///< and every n-th step, of an explicit run every n-th record; 0: none
+  bool last = true;       ///< and when the run ends, however it does
+  bool operator==(const CheckpointOutput&) const = default;
+};
+
+enum class CheckSource { external, analytic, other_code, other_run };
+
+/// A field at the nodes of a group, as a check compares it.
+struct CheckedField {
+  std::string name;      ///< "displacement"
+  std::string component; ///< "y"; empty: every component
+  Name on;               ///< a group or a node; empty: every node
+  bool operator==(const CheckedField&) const = default;
+};
+
+/// A number that must come out: a probe's value, held against a reference; or the difference of a probe or a
+/// field from another run's, held against 0.
+struct Check {
+  Name probe;                        ///< "tip"; empty when a field is compared
+  int component = 0;                 ///< of the probe: 0, 1, 2
+  std::optional<CheckedField> field; ///< only with `run`
+  Name run;                          ///< an earlier run of the deck, which is subtracted; empty: none
+  double at = 0;                     ///< instant
+  double reference = 0;              ///< 0 with `run`
+  double tolerance = 0;
+  bool relative = true; ///< to the reference; with `run` to what the other run has
+  CheckSource source = CheckSource::external;
+  std::string note; ///< where the number comes from
+  Location where;
+  bool operator==(const Check&) const = default;
+};
+
+// ---- the whole -------------------------------------------------------------------------------------------
+
+/// One run: the deck with that run's changes laid over it.
+struct Study {
+  std::string name; ///< of the run
+  std::string title;
+  std::string units = "SI";
+  MeshSource mesh;
+  Physics physics = Physics::solid;
+  double thickness = 1; ///< plane stress and plane strain
+  std::vector<Material> materials;
+  std::vector<Support> supports;
+  std::vector<Springs> springs;
+  std::vector<Load> loads;
+  std::vector<InitialMotion> initial;
+  std::map<std::string, Function> functions;
+  std::vector<ContactZone> contact;
+  TimeStepping time;
+  NewtonSettings newton;
+  Solver solver = Solver::automatic;
+  std::vector<Probe> probes;
+  FieldOutput fields;
+  CheckpointOutput checkpoint;
+  std::vector<Check> checks;
+  bool operator==(const Study&) const = default;
+};
+
+} // namespace rubato::study

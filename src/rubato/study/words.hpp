@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The words a deck may use where it must choose. A word that is not accepted is known to the data but not
+/// yet computed by the solver: enabling it is its row here, nothing else.
+#pragma once
+
+#include "rubato/study/study.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace rubato::study {
+
+template <class E> struct Word {
+  std::string_view text;
+  E value;
+  bool accepted = true;
+};
+
+inline constexpr std::array<Word<MeshConversion>, 4> conversion_words{
+    {{"none", MeshConversion::none},
+     {"linear", MeshConversion::linear},
+     {"quadratic", MeshConversion::quadratic},
+     {"full_quadratic", MeshConversion::full_quadratic}}};
+
+inline constexpr std::array<Word<Physics>, 4> physics_words{{{"solid", Physics::solid},
+                                                             {"plane_stress", Physics::plane_stress},
+                                                             {"plane_strain", Physics::plane_strain},
+                                                             {"axisymmetric", Physics::axisymmetric}}};
+
+inline constexpr std::array<Word<Function::Outside>, 3> outside_words{
+    {{"constant", Function::Outside::constant},
+     {"linear", Function::Outside::linear},
+     {"zero", Function::Outside::zero}}};
+
+inline constexpr std::array<Word<LoadKind>, 5> load_words{{{"nodal_force", LoadKind::nodal_force},
+                                                           {"line_force", LoadKind::line_force},
+                                                           {"surface_force", LoadKind::surface_force},
+                                                           {"pressure", LoadKind::pressure},
+                                                           {"gravity", LoadKind::gravity}}};
+
+inline constexpr std::array<Word<ContactMethod>, 5> contact_method_words{
+    {{"augmented_lagrangian", ContactMethod::augmented_lagrangian},
+     {"penalty", ContactMethod::penalty},
+     {"nodal_lagrange", ContactMethod::nodal_lagrange},
+     {"nodal_penalty", ContactMethod::nodal_penalty},
+     {"nodal_pcg", ContactMethod::nodal_pcg}}};
+
+inline constexpr std::array<Word<FrictionMethod>, 3> friction_method_words{
+    {{"augmented_lagrangian", FrictionMethod::augmented_lagrangian},
+     {"penalty", FrictionMethod::penalty},
+     {"nodal_penalty", FrictionMethod::nodal_penalty}}};
+
+inline constexpr std::array<Word<ContactNormal>, 3> contact_normal_words{
+    {{"master", ContactNormal::master},
+     {"slave", ContactNormal::slave},
+     {"average", ContactNormal::average}}};
+
+inline constexpr std::array<Word<ClampedNormal>, 2> clamped_normal_words{
+    {{"projection", ClampedNormal::projection}, {"code_aster", ClampedNormal::code_aster}}};
+
+inline constexpr std::array<Word<ObstacleKind>, 3> obstacle_words{
+    {{"plane", ObstacleKind::plane}, {"cylinder", ObstacleKind::cylinder}, {"sphere", ObstacleKind::sphere}}};
+
+inline constexpr std::array<Word<ObstacleSide>, 2> obstacle_side_words{
+    {{"outside", ObstacleSide::outside}, {"inside", ObstacleSide::inside}}};
+
+inline constexpr std::array<Word<Iteration>, 2> iteration_words{
+    {{"newton", Iteration::newton}, {"fixed_point", Iteration::fixed_point}}};
+
+inline constexpr std::array<Word<Solver>, 3> solver_words{
+    {{"auto", Solver::automatic}, {"condensed", Solver::condensed}, {"full", Solver::full}}};
+
+inline constexpr std::array<Word<SchemeKind>, 7> scheme_words{
+    {{"newmark", SchemeKind::newmark},
+     {"hht", SchemeKind::hht},
+     {"modified_average_acceleration", SchemeKind::modified_average_acceleration},
+     {"generalized_alpha", SchemeKind::generalized_alpha},
+     {"moreau_jean", SchemeKind::moreau_jean},
+     {"static", SchemeKind::static_steps},
+     {"central_difference", SchemeKind::central_difference}}};
+
+inline constexpr std::array<Word<ContactMass>, 2> contact_mass_words{
+    {{"consistent", ContactMass::consistent}, {"redistributed", ContactMass::redistributed}}};
+
+/// `time.step` of an explicit run that chooses it by itself.
+inline constexpr std::string_view automatic_step = "auto";
+
+/// `start: {from: …}` is a map, not a word.
+inline constexpr std::array<Word<StartKind>, 2> start_words{
+    {{"consistent", StartKind::consistent}, {"at_rest_unloaded", StartKind::at_rest_unloaded}}};
+
+inline constexpr std::array<Word<ProbeField>, 4> probe_field_words{
+    {{"displacement", ProbeField::displacement},
+     {"velocity", ProbeField::velocity},
+     {"acceleration", ProbeField::acceleration},
+     {"reaction", ProbeField::reaction}}};
+
+inline constexpr std::array<Word<ProbeTake>, 4> probe_take_words{{{"sum", ProbeTake::sum},
+                                                                  {"mean", ProbeTake::mean},
+                                                                  {"min", ProbeTake::least},
+                                                                  {"max", ProbeTake::largest}}};
+
+inline constexpr std::array<Word<bool>, 2> check_kind_words{{{"relative", true}, {"absolute", false}}};
+
+inline constexpr std::array<Word<CheckSource>, 4> check_source_words{{{"external", CheckSource::external},
+                                                                      {"analytic", CheckSource::analytic},
+                                                                      {"other_code", CheckSource::other_code},
+                                                                      {"other_run", CheckSource::other_run}}};
+
+inline constexpr std::array<std::string_view, 3> axis_words{"x", "y", "z"};
+
+/// The word of a value, accepted or not.
+template <class E, std::size_t N>
+constexpr std::string_view word_of(const std::array<Word<E>, N>& table, E value) {
+  for (const auto& word : table)
+    if (word.value == value)
+      return word.text;
+  return {};
+}
+
+/// Axes of the mesh and of every vector in the deck.
+constexpr int dimension_of(Physics physics) {
+  return physics == Physics::solid ? 3 : 2;
+}
+
+} // namespace rubato::study
