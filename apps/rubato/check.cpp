@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/read.hpp"
 #include "rubato/results/checks.hpp"
+#include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"
 
 #include <fmt/format.h>
@@ -24,8 +26,9 @@ int exit_code_of(const results::StoredRun& run, bool checks_hold) {
 
 int check_run(const std::filesystem::path& folder) {
   const auto run = results::read_stored_run(folder);
-  const auto checks = results::evaluate_checks(run.study.checks, run.probes, folder);
-  fmt::print("{}: {}\n", run.study.name,
+  const auto study = deck::parse_echo(run.study, (folder / results::summary_file).string());
+  const auto checks = results::evaluate_checks(study.checks, run.probes, folder);
+  fmt::print("{}: {}\n", run.name,
              run.status == results::RunStatus::complete ? "complete" : run.reason);
   fmt::print("{}", checks.empty() ? "no checks in the deck\n" : results::to_text(checks));
   return exit_code_of(run, std::ranges::all_of(checks, &results::CheckResult::holds));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/naming.hpp"
+#include "rubato/deck/read.hpp"
 #include "rubato/results/compare.hpp"
 
 #include "rubato/model/model.hpp"
@@ -41,12 +43,13 @@ void require_run(const std::filesystem::path& folder) {
 
 /// The node of a probe of run A, or nothing when it has no such probe.
 std::optional<NodeIndex> probe_node(const CompareArguments& arguments, const mesh::Mesh& mesh) {
-  const auto study = results::read_stored_run(arguments.a).study;
+  const auto study = deck::parse_echo(results::read_stored_run(arguments.a).study,
+                                      (arguments.a / results::summary_file).string());
   const auto probe = std::ranges::find(study.probes, arguments.node, &study::Probe::name);
   if (probe == study.probes.end())
     return std::nullopt;
   if (!probe->point)
-    return results::nodes_of(mesh, probe->node.text).front();
+    return results::nodes_of(mesh, probe->node).front();
   const auto& p = *probe->point;
   const auto distance = [&](const Eigen::Vector3d& x) {
     return (x - Eigen::Vector3d(p[0], p[1], p[2])).norm();

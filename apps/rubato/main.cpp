@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/error.hpp"
+#include "rubato/core/naming.hpp"
 #include "rubato/linalg/blas_threads.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/mesh/io/gmsh.hpp"
@@ -166,7 +167,7 @@ std::string out_of_memory() {
 
 int report(const InputError& error) {
   for (const auto& fault : error.faults()) {
-    const auto place = to_string(fault.at);
+    const auto place = place_of(fault);
     fmt::print(stderr, "error: {}{}{}\n", place, place.empty() ? "" : ": ", fault.text);
   }
   return app::bad_input;

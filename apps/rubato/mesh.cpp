@@ -29,18 +29,26 @@ study::MeshConversion conversion_named(const std::string& name) {
   return found->second;
 }
 
+struct Source {
+  study::MeshSource mesh;
+  deck::Places places; ///< none when it is no deck
+};
+
 /// The mesh a deck's first run works on, or the one in a file; then what the command line asks for.
-study::MeshSource source_of(const MeshArguments& arguments) {
-  study::MeshSource source;
+Source source_of(const MeshArguments& arguments) {
+  Source found;
+  auto& source = found.mesh;
   if (is_deck(arguments.source)) {
     std::vector<deck::Setting> settings;
     for (const auto& text : arguments.settings)
       settings.push_back(deck::parse_setting(text));
-    source = deck::read_deck(arguments.source, settings).runs.front().mesh;
+    const auto deck = deck::read_deck(arguments.source, settings);
+    source = deck.runs.front().mesh;
+    found.places = deck.places.front();
   } else {
     if (!arguments.settings.empty())
       throw InputError("--set changes a deck, but the source is a mesh file");
-    source.file.text = arguments.source.string();
+    source.file = arguments.source.string();
   }
   if (!arguments.convert.empty())
     source.convert = conversion_named(arguments.convert);
@@ -48,13 +56,21 @@ study::MeshSource source_of(const MeshArguments& arguments) {
     throw InputError(fmt::format("--refine: found {}, expected 1 or more", arguments.refine));
   if (arguments.refine > 1)
     source.refine = arguments.refine;
-  return source;
+  return found;
+}
+
+rubato::mesh::Mesh load(const Source& source) {
+  try {
+    return model::load_mesh(source.mesh);
+  } catch (const InputError& error) {
+    throw source.places.located(error);
+  }
 }
 
 } // namespace
 
 int mesh(const MeshArguments& arguments) {
-  const auto mesh = model::load_mesh(source_of(arguments));
+  const auto mesh = load(source_of(arguments));
   rubato::mesh::write_mesh(arguments.output, mesh);
   fmt::print("{}: {} nodes, {} cells, {} groups\n", arguments.output.string(), mesh.node_count(),
              mesh.cell_count(), rubato::mesh::group_names(mesh).size());

@@ -25,21 +25,22 @@ deck::Deck read(const RunArguments& arguments) {
 }
 
 /// What a check subtracts must come from this command, or lie in the folder of results from a former one.
-void require_compared_runs(std::span<const study::Study> runs, const std::filesystem::path& output) {
-  std::vector<Fault> faults;
-  for (const auto& study : runs)
-    for (const auto& check : study.checks) {
-      const auto& other = check.run.text;
+void require_compared_runs(const deck::Deck& deck, const std::filesystem::path& output) {
+  const auto& runs = deck.runs;
+  std::vector<std::vector<Fault>> faults(runs.size());
+  for (std::size_t run = 0; run < runs.size(); ++run)
+    for (std::size_t i = 0; i < runs[run].checks.size(); ++i) {
+      const auto& other = runs[run].checks[i].run;
       const bool is_run = std::ranges::find(runs, other, &study::Study::name) != runs.end();
       if (other.empty() || is_run || std::filesystem::exists(output / other / results::summary_file))
         continue;
-      faults.push_back(
-          {check.run.at, fmt::format("run {} is checked against run {}, which is not run now and "
-                                     "is not in {}; expected '--only {},{}'",
-                                     study.name, other, output.string(), other, study.name)});
+      faults[run].push_back(fault_at(
+          fmt::format("checks.{}.run", i),
+          fmt::format("run {} is checked against run {}, which is not run now and is not in {}; expected "
+                      "'--only {},{}'",
+                      runs[run].name, other, output.string(), other, runs[run].name)));
     }
-  if (!faults.empty())
-    throw InputError(std::move(faults));
+  deck::throw_if_any(faults, deck.places);
 }
 
 int exit_code_of(const run::RunResult& result) {
@@ -77,15 +78,20 @@ public:
     watch_.stop = [this] { return stop_.stop_requested(); };
   }
 
-  int run(std::span<const study::Study> studies) {
+  int run(const deck::Deck& deck) {
     int worst = done;
-    for (const auto& study : studies) {
-      const auto& source = study.time.start_run.text;
+    for (std::size_t i = 0; i < deck.runs.size(); ++i) {
+      const auto& study = deck.runs[i];
+      const auto& source = study.time.start_run;
       if (!source.empty() && !ends_.contains(source)) {
         fmt::print(stderr, "error: {}: not run, because {} did not come to its end\n", study.name, source);
         continue;
       }
-      worst = std::max(worst, run(study, source.empty() ? nullptr : &ends_.at(source)));
+      try {
+        worst = std::max(worst, run(study, source.empty() ? nullptr : &ends_.at(source)));
+      } catch (const InputError& error) {
+        throw deck.places[i].located(error);
+      }
       if (stop_.stop_requested())
         break;
     }
@@ -127,19 +133,15 @@ private:
 
 int run(const RunArguments& arguments) {
   const auto deck = read(arguments);
-  if (deck.runs.size() > 1) {
-    std::vector<const study::Study*> studies;
-    for (const auto& study : deck.runs)
-      studies.push_back(&study);
-    model::check_studies(studies);
-  }
+  if (deck.runs.size() > 1)
+    deck::throw_if_any(model::faults_of(deck.runs), deck.places);
   const auto output = arguments.output.empty() ? arguments.deck.stem() : arguments.output;
-  require_compared_runs(deck.runs, output);
+  require_compared_runs(deck, output);
   if (!arguments.quiet)
     for (const auto& note : deck.notes)
       fmt::print(stderr, "{}\n", note);
   return run_interruptibly(
-      [&](const std::stop_token& stop) { return Series(arguments, output, stop).run(deck.runs); });
+      [&](const std::stop_token& stop) { return Series(arguments, output, stop).run(deck); });
 }
 
 } // namespace rubato::app

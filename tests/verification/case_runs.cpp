@@ -23,7 +23,7 @@ const CaseRun& CaseRuns::operator[](const std::string& name) {
   const auto study = std::ranges::find(deck_.runs, name, &study::Study::name);
   if (study == deck_.runs.end())
     throw std::out_of_range("no run " + name);
-  const auto& from = study->time.start_run.text;
+  const auto& from = study->time.start_run;
   const auto* previous = from.empty() ? nullptr : &(*this)[from].result.end;
   const test::ScratchFolder scratch;
   const auto folder = scratch / name;

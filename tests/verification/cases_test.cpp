@@ -19,7 +19,7 @@ TEST_P(Case, RunsAndItsChecksHold) {
   std::map<std::string, run::RunResult> results;
   std::size_t checks = 0;
   for (const auto& study : deck.runs) {
-    const auto from = results.find(study.time.start_run.text);
+    const auto from = results.find(study.time.start_run);
     const auto* previous = from == results.end() ? nullptr : &from->second.end;
     const auto& result = results[study.name] = run::run_study(study, folder / study.name, {}, previous);
     EXPECT_EQ(result.status, run::Status::complete) << study.name << ": " << result.message;

@@ -100,7 +100,7 @@ std::vector<ModelingRun> run_modeling(char letter, const std::filesystem::path& 
   for (auto& study : deck.runs) {
     if (letter == 'b' && has_original_mesh(letter))
       shorten(study);
-    const auto from = std::ranges::find(runs, study.time.start_run.text, &ModelingRun::name);
+    const auto from = std::ranges::find(runs, study.time.start_run, &ModelingRun::name);
     const auto* previous = from == runs.end() ? nullptr : &from->result.end;
     runs.push_back(run_one(letter, study, folder / std::string(1, letter) / study.name, previous));
   }

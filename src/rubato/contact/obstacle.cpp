@@ -139,8 +139,8 @@ Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
     if (!moved)
       continue;
     made.move[axis] = moved->value;
-    if (!moved->function.text.empty())
-      made.functions[axis] = functions.at(moved->function.text);
+    if (!moved->function.empty())
+      made.functions[axis] = functions.at(moved->function);
   }
   return made;
 }

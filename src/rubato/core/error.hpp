@@ -24,7 +24,14 @@ std::string to_string(const Location& at);
 struct Fault {
   Location at;
   std::string text;
+  std::string path = {}; ///< of the value in the study, "supports.0.on", where its place in a file is not known
 };
+
+/// A fault of the value of a study at that path.
+Fault fault_at(std::string path, std::string text);
+
+/// "file:line:column", the path where that is not known, or nothing.
+std::string place_of(const Fault& fault);
 
 /// Bad input: one or several faults, reported together.
 class InputError : public std::runtime_error {
@@ -36,8 +43,5 @@ public:
 private:
   std::vector<Fault> faults_;
 };
-
-/// The candidate nearest to `word` by edit distance, or an empty string when none is near enough to be meant.
-std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates);
 
 } // namespace rubato

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/function.hpp"
 
+#include "rubato/core/error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +17,7 @@ void check(const Function& function) {
     throw InputError(
         fmt::format("a function of time has {} times and {} values, expected as many of both and at "
                     "least one",
-                    function.times.size(), function.values.size()),
-        function.at);
+                    function.times.size(), function.values.size()));
 }
 
 /// On the line through points i and i + 1; the value of point i when they stand at one time.

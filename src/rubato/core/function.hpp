@@ -2,8 +2,6 @@
 /// Functions of time.
 #pragma once
 
-#include "rubato/core/error.hpp"
-
 #include <vector>
 
 namespace rubato {
@@ -14,13 +12,12 @@ struct Function {
   std::vector<double> times; ///< ascending
   std::vector<double> values;
   Outside outside = Outside::constant;
-  Location at;
   bool operator==(const Function&) const = default;
 };
 
 /// The piecewise-linear function at time `t`; outside its table as `function.outside` says (at both ends of
 /// the table it still has its own values). Where a time stands twice, the function jumps and takes the later
-/// value there. A table of one point is constant under `linear` too. Throws InputError at function.at when
+/// value there. A table of one point is constant under `linear` too. Throws InputError when
 /// the table is empty or times and values differ in number.
 double value_at(const Function& function, double t);
 

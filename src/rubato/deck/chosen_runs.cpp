@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/chosen_runs.hpp"
 
+#include "rubato/core/naming.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -12,7 +12,7 @@ namespace rubato::deck {
 
 /// A run as the deck has it.
 struct WrittenRun {
-  study::Name name;
+  Name name;
   Tree over; ///< its own entries
 };
 

@@ -15,7 +15,23 @@ void Faults::add(const Location& at, const std::string& text) {
     runs.push_back(runs_.back());
 }
 
+void Faults::spoil(std::string path) {
+  spoiled_.insert(std::move(path));
+}
+
+/// The value itself or one it is a part of.
+bool Faults::is_spoiled(std::string_view path) const {
+  while (!spoiled_.contains(path)) {
+    const auto dot = path.rfind('.');
+    if (dot == std::string_view::npos)
+      return spoiled_.contains("");
+    path = path.substr(0, dot);
+  }
+  return true;
+}
+
 void Faults::enter_run(std::string name) {
+  spoiled_.clear();
   runs_.push_back(std::move(name));
 }
 
@@ -31,26 +47,6 @@ void Faults::throw_if_any() const {
     faults.push_back({{file, line, column}, text + who});
   }
   throw InputError(std::move(faults));
-}
-
-std::string shown(const std::string& word) {
-  constexpr std::size_t longest = 60;
-  if (word.size() <= longest)
-    return fmt::format("'{}'", word);
-  auto end = longest;
-  const auto inside_character = [&](std::size_t i) {
-    return (static_cast<unsigned char>(word[i]) & 0xC0U) == 0x80U;
-  };
-  while (end > 0 && inside_character(end))
-    --end;
-  return fmt::format("'{}…'", word.substr(0, end));
-}
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& candidates) {
-  const auto nearest = nearest_word(word, candidates);
-  if (!nearest.empty())
-    return fmt::format("; did you mean '{}'?", nearest);
-  return candidates.empty() ? "" : fmt::format("; expected one of {}", fmt::join(candidates, ", "));
 }
 
 } // namespace rubato::deck

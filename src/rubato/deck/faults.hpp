@@ -3,9 +3,13 @@
 #pragma once
 
 #include "rubato/core/error.hpp"
+#include "rubato/core/naming.hpp"
 
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -16,6 +20,10 @@ namespace rubato::deck {
 class Faults {
 public:
   void add(const Location& at, const std::string& text);
+
+  /// The value there could not be read: no rule that is about it can be judged.
+  void spoil(std::string path);
+  bool is_spoiled(std::string_view path) const;
 
   /// What is added from here on was met while reading that run.
   void enter_run(std::string name);
@@ -30,12 +38,7 @@ private:
   using Key = std::tuple<std::string, int, int, std::string>; // file, line, column, sentence
   std::map<Key, std::vector<std::string>> met_by_;
   std::vector<std::string> runs_;
+  std::set<std::string, std::less<>> spoiled_; ///< paths in the run that is being read
 };
-
-/// `word` between quotes as a sentence may show it: long ones are cut.
-std::string shown(const std::string& word);
-
-/// "; did you mean 'step'?", or, when no candidate is near, "; expected one of a, b, c".
-std::string suggestion(const std::string& word, const std::vector<std::string>& candidates);
 
 } // namespace rubato::deck

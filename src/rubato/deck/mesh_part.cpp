@@ -5,16 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
 namespace rubato::deck {
 namespace {
-
-constexpr int finest = 1000;
-/// Beyond it neither local numbers nor memory hold.
-constexpr double most_cells = 1e8;
 
 constexpr std::array cells_of_rectangles{CellType::tria3, CellType::tria6, CellType::tria7,
                                          CellType::quad4, CellType::quad8, CellType::quad9};
@@ -63,13 +58,13 @@ std::vector<std::string> corner_words(int dimension) {
 }
 
 void read_groups(const Found& value, const std::vector<std::string>& words,
-                 std::map<std::string, study::Name>& groups) {
+                 std::map<std::string, std::string>& groups) {
   if (!value)
     return;
   MapReader map(*value);
   for (const auto& word : words) {
-    study::Name name;
-    if (read(map.find(word), name))
+    std::string name;
+    if (read_name(map.find(word), name))
       groups[word] = std::move(name);
   }
   map.finish();
@@ -89,33 +84,24 @@ void read_cells(const Found& value, study::Body& body) {
 
 /// A list with one number for each axis.
 template <class T, class U>
-bool read_per_axis(const Found& value, int dimension, std::array<U, 3>& target, const Range& range = {}) {
+void read_per_axis(const Found& value, int dimension, std::array<U, 3>& target) {
   std::vector<T> numbers;
-  if (!read(value, numbers, range))
-    return false;
+  if (!read(value, numbers))
+    return;
   if (numbers.size() != static_cast<std::size_t>(dimension)) {
     value->fault(fmt::format("found {} numbers, expected {}", numbers.size(), dimension));
-    return false;
+    return;
   }
   std::ranges::copy(numbers, target.begin());
-  return true;
 }
 
 void read_extent(const Found& value, study::Body& body) {
   if (!value)
     return;
   MapReader map(*value);
-  const bool from_read = read_per_axis<double>(map.require("from"), body.dimension, body.from);
-  const auto to = map.require("to");
-  const bool to_read = read_per_axis<double>(to, body.dimension, body.to);
+  read_per_axis<double>(map.require("from"), body.dimension, body.from);
+  read_per_axis<double>(map.require("to"), body.dimension, body.to);
   map.finish();
-  if (!from_read || !to_read)
-    return;
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(body.dimension); ++axis)
-    if (!(body.to[axis] > body.from[axis]) || !std::isfinite(body.to[axis] - body.from[axis]))
-      to->fault(fmt::format("found {} for {}, expected more than the {} of 'from'", body.to[axis],
-                            study::axis_words[axis], body.from[axis]),
-                to->tree().items[axis].at);
 }
 
 /// The box or the rectangle of a body, and with it the body's dimension; nothing when it has neither or both.
@@ -131,9 +117,8 @@ Found find_shape(MapReader& map, study::Body& body) {
   return std::nullopt;
 }
 
-study::Body read_body(const Value& value, const Context& context) {
+study::Body read_body(const Value& value) {
   study::Body body;
-  body.at = value.at();
   MapReader map(value);
   read(map.require("name"), body.name);
   const auto shape = find_shape(map, body);
@@ -146,11 +131,7 @@ study::Body read_body(const Value& value, const Context& context) {
     return body;
   }
   read_extent(shape, body);
-  if (context.physics && study::dimension_of(*context.physics) != body.dimension)
-    shape->fault(fmt::format("found a {} in {}, expected a {}", body.dimension == 3 ? "box" : "rectangle",
-                             study::word_of(study::physics_words, *context.physics),
-                             body.dimension == 3 ? "rectangle" : "box"));
-  read_per_axis<int>(map.require("divisions"), body.dimension, body.divisions, at_least(1));
+  read_per_axis<int>(map.require("divisions"), body.dimension, body.divisions);
   read_cells(map.find("cells"), body);
   read_groups(map.find("sides"), side_words(body.dimension), body.sides);
   if (body.dimension == 3)
@@ -162,28 +143,11 @@ study::Body read_body(const Value& value, const Context& context) {
   return body;
 }
 
-void refuse_huge(const Found& generate, const study::MeshSource& mesh) {
-  double cells = 0;
-  for (const auto& body : mesh.bodies) {
-    double of_body = 1;
-    for (int axis = 0; axis < body.dimension; ++axis)
-      of_body *= static_cast<double>(body.divisions[static_cast<std::size_t>(axis)]) * mesh.refine;
-    cells += of_body;
-  }
-  if (generate && cells > most_cells)
-    generate->fault(
-        fmt::format("found {:.3g} cells (divisions and refine), expected at most {:.3g}", cells, most_cells));
-}
-
 } // namespace
 
-void read_bodies(const Found& value, const Context& context, std::vector<study::Body>& bodies) {
-  for (const auto& item : items(value)) {
-    auto body = read_body(item, context);
-    if (!body.name.empty() && std::ranges::find(bodies, body.name, &study::Body::name) != bodies.end())
-      item.fault(fmt::format("found a second body named {}", shown(body.name)));
-    bodies.push_back(std::move(body));
-  }
+void read_bodies(const Found& value, std::vector<study::Body>& bodies) {
+  for (const auto& item : items(value))
+    bodies.push_back(read_body(item));
   if (value && value->tree().is(Tree::Kind::list) && bodies.empty())
     value->fault("found an empty list, expected at least one body");
 }
@@ -197,17 +161,16 @@ void read_mesh(const Found& value, const Context& context, study::MeshSource& me
   if (map.is_map() && file.has_value() == generate.has_value())
     value->fault(file ? "found both 'file' and 'generate', expected one of them"
                       : "'file' or 'generate' is missing");
-  if (read(file, mesh.file) && !file->tree().from_setting)
-    mesh.file.text = (context.folder / mesh.file.text).string();
+  if (read_name(file, mesh.file) && !file->tree().from_setting)
+    mesh.file = (context.folder / mesh.file).string();
   if (file)
     read(map.find("name"), mesh.file_mesh);
   else
     map.refuse("name", "only a mesh from a file has a name");
-  read_bodies(generate, context, mesh.bodies);
+  read_bodies(generate, mesh.bodies);
   read(map.find("convert"), mesh.convert, study::conversion_words);
-  read(map.find("refine"), mesh.refine, from_to(1, finest));
+  read(map.find("refine"), mesh.refine);
   map.finish();
-  refuse_huge(generate, mesh);
 }
 
 } // namespace rubato::deck

@@ -17,29 +17,30 @@ constexpr double same_instant = 1e-9;
 /// A place where one run names another: knows how to complain there.
 class Mention {
 public:
-  Mention(const study::Name& name, std::string path, Faults& faults)
-      : name_(name), path_(std::move(path)), faults_(faults) {}
+  Mention(const std::string& name, std::string path, const Places& places, Faults& faults)
+      : name_(name), path_(std::move(path)), places_(places), faults_(faults) {}
 
-  void fault(const std::string& text) const { faults_.add(name_.at, path_ + ": " + text); }
+  void fault(const std::string& text) const { faults_.add(places_.of(path_), path_ + ": " + text); }
 
   /// The run that is named; nullptr and a fault when it is no earlier one. `verb` says what is done with it.
   const study::Study* earlier_run(const study::Study& study, std::span<const study::Study> earlier,
                                   const std::vector<std::string>& all, std::string_view verb) const {
-    const auto source = std::ranges::find(earlier, name_.text, &study::Study::name);
+    const auto source = std::ranges::find(earlier, name_, &study::Study::name);
     if (source != earlier.end())
       return &*source;
-    if (name_.text == study.name)
-      fault(fmt::format("run {} cannot {} itself", name_.text, verb));
-    else if (std::ranges::find(all, name_.text) == all.end())
-      fault(fmt::format("no run is called {}{}", shown(name_.text), suggestion(name_.text, all)));
+    if (name_ == study.name)
+      fault(fmt::format("run {} cannot {} itself", name_, verb));
+    else if (std::ranges::find(all, name_) == all.end())
+      fault(fmt::format("no run is called {}{}", shown(name_), suggestion(name_, all)));
     else
-      fault(fmt::format("run {} comes later than run {}, expected an earlier one", name_.text, study.name));
+      fault(fmt::format("run {} comes later than run {}, expected an earlier one", name_, study.name));
     return nullptr;
   }
 
 private:
-  const study::Name& name_;
+  const std::string& name_;
   std::string path_;
+  const Places& places_;
   Faults& faults_;
 };
 
@@ -67,22 +68,22 @@ bool same_mesh(const study::Study& a, const study::Study& b) {
 
 /// Whether it fits.
 bool check_start(const study::Study& study, std::span<const study::Study> earlier,
-                 const std::vector<std::string>& all, Faults& faults) {
+                 const std::vector<std::string>& all, const Places& places, Faults& faults) {
   const auto& from = study.time.start_run;
-  if (study.time.start != study::StartKind::from_run || from.text.empty())
+  if (study.time.start != study::StartKind::from_run || from.empty())
     return true;
-  const Mention mention(from, "time.start.from", faults);
+  const Mention mention(from, "time.start.from", places, faults);
   const auto* source = mention.earlier_run(study, earlier, all, "start from");
   if (source == nullptr)
     return false;
   if (same_mesh(*source, study) && same_contact(*source, study))
     return true;
   if (!same_mesh(*source, study))
-    mention.fault(fmt::format("run {} has another mesh or physics than run {}", from.text, study.name));
+    mention.fault(fmt::format("run {} has another mesh or physics than run {}", from, study.name));
   else
     mention.fault(fmt::format("run {} has other contact zones than run {}, expected the same surfaces, the "
                               "same integration and friction in both or in none",
-                              from.text, study.name));
+                              from, study.name));
   return false;
 }
 
@@ -107,24 +108,24 @@ bool may_store_fields(const study::Study& study, double instant) {
 
 void check_probe(const study::Check& check, const study::Study& study, const study::Study& source,
                  const Mention& mention) {
-  const auto own = std::ranges::find(study.probes, check.probe.text, &study::Probe::name);
-  const auto other = std::ranges::find(source.probes, check.probe.text, &study::Probe::name);
+  const auto own = std::ranges::find(study.probes, check.probe, &study::Probe::name);
+  const auto other = std::ranges::find(source.probes, check.probe, &study::Probe::name);
   if (own == study.probes.end()) // a fault of its own, told already
     return;
   if (other == source.probes.end())
-    mention.fault(fmt::format("run {} has no probe '{}'", source.name, check.probe.text));
+    mention.fault(fmt::format("run {} has no probe '{}'", source.name, check.probe));
   else if (check.component >= study::dimension_of(source.physics))
     mention.fault(fmt::format("run {} has no component {}", source.name,
                               study::axis_words.at(static_cast<std::size_t>(check.component))));
   else if (own->field != other->field)
-    mention.fault(fmt::format("probe '{}' is of {} in run {} and of {} in run {}", check.probe.text,
+    mention.fault(fmt::format("probe '{}' is of {} in run {} and of {} in run {}", check.probe,
                               study::word_of(study::probe_field_words, other->field), source.name,
                               study::word_of(study::probe_field_words, own->field), study.name));
   else if (own->take != other->take)
     mention.fault(
         fmt::format("probe '{}' takes something else of its nodes in run {} than in run {}, expected "
                     "the same 'take'",
-                    check.probe.text, source.name, study.name));
+                    check.probe, source.name, study.name));
 }
 
 void check_field(const study::Check& check, const study::Study& study, const study::Study& source,
@@ -160,13 +161,13 @@ void check_comparison(const study::Check& check, const study::Study& study, cons
 } // namespace
 
 bool check_other_runs(const study::Study& study, std::span<const study::Study> earlier,
-                      const std::vector<std::string>& all, Faults& faults) {
-  const bool fits = check_start(study, earlier, all, faults);
+                      const std::vector<std::string>& all, const Places& places, Faults& faults) {
+  const bool fits = check_start(study, earlier, all, places, faults);
   for (std::size_t i = 0; i < study.checks.size(); ++i) {
     const auto& check = study.checks[i];
-    if (check.run.text.empty() || is_left_out(check.run.text, study, earlier, all))
+    if (check.run.empty() || is_left_out(check.run, study, earlier, all))
       continue;
-    const Mention mention(check.run, fmt::format("checks.{}.run", i), faults);
+    const Mention mention(check.run, fmt::format("checks.{}.run", i), places, faults);
     if (const auto* source = mention.earlier_run(study, earlier, all, "be compared with"))
       check_comparison(check, study, *source, mention);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/deck/faults.hpp"
+#include "rubato/deck/places.hpp"
 #include "rubato/study/study.hpp"
 
 #include <span>
@@ -15,6 +16,6 @@ namespace rubato::deck {
 /// every run of the deck, in its order; `earlier` those of them before the study that were read: comparisons
 /// with others are left to the results. Whether the study fits what it starts from.
 bool check_other_runs(const study::Study& study, std::span<const study::Study> earlier,
-                      const std::vector<std::string>& all, Faults& faults);
+                      const std::vector<std::string>& all, const Places& places, Faults& faults);
 
 } // namespace rubato::deck

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// One reader for each part of a deck. Each fills its part of the study and adds what is wrong to the faults
-/// of the value; targets of faulty values keep their defaults.
+/// of the value; targets of faulty values keep their defaults. Words, types and keys are judged here, what the
+/// values may be by study/validate.hpp.
 #pragma once
 
 #include "rubato/deck/values.hpp"
@@ -19,54 +20,36 @@ struct Context {
   std::filesystem::path folder; ///< of the deck
   std::optional<study::Physics> physics;
   std::optional<study::SchemeKind> scheme;
-  std::optional<Range> time; ///< instants of the run
 };
 
 void read_mesh(const Found& value, const Context& context, study::MeshSource& mesh);
 /// The list of bodies of `mesh.generate`.
-void read_bodies(const Found& value, const Context& context, std::vector<study::Body>& bodies);
+void read_bodies(const Found& value, std::vector<study::Body>& bodies);
 
-void read_materials(const Found& value, const Context& context, std::vector<study::Material>& materials);
+void read_materials(const Found& value, std::vector<study::Material>& materials);
 void read_functions(const Found& value, std::map<std::string, Function>& functions);
-/// The name of a function that exists.
-void read_function_name(const Found& value, const std::map<std::string, Function>& functions,
-                        study::Name& name);
-void read_supports(const Found& value, const Context& context,
-                   const std::map<std::string, Function>& functions, std::vector<study::Support>& supports);
-void read_loads(const Found& value, const Context& context, const std::map<std::string, Function>& functions,
-                std::vector<study::Load>& loads);
-
-void read_springs(const Found& value, const Context& context, std::vector<study::Springs>& springs);
-/// Faults when the run begins in a way of its own: `time` must be read already.
-void read_initial(const Found& value, const Context& context, const study::TimeStepping& time,
-                  std::vector<study::InitialMotion>& initial);
-
-/// The value of an axis, "x", "y" or "z"; a fault when the physics doesn't have it.
-Found find_axis(MapReader& map, std::size_t axis, const Context& context);
+void read_supports(const Found& value, const Context& context, std::vector<study::Support>& supports);
+void read_loads(const Found& value, std::vector<study::Load>& loads);
+void read_springs(const Found& value, std::vector<study::Springs>& springs);
+void read_initial(const Found& value, std::vector<study::InitialMotion>& initial);
 
 /// Coordinates in as many directions as the physics has, at most three.
 bool read_point(const Found& value, const Context& context, std::array<double, 3>& point);
 
 /// A number, or a number times a named function of time.
-study::Amplitude read_amplitude(const Value& value, const std::map<std::string, Function>& functions);
+study::Amplitude read_amplitude(const Value& value);
 
-void read_contact(const Found& value, const Context& context,
-                  const std::map<std::string, Function>& functions, std::vector<study::ContactZone>& zones);
+void read_contact(const Found& value, const Context& context, std::vector<study::ContactZone>& zones);
 /// The rigid surface that stands for a zone's master.
-study::Obstacle read_obstacle(const Value& value, const Context& context,
-                              const std::map<std::string, Function>& functions);
+study::Obstacle read_obstacle(const Value& value, const Context& context);
 
-/// Also tells the context the scheme and the instants of the run.
+/// Also tells the context the scheme.
 void read_time(const Found& value, Context& context, study::TimeStepping& time);
 void read_newton(const Found& value, study::NewtonSettings& newton);
 
-/// A fault when the run does not come by that instant.
-void require_within(const Value& value, double instant, const Context& context);
-
 void read_probes(const Found& value, const Context& context, std::vector<study::Probe>& probes);
-void read_fields(const Found& value, const Context& context, study::FieldOutput& fields);
-void read_checkpoint(const Found& value, const Context& context, study::CheckpointOutput& checkpoint);
-void read_checks(const Found& value, const Context& context, const std::vector<study::Probe>& probes,
-                 std::vector<study::Check>& checks);
+void read_fields(const Found& value, study::FieldOutput& fields);
+void read_checkpoint(const Found& value, study::CheckpointOutput& checkpoint);
+void read_checks(const Found& value, const Context& context, std::vector<study::Check>& checks);
 
 } // namespace rubato::deck

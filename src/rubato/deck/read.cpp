@@ -5,6 +5,8 @@
 #include "rubato/deck/other_runs.hpp"
 #include "rubato/deck/overlay.hpp"
 #include "rubato/deck/parts.hpp"
+#include "rubato/study/echo.hpp"
+#include "rubato/study/validate.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -58,7 +60,7 @@ void read_physics(MapReader& map, Context& context, study::Study& study) {
   if (read(map.require("physics"), study.physics, study::physics_words))
     context.physics = study.physics;
   const auto thickness = map.find("thickness");
-  read(thickness, study.thickness, above(0));
+  read(thickness, study.thickness);
   const bool has_thickness =
       study.physics == study::Physics::plane_stress || study.physics == study::Physics::plane_strain;
   if (thickness && context.physics && !has_thickness)
@@ -66,88 +68,38 @@ void read_physics(MapReader& map, Context& context, study::Study& study) {
                                  study::word_of(study::physics_words, study.physics)));
 }
 
-/// Explicit steps solve nothing, multipliers least of all.
-void check_explicit_contact(const study::Study& study, Faults& faults) {
-  for (const auto& zone : study.contact)
-    if (zone.method != study::ContactMethod::penalty ||
-        zone.friction_method != study::FrictionMethod::penalty)
-      faults.add(zone.at,
-                 fmt::format("contact.{}: found the method {} with friction by {}, but the scheme {} "
-                             "has forces only, expected penalty for both",
-                             zone.name, study::word_of(study::contact_method_words, zone.method),
-                             study::word_of(study::friction_method_words, zone.friction_method),
-                             study::word_of(study::scheme_words, study.time.scheme)));
-}
-
-/// Velocities that jump ask for impulses, which springs have none of; and only they know of restitution.
-void check_velocity_contact(const study::Study& study, Faults& faults) {
-  const bool jumps = study.time.scheme == study::SchemeKind::moreau_jean;
-  for (const auto& zone : study.contact) {
-    if (zone.restitution > 0 && !jumps)
-      faults.add(zone.at,
-                 fmt::format("contact.{}: found a restitution, which the scheme moreau_jean takes; {} "
-                             "computes the rebound from the bodies' own motion",
-                             zone.name, study::word_of(study::scheme_words, study.time.scheme)));
-    if (zone.restitution > 0 && study.time.contact_mass == study::ContactMass::redistributed)
-      faults.add(
-          zone.at,
-          fmt::format("contact.{}: found a restitution, but redistributed contact mass leaves nothing that "
-                      "could bounce, expected contact_mass: consistent or no restitution",
-                      zone.name));
-    const bool springs =
-        zone.method == study::ContactMethod::penalty || zone.method == study::ContactMethod::nodal_penalty ||
-        (zone.friction > 0 && zone.friction_method != study::FrictionMethod::augmented_lagrangian);
-    if (jumps && springs)
-      faults.add(zone.at,
-                 fmt::format("contact.{}: found the method {} with friction by {}, but the scheme {} stops "
-                             "bodies by impulses, expected augmented_lagrangian for both",
-                             zone.name, study::word_of(study::contact_method_words, zone.method),
-                             study::word_of(study::friction_method_words, zone.friction_method),
-                             study::word_of(study::scheme_words, study.time.scheme)));
-  }
-}
-
-void read_solver(const Found& value, study::Study& study) {
-  if (!read(value, study.solver, study::solver_words))
-    return;
-  if (study::is_explicit(study.time.scheme) && study.solver != study::Solver::automatic)
-    value->fault(fmt::format("the scheme {} solves no system, expected auto",
-                             study::word_of(study::scheme_words, study.time.scheme)));
-  const auto by_cg = [](const study::ContactZone& zone) {
-    return zone.method == study::ContactMethod::nodal_pcg;
-  };
-  if (study.solver == study::Solver::full && std::ranges::any_of(study.contact, by_cg))
-    value->fault("found full, but nodal_pcg works on the factored bulk, expected auto or condensed");
+/// Rules about values that could not be read are left out.
+void add_broken_rules(const study::Study& study, const Places& places, Faults& faults) {
+  const auto is_spoiled = [&](const std::string& path) { return faults.is_spoiled(path); };
+  for (const auto& rule : study::broken_rules(study))
+    if (std::ranges::none_of(rule.paths, is_spoiled))
+      faults.add(places.of(rule.paths.front()), rule.paths.front() + ": " + rule.text);
 }
 
 /// The deck of one run, everything laid over it. Parts come in the order in which one needs another.
 study::Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& faults) {
   study::Study study;
-  Context context{.folder = folder, .physics = {}, .scheme = {}, .time = {}};
+  Context context{.folder = folder, .physics = {}, .scheme = {}};
   MapReader map(Value(tree, "", faults));
   read(map.find("title"), study.title);
   read(map.find("units"), study.units);
   read_physics(map, context, study);
   read_mesh(map.require("mesh"), context, study.mesh);
   read_time(map.require("time"), context, study.time);
-  read_materials(map.require("materials"), context, study.materials);
+  read_materials(map.require("materials"), study.materials);
   read_functions(map.find("functions"), study.functions);
-  read_supports(map.find("supports"), context, study.functions, study.supports);
-  read_springs(map.find("springs"), context, study.springs);
-  read_loads(map.find("loads"), context, study.functions, study.loads);
-  read_initial(map.find("initial"), context, study.time, study.initial);
-  read_contact(map.find("contact"), context, study.functions, study.contact);
-  if (context.scheme && study::is_explicit(*context.scheme))
-    check_explicit_contact(study, faults);
-  else if (context.scheme)
-    check_velocity_contact(study, faults);
+  read_supports(map.find("supports"), context, study.supports);
+  read_springs(map.find("springs"), study.springs);
+  read_loads(map.find("loads"), study.loads);
+  read_initial(map.find("initial"), study.initial);
+  read_contact(map.find("contact"), context, study.contact);
   read_newton(map.find("newton"), study.newton);
-  read_solver(map.find("solver"), study);
+  read(map.find("solver"), study.solver, study::solver_words);
   read_probes(map.find("probes"), context, study.probes);
-  read_fields(map.find("fields"), context, study.fields);
+  read_fields(map.find("fields"), study.fields);
   study.time.stops = study.fields.at;
-  read_checkpoint(map.find("checkpoint"), context, study.checkpoint);
-  read_checks(map.find("checks"), context, study.probes, study.checks);
+  read_checkpoint(map.find("checkpoint"), study.checkpoint);
+  read_checks(map.find("checks"), context, study.checks);
   map.finish();
   return study;
 }
@@ -167,7 +119,7 @@ enum class OtherRuns { in_the_deck, elsewhere };
 
 /// A setting that would have made the run before it fit is not seen in the deck.
 void hint_at_only(const study::Study& study, std::span<const ChosenRun> chosen, Faults& faults) {
-  const auto& source = study.time.start_run.text;
+  const auto& source = study.time.start_run;
   const auto is_left = [&](const ChosenRun& run) { return run.left && run.run->name.text == source; };
   if (std::ranges::any_of(chosen, is_left))
     faults.add({"--set"},
@@ -198,17 +150,21 @@ Deck parse(std::string_view text, const std::string& file_name, std::span<const 
   const auto names = names_of(runs);
   const auto changes = parse_changes(settings, names, faults);
   const auto folder = std::filesystem::path(file_name).parent_path();
-  Deck deck{title_of(*base, changes), {}, {}};
+  Deck deck{title_of(*base, changes), {}, {}, {}};
   const auto chosen = choose_runs(*base, runs, changes, only, faults);
   for (const auto& run : chosen) {
     faults.enter_run(run.run->name.text);
-    auto study = read_study(tree_of(*base, run, changes, faults), folder, faults);
+    const auto tree = tree_of(*base, run, changes, faults);
+    Places places(tree);
+    auto study = read_study(tree, folder, faults);
     study.name = run.run->name.text;
-    if (others == OtherRuns::in_the_deck && !check_other_runs(study, deck.runs, names, faults))
+    add_broken_rules(study, places, faults);
+    if (others == OtherRuns::in_the_deck && !check_other_runs(study, deck.runs, names, places, faults))
       hint_at_only(study, chosen, faults);
     if (run.left)
       deck.notes.push_back(note_of(run, only));
     deck.runs.push_back(std::move(study));
+    deck.places.push_back(std::move(places));
   }
   faults.throw_if_any();
   return deck;
@@ -227,7 +183,7 @@ study::Study parse_echo(std::string_view text, const std::string& file_name) {
 
 bool accepts(const study::Study& study, std::span<const Setting> settings) {
   try {
-    parse(to_json(study), "", settings, {}, OtherRuns::elsewhere);
+    parse(study::to_json(study), "", settings, {}, OtherRuns::elsewhere);
     return true;
   } catch (const InputError&) {
     return false;

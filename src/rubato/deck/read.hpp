@@ -2,6 +2,7 @@
 /// The deck room: a YAML deck becomes studies, plain data that the rest of the program works from.
 #pragma once
 
+#include "rubato/deck/places.hpp"
 #include "rubato/study/study.hpp"
 
 #include <filesystem>
@@ -26,6 +27,7 @@ struct Deck {
   std::string title;
   std::vector<study::Study>
       runs; ///< in the order of the file, at least one; a run starts only from an earlier one
+  std::vector<Places> places;     ///< where the values of each run are written
   std::vector<std::string> notes; ///< sentences that whoever gave the settings should read
   bool operator==(const Deck&) const = default;
 };
@@ -45,11 +47,7 @@ Deck read_deck(const std::filesystem::path& file, std::span<const Setting> setti
 Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings = {},
                 std::span<const std::string> only = {});
 
-/// The study as a deck of one run, in JSON (which is YAML) with every default written out and two blanks of
-/// indentation. It is a deck itself, unless it names other runs.
-std::string to_json(const study::Study& study);
-
-/// Reads back what to_json wrote, to an equal study; the other runs that it names are not looked for. Throws
+/// Reads back what study::to_json wrote, to an equal study; the other runs that it names are not looked for. Throws
 /// as parse_deck does.
 study::Study parse_echo(std::string_view text, const std::string& file_name);
 

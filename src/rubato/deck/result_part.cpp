@@ -13,7 +13,6 @@ namespace {
 study::Probe read_probe(const NamedValue& entry, const Context& context) {
   study::Probe probe;
   probe.name = entry.name.text;
-  probe.at = entry.name.at;
   MapReader map(entry.value);
   const auto node = map.find("node");
   const auto group = map.find("on");
@@ -26,8 +25,8 @@ study::Probe read_probe(const NamedValue& entry, const Context& context) {
                                                                    : !node  ? "both 'on' and 'point'"
                                                                             : "'node', 'on' and 'point'")
                    : "'node', 'point' or 'on' is missing");
-  read(node, probe.node);
-  read(group, probe.node);
+  read_name(node, probe.node);
+  read_name(group, probe.node);
   if (const auto take = map.find("take"); read(take, probe.take, study::probe_take_words) && !group)
     take->fault("goes with 'on' only: it says what is taken of the nodes of a group");
   if (std::array<double, 3> place{}; read_point(point, context, place))
@@ -39,8 +38,8 @@ study::Probe read_probe(const NamedValue& entry, const Context& context) {
 
 void read_formats(const Found& value, study::FieldOutput& fields) {
   fields.vtu = !value;
-  std::vector<study::Name> formats;
-  if (!read(value, formats))
+  std::vector<std::string> formats;
+  if (!read_names(value, formats))
     return;
   const auto list = value->tree().is(Tree::Kind::list) ? items(value) : std::vector<Value>{*value};
   for (const auto& format : list)
@@ -48,45 +47,30 @@ void read_formats(const Found& value, study::FieldOutput& fields) {
       (*choice == 0 ? fields.vtu : fields.med) = true;
 }
 
-void read_instants_within(const Found& at, const Context& context, std::vector<double>& instants) {
-  if (read(at, instants) && ascends(at, instants))
-    for (const auto& instant : items(at)) {
-      double number = 0;
-      read(Found(instant), number);
-      require_within(instant, number, context);
-    }
-}
-
 } // namespace
-
-void require_within(const Value& value, double instant, const Context& context) {
-  if (context.time && !context.time->contains(instant))
-    value.fault(fmt::format("found {}, expected an instant of the run, {} to {}", instant, context.time->low,
-                            context.time->high));
-}
 
 void read_probes(const Found& value, const Context& context, std::vector<study::Probe>& probes) {
   for (const auto& entry : named_entries(value))
     probes.push_back(read_probe(entry, context));
 }
 
-void read_fields(const Found& value, const Context& context, study::FieldOutput& fields) {
+void read_fields(const Found& value, study::FieldOutput& fields) {
   if (!value)
     return;
   MapReader map(*value);
   read_formats(map.find("formats"), fields);
-  read_instants_within(map.find("at"), context, fields.at);
-  read(map.find("every"), fields.every, at_least(0));
+  read(map.find("at"), fields.at);
+  read(map.find("every"), fields.every);
   read(map.find("last"), fields.last);
   map.finish();
 }
 
-void read_checkpoint(const Found& value, const Context& context, study::CheckpointOutput& checkpoint) {
+void read_checkpoint(const Found& value, study::CheckpointOutput& checkpoint) {
   if (!value)
     return;
   MapReader map(*value);
-  read_instants_within(map.find("at"), context, checkpoint.at);
-  read(map.find("every"), checkpoint.every, at_least(0));
+  read(map.find("at"), checkpoint.at);
+  read(map.find("every"), checkpoint.every);
   read(map.find("last"), checkpoint.last);
   map.finish();
 }

@@ -3,15 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 
 namespace rubato::deck {
 namespace {
-
-/// More would neither end nor be counted in an int.
-constexpr double most_steps = 1e9;
-/// An end that is not a whole number of steps away by rounding only.
-constexpr double rounding = 1e-9;
 
 /// A number that only some schemes take.
 struct SchemeKey {
@@ -64,103 +58,66 @@ void read_scheme(MapReader& map, Context& context, study::TimeStepping& time) {
                                   takers, key));
   switch (time.scheme) {
   case study::SchemeKind::newmark:
-    read(map.find("beta"), time.beta, between(0, 1));
-    read(map.find("gamma"), time.gamma, from_to(0.5, 2)); // below 1/2 it feeds energy in
+    read(map.find("beta"), time.beta);
+    read(map.find("gamma"), time.gamma);
     break;
   case study::SchemeKind::hht:
-    read(map.require("alpha"), time.alpha, from_to(-1.0 / 3.0, 0));
+    read(map.require("alpha"), time.alpha);
     break;
   case study::SchemeKind::modified_average_acceleration:
-    read(map.require("alpha"), time.alpha, at_most(0));
+    read(map.require("alpha"), time.alpha);
     break;
   case study::SchemeKind::generalized_alpha:
-    read(map.find("spectral_radius"), time.spectral_radius, from_to(0, 1));
+    read(map.find("spectral_radius"), time.spectral_radius);
     break;
   case study::SchemeKind::moreau_jean:
-    read(map.find("theta"), time.theta, from_to(0.5, 1));
+    read(map.find("theta"), time.theta);
     break;
   case study::SchemeKind::central_difference:
-    read(map.find("safety"), time.safety, Range{.low = 0, .high = 1, .low_allowed = false});
-    break; // `record` is judged by the length of the run
+    read(map.find("safety"), time.safety);
+    break;
   case study::SchemeKind::static_steps:
     break;
   }
 }
 
-/// A length of time that must fit into the run, and not too often.
-void check_fits(const Found& value, double part, double length) {
-  if (part > length * (1 + rounding))
-    value->fault(fmt::format("found {}, expected at most the length of the run, {}", part, length));
-  else if (length / part > most_steps)
-    value->fault(fmt::format("found {}, which makes more than {:g} steps", part, most_steps));
-}
-
-/// The length of the run from `begin` and `end`, unless one of them is bad.
-std::optional<double> read_end(const Found& end, bool begin_read, study::TimeStepping& time) {
-  if (!read(end, time.end) || !begin_read)
-    return std::nullopt;
-  const double length = time.end - time.begin;
-  if (length > 0 && std::isfinite(length))
-    return length;
-  end->fault(fmt::format("found {}, expected more than the begin, {}", time.end, time.begin));
-  return std::nullopt;
-}
-
-/// `step` and `end`.
-void read_even_steps(const Found& step, const Found& end, bool begin_read, study::TimeStepping& time) {
-  const bool step_read = read(step, time.step, above(0));
-  const auto length = read_end(end, begin_read, time);
-  if (step_read && length)
-    check_fits(step, time.step, *length);
-}
-
 /// `step: auto` or a number, `end` and `record` of an explicit run.
-void read_explicit_steps(MapReader& map, bool begin_read, study::TimeStepping& time) {
-  const auto step = map.find("step");
-  const bool given = step && step->tree().text != study::automatic_step && read(step, time.step, above(0));
-  const auto length = read_end(map.require("end"), begin_read, time);
-  const auto record = map.find("record");
-  const bool recorded = record && read(record, time.record, above(0));
-  if (!length)
-    return;
-  if (given)
-    check_fits(step, time.step, *length);
-  if (recorded)
-    check_fits(record, time.record, *length);
-  else if (!record)
-    time.record = *length / usual_records;
+void read_explicit_steps(MapReader& map, study::TimeStepping& time) {
+  if (const auto step = map.find("step"); step && step->tree().text != study::automatic_step)
+    read(step, time.step, study::above(0)); // 0 stands for auto
+  read(map.require("end"), time.end);
+  if (const auto record = map.find("record"))
+    read(record, time.record);
+  else if (time.end > time.begin)
+    time.record = (time.end - time.begin) / usual_records;
+  else
+    map.spoil("record");
 }
 
-void read_instants(const Found& instants, bool begin_read, study::TimeStepping& time) {
-  if (!read(instants, time.instants) || !ascends(instants, time.instants))
+void read_instants(const Found& instants, study::TimeStepping& time) {
+  if (!read(instants, time.instants))
     return;
-  if (time.instants.empty()) {
+  if (time.instants.empty())
     instants->fault("found an empty list, expected at least one instant");
-    return;
-  }
-  time.end = time.instants.back();
-  if (begin_read && time.instants.front() <= time.begin)
-    instants->fault(
-        fmt::format("found {}, expected instants after the begin, {}", time.instants.front(), time.begin),
-        instants->tree().items.front().at);
+  else
+    time.end = time.instants.back();
 }
 
 void read_course(MapReader& map, study::TimeStepping& time) {
-  const auto begin = map.find("begin");
-  const bool begin_read = !begin || read(begin, time.begin);
+  read(map.find("begin"), time.begin);
   if (study::is_explicit(time.scheme)) {
     map.refuse("instants",
                "the scheme central_difference chooses its steps; results are kept every 'record'");
-    read_explicit_steps(map, begin_read, time);
+    read_explicit_steps(map, time);
     return;
   }
   if (const auto instants = map.find("instants")) {
     for (const auto* key : {"step", "end"})
       map.refuse(key, "the steps are listed by 'instants' already");
-    read_instants(instants, begin_read, time);
+    read_instants(instants, time);
   } else {
-    const auto step = map.require("step");
-    read_even_steps(step, map.require("end"), begin_read, time);
+    read(map.require("step"), time.step);
+    read(map.require("end"), time.end);
   }
 }
 
@@ -168,36 +125,22 @@ void read_course(MapReader& map, study::TimeStepping& time) {
 void read_start(const Found& value, study::TimeStepping& time) {
   if (!value)
     return;
-  if (value->tree().is(Tree::Kind::map)) {
-    MapReader map(*value);
-    time.start = study::StartKind::from_run;
-    read(map.require("from"), time.start_run);
-    map.finish();
-  } else if (read(value, time.start, study::start_words) &&
-             time.start == study::StartKind::at_rest_unloaded &&
-             time.scheme == study::SchemeKind::static_steps) {
-    value->fault("the scheme static has no first acceleration, expected consistent or {from: run}");
-  }
-  if (study::is_explicit(time.scheme) && time.start != study::StartKind::consistent)
-    value->fault("the scheme central_difference starts from the true equilibrium, expected consistent");
-}
-
-void read_contact_mass(const Found& value, study::TimeStepping& time) {
-  if (!read(value, time.contact_mass, study::contact_mass_words) ||
-      time.contact_mass == study::ContactMass::consistent)
+  if (!value->tree().is(Tree::Kind::map)) {
+    read(value, time.start, study::start_words);
     return;
-  if (time.scheme == study::SchemeKind::static_steps)
-    value->fault("the scheme static has no masses, expected consistent");
-  if (study::is_explicit(time.scheme))
-    value->fault("the scheme central_difference divides by the mass of every node, expected consistent");
+  }
+  MapReader map(*value);
+  time.start = study::StartKind::from_run;
+  read_name(map.require("from"), time.start_run);
+  map.finish();
 }
 
 void read_failure(const Found& value, study::TimeStepping& time) {
   if (!value)
     return;
   MapReader map(*value);
-  read(map.find("cut"), time.cut_parts, from_to(2, 1000));
-  read(map.find("levels"), time.cut_levels, from_to(0, 50));
+  read(map.find("cut"), time.cut_parts);
+  read(map.find("levels"), time.cut_levels);
   map.finish();
 }
 
@@ -206,10 +149,9 @@ void read_failure(const Found& value, study::TimeStepping& time) {
 void read_time(const Found& value, Context& context, study::TimeStepping& time) {
   if (!value)
     return;
-  time.at = value->at();
   MapReader map(*value);
   read_scheme(map, context, time);
-  read_contact_mass(map.find("contact_mass"), time);
+  read(map.find("contact_mass"), time.contact_mass, study::contact_mass_words);
   read_course(map, time);
   read_start(map.find("start"), time);
   if (study::is_explicit(time.scheme))
@@ -217,16 +159,14 @@ void read_time(const Found& value, Context& context, study::TimeStepping& time) 
   else
     read_failure(map.find("on_failure"), time);
   map.finish();
-  if (time.end > time.begin)
-    context.time = from_to(time.begin, time.end);
 }
 
 void read_newton(const Found& value, study::NewtonSettings& newton) {
   if (!value)
     return;
   MapReader map(*value);
-  read(map.find("max_iterations"), newton.max_iterations, from_to(1, 1'000'000));
-  read(map.find("residual"), newton.residual, between(0, 1));
+  read(map.find("max_iterations"), newton.max_iterations);
+  read(map.find("residual"), newton.residual);
   map.finish();
 }
 

@@ -12,6 +12,13 @@
 
 namespace rubato::deck {
 
+/// A name and the place where it was written.
+struct Name {
+  std::string text;
+  Location at;
+  bool operator==(const Name&) const = default;
+};
+
 struct Tree {
   enum class Kind {
     nothing, ///< `~`, `null` or an empty value

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/values.hpp"
 
+#include "rubato/core/naming.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <set>
 
 namespace rubato::deck {
 namespace {
@@ -36,19 +37,8 @@ template <class T> std::optional<T> number_in(std::string_view text) {
   return number;
 }
 
-std::string bounds(const Range& range) {
-  const bool low = std::isfinite(range.low);
-  const bool high = std::isfinite(range.high);
-  if (low && high && range.low_allowed == range.high_allowed)
-    return range.low_allowed ? fmt::format(" from {:.6g} to {:.6g}", range.low, range.high)
-                             : fmt::format(" between {:.6g} and {:.6g}", range.low, range.high);
-  const auto above = low ? fmt::format(" {} {:.6g}", range.low_allowed ? ">=" : ">", range.low) : "";
-  const auto below = high ? fmt::format(" {} {:.6g}", range.high_allowed ? "<=" : "<", range.high) : "";
-  return above + (low && high ? " and" : "") + below;
-}
-
 template <class T>
-bool read_number(const Value& value, T& target, const Range& range, const std::string& noun) {
+bool read_number(const Value& value, T& target, const study::Range& range, const std::string& noun) {
   std::optional<T> number;
   if (is_plain_word(value.tree()))
     number = number_in<T>(value.tree().text);
@@ -56,18 +46,18 @@ bool read_number(const Value& value, T& target, const Range& range, const std::s
   if (good)
     target = *number;
   else
-    expected(value, noun + bounds(range));
+    expected(value, noun + study::bounds_text(range));
   return good;
 }
 
-bool read_number(const Value& value, double& target, const Range& range) {
+bool read_number(const Value& value, double& target, const study::Range& range) {
   return read_number(value, target, range, "a number");
 }
-bool read_number(const Value& value, int& target, const Range& range) {
+bool read_number(const Value& value, int& target, const study::Range& range) {
   return read_number(value, target, range, "a whole number");
 }
 
-template <class T> bool read_numbers(const Found& value, std::vector<T>& target, const Range& range) {
+template <class T> bool read_numbers(const Found& value, std::vector<T>& target, const study::Range& range) {
   if (!value)
     return false;
   std::vector<T> numbers;
@@ -79,22 +69,26 @@ template <class T> bool read_numbers(const Found& value, std::vector<T>& target,
   }
   if (good)
     target = std::move(numbers);
+  else
+    value->spoil();
   return good;
-}
-
-bool is_name(const std::string& text) {
-  const auto fits = [](char letter) {
-    const auto byte = static_cast<unsigned char>(letter);
-    return byte >= 0x80 || std::isalnum(byte) != 0 || letter == '_' || letter == '-';
-  };
-  constexpr std::size_t longest = 100; // with its suffix still a file name
-  return !text.empty() && text.size() <= longest && std::ranges::all_of(text, fits);
 }
 
 } // namespace
 
 void Value::fault(const std::string& text, const Location& where) const {
+  faults_->spoil(path_);
   faults_->add(where, path_.empty() ? text : fmt::format("{}: {}", path_, text));
+}
+
+void Value::miss(const std::string& key) const {
+  faults_->add(at(), path_.empty() ? fmt::format("'{}' is missing", key)
+                                   : fmt::format("{}: '{}' is missing", path_, key));
+  faults_->spoil(joined(path_, key));
+}
+
+void Value::spoil() const {
+  faults_->spoil(path_);
 }
 
 Value Value::child(const std::string& step, const Tree& tree) const {
@@ -117,13 +111,17 @@ Found MapReader::find(std::string_view key) {
 Found MapReader::require(std::string_view key) {
   auto found = find(key);
   if (!found && is_map())
-    value_.fault(fmt::format("'{}' is missing", key));
+    value_.miss(std::string(key));
   return found;
 }
 
 void MapReader::refuse(std::string_view key, const std::string& reason) {
   if (const auto found = find(key))
     found->fault(reason);
+}
+
+void MapReader::spoil(std::string_view key) const {
+  value_.faults().spoil(joined(value_.path(), std::string(key)));
 }
 
 void MapReader::finish() const {
@@ -136,19 +134,15 @@ void MapReader::finish() const {
   }
 }
 
-bool Range::contains(double value) const {
-  return (low_allowed ? value >= low : value > low) && (high_allowed ? value <= high : value < high);
-}
-
-bool read(const Found& value, double& target, const Range& range) {
+bool read(const Found& value, double& target, const study::Range& range) {
   return value && read_number(*value, target, range);
 }
 
-bool read(const Found& value, int& target, const Range& range) {
+bool read(const Found& value, int& target, const study::Range& range) {
   return value && read_number(*value, target, range);
 }
 
-bool read(const Found& value, std::optional<double>& target, const Range& range) {
+bool read(const Found& value, std::optional<double>& target, const study::Range& range) {
   double number = 0;
   const bool good = read(value, number, range);
   if (good)
@@ -180,43 +174,40 @@ bool read(const Found& value, std::string& target) {
   return good;
 }
 
-bool read(const Found& value, study::Name& target) {
+bool read(const Found& value, std::vector<double>& target, const study::Range& range) {
+  return read_numbers(value, target, range);
+}
+
+bool read(const Found& value, std::vector<int>& target, const study::Range& range) {
+  return read_numbers(value, target, range);
+}
+
+bool read_name(const Found& value, std::string& target) {
   if (!value)
     return false;
   const bool good = value->tree().is(Tree::Kind::word) && !value->tree().text.empty();
   if (good)
-    target = {value->tree().text, value->at()};
+    target = value->tree().text;
   else
     expected(*value, "a name");
   return good;
 }
 
-bool read(const Found& value, std::vector<double>& target, const Range& range) {
-  return read_numbers(value, target, range);
-}
-
-bool read(const Found& value, std::vector<int>& target, const Range& range) {
-  return read_numbers(value, target, range);
-}
-
-bool read(const Found& value, std::vector<study::Name>& target) {
+bool read_names(const Found& value, std::vector<std::string>& target) {
   if (!value)
     return false;
   const bool is_list = value->tree().is(Tree::Kind::list);
-  std::vector<study::Name> names;
-  std::set<std::string> known;
+  std::vector<std::string> names;
   bool good = true;
   for (const auto& element : is_list ? items(value) : std::vector<Value>{*value}) {
-    study::Name name;
-    good = read(Found(element), name) && good;
-    if (!name.text.empty() && !known.insert(name.text).second) {
-      element.fault(fmt::format("found {} a second time", shown(name.text)));
-      good = false;
-    }
+    std::string name;
+    good = read_name(element, name) && good;
     names.push_back(std::move(name));
   }
   if (good)
     target = std::move(names);
+  else
+    value->spoil();
   return good;
 }
 
@@ -260,16 +251,6 @@ std::vector<NamedValue> named_entries(const Found& value) {
           fmt::format("found the name {}, expected up to 100 letters, digits, '_' or '-'", shown(key)), at);
   }
   return found;
-}
-
-bool ascends(const Found& value, const std::vector<double>& numbers) {
-  const auto broken = std::ranges::adjacent_find(numbers, [](double a, double b) { return a >= b; });
-  if (broken == numbers.end())
-    return true;
-  const auto index = static_cast<std::size_t>(broken - numbers.begin()) + 1;
-  value->fault(fmt::format("found {} after {}, expected numbers that ascend", numbers[index], *broken),
-               value->tree().items[index].at);
-  return false;
 }
 
 } // namespace rubato::deck

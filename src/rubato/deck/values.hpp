@@ -3,11 +3,11 @@
 #pragma once
 
 #include "rubato/deck/tree.hpp"
+#include "rubato/study/range.hpp"
 #include "rubato/study/study.hpp"
 #include "rubato/study/words.hpp"
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +30,10 @@ public:
   /// Adds the fault "path: text" at this value, or at another place.
   void fault(const std::string& text) const { fault(text, at()); }
   void fault(const std::string& text, const Location& where) const;
+  /// Adds the fault that a key is missing in this map.
+  void miss(const std::string& key) const;
+  /// No rule about this value can be judged.
+  void spoil() const;
 
   /// A value inside of this one.
   Value child(const std::string& step, const Tree& tree) const;
@@ -57,6 +61,8 @@ public:
   Found require(std::string_view key);
   /// A key that exists but has no meaning here: a fault "key: reason" when it is given.
   void refuse(std::string_view key, const std::string& reason);
+  /// No rule about the value of that key can be judged.
+  void spoil(std::string_view key) const;
   /// Faults for the keys that were never asked for. To be called last.
   void finish() const;
 
@@ -65,45 +71,22 @@ private:
   std::vector<std::string> asked_;
 };
 
-/// Values and the bounds they must keep.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_allowed = true;
-  bool high_allowed = true;
-  bool contains(double value) const;
-};
-constexpr Range above(double low) {
-  return {.low = low, .low_allowed = false};
-}
-constexpr Range at_least(double low) {
-  return {.low = low};
-}
-constexpr Range at_most(double high) {
-  return {.high = high};
-}
-constexpr Range from_to(double low, double high) {
-  return {low, high};
-}
-constexpr Range between(double low, double high) {
-  return {low, high, false, false};
-}
-
 /// Reads into `target` and returns true; leaves it alone and returns false when the value was not given or is
 /// faulty (the fault is added). Numbers are strict: "1e-3s", inf and nan are faults.
-bool read(const Found& value, double& target, const Range& range = {});
-bool read(const Found& value, std::optional<double>& target, const Range& range = {});
-bool read(const Found& value, int& target, const Range& range = {});
+bool read(const Found& value, double& target, const study::Range& range = {});
+bool read(const Found& value, std::optional<double>& target, const study::Range& range = {});
+bool read(const Found& value, int& target, const study::Range& range = {});
 bool read(const Found& value, bool& target);
 bool read(const Found& value, std::optional<bool>& target);
 /// Any word, also one that looks like a number.
 bool read(const Found& value, std::string& target);
-bool read(const Found& value, study::Name& target);
 /// A list of numbers or of whole numbers.
-bool read(const Found& value, std::vector<double>& target, const Range& range = {});
-bool read(const Found& value, std::vector<int>& target, const Range& range = {});
+bool read(const Found& value, std::vector<double>& target, const study::Range& range = {});
+bool read(const Found& value, std::vector<int>& target, const study::Range& range = {});
+/// A word that is not empty.
+bool read_name(const Found& value, std::string& target);
 /// One name or a list of them, none twice.
-bool read(const Found& value, std::vector<study::Name>& target);
+bool read_names(const Found& value, std::vector<std::string>& target);
 
 /// The place of the value among `words`; nothing and a fault when it is none of them.
 std::optional<std::size_t> read_choice(const Found& value, const std::vector<std::string>& words);
@@ -130,14 +113,11 @@ std::vector<Value> items(const Found& value);
 
 /// An entry of a map whose keys are names the user chose.
 struct NamedValue {
-  study::Name name;
+  Name name;
   Value value;
 };
 /// The entries of such a map. A name may be a column or a folder of the results: letters, digits, "_" and
 /// "-".
 std::vector<NamedValue> named_entries(const Found& value);
-
-/// Faults when the numbers of a list do not ascend, each greater than the one before.
-bool ascends(const Found& value, const std::vector<double>& numbers);
 
 } // namespace rubato::deck

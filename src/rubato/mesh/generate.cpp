@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/generate.hpp"
 
+#include "rubato/core/naming.hpp"
 #include "rubato/cell/parts.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/mesh/builder.hpp"
@@ -118,7 +119,7 @@ void add_sides(MeshBuilder& builder, const study::Body& body, const Grid& grid, 
     for (const auto& face : faces)
       if (std::ranges::all_of(face.nodes(), [&](NodeIndex node) { return grid.lies_on(place, node); }))
         cells.push_back(builder.add_cell(face.type, face.nodes()));
-    builder.add_to_cell_group(group.text, cells);
+    builder.add_to_cell_group(group, cells);
   }
 }
 
@@ -148,13 +149,13 @@ void add_edges(MeshBuilder& builder, const study::Body& body, const Grid& grid) 
     Handles cells;
     for (std::size_t i = 1; i < nodes.size(); ++i)
       cells.push_back(builder.add_cell(CellType::seg2, std::span(nodes).subspan(i - 1, 2)));
-    builder.add_to_cell_group(group.text, cells);
+    builder.add_to_cell_group(group, cells);
   }
 }
 
 void add_points(MeshBuilder& builder, const study::Body& body, const Grid& grid) {
   for (const auto& [key, group] : body.points)
-    builder.add_to_node_group(group.text,
+    builder.add_to_node_group(group,
                               nodes_of_place(grid, *grid_place(key, body.dimension, body.dimension)));
 }
 
@@ -189,7 +190,8 @@ std::vector<std::string> cell_names(int dimension) {
 
 class BodyCheck {
 public:
-  BodyCheck(const study::Body& body, std::vector<Fault>& faults) : body_(body), faults_(faults) {}
+  BodyCheck(const study::Body& body, std::size_t index, std::vector<Fault>& faults)
+      : body_(body), index_(index), faults_(faults) {}
 
   void run() {
     if (body_.dimension != 2 && body_.dimension != 3) {
@@ -203,14 +205,16 @@ public:
       check_places("edge", body_.edges, 2);
     else if (!body_.edges.empty())
       fault("names edges, which a rectangle has not: name its sides or points",
-            body_.edges.begin()->second.at);
+            "edges." + body_.edges.begin()->first);
     check_places("point", body_.points, body_.dimension);
   }
 
 private:
-  void fault(const std::string& text) { fault(text, body_.at); }
-  void fault(const std::string& text, const Location& at) {
-    faults_.push_back({at, fmt::format("body '{}' {}", body_.name, text)});
+  /// `part` of the body, "sides.left".
+  void fault(const std::string& text, const std::string& part = "") {
+    const auto path = fmt::format("mesh.generate.{}", index_);
+    faults_.push_back(
+        fault_at(part.empty() ? path : path + "." + part, fmt::format("body '{}' {}", body_.name, text)));
   }
 
   void check_size() {
@@ -233,7 +237,7 @@ private:
                         body_.dimension == 2 ? "rectangle" : "box", fmt::join(allowed, ", ")));
   }
 
-  void check_places(const char* what, const std::map<std::string, study::Name>& places, int sides) {
+  void check_places(const char* what, const std::map<std::string, std::string>& places, int sides) {
     for (const auto& [key, group] : places) {
       if (grid_place(key, body_.dimension, sides))
         continue;
@@ -242,11 +246,12 @@ private:
       fault(fmt::format("has no {} '{}': {}", what, key,
                         nearest.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
                                         : fmt::format("did you mean '{}'?", nearest)),
-            group.at);
+            fmt::format("{}s.{}", what, key));
     }
   }
 
   const study::Body& body_;
+  std::size_t index_;
   std::vector<Fault>& faults_;
 };
 
@@ -268,13 +273,14 @@ void refuse_bad_input(std::span<const study::Body> bodies, int refine) {
   if (refine < 1)
     throw InputError(fmt::format("refine is {}: a whole number from 1 on is expected", refine));
   std::vector<Fault> faults;
-  for (const auto& body : bodies) {
-    BodyCheck(body, faults).run();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const auto& body = bodies[i];
+    BodyCheck(body, i, faults).run();
     if (body.dimension != bodies.front().dimension)
       faults.push_back(
-          {body.at, fmt::format("body '{}' has dimension {} but '{}' has {}: all bodies of a mesh "
+          fault_at(fmt::format("mesh.generate.{}", i), fmt::format("body '{}' has dimension {} but '{}' has {}: all bodies of a mesh "
                                 "have the same",
-                                body.name, body.dimension, bodies.front().name, bodies.front().dimension)});
+                                body.name, body.dimension, bodies.front().name, bodies.front().dimension)));
   }
   if (!faults.empty())
     throw InputError(std::move(faults));

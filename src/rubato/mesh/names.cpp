@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/names.hpp"
 
+#include "rubato/core/naming.hpp"
 #include "rubato/core/error.hpp"
 
 #include <fmt/format.h>

@@ -62,20 +62,26 @@ void check_supported(const Model& model, std::vector<Fault>& faults);
 /// nodes are not all held in every component.
 void check_masses(const Model& model, std::vector<Fault>& faults);
 
+/// A name that must mean something in the mesh, and the path of the value of the study that has it.
+struct Mention {
+  std::string name;
+  std::string path;
+};
+
 /// The cells of a group, or a fault that names the nearest group; nullptr then.
-const mesh::Group* cells_named(const mesh::Mesh& mesh, const study::Name& name, std::vector<Fault>& faults);
+const mesh::Group* cells_named(const mesh::Mesh& mesh, const Mention& name, std::vector<Fault>& faults);
 
 /// The nodes of a group or a numbered node; empty and a fault when there is none.
-std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const study::Name& name,
+std::vector<mesh::NodeIndex> nodes_or_fault(const mesh::Mesh& mesh, const Mention& name,
                                             std::vector<Fault>& faults);
 
 /// Those of them that deforming cells have; empty and a fault when there is none. `use` completes "expected a
 /// part of a body …".
 std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const domain::DofMap& dofs,
-                                                 const study::Name& name, std::string_view use,
+                                                 const Mention& name, std::string_view use,
                                                  std::vector<Fault>& faults);
 
 /// The function of that name; nothing when the name is empty.
-std::optional<Function> function_named(const study::Study& study, const study::Name& name);
+std::optional<Function> function_named(const study::Study& study, const std::string& name);
 
 } // namespace rubato::model

@@ -33,68 +33,68 @@ public:
     motion_.velocity = motion_.displacement;
   }
 
-  void add(const study::InitialMotion& initial) {
+  void add(const study::InitialMotion& initial, const std::string& path) {
     told_ = false;
-    for (const auto node : nodes_of(initial.on))
+    for (const auto node : nodes_of({initial.on, path + ".on"}))
       for (int i = 0; i < dofs_.components; ++i) {
         const auto axis = static_cast<std::size_t>(i);
         if (const auto& value = initial.displacement[axis])
-          set_displacement(initial, node, i, *value);
+          set_displacement(path, node, i, *value);
         if (const auto& value = initial.velocity[axis])
-          set_velocity(initial, node, i, *value);
+          set_velocity(path, node, i, *value);
       }
   }
 
   InitialMotion take() { return std::move(motion_); }
 
 private:
-  std::vector<mesh::NodeIndex> nodes_of(const study::Name& name) {
-    if (name.text == study::everywhere)
+  std::vector<mesh::NodeIndex> nodes_of(const Mention& name) {
+    if (name.name == study::everywhere)
       return {dofs_.nodes.begin(), dofs_.nodes.end()};
     return body_nodes_or_fault(mesh_, dofs_, name, "to set in motion", faults_);
   }
 
-  void set_displacement(const study::InitialMotion& initial, mesh::NodeIndex node, int component,
+  void set_displacement(const std::string& path, mesh::NodeIndex node, int component,
                         double value) {
     const int dof = dofs_.dof(node, component);
     if (const auto support = supports_.find(dof); support != supports_.end()) {
       const double held = displacement_of(*support->second, time_.begin);
       if (!same(value, held))
-        tell(initial, node, component, "displacement", value,
+        tell(path, node, component, "displacement", value,
              fmt::format("its support puts it at {:g}", held));
     }
-    set(initial, node, component, "displacement", value, displaced_, motion_.displacement);
+    set(path, node, component, "displacement", value, displaced_, motion_.displacement);
   }
 
-  void set_velocity(const study::InitialMotion& initial, mesh::NodeIndex node, int component, double value) {
+  void set_velocity(const std::string& path, mesh::NodeIndex node, int component, double value) {
     const int dof = dofs_.dof(node, component);
     if (const auto support = supports_.find(dof); support != supports_.end()) {
       const double held = velocity_of(*support->second);
       if (std::abs(value - held) > shortly * std::max(std::abs(value), std::abs(held)))
-        tell(initial, node, component, "velocity", value, fmt::format("its support moves at {:g}", held));
+        tell(path, node, component, "velocity", value, fmt::format("its support moves at {:g}", held));
     }
-    set(initial, node, component, "velocity", value, moved_, motion_.velocity);
+    set(path, node, component, "velocity", value, moved_, motion_.velocity);
   }
 
   /// What two entries say of one dof must be the same.
-  void set(const study::InitialMotion& initial, mesh::NodeIndex node, int component, std::string_view what,
+  void set(const std::string& path, mesh::NodeIndex node, int component, std::string_view what,
            double value, std::map<int, double>& known, VectorXd& values) {
     const int dof = dofs_.dof(node, component);
     const auto [there, fresh] = known.emplace(dof, value);
     if (!fresh && there->second != value)
-      tell(initial, node, component, what, value, fmt::format("another entry has {:g}", there->second));
+      tell(path, node, component, what, value, fmt::format("another entry has {:g}", there->second));
     values[dof] = value;
   }
 
   /// One node of an entry is enough.
-  void tell(const study::InitialMotion& initial, mesh::NodeIndex node, int component, std::string_view what,
+  void tell(const std::string& path, mesh::NodeIndex node, int component, std::string_view what,
             double value, const std::string& contradiction) {
     if (told_)
       return;
     told_ = true;
     faults_.push_back(
-        {initial.at, fmt::format("node {} begins with the {} {:g} in {}, but {}", node_label(mesh_, node),
-                                 what, value, axes[static_cast<std::size_t>(component)], contradiction)});
+        fault_at(path, fmt::format("node {} begins with the {} {:g} in {}, but {}", node_label(mesh_, node),
+                                 what, value, axes[static_cast<std::size_t>(component)], contradiction)));
   }
 
   double velocity_of(const Constraint& support) const {
@@ -119,8 +119,8 @@ InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& m
                                   const domain::DofMap& dofs, std::span<const Constraint> constraints,
                                   std::vector<Fault>& faults) {
   Collector collector(study, mesh, dofs, constraints, faults);
-  for (const auto& initial : study.initial)
-    collector.add(initial);
+  for (std::size_t i = 0; i < study.initial.size(); ++i)
+    collector.add(study.initial[i], fmt::format("initial.{}", i));
   return collector.take();
 }
 

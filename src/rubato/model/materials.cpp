@@ -34,12 +34,14 @@ public:
       give(index, bulk_);
       if (bulk_.empty())
         faults_.push_back(
-            {material.at, fmt::format("the mesh has no {} cells, expected some for material '{}'",
-                                      bulk_noun(), material.name)});
+            fault_at("materials." + material.name, fmt::format("the mesh has no {} cells, expected some for material '{}'",
+                                      bulk_noun(), material.name)));
     }
-    for (const auto& name : material.cells)
+    for (std::size_t i = 0; i < material.cells.size(); ++i) {
+      const Mention name{material.cells[i], fmt::format("materials.{}.cells.{}", material.name, i)};
       if (const auto* group = cells_named(mesh_, name, faults_))
         give_group(index, name, group->items);
+    }
   }
 
   void report_cells_without_material() {
@@ -48,13 +50,13 @@ public:
     if (count == 0)
       return;
     const auto first = *std::ranges::find_if(bulk_, bare);
-    const auto at = study_.materials.empty() ? Location{} : study_.materials.front().at;
+    const auto path = study_.materials.empty() ? "materials" : "materials." + study_.materials.front().name;
     faults_.push_back(
-        {at,
+        fault_at(path,
          fmt::format("{} of {} cells have no material, the first one is cell {} ({}); expected one for every "
                      "cell (`cells: all`, or a group)",
                      count, bulk_.size(), mesh::cell_name(mesh_, first),
-                     cell::topology(mesh_.type_of(first)).name)});
+                     cell::topology(mesh_.type_of(first)).name)));
   }
 
 private:
@@ -65,25 +67,24 @@ private:
       auto& now = material_[static_cast<std::size_t>(cell)];
       if (now >= 0 && now != index && std::ranges::find(clashes_, std::pair(now, index)) == clashes_.end()) {
         clashes_.emplace_back(now, index);
-        faults_.push_back({study_.materials[static_cast<std::size_t>(index)].at,
-                           fmt::format("material '{}' is given to cells that have material '{}' already",
+        faults_.push_back(fault_at("materials." + study_.materials[static_cast<std::size_t>(index)].name, fmt::format("material '{}' is given to cells that have material '{}' already",
                                        study_.materials[static_cast<std::size_t>(index)].name,
-                                       study_.materials[static_cast<std::size_t>(now)].name)});
+                                       study_.materials[static_cast<std::size_t>(now)].name)));
       }
       now = index;
     }
   }
 
-  void give_group(int index, const study::Name& name, std::span<const CellIndex> items) {
+  void give_group(int index, const Mention& name, std::span<const CellIndex> items) {
     std::vector<CellIndex> cells;
     std::ranges::copy_if(items, std::back_inserter(cells), [&](CellIndex cell) {
       return cell::topology(mesh_.type_of(cell)).dimension == dimension_;
     });
     if (cells.empty())
       faults_.push_back(
-          {name.at, fmt::format("group '{}' holds {} cells, expected {} cells for material '{}'", name.text,
+          fault_at(name.path, fmt::format("group '{}' holds {} cells, expected {} cells for material '{}'", name.name,
                                 cell::topology(mesh_.type_of(items.front())).name, bulk_noun(),
-                                study_.materials[static_cast<std::size_t>(index)].name)});
+                                study_.materials[static_cast<std::size_t>(index)].name)));
     give(index, cells);
   }
 
@@ -144,9 +145,9 @@ void check_masses(const Model& model, std::vector<Fault>& faults) {
     told[law] = 1;
     const auto& material = model.study.materials[law];
     faults.push_back(
-        {material.at, fmt::format("materials.{}.density: found 0, but {}; expected more than 0, or "
+        fault_at("materials." + material.name, fmt::format("materials.{}.density: found 0, but {}; expected more than 0, or "
                                   "supports that hold every node of its cells in all components",
-                                  material.name, freedom)});
+                                  material.name, freedom)));
   }
 }
 
@@ -164,8 +165,8 @@ template <class Tell> bool tell_lost_nodes(const mesh::Mesh& mesh, const Tell& t
 void check_shapes(const study::Study& study, const mesh::Mesh& mesh, std::span<const CellIndex> cells,
                   std::vector<Fault>& faults) {
   const auto& file = study.mesh.file;
-  const auto where = file.text.empty() ? "" : fmt::format("mesh file '{}': ", file.text);
-  const auto tell = [&](const std::string& text) { faults.push_back(Fault{file.at, text}); };
+  const auto where = file.empty() ? "" : fmt::format("mesh file '{}': ", file);
+  const auto tell = [&](const std::string& text) { faults.push_back(fault_at("mesh.file", text)); };
   if (tell_lost_nodes(mesh, [&](const std::string& text) { tell(where + text); }))
     return;
   const auto bad = domain::cell_faults(mesh, cells, study.physics);

@@ -96,14 +96,14 @@ double value_of(const std::optional<Function>& function, double t) {
 
 mesh::Mesh source_mesh(const study::MeshSource& source) {
   mesh::Mesh mesh;
-  if (source.file.text.empty()) {
+  if (source.file.empty()) {
     mesh = mesh::generate(source.bodies, source.refine);
   } else {
-    mesh = mesh::read_mesh(source.file.text, source.file_mesh);
+    mesh = mesh::read_mesh(source.file, source.file_mesh);
     mesh::mend_orientation(mesh);
   }
   mesh = mesh::converted(mesh, source.convert);
-  if (!source.file.text.empty() && source.refine > 1)
+  if (!source.file.empty() && source.refine > 1)
     mesh = mesh::refined(mesh, source.refine);
   return mesh;
 }
@@ -144,17 +144,6 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   return model;
 }
 
-/// Runs that inherit a part of a deck all meet its faults: each is kept once.
-void add_new(const std::vector<Fault>& met, std::vector<Fault>& faults) {
-  for (const auto& fault : met) {
-    const auto same = [&](const Fault& known) {
-      return known.text == fault.text && to_string(known.at) == to_string(fault.at);
-    };
-    if (std::ranges::none_of(faults, same))
-      faults.push_back(fault);
-  }
-}
-
 } // namespace
 
 mesh::Mesh load_mesh(const study::MeshSource& source) {
@@ -163,28 +152,28 @@ mesh::Mesh load_mesh(const study::MeshSource& source) {
   } catch (const InputError& error) {
     auto faults = error.faults();
     for (auto& fault : faults)
-      if (to_string(fault.at).empty())
-        fault.at = source.file.at;
+      if (to_string(fault.at).empty() && fault.path.empty())
+        fault.path = source.file.empty() ? "mesh.generate" : "mesh.file";
     throw InputError(std::move(faults));
   }
 }
 
-void check_studies(std::span<const study::Study* const> studies) {
-  std::vector<Fault> faults;
+std::vector<std::vector<Fault>> faults_of(std::span<const study::Study> studies) {
+  std::vector<std::vector<Fault>> faults(studies.size());
   std::optional<mesh::Mesh> mesh;
   const study::MeshSource* source = nullptr;
-  for (const auto* study : studies) {
+  for (std::size_t i = 0; i < studies.size(); ++i) {
     try {
-      if (source == nullptr || *source != study->mesh) {
-        mesh = load_mesh(study->mesh);
-        source = &study->mesh;
+      if (source == nullptr || *source != studies[i].mesh) {
+        mesh = load_mesh(studies[i].mesh);
+        source = &studies[i].mesh;
       }
-      lay_out(*study, *mesh);
+      lay_out(studies[i], *mesh);
     } catch (const InputError& error) {
-      add_new(error.faults(), faults);
+      faults[i] = error.faults();
     }
   }
-  stop_on(faults);
+  return faults;
 }
 
 Model build_model(const study::Study& study) {

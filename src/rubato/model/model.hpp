@@ -84,12 +84,12 @@ Model build_model(const study::Study& study);
 /// The same on a mesh that is already there.
 Model build_model(const study::Study& study, mesh::Mesh mesh);
 
-/// Throws InputError with every fault of the studies that shows against their meshes, without assembling
-/// anything: whoever is about to run several learns first whether one of them is bad.
-void check_studies(std::span<const study::Study* const> studies);
+/// The faults of each study that show against its mesh, without assembling anything: whoever is about to run
+/// several learns first whether one of them is bad.
+std::vector<std::vector<Fault>> faults_of(std::span<const study::Study> studies);
 
 /// The mesh a study names or describes: read or generated, mended, converted and refined. Throws InputError;
-/// what is wrong with a mesh file is told at the place that names it.
+/// what is wrong with a mesh file is told at the path that names it.
 mesh::Mesh load_mesh(const study::MeshSource& source);
 
 /// [force], one a dof.

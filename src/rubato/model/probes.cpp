@@ -71,12 +71,17 @@ Nodes node_at(const study::Probe& probe, const mesh::Mesh& mesh, const domain::D
   return {taken};
 }
 
+std::string path_of(const study::Probe& probe) {
+  return fmt::format("probes.{}.{}", probe.name, probe.take == study::ProbeTake::node ? "node" : "on");
+}
+
 /// The nodes a name means; node 0 and a fault when it means none, or several where one is wanted.
 Nodes named_nodes_of(const study::Probe& probe, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                      std::vector<Fault>& faults) {
-  auto nodes = nodes_or_fault(mesh, probe.node, faults);
+  const Mention on{probe.node, path_of(probe)};
+  auto nodes = nodes_or_fault(mesh, on, faults);
   const auto fault = [&](const std::string& text) {
-    faults.push_back({probe.node.at, fmt::format("probe '{}': {}", probe.name, text)});
+    faults.push_back(fault_at(on.path, fmt::format("probe '{}': {}", probe.name, text)));
     return Nodes{0};
   };
   if (nodes.empty())
@@ -88,11 +93,11 @@ Nodes named_nodes_of(const study::Probe& probe, const mesh::Mesh& mesh, const do
     return fault(
         fmt::format("group '{}' has {} nodes, expected one, or what is taken of them: {{on: {}, take: "
                     "sum}}, mean, min or max",
-                    probe.node.text, count, probe.node.text));
+                    probe.node, count, probe.node));
   if (nodes.empty())
     return fault(count == 1
                      ? fmt::format("node {} belongs to no cell that deforms", node_label(mesh, first))
-                     : fmt::format("no node of group '{}' belongs to a cell that deforms", probe.node.text));
+                     : fmt::format("no node of group '{}' belongs to a cell that deforms", probe.node));
   return nodes;
 }
 
@@ -109,9 +114,9 @@ std::vector<Nodes> make_probe_nodes(const study::Study& study, const mesh::Mesh&
 }
 
 void check_compared_places(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
-  for (const auto& check : study.checks)
-    if (check.field && !check.field->on.text.empty())
-      nodes_or_fault(mesh, check.field->on, faults);
+  for (std::size_t i = 0; i < study.checks.size(); ++i)
+    if (const auto& field = study.checks[i].field; field && !field->on.empty())
+      nodes_or_fault(mesh, {field->on, fmt::format("checks.{}.on", i)}, faults);
 }
 
 } // namespace rubato::model

@@ -43,11 +43,10 @@ void check_supported(const Model& model, std::vector<Fault>& faults) {
   std::vector<std::string> directions;
   std::ranges::transform(loose, std::back_inserter(directions), &direction_text);
   faults.push_back(
-      {model.study.time.at,
-       fmt::format("{} is not held: it can move as a rigid body {}, and a static run has no inertia; "
+      fault_at("time", fmt::format("{} is not held: it can move as a rigid body {}, and a static run has no inertia; "
                    "expected supports, springs, or contact with something that is held (frictionless contact "
                    "holds across the surface only)",
-                   body_text(model, motions.bodies(), loose.front().body), fmt::join(directions, ", "))});
+                   body_text(model, motions.bodies(), loose.front().body), fmt::join(directions, ", "))));
 }
 
 } // namespace rubato::model

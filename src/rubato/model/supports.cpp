@@ -16,11 +16,11 @@ public:
             std::vector<Fault>& faults)
       : study_(study), mesh_(mesh), dofs_(dofs), faults_(faults) {}
 
-  void add(const study::Support& support) {
-    for (const auto node : body_nodes_or_fault(mesh_, dofs_, support.on, "to hold", faults_))
+  void add(const study::Support& support, const std::string& path) {
+    for (const auto node : body_nodes_or_fault(mesh_, dofs_, {support.on, path + ".on"}, "to hold", faults_))
       for (int i = 0; i < dofs_.components; ++i)
         if (const auto& amplitude = support.components[static_cast<std::size_t>(i)])
-          prescribe(support, node, i, *amplitude);
+          prescribe(path, node, i, *amplitude);
   }
 
   std::vector<Constraint> constraints() const {
@@ -31,7 +31,7 @@ public:
   }
 
 private:
-  void prescribe(const study::Support& support, mesh::NodeIndex node, int component,
+  void prescribe(const std::string& path, mesh::NodeIndex node, int component,
                  const study::Amplitude& amplitude) {
     const int dof = dofs_.dof(node, component);
     const Constraint wanted{dof, amplitude.value, function_named(study_, amplitude.function)};
@@ -41,8 +41,8 @@ private:
       return;
     told_ = true;
     faults_.push_back(
-        {support.at, fmt::format("node {} has two different displacements prescribed in {}",
-                                 node_label(mesh_, node), axes[static_cast<std::size_t>(component)])});
+        fault_at(path, fmt::format("node {} has two different displacements prescribed in {}",
+                                 node_label(mesh_, node), axes[static_cast<std::size_t>(component)])));
   }
 
   const study::Study& study_;
@@ -58,8 +58,8 @@ private:
 std::vector<Constraint> make_constraints(const study::Study& study, const mesh::Mesh& mesh,
                                          const domain::DofMap& dofs, std::vector<Fault>& faults) {
   Collector collector(study, mesh, dofs, faults);
-  for (const auto& support : study.supports)
-    collector.add(support);
+  for (std::size_t i = 0; i < study.supports.size(); ++i)
+    collector.add(study.supports[i], fmt::format("supports.{}", i));
   return collector.constraints();
 }
 

@@ -61,7 +61,7 @@ struct NamedFaces {
   mesh::Sheets sheets;
 };
 
-std::optional<NamedFaces> faces_named(const mesh::Mesh& mesh, const study::Name& name, bool takes_sheets,
+std::optional<NamedFaces> faces_named(const mesh::Mesh& mesh, const Mention& name, bool takes_sheets,
                                       std::vector<Fault>& faults) {
   const auto* group = cells_named(mesh, name, faults);
   if (group == nullptr)
@@ -73,7 +73,7 @@ std::optional<NamedFaces> faces_named(const mesh::Mesh& mesh, const study::Name&
   auto told = mesh::faults_of(mesh, oriented);
   std::ranges::move(named.sheets.faults, std::back_inserter(told));
   for (const auto& text : told)
-    faults.push_back({name.at, fmt::format("contact surface '{}': {}", name.text, text)});
+    faults.push_back(fault_at(name.path, fmt::format("contact surface '{}': {}", name.name, text)));
   if (!told.empty())
     return std::nullopt;
   named.sides = std::move(oriented.faces);
@@ -122,7 +122,7 @@ void turn_to_slave(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> sl
 }
 
 /// Nothing but supports moves the nodes of a sheet.
-void check_sheets(const mesh::Mesh& mesh, const study::Name& name, const mesh::Sheets& sheets,
+void check_sheets(const mesh::Mesh& mesh, const Mention& name, const mesh::Sheets& sheets,
                   const domain::DofMap& dofs, std::span<const Constraint> constraints,
                   std::vector<Fault>& faults) {
   const auto is_held = [&](int dof) {
@@ -133,11 +133,11 @@ void check_sheets(const mesh::Mesh& mesh, const study::Name& name, const mesh::S
       for (int i = 0; i < dofs.components; ++i)
         if (!is_held(dofs.dof(node, i))) {
           faults.push_back(
-              {name.at, fmt::format("contact surface '{}': {} of its faces bound no cell, and nothing holds "
+              fault_at(name.path, fmt::format("contact surface '{}': {} of its faces bound no cell, and nothing holds "
                                     "node {} of them along {}; expected supports that hold or move every "
                                     "component of a surface without cells behind it",
-                                    name.text, sheets.faces.size(), node_label(mesh, node),
-                                    "xyz"[static_cast<std::size_t>(i)])});
+                                    name.name, sheets.faces.size(), node_label(mesh, node),
+                                    "xyz"[static_cast<std::size_t>(i)])));
           return;
         }
 }
@@ -154,8 +154,9 @@ bool share_a_face(const contact::Surface& a, const contact::Surface& b) {
 std::vector<mesh::NodeIndex> excluded_nodes(const mesh::Mesh& mesh, const study::ContactZone& zone,
                                             std::vector<Fault>& faults) {
   std::vector<mesh::NodeIndex> all;
-  for (const auto& name : zone.exclude_nodes) {
-    const auto nodes = nodes_or_fault(mesh, name, faults);
+  for (std::size_t i = 0; i < zone.exclude_nodes.size(); ++i) {
+    const auto nodes = nodes_or_fault(
+        mesh, {zone.exclude_nodes[i], fmt::format("contact.{}.exclude_nodes.{}", zone.name, i)}, faults);
     all.insert(all.end(), nodes.begin(), nodes.end());
   }
   std::ranges::sort(all);
@@ -172,24 +173,31 @@ void check_rule(const study::ContactZone& zone, const contact::Surface& slave, s
     if (zone.gauss_points >= least)
       continue;
     faults.push_back(
-        {zone.at,
-         fmt::format("found {} Gauss points a direction, expected at least {} on the {} faces of '{}'",
-                     zone.gauss_points, least, cell::topology(face.type).name, zone.slave.text)});
+        fault_at("contact." + zone.name, fmt::format("found {} Gauss points a direction, expected at least {} on the {} faces of '{}'",
+                     zone.gauss_points, least, cell::topology(face.type).name, zone.slave)));
     return;
   }
+}
+
+Mention slave_of(const study::ContactZone& settings) {
+  return {settings.slave, "contact." + settings.name + ".slave"};
+}
+
+Mention master_of(const study::ContactZone& settings) {
+  return {settings.master, "contact." + settings.name + ".master"};
 }
 
 std::pair<contact::Surface, contact::Surface> surfaces_of(const study::ContactZone& settings,
                                                           const mesh::Mesh& mesh, const domain::DofMap& dofs,
                                                           std::span<const Constraint> constraints,
                                                           std::vector<Fault>& faults) {
-  const auto slave = faces_named(mesh, settings.slave, false, faults);
+  const auto slave = faces_named(mesh, slave_of(settings), false, faults);
   if (settings.obstacle)
     return {contact::Surface(), slave ? surface_of(mesh, slave->sides) : contact::Surface()};
-  auto master = faces_named(mesh, settings.master, true, faults);
+  auto master = faces_named(mesh, master_of(settings), true, faults);
   if (!master || !slave)
     return {};
-  check_sheets(mesh, settings.master, master->sheets, dofs, constraints, faults);
+  check_sheets(mesh, master_of(settings), master->sheets, dofs, constraints, faults);
   turn_to_slave(mesh, slave->sides, master->sheets);
   master->sides.insert(master->sides.end(), master->sheets.faces.begin(), master->sheets.faces.end());
   return {surface_of(mesh, master->sides), surface_of(mesh, slave->sides)};
@@ -200,7 +208,7 @@ std::pair<contact::Surface, contact::Surface> surfaces_of(const study::ContactZo
 std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh) {
   std::vector<mesh::CellIndex> faces;
   for (const auto& settings : study.contact)
-    if (const auto* group = settings.obstacle ? nullptr : mesh.cell_group(settings.master.text)) {
+    if (const auto* group = settings.obstacle ? nullptr : mesh.cell_group(settings.master)) {
       const auto unowned = mesh::oriented_faces(mesh, group->items).unowned;
       faces.insert(faces.end(), unowned.begin(), unowned.end());
     }
@@ -222,8 +230,8 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
     const auto excluded = excluded_nodes(mesh, settings, faults);
     if (faults.size() == known && share_a_face(master, slave))
       faults.push_back(
-          {settings.slave.at, fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
-                                          settings.master.text, settings.slave.text)});
+          fault_at(slave_of(settings).path, fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
+                                          settings.master, settings.slave)));
     check_rule(settings, slave, faults);
     if (faults.size() > known)
       continue;

@@ -31,14 +31,14 @@ std::optional<Found> of_probe_difference(const study::Check& check, const std::s
   const auto table = read_csv(other / probes_file);
   const auto others = value_at(table, table.column(column), check.at);
   if (!others)
-    throw InputError(fmt::format("run {} has no {} at {}", check.run.text, column, check.at));
+    throw InputError(fmt::format("run {} has no {} at {}", check.run, column, check.at));
   return own ? std::optional<Found>({*own - *others, std::abs(*others)}) : std::nullopt;
 }
 
 Found of_field_difference(const study::Check& check, const std::filesystem::path& folder,
                           const std::filesystem::path& other, std::string& where) {
   const auto fields = compare_fields(folder, other, check.field->name, check.at);
-  const auto& on = check.field->on.text;
+  const auto& on = check.field->on;
   const auto parts = extents(fields, on.empty() ? all_nodes(fields.mesh) : nodes_of(fields.mesh, on));
   const auto wanted = [&](const Extent& part) {
     return check.field->component.empty() || part.component == check.field->component;
@@ -58,20 +58,20 @@ Found of_field_difference(const study::Check& check, const std::filesystem::path
 
 std::string quantity_of(const study::Check& check) {
   if (!check.field)
-    return fmt::format("{}.{}", check.probe.text, "xyz"[check.component]);
+    return fmt::format("{}.{}", check.probe, "xyz"[check.component]);
   const auto& field = *check.field;
   return fmt::format("{}{}{}{}{}", field.name, field.component.empty() ? "" : ".", field.component,
-                     field.on.text.empty() ? "" : " on ", field.on.text);
+                     field.on.empty() ? "" : " on ", field.on);
 }
 
 /// Throws InputError when the other run does not have what is compared.
 std::optional<Found> find(const study::Check& check, const Table& probes, const std::filesystem::path& folder,
                           CheckResult& result) {
-  if (check.run.text.empty())
+  if (check.run.empty())
     return of_probe(check, result.quantity, probes);
-  const auto other = folder / ".." / check.run.text;
+  const auto other = folder / ".." / check.run;
   if (!std::filesystem::exists(other / summary_file))
-    throw InputError(fmt::format("run {} has no folder beside this one", check.run.text));
+    throw InputError(fmt::format("run {} has no folder beside this one", check.run));
   return check.field ? of_field_difference(check, folder, other, result.where)
                      : of_probe_difference(check, result.quantity, probes, other);
 }
@@ -88,7 +88,7 @@ CheckResult evaluate(const study::Check& check, const Table& probes, const std::
   result.tolerance = check.tolerance;
   result.relative = check.relative;
   result.source = to_string(check.source);
-  result.run = check.run.text;
+  result.run = check.run;
   result.note = check.note;
   try {
     if (const auto found = find(check, probes, folder, result)) {

@@ -2,7 +2,7 @@
 #include "rubato/results/recorder.hpp"
 
 #include "rubato/core/writing.hpp"
-#include "rubato/deck/read.hpp"
+#include "rubato/study/echo.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/results/attempt_json.hpp"
 #include "rubato/results/history.hpp"
@@ -307,7 +307,7 @@ private:
                       {"unknowns", model_.free_dofs.size()},
                       {"factor_bytes", factor_bytes_},
                       {"checks", ordered_json::array()},
-                      {"study", ordered_json::parse(deck::to_json(model_.study))}};
+                      {"study", ordered_json::parse(study::to_json(model_.study))}};
     if (ending.failure)
       json["failure"] = to_json(model_, *ending.failure);
     for (const auto& check : checks)

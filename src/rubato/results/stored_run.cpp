@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/stored_run.hpp"
 
-#include "rubato/deck/read.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/results/run_folder.hpp"
 
 #include <fmt/format.h>
@@ -40,8 +40,8 @@ StoredRun read_stored_run(const std::filesystem::path& folder) {
     StoredRun run;
     run.status = status_named(json.at("status").get<std::string>(), path);
     run.reason = json.at("reason").get<std::string>();
-    run.study = deck::parse_echo(json.at("study").dump(), path.string());
-    run.study.name = json.at("run").get<std::string>();
+    run.name = json.at("run").get<std::string>();
+    run.study = json.at("study").dump();
     run.probes = read_csv(folder / probes_file);
     return run;
   } catch (const nlohmann::json::exception& error) {

@@ -4,7 +4,6 @@
 
 #include "rubato/results/csv.hpp"
 #include "rubato/results/run_status.hpp"
-#include "rubato/study/study.hpp"
 
 #include <filesystem>
 #include <string>
@@ -13,7 +12,8 @@
 namespace rubato::results {
 
 struct StoredRun {
-  study::Study study;
+  std::string name;
+  std::string study; ///< as study::to_json wrote it
   RunStatus status = RunStatus::running;
   std::string reason; ///< why it is not complete
   Table probes;

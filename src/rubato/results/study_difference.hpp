@@ -7,7 +7,7 @@
 
 namespace rubato::results {
 
-/// The first difference between two echoes of studies (deck::to_json), in words: "contact.interface.friction
+/// The first difference between two echoes of studies (study::to_json), in words: "contact.interface.friction
 /// was 0.2 and is 0.3 now". Nothing when they differ only in the title, where the mesh file is, the end of
 /// the run or its instants, what is done about failing steps (time.on_failure, newton), in checkpoints and
 /// checks.

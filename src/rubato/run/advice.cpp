@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/advice.hpp"
 
-#include "rubato/deck/read.hpp"
+
 #include "rubato/model/rigid_motions.hpp"
+#include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
@@ -31,15 +32,19 @@ public:
       lines_.push_back(std::move(text));
   }
 
-  /// Only when the deck takes these settings.
-  void add(std::string text, const std::vector<deck::Setting>& settings) {
-    if (deck::accepts(study_, settings))
+  /// Only when the study so changed keeps its rules.
+  template <class Change> void add(std::string text, const Change& change) {
+    auto changed = study_;
+    change(changed);
+    if (study::broken_rules(changed).empty())
       add(std::move(text));
   }
 
-  /// One key of the deck.
-  void set(const std::string& path, const std::string& value) {
-    add(fmt::format("{}: {}", path, value), {{path, value}});
+  /// The same for one zone.
+  template <class Change> void add(std::string text, const contact::Zone& zone, const Change& change) {
+    add(std::move(text), [&](study::Study& changed) {
+      change(*std::ranges::find(changed.contact, zone.settings.name, &study::ContactZone::name));
+    });
   }
 
   std::vector<std::string> take() { return std::move(lines_); }
@@ -63,28 +68,40 @@ std::string key_of(const contact::Zone& zone, const std::string& key) {
   return fmt::format("contact.{}.{}", zone.settings.name, key);
 }
 
-void on_loop(const contact::Zone& zone, const study::Level& level, const std::string& name, Advice& advice) {
-  if (level.by != study::Iteration::fixed_point)
+void on_loop(const contact::Zone& zone, study::Level study::ContactZone::*level, const std::string& name,
+             Advice& advice) {
+  const auto& now = zone.settings.*level;
+  if (now.by != study::Iteration::fixed_point)
     return;
   const auto key = key_of(zone, "iterate." + name);
-  advice.set(key, "newton");
-  advice.set(key, fmt::format("{{by: fixed_point, {}max_loops: {}}}",
-                              name == "status" ? "" : fmt::format("tolerance: {:g}, ", level.tolerance),
-                              more_rounds * level.max_loops));
+  const int loops = more_rounds * now.max_loops;
+  advice.add(key + ": newton", zone,
+             [&](study::ContactZone& changed) { (changed.*level).by = study::Iteration::newton; });
+  advice.add(fmt::format("{}: {{by: fixed_point, {}max_loops: {}}}", key,
+                         name == "status" ? "" : fmt::format("tolerance: {:g}, ", now.tolerance), loops),
+             zone, [&](study::ContactZone& changed) { (changed.*level).max_loops = loops; });
 }
 
 /// Springs in the place of exact gaps.
 void on_gap(const contact::Zone& zone, Advice& advice) {
-  const auto key = key_of(zone, "method");
-  const std::string method = study::is_nodal(zone.settings.method) ? "nodal_penalty" : "penalty";
-  advice.add(fmt::format("{}: {}, whose gaps need not close", key, method),
-             {{key, method}, {key_of(zone, "friction_method"), ""}, {key_of(zone, "coefficients"), ""}});
+  using enum study::ContactMethod;
+  const auto method = study::is_nodal(zone.settings.method) ? nodal_penalty : penalty;
+  advice.add(fmt::format("{}: {}, whose gaps need not close", key_of(zone, "method"),
+                         study::word_of(study::contact_method_words, method)),
+             zone, [&](study::ContactZone& changed) {
+               changed.method = method;
+               changed.friction_method = study::usual_friction_method(method);
+               changed.normal_coefficient.reset();
+               changed.tangential_coefficient.reset();
+             });
 }
 
 void on_projection(const contact::Zone& zone, Advice& advice) {
   for (const auto normal : {study::ContactNormal::slave, study::ContactNormal::average})
     if (zone.settings.normal != normal)
-      advice.set(key_of(zone, "normal"), std::string(study::word_of(study::contact_normal_words, normal)));
+      advice.add(fmt::format("{}: {}", key_of(zone, "normal"),
+                             study::word_of(study::contact_normal_words, normal)),
+                 zone, [&](study::ContactZone& changed) { changed.normal = normal; });
 }
 
 void on_lost_point(const model::Model& model, const step::Unmet& unmet, Advice& advice) {
@@ -97,9 +114,10 @@ void on_lost_point(const model::Model& model, const step::Unmet& unmet, Advice& 
 
 void on_status(const contact::Zone& zone, Advice& advice) {
   if (zone.settings.status.by == study::Iteration::newton)
-    advice.set(key_of(zone, "iterate.status"), "fixed_point");
+    advice.add(key_of(zone, "iterate.status") + ": fixed_point", zone,
+               [](study::ContactZone& changed) { changed.status.by = study::Iteration::fixed_point; });
   else
-    on_loop(zone, zone.settings.status, "status", advice);
+    on_loop(zone, &study::ContactZone::status, "status", advice);
 }
 
 void on_singular(const model::Model& model, Advice& advice) {
@@ -136,9 +154,9 @@ void on_criterion(const model::Model& model, const step::Unmet& unmet, Advice& a
     return on_lost_point(model, unmet, advice);
   for (const auto* zone : zones_of(model, unmet.zone)) {
     if (unmet.criterion == Criterion::geometry_loop)
-      on_loop(*zone, zone->settings.geometry, "geometry", advice);
+      on_loop(*zone, &study::ContactZone::geometry, "geometry", advice);
     else if (unmet.criterion == Criterion::friction_loop)
-      on_loop(*zone, zone->settings.threshold, "friction", advice);
+      on_loop(*zone, &study::ContactZone::threshold, "friction", advice);
     else if (unmet.criterion == Criterion::status)
       on_status(*zone, advice);
     else if (unmet.criterion == Criterion::projection)
@@ -180,7 +198,9 @@ void on_scheme(const model::Model& model, const time::Scheme& scheme, Advice& ad
   if (!feeds_on_contact(model, scheme))
     return;
   const auto time = fmt::format("{{scheme: moreau_jean{}}}", without_numbers(model.study.time));
-  advice.add(fmt::format("time: {}, which gains no energy from contact", time), {{"time", time}});
+  advice.add(
+      fmt::format("time: {}, which gains no energy from contact", time),
+      [](study::Study& changed) { changed.time.scheme = study::SchemeKind::moreau_jean; });
 }
 
 void on_step(const study::TimeStepping& time, const results::Failure& failure, Advice& advice) {
@@ -190,7 +210,7 @@ void on_step(const study::TimeStepping& time, const results::Failure& failure, A
     advice.add("a shorter time.step");
   else
     advice.add(fmt::format("more time.instants around {:g}", failure.end));
-  advice.set("time.on_failure.levels", "12");
+  advice.add("time.on_failure.levels: 12");
 }
 
 void on_place(const model::Model& model, const step::StepReport& report, Advice& advice) {
@@ -230,7 +250,7 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
   on_scheme(model, scheme, advice);
   on_step(model.study.time, failure, advice);
   if (only_residual(report))
-    advice.set("newton.max_iterations", std::to_string(2 * model.study.newton.max_iterations));
+    advice.add(fmt::format("newton.max_iterations: {}", 2 * model.study.newton.max_iterations));
   on_place(model, report, advice);
   return advice.take();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/checkpoints.hpp"
 
-#include "rubato/deck/read.hpp"
+#include "rubato/study/echo.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"
 #include "rubato/results/study_difference.hpp"
@@ -36,16 +36,15 @@ std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, co
   if (!std::filesystem::exists(file))
     return std::nullopt;
   auto checkpoint = results::read_checkpoint(file);
-  if (const auto difference = results::study_difference(checkpoint.study, deck::to_json(study)))
+  if (const auto difference = results::study_difference(checkpoint.study, study::to_json(study)))
     refuse(file, *difference);
   if (checkpoint.mesh != course.mesh)
     refuse(file, "its mesh had other nodes, cells or groups");
   if (checkpoint.start != course.start)
-    refuse(file, fmt::format("it began with another end of run '{}'", study.time.start_run.text));
+    refuse(file, fmt::format("it began with another end of run '{}'", study.time.start_run));
   if (checkpoint.state.t > study.time.end + same_end * (study.time.end - study.time.begin))
-    throw InputError(fmt::format("time.end: found {:g}, but the checkpoint stands at t = {:g} already",
-                                 study.time.end, checkpoint.state.t),
-                     study.time.at);
+    throw InputError({fault_at("time.end", fmt::format("time.end: found {:g}, but the checkpoint stands at t = {:g} already",
+                                 study.time.end, checkpoint.state.t))});
   return checkpoint;
 }
 
@@ -73,7 +72,7 @@ std::optional<RunResult> finished_run(const study::Study& study, const Course& c
 std::optional<RunResult> unchanged_run(const study::Study& study, Course& course) {
   try {
     course.from = find_checkpoint(study, course);
-    if (course.from && results::same_results_expected(course.from->study, deck::to_json(study)))
+    if (course.from && results::same_results_expected(course.from->study, study::to_json(study)))
       if (auto finished = finished_run(study, course))
         return finished;
   } catch (const InputError&) { // of another run, or damaged: what it says is of no use here
@@ -83,7 +82,7 @@ std::optional<RunResult> unchanged_run(const study::Study& study, Course& course
 }
 
 Keeper::Keeper(const study::Study& study, const Course& course, const Watch& watch)
-    : settings_(study.checkpoint), course_(course), watch_(watch), study_(deck::to_json(study)) {}
+    : settings_(study.checkpoint), course_(course), watch_(watch), study_(study::to_json(study)) {}
 
 bool Keeper::is_due(int count, double t, double step) const {
   const double near = part_of_step * step;

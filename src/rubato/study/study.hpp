@@ -4,7 +4,6 @@
 #pragma once
 
 #include "rubato/core/cell_type.hpp"
-#include "rubato/core/error.hpp"
 #include "rubato/core/function.hpp"
 
 #include <array>
@@ -17,13 +16,6 @@
 
 namespace rubato::study {
 
-/// A name that must mean something in the mesh or in the deck, with the place where it was written.
-struct Name {
-  std::string text;
-  Location at;
-  bool operator==(const Name&) const = default;
-};
-
 // ---- mesh ------------------------------------------------------------------------------------------------
 
 /// A box or a rectangle cut into a regular grid.
@@ -35,19 +27,18 @@ struct Body {
   std::array<int, 3> divisions{1, 1, 1};
   CellType cells = CellType::hexa8;
   /// Group names of the sides: keys left, right (x), bottom, top (y), back, front (z).
-  std::map<std::string, Name> sides;
+  std::map<std::string, std::string> sides;
   /// Group names of edges (3D) and of corner points, by the sides that meet there: "right_top",
   /// "right_top_back". In 2D a corner is "right_top".
-  std::map<std::string, Name> edges;
-  std::map<std::string, Name> points;
-  Location at;
+  std::map<std::string, std::string> edges;
+  std::map<std::string, std::string> points;
   bool operator==(const Body&) const = default;
 };
 
 enum class MeshConversion { none, linear, quadratic, full_quadratic };
 
 struct MeshSource {
-  Name file;                ///< empty when generated; found from the current folder
+  std::string file;                ///< empty when generated; found from the current folder
   std::string file_mesh;    ///< name of the mesh inside the file; empty: its only (first) one
   std::vector<Body> bodies; ///< empty when read
   MeshConversion convert = MeshConversion::none;
@@ -67,23 +58,21 @@ struct Material {
   double rayleigh_stiffness = 0; ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
   double rayleigh_mass = 0;      ///< [1/time]
   bool everywhere = true;        ///< `cells: all`
-  std::vector<Name> cells;       ///< groups, when not everywhere
-  Location at;
+  std::vector<std::string> cells;       ///< groups, when not everywhere
   bool operator==(const Material&) const = default;
 };
 
 /// A number, times a named function of time when `function` is not empty.
 struct Amplitude {
   double value = 0;
-  Name function;
+  std::string function;
   bool operator==(const Amplitude&) const = default;
 };
 
 /// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`).
 struct Support {
-  Name on;
+  std::string on;
   std::array<std::optional<Amplitude>, 3> components;
-  Location at;
   bool operator==(const Support&) const = default;
 };
 
@@ -97,27 +86,24 @@ enum class LoadKind {
 
 struct Load {
   LoadKind kind = LoadKind::nodal_force;
-  Name on;                            ///< gravity: empty means every cell
+  std::string on;                            ///< gravity: empty means every cell
   std::array<double, 3> components{}; ///< pressure: the first
-  Name function;
-  Location at;
+  std::string function;
   bool operator==(const Load&) const = default;
 };
 
 /// Springs between the nodes of a group and the ground, without force where the nodes are undeformed.
 struct Springs {
-  Name on;
+  std::string on;
   std::array<double, 3> stiffness{}; ///< of each node's spring along an axis [force/length], 0: none
-  Location at;
   bool operator==(const Springs&) const = default;
 };
 
 /// Where nodes are and how they move when the run begins. What isn't given is 0, or the support's.
 struct InitialMotion {
-  Name on;                                           ///< a group, a node, or "all"
+  std::string on;                                           ///< a group, a node, or "all"
   std::array<std::optional<double>, 3> displacement; ///< [length]
   std::array<std::optional<double>, 3> velocity;     ///< [length/time]
-  Location at;
   bool operator==(const InitialMotion&) const = default;
 };
 
@@ -163,15 +149,14 @@ struct Obstacle {
   double radius = 0;                 ///< > 0 unless it is a plane [length]
   ObstacleSide side = ObstacleSide::outside;
   std::array<std::optional<Amplitude>, 3> move{}; ///< [length]
-  Location at{};
   bool operator==(const Obstacle&) const = default;
 };
 
 struct ContactZone {
   std::string name;
-  Name master;                      ///< empty with an obstacle
+  std::string master;                      ///< empty with an obstacle
   std::optional<Obstacle> obstacle; ///< instead of a master
-  Name slave;
+  std::string slave;
   double friction = 0; ///< Coulomb's μ ≥ 0
   ContactMethod method = ContactMethod::augmented_lagrangian;
   FrictionMethod friction_method = FrictionMethod::augmented_lagrangian;
@@ -179,7 +164,7 @@ struct ContactZone {
   ClampedNormal clamped_normal = ClampedNormal::projection;
   /// 0: contact points stand on the slave nodes (`integration: nodes`); n > 0: n Gauss points a direction.
   int gauss_points = 0;
-  std::vector<Name> exclude_nodes;
+  std::vector<std::string> exclude_nodes;
   /// Augmentation or penalty, as the method has it; chosen per point from the effective matrix when not
   /// given.
   std::optional<double> normal_coefficient;     ///< c, k_n [pressure/length]; nodal methods [force/length]
@@ -192,7 +177,6 @@ struct ContactZone {
   /// Whether contact forces at the start of a step enter its equilibrium with the scheme's weight.
   bool history_force = true;
   double restitution = 0; ///< moreau_jean: part of the approach velocity that comes back, in 0…1
-  Location at;
   bool operator==(const ContactZone&) const = default;
 };
 
@@ -205,6 +189,13 @@ constexpr bool is_exact(ContactMethod method) {
 constexpr bool is_nodal(ContactMethod method) {
   return method == ContactMethod::nodal_lagrange || method == ContactMethod::nodal_penalty ||
          method == ContactMethod::nodal_pcg;
+}
+
+/// The friction method that goes with a contact method where none is asked for.
+constexpr FrictionMethod usual_friction_method(ContactMethod method) {
+  if (is_nodal(method))
+    return FrictionMethod::nodal_penalty;
+  return method == ContactMethod::penalty ? FrictionMethod::penalty : FrictionMethod::augmented_lagrangian;
 }
 
 // ---- time and solver
@@ -255,10 +246,9 @@ struct TimeStepping {
   double safety = 0.9;          ///< central_difference: part of the stable step that is taken, in 0…1
   double record = 0;            ///< central_difference: > 0, the time between results
   StartKind start = StartKind::consistent;
-  Name start_run; ///< with from_run
+  std::string start_run; ///< with from_run
   int cut_parts = 2;
   int cut_levels = 12;
-  Location at;
   bool operator==(const TimeStepping&) const = default;
 };
 
@@ -282,11 +272,10 @@ enum class ProbeTake { node, sum, mean, least, largest };
 /// the nodes of a group.
 struct Probe {
   std::string name;
-  Name node; ///< or the group, when something is taken of its nodes
+  std::string node; ///< or the group, when something is taken of its nodes
   std::optional<std::array<double, 3>> point;
   ProbeField field = ProbeField::displacement;
   ProbeTake take = ProbeTake::node; ///< `node`: there is one node
-  Location at;
   bool operator==(const Probe&) const = default;
 };
 
@@ -313,24 +302,23 @@ enum class CheckSource { external, analytic, other_code, other_run };
 struct CheckedField {
   std::string name;      ///< "displacement"
   std::string component; ///< "y"; empty: every component
-  Name on;               ///< a group or a node; empty: every node
+  std::string on;               ///< a group or a node; empty: every node
   bool operator==(const CheckedField&) const = default;
 };
 
 /// A number that must come out: a probe's value, held against a reference; or the difference of a probe or a
 /// field from another run's, held against 0.
 struct Check {
-  Name probe;                        ///< "tip"; empty when a field is compared
+  std::string probe;                        ///< "tip"; empty when a field is compared
   int component = 0;                 ///< of the probe: 0, 1, 2
   std::optional<CheckedField> field; ///< only with `run`
-  Name run;                          ///< an earlier run of the deck, which is subtracted; empty: none
+  std::string run;                          ///< an earlier run of the deck, which is subtracted; empty: none
   double at = 0;                     ///< instant
   double reference = 0;              ///< 0 with `run`
   double tolerance = 0;
   bool relative = true; ///< to the reference; with `run` to what the other run has
   CheckSource source = CheckSource::external;
   std::string note; ///< where the number comes from
-  Location where;
   bool operator==(const Check&) const = default;
 };
 

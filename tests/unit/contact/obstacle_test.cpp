@@ -64,8 +64,8 @@ TEST(Obstacles, AreCirclesInPlanePhysicsAndAroundTheAxisOfRevolution) {
 
 TEST(Obstacles, FollowTheirFunctionsOfTime) {
   study::Obstacle plane{.direction = {0, 1, 0}};
-  plane.move = {study::Amplitude{2, {"ramp", {}}}, study::Amplitude{-1, {}}, {}};
-  const auto obstacle = make_obstacle(plane, Physics::plane_strain, {{"ramp", {{0, 4}, {0, 1}, {}, {}}}});
+  plane.move = {study::Amplitude{2, "ramp"}, study::Amplitude{-1, {}}, {}};
+  const auto obstacle = make_obstacle(plane, Physics::plane_strain, {{"ramp", {{0, 4}, {0, 1}, {}}}});
   EXPECT_TRUE(obstacle.moves());
   EXPECT_EQ(obstacle.offset(1), Vector3d(0.5, -1, 0));
   EXPECT_EQ(obstacle.offset(9), Vector3d(2, -1, 0));

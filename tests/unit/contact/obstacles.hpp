@@ -16,10 +16,10 @@ struct NamedObstacle {
 };
 
 inline contact::Obstacle on_its_way(study::Obstacle obstacle, study::Physics physics) {
-  obstacle.move = {study::Amplitude{0.03, {"ramp", {}}}, study::Amplitude{-0.02, {"ramp", {}}}, {}};
+  obstacle.move = {study::Amplitude{0.03, "ramp"}, study::Amplitude{-0.02, "ramp"}, {}};
   if (physics == study::Physics::solid)
     obstacle.move[2] = study::Amplitude{0.01, {}};
-  return contact::make_obstacle(obstacle, physics, {{"ramp", {{0, 1}, {0.2, 1}, {}, {}}}});
+  return contact::make_obstacle(obstacle, physics, {{"ramp", {{0, 1}, {0.2, 1}, {}}}});
 }
 
 inline std::vector<NamedObstacle> every_obstacle() {

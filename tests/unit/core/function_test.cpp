@@ -9,7 +9,7 @@ namespace {
 using Outside = Function::Outside;
 
 Function hill(Outside outside) {
-  return {{1, 2, 4}, {10, 30, 20}, outside, {}};
+  return {{1, 2, 4}, {10, 30, 20}, outside};
 }
 
 TEST(FunctionOfTime, IsLinearBetweenItsPoints) {
@@ -39,7 +39,7 @@ TEST(FunctionOfTime, IsZeroOutsideButNotAtItsEnds) {
 }
 
 TEST(FunctionOfTime, JumpsToTheLaterValueWhereATimeStandsTwice) {
-  const Function step{{0, 1, 1, 2}, {0, 0, 5, 5}, Outside::constant, {}};
+  const Function step{{0, 1, 1, 2}, {0, 0, 5, 5}, Outside::constant};
   EXPECT_DOUBLE_EQ(value_at(step, 0.999), 0);
   EXPECT_DOUBLE_EQ(value_at(step, 1), 5);
   EXPECT_DOUBLE_EQ(value_at(step, 1.5), 5);
@@ -48,14 +48,14 @@ TEST(FunctionOfTime, JumpsToTheLaterValueWhereATimeStandsTwice) {
 TEST(FunctionOfTime, IsConstantWithOnePoint) {
   for (const auto outside : {Outside::constant, Outside::linear})
     for (const double t : {-1., 3., 7.})
-      EXPECT_DOUBLE_EQ(value_at({{3}, {8}, outside, {}}, t), 8);
-  EXPECT_DOUBLE_EQ(value_at({{3}, {8}, Outside::zero, {}}, 3), 8);
-  EXPECT_DOUBLE_EQ(value_at({{3}, {8}, Outside::zero, {}}, 4), 0);
+      EXPECT_DOUBLE_EQ(value_at({{3}, {8}, outside}, t), 8);
+  EXPECT_DOUBLE_EQ(value_at({{3}, {8}, Outside::zero}, 3), 8);
+  EXPECT_DOUBLE_EQ(value_at({{3}, {8}, Outside::zero}, 4), 0);
 }
 
 TEST(FunctionOfTime, RefusesAnEmptyOrLopsidedTable) {
   EXPECT_THROW(value_at({}, 0), InputError);
-  EXPECT_THROW(value_at({{1, 2}, {1}, Outside::constant, {}}, 0), InputError);
+  EXPECT_THROW(value_at({{1, 2}, {1}, Outside::constant}, 0), InputError);
 }
 
 } // namespace

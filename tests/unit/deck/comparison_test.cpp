@@ -35,7 +35,7 @@ const std::string also_stored = "fields: {formats: [vtu, med], every: 1}, ";
 TEST(Comparison, WithAnotherRunNeedsNoReference) {
   const auto deck = test::parse(deck_with(probe + ", run: evol1}"));
   const auto& check = deck.runs.at(1).checks.at(0);
-  EXPECT_EQ(check.run.text, "evol1");
+  EXPECT_EQ(check.run, "evol1");
   EXPECT_EQ(check.source, study::CheckSource::other_run);
   EXPECT_EQ(check.reference, 0);
   EXPECT_TRUE(check.relative);

@@ -13,14 +13,14 @@ using test::replaced;
 using test::smallest_deck;
 
 study::Study read_back(const study::Study& study) {
-  return parse_deck(to_json(study), "echo.json").runs.at(0);
+  return parse_deck(study::to_json(study), "echo.json").runs.at(0);
 }
 
 TEST(StudyEcho, ReadsBackToTheSameStudy) {
   for (const auto& deck : {full_deck, smallest_deck, full_deck + "runs: {evol1: {}}"}) {
     const auto study = parse_one(deck);
     EXPECT_EQ(read_back(study), study);
-    EXPECT_EQ(to_json(read_back(study)), to_json(study));
+    EXPECT_EQ(study::to_json(read_back(study)), study::to_json(study));
   }
 }
 
@@ -45,7 +45,7 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
 }
 
 TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {
-  const auto json = nlohmann::json::parse(to_json(parse_one(full_deck)));
+  const auto json = nlohmann::json::parse(study::to_json(parse_one(full_deck)));
   EXPECT_EQ(json["title"], "two beams");
   EXPECT_EQ(json["mesh"]["generate"][0]["cells"], "quad8");
   EXPECT_EQ(json["mesh"]["generate"][1]["cells"], "quad4");
@@ -56,7 +56,7 @@ TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {
   EXPECT_EQ(json["time"]["alpha"], -0.3);
   EXPECT_EQ(json["checks"][0]["probe"], "tip.y");
   EXPECT_TRUE(json["runs"].contains("run"));
-  const auto smallest = nlohmann::json::parse(to_json(parse_one(smallest_deck)));
+  const auto smallest = nlohmann::json::parse(study::to_json(parse_one(smallest_deck)));
   EXPECT_EQ(smallest["newton"]["max_iterations"], 40);
   EXPECT_EQ(smallest["solver"], "auto");
   EXPECT_EQ(smallest["time"]["start"], "consistent");
@@ -66,8 +66,8 @@ TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {
 TEST(StudyEcho, NamesTheRunItStartsFrom) {
   auto study = parse_one(smallest_deck);
   study.time.start = study::StartKind::from_run;
-  study.time.start_run.text = "preload";
-  EXPECT_EQ(nlohmann::json::parse(to_json(study))["time"]["start"]["from"], "preload");
+  study.time.start_run = "preload";
+  EXPECT_EQ(nlohmann::json::parse(study::to_json(study))["time"]["start"]["from"], "preload");
 }
 
 TEST(StudyEcho, ReadsBackWithoutTheOtherRunsItNames) {
@@ -84,9 +84,9 @@ runs:
 )");
   const auto& study = deck.runs.at(1);
   ASSERT_EQ(study.checks.size(), 3U);
-  EXPECT_EQ(parse_echo(to_json(study), "echo.json"), study);
+  EXPECT_EQ(parse_echo(study::to_json(study), "echo.json"), study);
   EXPECT_EQ(study.checks[0].source, study::CheckSource::other_run);
-  EXPECT_EQ(study.checks[1].field, (study::CheckedField{"stress", "xy", {"N1", {}}}));
+  EXPECT_EQ(study.checks[1].field, (study::CheckedField{"stress", "xy", "N1"}));
   EXPECT_EQ(study.checks[2].field, (study::CheckedField{"displacement", "", {}}));
 }
 

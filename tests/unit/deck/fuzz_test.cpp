@@ -128,7 +128,7 @@ void expect_sound(const Deck& deck, const std::string& text) {
   for (const auto& study : deck.runs) {
     if (study.time.start == study::StartKind::from_run)
       continue;
-    EXPECT_EQ(parse_deck(to_json(study), "echo.json").runs.at(0), study) << text;
+    EXPECT_EQ(parse_deck(study::to_json(study), "echo.json").runs.at(0), study) << text;
   }
 }
 

@@ -102,9 +102,9 @@ time: {scheme: newmark, step: 1, end: 2}
   ASSERT_EQ(study.materials.size(), 3U);
   EXPECT_EQ(study.materials[1].young, 100e9);
   EXPECT_EQ(study.materials[1].density, 7800);
-  EXPECT_EQ(study.materials[1].cells.at(0).text, "b");
+  EXPECT_EQ(study.materials[1].cells.at(0), "b");
   EXPECT_EQ(study.materials[2].young, 16e9);
-  EXPECT_EQ(study.supports.at(0).on.text, "c");
+  EXPECT_EQ(study.supports.at(0).on, "c");
   EXPECT_EQ(faults_of("<<: 1\n" + smallest_deck),
             Sentences{"study.yaml:1:5: found '1' after '<<', expected a map to "
                       "merge"});

@@ -38,14 +38,14 @@ inline study::Body body_of(CellType type) {
   body.divisions = {2, 3, 2};
   body.cells = type;
   for (const char* side : {"left", "right", "bottom", "top"})
-    body.sides[side] = {side, {}};
+    body.sides[side] = side;
   if (body.dimension == 3) {
-    body.sides["back"] = {"back", {}};
-    body.sides["front"] = {"front", {}};
-    body.edges["right_top"] = {"rim", {}};
-    body.points["right_top_front"] = {"tip", {}};
+    body.sides["back"] = "back";
+    body.sides["front"] = "front";
+    body.edges["right_top"] = "rim";
+    body.points["right_top_front"] = "tip";
   } else {
-    body.points["right_top"] = {"tip", {}};
+    body.points["right_top"] = "tip";
   }
   return body;
 }
@@ -64,12 +64,12 @@ inline std::vector<study::Body> two_beams(CellType type) {
   lower.to = {1, 0, 0.1};
   lower.divisions = {20, 2, 1};
   lower.cells = type;
-  lower.sides = {{"left", {"clamped", {}}}, {"top", {"slave", {}}}};
+  lower.sides = {{"left", "clamped"}, {"top", "slave"}};
   auto upper = lower;
   upper.name = "upper";
   upper.from = {0, 0, 0};
   upper.to = {1, 0.1, 0.1};
-  upper.sides = {{"left", {"clamped", {}}}, {"bottom", {"master", {}}}};
+  upper.sides = {{"left", "clamped"}, {"bottom", "master"}};
   return {lower, upper};
 }
 

@@ -158,27 +158,28 @@ TEST(Generate, MixesBodiesOfDifferentCells) {
 
 TEST(Generate, TakesTheWordsOfAPlaceInAnyOrder) {
   auto body = body_of(CellType::hexa8);
-  body.points = {{"front_right_top", {"tip", {}}}};
+  body.points = {{"front_right_top", "tip"}};
   EXPECT_EQ(generate({&body, 1}).node_group("tip")->items, mesh_of(CellType::hexa8).node_group("tip")->items);
 }
 
 TEST(Generate, SuggestsTheNearestSide) {
   auto body = body_of(CellType::quad4);
-  body.sides["lefft"] = {"x", {"deck.yaml", 3, 5}};
-  EXPECT_EQ(message_of({body}), "deck.yaml:3:5: body 'body' has no side 'lefft': did you mean 'left'?");
+  body.sides["lefft"] = "x";
+  EXPECT_EQ(message_of({body}),
+            "mesh.generate.0.sides.lefft: body 'body' has no side 'lefft': did you mean 'left'?");
 }
 
 TEST(Generate, RefusesPlacesThatAreNone) {
   auto body = body_of(CellType::quad4);
-  body.sides = {{"front", {"x", {}}}};
+  body.sides = {{"front", "x"}};
   EXPECT_NE(message_of({body}).find("has no side 'front'"), std::string::npos);
   body = body_of(CellType::hexa8);
-  body.edges = {{"left_right", {"x", {}}}};
+  body.edges = {{"left_right", "x"}};
   EXPECT_NE(message_of({body}).find("has no edge 'left_right'"), std::string::npos);
-  body.edges = {{"left", {"x", {}}}};
+  body.edges = {{"left", "x"}};
   EXPECT_NE(message_of({body}).find("has no edge 'left'"), std::string::npos);
   body = body_of(CellType::quad4);
-  body.edges = {{"left_top", {"x", {}}}};
+  body.edges = {{"left_top", "x"}};
   EXPECT_NE(message_of({body}).find("names edges"), std::string::npos);
 }
 
@@ -187,7 +188,7 @@ TEST(Generate, ReportsEveryFaultTogether) {
   body.to[0] = body.from[0];
   body.divisions[1] = 0;
   body.cells = CellType::pyra5;
-  body.points = {{"tip", {"x", {}}}};
+  body.points = {{"tip", "x"}};
   try {
     generate({&body, 1});
     FAIL() << "a bad body was meshed";

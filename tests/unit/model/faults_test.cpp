@@ -142,7 +142,7 @@ TEST(BadModel, OfSeveralStudiesTellsCommonFaultsOnce) {
                                          "runs:\n  a: {}\n  b: {probes: {end: {node: nowhere}}}\n",
                                      "deck.yaml");
   try {
-    check_studies(std::vector{&deck.runs[0], &deck.runs[1]});
+    deck::throw_if_any(faults_of(deck.runs), deck.places);
     FAIL() << "nothing thrown";
   } catch (const InputError& error) {
     ASSERT_EQ(error.faults().size(), 2U);
@@ -152,9 +152,8 @@ TEST(BadModel, OfSeveralStudiesTellsCommonFaultsOnce) {
 }
 
 TEST(BadModel, OfAMeshFileIsToldAtItsName) {
-  const auto study =
-      study_of("mesh: {file: /nowhere/none.med}\n" + two_blocks.substr(two_blocks.find("physics")));
-  EXPECT_EQ(fault_of([&] { build_model(study); }),
+  const auto deck = "mesh: {file: /nowhere/none.med}\n" + two_blocks.substr(two_blocks.find("physics"));
+  EXPECT_EQ(fault_of([&] { model_of(deck); }),
             "deck.yaml:1:14: mesh file '/nowhere/none.med' does not exist");
 }
 

@@ -29,7 +29,7 @@ protected:
       return source;
     mesh::write_med(folder_ / "blocks.med", load_mesh(source));
     source.bodies.clear();
-    source.file.text = (folder_ / "blocks.med").string();
+    source.file = (folder_ / "blocks.med").string();
     return source;
   }
 
@@ -66,7 +66,7 @@ TEST(MirroredCells, OfAFileAreMended) {
   std::swap(nodes[1], nodes[3]);
   mesh::write_med(folder / "blocks.med", mesh);
   study::MeshSource source;
-  source.file.text = (folder / "blocks.med").string();
+  source.file = (folder / "blocks.med").string();
   const auto mended = load_mesh(source);
   for (mesh::CellIndex cell = 0; cell < mended.cell_count(); ++cell)
     EXPECT_GT(mesh::signed_measure(mended, cell), 0);

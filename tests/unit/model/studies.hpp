@@ -15,8 +15,14 @@ inline study::Study study_of(std::string_view deck) {
   return deck::parse_deck(deck, "deck.yaml").runs.front();
 }
 
+/// Throws InputError with the places of the deck.
 inline model::Model model_of(std::string_view deck) {
-  return model::build_model(study_of(deck));
+  const auto read = deck::parse_deck(deck, "deck.yaml");
+  try {
+    return model::build_model(read.runs.front());
+  } catch (const InputError& error) {
+    throw read.places.front().located(error);
+  }
 }
 
 /// Sum over all nodes of the force in x, y, z.

@@ -14,7 +14,7 @@ const Table probes{{"t", "tip.x", "tip.y"}, {{0, 0, -1}, {0.1, 0, -2}, {0.3, 0, 
 
 study::Check check(int component, double at, double reference, double tolerance, bool relative) {
   study::Check check;
-  check.probe.text = "tip";
+  check.probe = "tip";
   check.component = component;
   check.at = at;
   check.reference = reference;

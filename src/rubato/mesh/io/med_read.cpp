@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/error.hpp"
+
+#include "rubato/core/naming.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/med_file.hpp"
 #include "rubato/mesh/io/med_numbering.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/topology.hpp"
-#include "rubato/deck/read.hpp"
+#include "rubato/study/echo.hpp"
 #include "rubato/study/words.hpp"
 
 #include <nlohmann/json.hpp>
@@ -8,36 +8,22 @@
 #include <algorithm>
 #include <cctype>
 
-namespace rubato::deck {
+namespace rubato::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class E, std::size_t N> std::string word(const std::array<study::Word<E>, N>& table, E value) {
-  return std::string(study::word_of(table, value));
+template <class E, std::size_t N> std::string word(const std::array<Word<E>, N>& table, E value) {
+  return std::string(word_of(table, value));
 }
 
 Json first(const std::array<double, 3>& numbers, int count) {
   return std::vector<double>(numbers.begin(), numbers.begin() + count);
 }
 
-Json texts(const std::vector<study::Name>& names) {
-  auto list = Json::array();
-  for (const auto& name : names)
-    list.push_back(name.text);
-  return list;
-}
-
-Json texts(const std::map<std::string, study::Name>& names) {
-  auto map = Json::object();
-  for (const auto& [key, name] : names)
-    map[key] = name.text;
-  return map;
-}
-
-void put_name(Json& map, const char* key, const study::Name& name) {
-  if (!name.text.empty())
-    map[key] = name.text;
+void put_name(Json& map, const char* key, const std::string& name) {
+  if (!name.empty())
+    map[key] = name;
 }
 
 template <class T> void put_optional(Json& map, const char* key, const std::optional<T>& value) {
@@ -45,7 +31,7 @@ template <class T> void put_optional(Json& map, const char* key, const std::opti
     map[key] = *value;
 }
 
-Json echo(const study::Body& body) {
+Json echo(const Body& body) {
   std::string cells(cell::topology(body.cells).name);
   std::ranges::transform(cells, cells.begin(), [](unsigned char letter) { return std::tolower(letter); });
   Json map{{"name", body.name}};
@@ -53,135 +39,135 @@ Json echo(const study::Body& body) {
                                                     {"to", first(body.to, body.dimension)}};
   map["divisions"] = std::vector<int>(body.divisions.begin(), body.divisions.begin() + body.dimension);
   map["cells"] = cells;
-  map["sides"] = texts(body.sides);
+  map["sides"] = body.sides;
   if (body.dimension == 3)
-    map["edges"] = texts(body.edges);
-  map["points"] = texts(body.points);
+    map["edges"] = body.edges;
+  map["points"] = body.points;
   return map;
 }
 
-Json echo(const study::MeshSource& mesh) {
+Json echo(const MeshSource& mesh) {
   auto map = Json::object();
   if (mesh.bodies.empty()) {
-    map["file"] = mesh.file.text;
+    map["file"] = mesh.file;
     if (!mesh.file_mesh.empty())
       map["name"] = mesh.file_mesh;
   }
   for (const auto& body : mesh.bodies)
     map["generate"].push_back(echo(body));
-  map["convert"] = word(study::conversion_words, mesh.convert);
+  map["convert"] = word(conversion_words, mesh.convert);
   map["refine"] = mesh.refine;
   return map;
 }
 
-Json echo(const study::Material& material) {
+Json echo(const Material& material) {
   Json map{{"young", material.young}, {"poisson", material.poisson}};
   put_optional(map, "density", material.density);
   map["rayleigh"] = {{"stiffness", material.rayleigh_stiffness}, {"mass", material.rayleigh_mass}};
-  map["cells"] = material.everywhere ? Json("all") : texts(material.cells);
+  map["cells"] = material.everywhere ? Json("all") : Json(material.cells);
   return map;
 }
 
 Json echo(const Function& function) {
   return {{"times", function.times},
           {"values", function.values},
-          {"outside", word(study::outside_words, function.outside)}};
+          {"outside", word(outside_words, function.outside)}};
 }
 
-void put_components(Json& map, const std::array<std::optional<study::Amplitude>, 3>& components) {
-  for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis) {
+void put_components(Json& map, const std::array<std::optional<Amplitude>, 3>& components) {
+  for (std::size_t axis = 0; axis < axis_words.size(); ++axis) {
     const auto& component = components[axis];
     if (!component)
       continue;
-    auto& entry = map[std::string(study::axis_words[axis])];
+    auto& entry = map[std::string(axis_words[axis])];
     entry["value"] = component->value;
     put_name(entry, "function", component->function);
   }
 }
 
-Json echo(const study::Support& support) {
-  Json map{{"on", support.on.text}};
+Json echo(const Support& support) {
+  Json map{{"on", support.on}};
   put_components(map, support.components);
   return map;
 }
 
-Json echo(const study::Load& load, int dimension) {
+Json echo(const Load& load, int dimension) {
   auto map = Json::object();
   put_name(map, "on", load.on);
-  if (load.kind == study::LoadKind::pressure)
+  if (load.kind == LoadKind::pressure)
     map["value"] = load.components[0];
   else
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
-      map[std::string(study::axis_words[axis])] = load.components[axis];
+      map[std::string(axis_words[axis])] = load.components[axis];
   put_name(map, "function", load.function);
-  return {{word(study::load_words, load.kind), map}};
+  return {{word(load_words, load.kind), map}};
 }
 
-Json echo(const study::Springs& springs, int dimension) {
-  Json map{{"on", springs.on.text}};
+Json echo(const Springs& springs, int dimension) {
+  Json map{{"on", springs.on}};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
     if (springs.stiffness[axis] > 0)
-      map[std::string(study::axis_words[axis])] = springs.stiffness[axis];
+      map[std::string(axis_words[axis])] = springs.stiffness[axis];
   return map;
 }
 
 void put_components(Json& map, const char* key, const std::array<std::optional<double>, 3>& components) {
-  for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
+  for (std::size_t axis = 0; axis < axis_words.size(); ++axis)
     if (components[axis])
-      map[key][std::string(study::axis_words[axis])] = *components[axis];
+      map[key][std::string(axis_words[axis])] = *components[axis];
 }
 
-Json echo(const study::InitialMotion& initial) {
-  Json map{{"on", initial.on.text}};
+Json echo(const InitialMotion& initial) {
+  Json map{{"on", initial.on}};
   put_components(map, "displacement", initial.displacement);
   put_components(map, "velocity", initial.velocity);
   return map;
 }
 
-Json echo(const study::Level& level) {
-  if (level.by == study::Iteration::newton)
-    return word(study::iteration_words, level.by);
-  Json map{{"by", word(study::iteration_words, level.by)}, {"max_loops", level.max_loops}};
+Json echo(const Level& level) {
+  if (level.by == Iteration::newton)
+    return word(iteration_words, level.by);
+  Json map{{"by", word(iteration_words, level.by)}, {"max_loops", level.max_loops}};
   if (level.tolerance > 0)
     map["tolerance"] = level.tolerance;
   return map;
 }
 
-Json echo(const study::Obstacle& obstacle, study::Physics physics) {
-  const int dimension = study::dimension_of(physics);
-  const bool solid = physics == study::Physics::solid;
+Json echo(const Obstacle& obstacle, Physics physics) {
+  const int dimension = dimension_of(physics);
+  const bool solid = physics == Physics::solid;
   auto shape = Json::object();
-  if (physics != study::Physics::axisymmetric || obstacle.kind != study::ObstacleKind::cylinder)
+  if (physics != Physics::axisymmetric || obstacle.kind != ObstacleKind::cylinder)
     shape["point"] = first(obstacle.point, dimension);
-  if (obstacle.kind == study::ObstacleKind::plane)
+  if (obstacle.kind == ObstacleKind::plane)
     shape["normal"] = first(obstacle.direction, dimension);
-  if (obstacle.kind == study::ObstacleKind::cylinder && solid)
+  if (obstacle.kind == ObstacleKind::cylinder && solid)
     shape["axis"] = first(obstacle.direction, dimension);
-  if (obstacle.kind != study::ObstacleKind::plane) {
+  if (obstacle.kind != ObstacleKind::plane) {
     shape["radius"] = obstacle.radius;
-    shape["side"] = word(study::obstacle_side_words, obstacle.side);
+    shape["side"] = word(obstacle_side_words, obstacle.side);
   }
-  Json map{{word(study::obstacle_words, obstacle.kind), shape}};
+  Json map{{word(obstacle_words, obstacle.kind), shape}};
   map["move"] = Json::object();
   put_components(map["move"], obstacle.move);
   return map;
 }
 
-Json echo(const study::ContactZone& zone, study::Physics physics) {
+Json echo(const ContactZone& zone, Physics physics) {
   auto map = Json::object();
   if (zone.obstacle)
     map["obstacle"] = echo(*zone.obstacle, physics);
   else
-    map["master"] = zone.master.text;
-  map["slave"] = zone.slave.text;
+    map["master"] = zone.master;
+  map["slave"] = zone.slave;
   map["friction"] = zone.friction;
-  map["method"] = word(study::contact_method_words, zone.method);
-  map["friction_method"] = word(study::friction_method_words, zone.friction_method);
-  map["normal"] = word(study::contact_normal_words, zone.normal);
+  map["method"] = word(contact_method_words, zone.method);
+  map["friction_method"] = word(friction_method_words, zone.friction_method);
+  map["normal"] = word(contact_normal_words, zone.normal);
   if (!zone.obstacle)
-    map["clamped_normal"] = word(study::clamped_normal_words, zone.clamped_normal);
+    map["clamped_normal"] = word(clamped_normal_words, zone.clamped_normal);
   map["integration"] = zone.gauss_points == 0 ? Json("nodes") : Json{{"gauss", zone.gauss_points}};
-  map["exclude_nodes"] = texts(zone.exclude_nodes);
+  map["exclude_nodes"] = zone.exclude_nodes;
   put_optional(map, "initially_active", zone.initially_active);
   map["coefficients"] = Json::object();
   put_optional(map["coefficients"], "normal", zone.normal_coefficient);
@@ -193,66 +179,66 @@ Json echo(const study::ContactZone& zone, study::Physics physics) {
   return map;
 }
 
-void put_scheme(Json& map, const study::TimeStepping& time) {
-  map["scheme"] = word(study::scheme_words, time.scheme);
+void put_scheme(Json& map, const TimeStepping& time) {
+  map["scheme"] = word(scheme_words, time.scheme);
   switch (time.scheme) {
-  case study::SchemeKind::newmark:
+  case SchemeKind::newmark:
     put_optional(map, "beta", time.beta);
     put_optional(map, "gamma", time.gamma);
     break;
-  case study::SchemeKind::hht:
-  case study::SchemeKind::modified_average_acceleration:
+  case SchemeKind::hht:
+  case SchemeKind::modified_average_acceleration:
     map["alpha"] = time.alpha;
     break;
-  case study::SchemeKind::generalized_alpha:
+  case SchemeKind::generalized_alpha:
     map["spectral_radius"] = time.spectral_radius;
     break;
-  case study::SchemeKind::moreau_jean:
+  case SchemeKind::moreau_jean:
     map["theta"] = time.theta;
     break;
-  case study::SchemeKind::central_difference:
+  case SchemeKind::central_difference:
     map["safety"] = time.safety;
     map["record"] = time.record;
     break;
-  case study::SchemeKind::static_steps:
+  case SchemeKind::static_steps:
     break;
   }
 }
 
-Json echo(const study::TimeStepping& time) {
+Json echo(const TimeStepping& time) {
   auto map = Json::object();
   put_scheme(map, time);
-  map["contact_mass"] = word(study::contact_mass_words, time.contact_mass);
+  map["contact_mass"] = word(contact_mass_words, time.contact_mass);
   map["begin"] = time.begin;
   if (time.instants.empty()) {
-    map["step"] = study::is_explicit(time.scheme) && time.step == 0 ? Json(std::string(study::automatic_step))
+    map["step"] = is_explicit(time.scheme) && time.step == 0 ? Json(std::string(automatic_step))
                                                                     : Json(time.step);
     map["end"] = time.end;
   } else {
     map["instants"] = time.instants;
   }
-  map["start"] = time.start == study::StartKind::from_run ? Json{{"from", time.start_run.text}}
-                                                          : Json(word(study::start_words, time.start));
-  if (!study::is_explicit(time.scheme))
+  map["start"] = time.start == StartKind::from_run ? Json{{"from", time.start_run}}
+                                                          : Json(word(start_words, time.start));
+  if (!is_explicit(time.scheme))
     map["on_failure"] = {{"cut", time.cut_parts}, {"levels", time.cut_levels}};
   return map;
 }
 
-Json echo(const study::Probe& probe, int dimension) {
+Json echo(const Probe& probe, int dimension) {
   auto map = Json::object();
-  if (probe.take == study::ProbeTake::node) {
+  if (probe.take == ProbeTake::node) {
     put_name(map, "node", probe.node);
   } else {
     put_name(map, "on", probe.node);
-    map["take"] = word(study::probe_take_words, probe.take);
+    map["take"] = word(probe_take_words, probe.take);
   }
   if (probe.point)
     map["point"] = first(*probe.point, dimension);
-  map["field"] = word(study::probe_field_words, probe.field);
+  map["field"] = word(probe_field_words, probe.field);
   return map;
 }
 
-Json echo(const study::FieldOutput& fields) {
+Json echo(const FieldOutput& fields) {
   auto formats = Json::array();
   if (fields.vtu)
     formats.push_back("vtu");
@@ -261,27 +247,27 @@ Json echo(const study::FieldOutput& fields) {
   return {{"formats", formats}, {"at", fields.at}, {"every", fields.every}, {"last", fields.last}};
 }
 
-Json echo(const study::CheckpointOutput& checkpoint) {
+Json echo(const CheckpointOutput& checkpoint) {
   return {{"at", checkpoint.at}, {"every", checkpoint.every}, {"last", checkpoint.last}};
 }
 
-Json echo(const study::Check& check) {
+Json echo(const Check& check) {
   auto map = Json::object();
   if (check.field) {
     const auto& field = *check.field;
     map["field"] = field.component.empty() ? field.name : field.name + "." + field.component;
     put_name(map, "on", field.on);
   } else {
-    const auto axis = std::string(study::axis_words.at(static_cast<std::size_t>(check.component)));
-    map["probe"] = check.probe.text + "." + axis;
+    const auto axis = std::string(axis_words.at(static_cast<std::size_t>(check.component)));
+    map["probe"] = check.probe + "." + axis;
   }
   map["at"] = check.at;
-  if (check.run.text.empty())
+  if (check.run.empty())
     map["reference"] = check.reference;
   put_name(map, "run", check.run);
   map["tolerance"] = check.tolerance;
-  map["kind"] = word(study::check_kind_words, check.relative);
-  map["source"] = word(study::check_source_words, check.source);
+  map["kind"] = word(check_kind_words, check.relative);
+  map["source"] = word(check_source_words, check.source);
   map["note"] = check.note;
   return map;
 }
@@ -302,12 +288,12 @@ template <class T, class... More> Json echo_by_name(const std::vector<T>& entrie
 
 } // namespace
 
-std::string to_json(const study::Study& study) {
-  const auto dimension = study::dimension_of(study.physics);
+std::string to_json(const Study& study) {
+  const auto dimension = dimension_of(study.physics);
   Json deck{{"title", study.title}, {"units", study.units}};
   deck["mesh"] = echo(study.mesh);
-  deck["physics"] = word(study::physics_words, study.physics);
-  if (study.physics == study::Physics::plane_stress || study.physics == study::Physics::plane_strain)
+  deck["physics"] = word(physics_words, study.physics);
+  if (study.physics == Physics::plane_stress || study.physics == Physics::plane_strain)
     deck["thickness"] = study.thickness;
   deck["materials"] = echo_by_name(study.materials);
   deck["functions"] = Json::object();
@@ -319,7 +305,7 @@ std::string to_json(const study::Study& study) {
   deck["initial"] = echo_list(study.initial);
   deck["contact"] = echo_by_name(study.contact, study.physics);
   deck["time"] = echo(study.time);
-  deck["solver"] = study::word_of(study::solver_words, study.solver);
+  deck["solver"] = word_of(solver_words, study.solver);
   deck["newton"] = {{"max_iterations", study.newton.max_iterations}, {"residual", study.newton.residual}};
   deck["probes"] = echo_by_name(study.probes, dimension);
   deck["fields"] = echo(study.fields);
@@ -330,4 +316,4 @@ std::string to_json(const study::Study& study) {
   return deck.dump(indentation, ' ', false, Json::error_handler_t::replace);
 }
 
-} // namespace rubato::deck
+} // namespace rubato::study

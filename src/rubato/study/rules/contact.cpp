@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Contact zones: each by itself, and with the scheme that moves the bodies.
+#include "rubato/study/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace rubato::study {
+namespace {
+
+constexpr int most_gauss_points = 7;
+constexpr int most_loops = 10'000;
+
+std::string_view word(ContactMethod method) {
+  return word_of(contact_method_words, method);
+}
+
+/// What a contact method goes with.
+std::span<const FrictionMethod> friction_methods_of(ContactMethod method) {
+  using enum FrictionMethod;
+  static constexpr std::array exact{augmented_lagrangian, penalty};
+  static constexpr std::array soft{penalty, augmented_lagrangian};
+  static constexpr std::array nodal{nodal_penalty};
+  if (is_nodal(method))
+    return nodal;
+  return method == ContactMethod::penalty ? std::span<const FrictionMethod>(soft) : exact;
+}
+
+/// Each broken rule of one zone.
+class ZoneRules {
+public:
+  ZoneRules(Rules& rules, const ContactZone& zone) : rules_(rules), zone_(zone), path_("contact." + zone.name) {}
+
+  void check() {
+    check_surfaces();
+    check_friction();
+    check_integration();
+    check_coefficients();
+    check_levels();
+    check_scheme();
+  }
+
+private:
+  std::string at(std::string_view key) const { return fmt::format("{}.{}", path_, key); }
+
+  void check_surfaces() {
+    rules_.name(at("slave"), zone_.slave);
+    rules_.names(at("exclude_nodes"), zone_.exclude_nodes);
+    if (zone_.master.empty() != zone_.obstacle.has_value())
+      rules_.broken({path_, at("master"), at("obstacle")},
+                    zone_.obstacle ? "found both 'master' and 'obstacle', expected one of them"
+                                   : "'master' or 'obstacle' is missing");
+    if (!zone_.slave.empty() && zone_.slave == zone_.master)
+      rules_.broken({at("slave"), at("master")},
+                    fmt::format("found {} as slave and as master, expected two surfaces", shown(zone_.slave)));
+    if (!zone_.obstacle)
+      return;
+    check_obstacle(rules_, zone_);
+    if (zone_.normal != ContactNormal::master)
+      rules_.broken({at("normal"), at("obstacle")},
+                    fmt::format("found {}, an obstacle gives the normal itself, expected master",
+                                word_of(contact_normal_words, zone_.normal)));
+  }
+
+  void check_friction() {
+    rules_.number(at("friction"), zone_.friction, at_least(0));
+    rules_.number(at("restitution"), zone_.restitution, from_to(0, 1));
+    if (zone_.method == ContactMethod::nodal_pcg && zone_.friction > 0)
+      rules_.broken({at("friction"), at("method")},
+                    fmt::format("found {}, nodal_pcg is without friction, expected 0 or the method "
+                                "nodal_lagrange",
+                                zone_.friction));
+    const auto allowed = friction_methods_of(zone_.method);
+    if (std::ranges::find(allowed, zone_.friction_method) == allowed.end())
+      rules_.broken({at("friction_method"), at("method")},
+                    fmt::format("found {} with the contact method {}, expected {}",
+                                word_of(friction_method_words, zone_.friction_method), word(zone_.method),
+                                either(allowed)));
+  }
+
+  static std::string either(std::span<const FrictionMethod> methods) {
+    std::string text;
+    for (const auto method : methods)
+      text += fmt::format("{}{}", text.empty() ? "" : " or ", word_of(friction_method_words, method));
+    return text;
+  }
+
+  void check_integration() {
+    if (zone_.gauss_points != 0)
+      rules_.whole_number(at("integration.gauss"), zone_.gauss_points, from_to(1, most_gauss_points));
+    if (is_nodal(zone_.method) && zone_.gauss_points > 0)
+      rules_.broken({at("integration"), at("method")},
+                    fmt::format("{} has one relation a node, expected nodes; augmented_lagrangian and "
+                                "penalty take Gauss points",
+                                word(zone_.method)));
+  }
+
+  void check_coefficients() {
+    if (zone_.normal_coefficient)
+      rules_.number(at("coefficients.normal"), *zone_.normal_coefficient, above(0));
+    if (zone_.tangential_coefficient)
+      rules_.number(at("coefficients.tangential"), *zone_.tangential_coefficient, above(0));
+  }
+
+  void check_levels() {
+    check_level(zone_.geometry, "iterate.geometry", true);
+    check_level(zone_.threshold, "iterate.friction", true);
+    check_level(zone_.status, "iterate.status", false);
+    if (is_nodal(zone_.method) && zone_.geometry.by == Iteration::newton)
+      rules_.broken({at("iterate.geometry"), at("method")},
+                    fmt::format("{} holds its relations during a loop, expected fixed_point", word(zone_.method)));
+    if (zone_.method == ContactMethod::nodal_pcg && zone_.status.by == Iteration::fixed_point)
+      rules_.broken({at("iterate.status"), at("method")},
+                    "nodal_pcg finds the points that touch by itself, expected newton");
+  }
+
+  void check_level(const Level& level, std::string_view key, bool has_tolerance) {
+    if (level.by == Iteration::newton)
+      return;
+    if (has_tolerance)
+      rules_.number(at(key) + ".tolerance", level.tolerance, between(0, 1));
+    rules_.whole_number(at(key) + ".max_loops", level.max_loops, from_to(1, most_loops));
+  }
+
+  void check_scheme() {
+    const auto& time = rules_.study.time;
+    if (is_explicit(time.scheme))
+      check_explicit(time);
+    else
+      check_velocities(time);
+  }
+
+  /// Explicit steps solve nothing, multipliers least of all.
+  void check_explicit(const TimeStepping& time) {
+    if (zone_.method != ContactMethod::penalty || zone_.friction_method != FrictionMethod::penalty)
+      rules_.broken({path_, at("method"), at("friction_method"), "time.scheme"},
+                    fmt::format("found the method {} with friction by {}, but the scheme {} has forces only, "
+                                "expected penalty for both",
+                                word(zone_.method), word_of(friction_method_words, zone_.friction_method),
+                                word_of(scheme_words, time.scheme)));
+  }
+
+  /// Velocities that jump ask for impulses, which springs have none of; and only they know of restitution.
+  void check_velocities(const TimeStepping& time) {
+    const bool jumps = time.scheme == SchemeKind::moreau_jean;
+    if (zone_.restitution > 0 && !jumps)
+      rules_.broken({path_, at("restitution"), "time.scheme"},
+                    fmt::format("found a restitution, which the scheme moreau_jean takes; {} computes the "
+                                "rebound from the bodies' own motion",
+                                word_of(scheme_words, time.scheme)));
+    if (zone_.restitution > 0 && time.contact_mass == ContactMass::redistributed)
+      rules_.broken({path_, at("restitution"), "time.contact_mass", "time.scheme"},
+                    "found a restitution, but redistributed contact mass leaves nothing that could bounce, "
+                    "expected contact_mass: consistent or no restitution");
+    const bool springs = zone_.method == ContactMethod::penalty || zone_.method == ContactMethod::nodal_penalty ||
+                         (zone_.friction > 0 && zone_.friction_method != FrictionMethod::augmented_lagrangian);
+    if (jumps && springs)
+      rules_.broken({path_, at("method"), at("friction_method"), at("friction"), "time.scheme"},
+                    fmt::format("found the method {} with friction by {}, but the scheme {} stops bodies by "
+                                "impulses, expected augmented_lagrangian for both",
+                                word(zone_.method), word_of(friction_method_words, zone_.friction_method),
+                                word_of(scheme_words, time.scheme)));
+  }
+
+  Rules& rules_;
+  const ContactZone& zone_;
+  std::string path_;
+};
+
+bool is_by_cg(const ContactZone& zone) {
+  return zone.method == ContactMethod::nodal_pcg;
+}
+
+/// All zones are solved together by conjugate gradients, or none.
+void check_methods_together(Rules& rules) {
+  const auto& zones = rules.study.contact;
+  if (std::ranges::none_of(zones, is_by_cg) || std::ranges::all_of(zones, is_by_cg))
+    return;
+  const auto other = std::ranges::find_if_not(zones, is_by_cg);
+  const auto path = "contact." + other->name;
+  rules.broken({path, path + ".method"},
+               fmt::format("found the method {} beside nodal_pcg, which solves for all zones together, "
+                           "expected nodal_pcg in every zone or in none",
+                           word(other->method)));
+}
+
+} // namespace
+
+void check_contact(Rules& rules) {
+  std::vector<std::string> names;
+  for (const auto& zone : rules.study.contact) {
+    rules.chosen_name("contact." + zone.name, zone.name, names);
+    ZoneRules(rules, zone).check();
+    names.push_back(zone.name);
+  }
+  check_methods_together(rules);
+}
+
+} // namespace rubato::study

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/study/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace rubato::study {
+
+void Rules::broken(std::initializer_list<std::string> paths, std::string text) {
+  broken_.push_back({paths, std::move(text)});
+}
+
+void Rules::number(const std::string& path, double value, const Range& range) {
+  if (!range.contains(value))
+    broken({path}, fmt::format("found '{}', expected a number{}", value, bounds_text(range)));
+}
+
+void Rules::whole_number(const std::string& path, int value, const Range& range) {
+  if (!range.contains(value))
+    broken({path}, fmt::format("found '{}', expected a whole number{}", value, bounds_text(range)));
+}
+
+void Rules::ascending(const std::string& path, std::span<const double> numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    number(fmt::format("{}.{}", path, i), numbers[i]);
+  const auto pair = std::ranges::adjacent_find(numbers, [](double a, double b) { return a >= b; });
+  if (pair == numbers.end())
+    return;
+  const auto index = static_cast<std::size_t>(pair - numbers.begin()) + 1;
+  broken({fmt::format("{}.{}", path, index), path},
+         fmt::format("found {} after {}, expected numbers that ascend", numbers[index], *pair));
+}
+
+void Rules::instant(const std::string& path, double instant) {
+  if (has_time() && !(instant >= study.time.begin && instant <= study.time.end))
+    broken({path, "time.begin", "time.end", "time.instants"}, fmt::format("found {}, expected an instant of the run, {} to {}", instant,
+                                       study.time.begin, study.time.end));
+}
+
+void Rules::name(const std::string& path, const std::string& name) {
+  if (name.empty())
+    broken({path}, "found no name, expected one");
+}
+
+void Rules::names(const std::string& path, std::span<const std::string> names) {
+  std::set<std::string> known;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto at = fmt::format("{}.{}", path, i);
+    name(at, names[i]);
+    if (!names[i].empty() && !known.insert(names[i]).second)
+      broken({at}, fmt::format("found {} a second time", shown(names[i])));
+  }
+}
+
+void Rules::chosen_name(const std::string& path, const std::string& name,
+                        std::span<const std::string> before) {
+  if (!is_name(name))
+    broken({path}, fmt::format("found the name {}, expected up to 100 letters, digits, '_' or '-'", shown(name)));
+  else if (std::ranges::find(before, name) != before.end())
+    broken({path}, fmt::format("found a second entry named {}", shown(name)));
+}
+
+void Rules::function(const std::string& path, const std::string& name) {
+  if (name.empty() || study.functions.contains(name))
+    return;
+  std::vector<std::string> known;
+  for (const auto& entry : study.functions)
+    known.push_back(entry.first);
+  broken({path, "functions"}, fmt::format("no function is called {}{}", shown(name), suggestion(name, known)));
+}
+
+void Rules::axis(const std::string& path, std::size_t axis) {
+  if (axis >= static_cast<std::size_t>(dimension_of(study.physics)))
+    broken({path, "physics"}, fmt::format("{} has no {}, expected x or y", word_of(physics_words, study.physics),
+                                          axis_words.at(axis)));
+}
+
+} // namespace rubato::study

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The rules of a study, part by part. Only validate.cpp and its parts include this.
+#pragma once
+
+#include "rubato/core/naming.hpp"
+#include "rubato/study/range.hpp"
+#include "rubato/study/validate.hpp"
+#include "rubato/study/words.hpp"
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubato::study {
+
+/// Collects what is broken.
+class Rules {
+public:
+  explicit Rules(const Study& study) : study(study) {}
+
+  const Study& study;
+
+  /// `paths` are the values that the rule is about; it is told at the first.
+  void broken(std::initializer_list<std::string> paths, std::string text);
+
+  /// A number within its bounds, finite in any case.
+  void number(const std::string& path, double value, const Range& range = {});
+  void whole_number(const std::string& path, int value, const Range& range);
+  /// Numbers that ascend, each greater than the one before.
+  void ascending(const std::string& path, std::span<const double> numbers);
+  /// An instant of the run.
+  void instant(const std::string& path, double instant);
+  /// A name that is given.
+  void name(const std::string& path, const std::string& name);
+  /// Names of a list: given, none twice.
+  void names(const std::string& path, std::span<const std::string> names);
+  /// A name the user chose, of which there is one only: it may be a column or a folder of the results.
+  void chosen_name(const std::string& path, const std::string& name, std::span<const std::string> before);
+  /// The name of a function that there is; empty: none.
+  void function(const std::string& path, const std::string& name);
+  /// A component that the physics has.
+  void axis(const std::string& path, std::size_t axis);
+
+  bool has_time() const { return study.time.end > study.time.begin; }
+  std::vector<BrokenRule> take() { return std::move(broken_); }
+
+private:
+  std::vector<BrokenRule> broken_;
+};
+
+void check_mesh(Rules& rules);
+void check_physics(Rules& rules);
+void check_materials(Rules& rules);
+void check_functions(Rules& rules);
+void check_supports(Rules& rules);
+void check_springs(Rules& rules);
+void check_loads(Rules& rules);
+void check_initial(Rules& rules);
+void check_contact(Rules& rules);
+void check_obstacle(Rules& rules, const ContactZone& zone);
+void check_time(Rules& rules);
+void check_solution(Rules& rules);
+void check_probes(Rules& rules);
+void check_output(Rules& rules);
+void check_checks(Rules& rules);
+
+} // namespace rubato::study

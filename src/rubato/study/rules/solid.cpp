@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Materials, functions of time, supports, springs, loads, and how the bodies begin.
+#include "rubato/study/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace rubato::study {
+namespace {
+
+void check_material(Rules& rules, const Material& material, const std::string& path) {
+  rules.number(path + ".young", material.young, above(0));
+  rules.number(path + ".poisson", material.poisson, between(-1, 0.5));
+  if (material.density)
+    rules.number(path + ".density", *material.density, at_least(0)); // where 0 is enough only the mesh tells
+  else if (rules.study.time.scheme != SchemeKind::static_steps)
+    rules.broken({path, path + ".density", "time.scheme"},
+                 fmt::format("'density' is missing: the scheme {} moves masses",
+                             word_of(scheme_words, rules.study.time.scheme)));
+  rules.number(path + ".rayleigh.stiffness", material.rayleigh_stiffness, at_least(0));
+  rules.number(path + ".rayleigh.mass", material.rayleigh_mass, at_least(0));
+  if (!material.everywhere && material.cells.empty())
+    rules.broken({path + ".cells"}, "found an empty list, expected 'all' or groups of cells");
+  rules.names(path + ".cells", material.cells);
+}
+
+/// No cell can have two materials; what groups share is only seen in the mesh.
+void refuse_overlap(Rules& rules) {
+  const auto& materials = rules.study.materials;
+  std::set<std::string> used;
+  for (const auto& material : materials) {
+    const auto path = "materials." + material.name;
+    if (material.everywhere && materials.size() > 1)
+      rules.broken({path, path + ".cells"},
+                   "is on all cells, expected its own groups ('cells') beside other materials");
+    for (std::size_t i = 0; i < material.cells.size(); ++i)
+      if (!used.insert(material.cells[i]).second)
+        rules.broken({fmt::format("{}.cells.{}", path, i)},
+                     fmt::format("the group {} has another material already", shown(material.cells[i])));
+  }
+}
+
+void check_function(Rules& rules, const Function& function, const std::string& path) {
+  const auto times = path + ".times";
+  rules.ascending(times, function.times);
+  for (std::size_t i = 0; i < function.values.size(); ++i)
+    rules.number(fmt::format("{}.values.{}", path, i), function.values[i]);
+  if (function.times.empty())
+    rules.broken({times}, "found an empty list, expected at least one instant");
+  if (function.values.size() != function.times.size())
+    rules.broken({path + ".values", times},
+                 fmt::format("found {} values for {} times", function.values.size(), function.times.size()));
+  if (function.outside == Function::Outside::linear && function.times.size() == 1)
+    rules.broken({path + ".outside", times},
+                 "found 'linear' for one instant, expected at least two to go on from");
+}
+
+void check_amplitude(Rules& rules, const Amplitude& amplitude, const std::string& path) {
+  rules.number(amplitude.function.empty() ? path : path + ".value", amplitude.value);
+  rules.function(path + ".function", amplitude.function);
+}
+
+/// Components of a vector that are given, along axes that the physics has.
+template <class Component>
+void check_components(Rules& rules, const std::array<std::optional<Component>, 3>& components,
+                      const std::string& path) {
+  for (std::size_t axis = 0; axis < components.size(); ++axis) {
+    if (!components[axis])
+      continue;
+    const auto at = fmt::format("{}.{}", path, axis_words.at(axis));
+    rules.axis(at, axis);
+    if constexpr (std::is_same_v<Component, Amplitude>)
+      check_amplitude(rules, *components[axis], at);
+    else
+      rules.number(at, *components[axis]);
+  }
+}
+
+template <class Component> bool is_empty(const std::array<std::optional<Component>, 3>& components) {
+  return std::ranges::none_of(components, [](const auto& component) { return component.has_value(); });
+}
+
+void check_load(Rules& rules, const Load& load, const std::string& path) {
+  if (load.kind != LoadKind::gravity)
+    rules.name(path + ".on", load.on);
+  for (std::size_t axis = 0; axis < load.components.size(); ++axis) {
+    const bool is_pressure = load.kind == LoadKind::pressure;
+    const auto at = is_pressure ? path + ".value" : fmt::format("{}.{}", path, axis_words.at(axis));
+    rules.number(at, load.components[axis]);
+    if (!is_pressure && load.components[axis] != 0)
+      rules.axis(at, axis);
+  }
+  rules.function(path + ".function", load.function);
+}
+
+/// Why a run begins in no other way than its own; empty when it may.
+std::string_view own_beginning(const TimeStepping& time) {
+  if (time.start == StartKind::from_run)
+    return "the run starts from the end of another one, whose motion it has";
+  if (time.start == StartKind::at_rest_unloaded)
+    return "start: at_rest_unloaded begins at rest, expected start: consistent";
+  if (time.scheme == SchemeKind::static_steps)
+    return "the scheme static finds equilibrium wherever it begins";
+  return {};
+}
+
+} // namespace
+
+void check_materials(Rules& rules) {
+  std::vector<std::string> names;
+  for (const auto& material : rules.study.materials) {
+    const auto path = "materials." + material.name;
+    rules.chosen_name(path, material.name, names);
+    check_material(rules, material, path);
+    names.push_back(material.name);
+  }
+  refuse_overlap(rules);
+  if (rules.study.materials.empty())
+    rules.broken({"materials"}, "found no material, expected at least one");
+}
+
+void check_functions(Rules& rules) {
+  for (const auto& [name, function] : rules.study.functions)
+    check_function(rules, function, "functions." + name);
+}
+
+void check_supports(Rules& rules) {
+  for (std::size_t i = 0; i < rules.study.supports.size(); ++i) {
+    const auto& support = rules.study.supports[i];
+    const auto path = fmt::format("supports.{}", i);
+    rules.name(path + ".on", support.on);
+    check_components(rules, support.components, path);
+    if (is_empty(support.components))
+      rules.broken({path, path + ".fix", path + ".x", path + ".y", path + ".z"},
+                   "holds nothing, expected 'fix' or a displacement x, y or z");
+  }
+}
+
+void check_springs(Rules& rules) {
+  for (std::size_t i = 0; i < rules.study.springs.size(); ++i) {
+    const auto& springs = rules.study.springs[i];
+    const auto path = fmt::format("springs.{}", i);
+    rules.name(path + ".on", springs.on);
+    for (std::size_t axis = 0; axis < springs.stiffness.size(); ++axis) {
+      const auto at = fmt::format("{}.{}", path, axis_words.at(axis));
+      rules.number(at, springs.stiffness[axis], at_least(0));
+      if (springs.stiffness[axis] != 0)
+        rules.axis(at, axis);
+    }
+    if (std::ranges::all_of(springs.stiffness, [](double stiffness) { return stiffness == 0; }))
+      rules.broken({path, path + ".x", path + ".y", path + ".z"},
+                   "has no stiffness, expected at least one of x, y, z");
+  }
+}
+
+void check_loads(Rules& rules) {
+  for (std::size_t i = 0; i < rules.study.loads.size(); ++i) {
+    const auto& load = rules.study.loads[i];
+    check_load(rules, load, fmt::format("loads.{}.{}", i, word_of(load_words, load.kind)));
+  }
+}
+
+void check_initial(Rules& rules) {
+  const auto& initial = rules.study.initial;
+  for (std::size_t i = 0; i < initial.size(); ++i) {
+    const auto path = fmt::format("initial.{}", i);
+    rules.name(path + ".on", initial[i].on);
+    check_components(rules, initial[i].displacement, path + ".displacement");
+    check_components(rules, initial[i].velocity, path + ".velocity");
+    if (is_empty(initial[i].displacement) && is_empty(initial[i].velocity))
+      rules.broken({path, path + ".displacement", path + ".velocity"},
+                   "says nothing, expected 'displacement' or 'velocity'");
+  }
+  if (const auto reason = own_beginning(rules.study.time); !reason.empty() && !initial.empty())
+    rules.broken({"initial", "time.scheme", "time.start"}, std::string(reason));
+}
+
+} // namespace rubato::study

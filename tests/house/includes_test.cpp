@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The order of the rooms, read from every #include of the sources.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubato {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Each room may include those before it. `deck` is a front end, beside the mechanics: it sees the study and
+/// what a study needs, and only programs see it.
+constexpr std::array<std::string_view, 16> order{"core", "cell",  "study",  "mesh",    "linalg", "material", "element", "domain",
+                                                 "load", "contact", "time", "model", "step",  "results", "run", "apps"};
+constexpr std::array<std::string_view, 3> seen_by_deck{"core", "cell", "study"};
+/// Libraries of matrices know of no mechanics.
+constexpr std::string_view leaf = "linalg";
+/// A folder in a room whose headers all may include.
+constexpr std::string_view open_folder = "mesh/io";
+
+struct Include {
+  std::string from; ///< path of the file below src/rubato, or "apps/…"
+  std::string to;   ///< path below src/rubato
+};
+
+std::string room_of(const std::string& path) {
+  return path.substr(0, path.find('/'));
+}
+
+std::string folder_of(const std::string& path) {
+  return fs::path(path).parent_path().generic_string();
+}
+
+std::optional<std::string> included_by(const std::string& line) {
+  constexpr std::string_view start = "#include \"rubato/";
+  if (!line.starts_with(start))
+    return std::nullopt;
+  return line.substr(start.size(), line.rfind('"') - start.size());
+}
+
+void read_includes(const fs::path& root, const std::string& prefix, std::vector<Include>& includes) {
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    const auto extension = entry.path().extension();
+    if (extension != ".cpp" && extension != ".hpp")
+      continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);)
+      if (const auto to = included_by(line); to && to->find('/') != std::string::npos)
+        includes.push_back({prefix + fs::relative(entry.path(), root).generic_string(), *to});
+  }
+}
+
+std::vector<Include> every_include() {
+  const fs::path source(RUBATO_SOURCE_DIR);
+  std::vector<Include> includes;
+  read_includes(source / "src/rubato", "", includes);
+  read_includes(source / "apps", "apps/", includes);
+  return includes;
+}
+
+bool may_see(const std::string& room, const std::string& other) {
+  if (room == other)
+    return true;
+  if (room == "deck")
+    return std::ranges::find(seen_by_deck, other) != seen_by_deck.end();
+  if (other == "deck")
+    return room == "apps";
+  return room != leaf && std::ranges::find(order, other) < std::ranges::find(order, room);
+}
+
+TEST(Rooms, AreAllNamedInTheirOrder) {
+  std::set<std::string> rooms;
+  for (const auto& entry : fs::directory_iterator(fs::path(RUBATO_SOURCE_DIR) / "src/rubato"))
+    if (entry.is_directory())
+      rooms.insert(entry.path().filename().string());
+  std::set<std::string> named(order.begin(), order.end());
+  named.erase("apps");
+  named.insert("deck");
+  EXPECT_EQ(rooms, named);
+}
+
+TEST(Rooms, IncludeOnlyWhatComesBeforeThem) {
+  const auto includes = every_include();
+  EXPECT_GT(includes.size(), 300U);
+  for (const auto& [from, to] : includes)
+    EXPECT_TRUE(may_see(room_of(from), room_of(to))) << from << " includes " << to;
+}
+
+TEST(Rooms, KeepTheirInsideToThemselves) {
+  for (const auto& [from, to] : every_include()) {
+    const auto folder = folder_of(to);
+    const bool inside = folder.find('/') != std::string::npos && folder != open_folder;
+    EXPECT_TRUE(!inside || room_of(from) == room_of(to)) << from << " includes " << to;
+  }
+}
+
+TEST(Files, HaveAtMostFiveHundredLines) {
+  for (const auto* folder : {"src", "apps", "tests", "bench"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(RUBATO_SOURCE_DIR) / folder)) {
+      const auto extension = entry.path().extension();
+      if (extension != ".cpp" && extension != ".hpp" && extension != ".py")
+        continue;
+      std::ifstream file(entry.path());
+      const auto lines = std::count(std::istreambuf_iterator<char>(file), {}, '\n');
+      EXPECT_LE(lines, 500) << entry.path();
+    }
+}
+
+} // namespace
+} // namespace rubato

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Studies that a program builds meet the rules that a deck meets.
+#include "rubato/study/validate.hpp"
+
+#include "rubato/core/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <ostream>
+#include <string>
+
+namespace rubato::study {
+namespace {
+
+/// Two plates of steel that touch, a sound study.
+Study sound_study() {
+  Study study;
+  study.physics = Physics::plane_strain;
+  Body lower{.name = "lower", .dimension = 2, .to = {4, 1, 0}, .divisions = {4, 1, 1}, .cells = CellType::quad4};
+  lower.sides = {{"top", "roof"}, {"bottom", "ground"}};
+  Body upper = lower;
+  upper.name = "upper";
+  upper.from = {0, 1, 0};
+  upper.to = {4, 2, 0};
+  upper.sides = {{"bottom", "under"}, {"top", "above"}};
+  study.mesh.bodies = {lower, upper};
+  study.materials = {{.name = "steel", .young = 2e11, .poisson = 0.3, .density = 7800}};
+  study.functions["ramp"] = {{0, 1}, {0, 1}, Function::Outside::constant};
+  study.supports = {{"ground", {Amplitude{}, Amplitude{}, std::nullopt}}};
+  study.springs = {{"above", {1e3, 0, 0}}};
+  study.loads = {{LoadKind::pressure, "above", {1e6, 0, 0}, "ramp"}};
+  ContactZone zone;
+  zone.name = "joint";
+  zone.master = "roof";
+  zone.slave = "under";
+  study.contact = {zone};
+  study.time.step = 0.1;
+  study.time.end = 1;
+  study.probes = {{.name = "tip", .node = "N1"}};
+  study.checks = {{.probe = "tip", .component = 1, .at = 1, .reference = 0.5, .tolerance = 0.1}};
+  return study;
+}
+
+TEST(SoundStudy, KeepsEveryRule) {
+  const auto broken = broken_rules(sound_study());
+  EXPECT_TRUE(broken.empty()) << broken.front().paths.front() << ": " << broken.front().text;
+  EXPECT_NO_THROW(validate(sound_study()));
+}
+
+struct Bad {
+  std::string path; ///< where the rule is told
+  std::string text; ///< part of the sentence
+  std::function<void(Study&)> make;
+};
+
+std::ostream& operator<<(std::ostream& out, const Bad& bad) {
+  return out << bad.path;
+}
+
+class BadStudy : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadStudy, IsToldAtItsPath) {
+  auto study = sound_study();
+  GetParam().make(study);
+  const auto broken = broken_rules(study);
+  ASSERT_FALSE(broken.empty());
+  EXPECT_EQ(broken.front().paths.front(), GetParam().path);
+  EXPECT_NE(broken.front().text.find(GetParam().text), std::string::npos) << broken.front().text;
+  try {
+    validate(study);
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.faults().front().path, GetParam().path);
+    EXPECT_TRUE(std::string(error.what()).starts_with(GetParam().path + ": ")) << error.what();
+  }
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+void explicitly(Study& study) {
+  study.time.scheme = SchemeKind::central_difference;
+  study.time.contact_mass = ContactMass::consistent;
+  study.time.step = 0;
+  study.time.record = 0.1;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, BadStudy,
+    testing::Values(
+        Bad{"thickness", "> 0", [](Study& s) { s.thickness = 0; }},
+        Bad{"mesh", "is missing", [](Study& s) { s.mesh.bodies.clear(); }},
+        Bad{"mesh", "both 'file' and 'generate'", [](Study& s) { s.mesh.file = "a.med"; }},
+        Bad{"mesh.generate.1.rectangle.to.1", "expected more than the 1 of 'from'",
+            [](Study& s) { s.mesh.bodies[1].to[1] = 1; }},
+        Bad{"mesh.generate.0.rectangle", "found a rectangle in solid",
+            [](Study& s) {
+              s.physics = Physics::solid;
+              s.mesh.bodies.pop_back();
+            }},
+        Bad{"mesh.generate.1", "second body named 'lower'", [](Study& s) { s.mesh.bodies[1].name = "lower"; }},
+        Bad{"mesh.refine", "from 1 to 1000", [](Study& s) { s.mesh.refine = 0; }},
+        Bad{"mesh.generate", "cells (divisions and refine)",
+            [](Study& s) {
+              s.mesh.bodies[0].divisions = {100000, 1000, 1};
+              s.mesh.refine = 2;
+            }},
+        Bad{"materials", "no material", [](Study& s) { s.materials.clear(); }},
+        Bad{"materials.steel.young", "found '-1', expected a number > 0", [](Study& s) { s.materials[0].young = -1; }},
+        Bad{"materials.steel.young", "expected a number > 0", [](Study& s) { s.materials[0].young = nan; }},
+        Bad{"materials.steel.poisson", "between -1 and 0.5", [](Study& s) { s.materials[0].poisson = 0.5; }},
+        Bad{"materials.steel", "'density' is missing", [](Study& s) { s.materials[0].density.reset(); }},
+        Bad{"materials.steel", "second entry", [](Study& s) { s.materials.push_back(s.materials[0]); }},
+        Bad{"materials.st/eel", "letters, digits", [](Study& s) { s.materials[0].name = "st/eel"; }},
+        Bad{"materials.steel.cells", "empty list", [](Study& s) { s.materials[0].everywhere = false; }},
+        Bad{"functions.ramp.times.1", "ascend", [](Study& s) { s.functions["ramp"].times = {1, 1}; }},
+        Bad{"functions.ramp.values", "3 values for 2 times", [](Study& s) { s.functions["ramp"].values = {0, 1, 2}; }},
+        Bad{"supports.0", "holds nothing", [](Study& s) { s.supports[0].components = {}; }},
+        Bad{"supports.0.z", "plane_strain has no z", [](Study& s) { s.supports[0].components[2] = Amplitude{}; }},
+        Bad{"supports.0.x.function", "did you mean 'ramp'",
+            [](Study& s) { s.supports[0].components[0] = Amplitude{1, "rampe"}; }},
+        Bad{"springs.0.x", ">= 0", [](Study& s) { s.springs[0].stiffness[0] = -1; }},
+        Bad{"loads.0.pressure.on", "no name", [](Study& s) { s.loads[0].on.clear(); }},
+        Bad{"loads.0.pressure.function", "no function is called", [](Study& s) { s.loads[0].function = "other"; }},
+        Bad{"initial.0", "says nothing", [](Study& s) { s.initial = {{.on = "lower"}}; }},
+        Bad{"initial", "the scheme static",
+            [](Study& s) {
+              s.time.scheme = SchemeKind::static_steps;
+              s.time.contact_mass = ContactMass::consistent;
+              s.initial = {{.on = "lower", .velocity = {1.0, std::nullopt, std::nullopt}}};
+            }},
+        Bad{"contact.joint", "'master' or 'obstacle' is missing", [](Study& s) { s.contact[0].master.clear(); }},
+        Bad{"contact.joint.slave", "expected two surfaces", [](Study& s) { s.contact[0].slave = "roof"; }},
+        Bad{"contact.joint.friction", ">= 0", [](Study& s) { s.contact[0].friction = -0.1; }},
+        Bad{"contact.joint.friction_method", "expected nodal_penalty",
+            [](Study& s) {
+              s.contact[0].method = ContactMethod::nodal_lagrange;
+              s.contact[0].geometry.by = Iteration::fixed_point;
+            }},
+        Bad{"contact.joint.iterate.geometry", "expected fixed_point",
+            [](Study& s) {
+              s.contact[0].method = ContactMethod::nodal_lagrange;
+              s.contact[0].friction_method = FrictionMethod::nodal_penalty;
+            }},
+        Bad{"contact.joint.integration.gauss", "from 1 to 7", [](Study& s) { s.contact[0].gauss_points = 8; }},
+        Bad{"contact.joint.coefficients.normal", "> 0", [](Study& s) { s.contact[0].normal_coefficient = 0; }},
+        Bad{"contact.joint", "stops bodies by impulses",
+            [](Study& s) {
+              s.contact[0].method = ContactMethod::penalty;
+              s.contact[0].friction_method = FrictionMethod::penalty;
+            }},
+        // Multipliers asked for where only forces are computed.
+        Bad{"contact.joint", "the scheme central_difference has forces only", [](Study& s) { explicitly(s); }},
+        Bad{"time.record", "> 0",
+            [](Study& s) {
+              explicitly(s);
+              s.contact.clear();
+              s.time.record = 0;
+            }},
+        Bad{"time.contact_mass", "static has no masses",
+            [](Study& s) { s.time.scheme = SchemeKind::static_steps; }},
+        Bad{"time.theta", "from 0.5 to 1", [](Study& s) { s.time.theta = 0.3; }},
+        Bad{"time.end", "expected more than the begin", [](Study& s) { s.time.end = 0; }},
+        Bad{"time.step", "at most the length of the run", [](Study& s) { s.time.step = 2; }},
+        Bad{"time.instants.0", "after the begin",
+            [](Study& s) {
+              s.time.instants = {0, 1};
+            }},
+        Bad{"time.start.from", "no name", [](Study& s) { s.time.start = StartKind::from_run; }},
+        Bad{"time.on_failure.cut", "from 2 to 1000", [](Study& s) { s.time.cut_parts = 1; }},
+        Bad{"newton.residual", "between 0 and 1", [](Study& s) { s.newton.residual = 0; }},
+        Bad{"probes.tip", "is missing", [](Study& s) { s.probes[0].node.clear(); }},
+        Bad{"fields.at.0", "an instant of the run, 0 to 1", [](Study& s) { s.fields.at = {2}; }},
+        Bad{"checks.0.probe", "did you mean 'tip'", [](Study& s) { s.checks[0].probe = "tipp"; }},
+        Bad{"checks.0.probe", "component 'z'", [](Study& s) { s.checks[0].component = 2; }},
+        Bad{"checks.0.at", "an instant of the run", [](Study& s) { s.checks[0].at = 3; }},
+        Bad{"checks.0.tolerance", "> 0", [](Study& s) { s.checks[0].tolerance = 0; }},
+        Bad{"checks.0.reference", "nothing can be relative", [](Study& s) { s.checks[0].reference = 0; }}));
+
+TEST(BrokenRules, AreAllToldAtOnce) {
+  auto study = sound_study();
+  study.materials[0].young = 0;
+  study.time.theta = 2;
+  study.contact[0].friction = -1;
+  try {
+    validate(study);
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.faults().size(), 3U) << error.what();
+  }
+}
+
+} // namespace
+} // namespace rubato::study
