@@ -11,6 +11,7 @@
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/contact_mass.hpp"
+#include "rubato/model/gauges.hpp"
 #include "rubato/model/rigid_motions.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,7 @@ void assemble_matrices(Model& model, const std::vector<deck::Material>& material
   model.stiffness = fem::assemble_stiffness(model.mesh, bulk, pattern);
   for (const auto& spring : model.springs)
     model.stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
+  add_gauges(model, model.stiffness);
   const auto scheme = model.study.time.scheme;
   if (scheme == deck::SchemeKind::static_steps)
     return;
@@ -135,6 +137,7 @@ Model lay_out(const deck::Study& study, mesh::Mesh mesh) {
   stop_on(faults);
   if (study.time.scheme == deck::SchemeKind::static_steps) {
     check_supported(model, faults);
+    model.gauges = make_gauges(model, model.notes);
     model.free_body_nodes = free_body_nodes(model);
   } else {
     check_masses(model, faults);

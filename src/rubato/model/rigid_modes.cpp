@@ -24,14 +24,14 @@ std::string group_of(const Model& model, const Bodies& bodies, int body) {
   return {};
 }
 
+} // namespace
+
 std::string body_text(const Model& model, const Bodies& bodies, int body) {
   const auto node = node_label(model.mesh, bodies.first_node(body));
   const auto group = group_of(model, bodies, body);
   return group.empty() ? fmt::format("the body of node {}", node)
                        : fmt::format("the body '{}' (of node {})", group, node);
 }
-
-} // namespace
 
 void check_supported(const Model& model, std::vector<Fault>& faults) {
   RigidMotions motions(model);
