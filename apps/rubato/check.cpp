@@ -28,8 +28,7 @@ int check_run(const std::filesystem::path& folder) {
   const auto run = results::read_stored_run(folder);
   const auto study = deck::parse_echo(run.study, (folder / results::summary_file).string());
   const auto checks = results::evaluate_checks(study.checks, run.probes, folder);
-  fmt::print("{}: {}\n", run.name,
-             run.status == results::RunStatus::complete ? "complete" : run.reason);
+  fmt::print("{}: {}\n", run.name, run.status == results::RunStatus::complete ? "complete" : run.reason);
   fmt::print("{}", checks.empty() ? "no checks in the deck\n" : results::to_text(checks));
   return exit_code_of(run, std::ranges::all_of(checks, &results::CheckResult::holds));
 }

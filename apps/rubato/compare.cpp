@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/core/naming.hpp"
-#include "rubato/deck/read.hpp"
 #include "rubato/results/compare.hpp"
 
+#include "rubato/core/naming.hpp"
+#include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"

@@ -24,7 +24,8 @@ std::string to_string(const Location& at);
 struct Fault {
   Location at;
   std::string text;
-  std::string path = {}; ///< of the value in the study, "supports.0.on", where its place in a file is not known
+  std::string path =
+      {}; ///< of the value in the study, "supports.0.on", where its place in a file is not known
 };
 
 /// A fault of the value of a study at that path.

@@ -34,8 +34,7 @@ void read_probe_component(const Value& value, const Context& context, study::Che
     return;
   }
   check.probe = name;
-  const auto axes =
-      study::axis_words.begin() + (context.physics ? study::dimension_of(*context.physics) : 3);
+  const auto axes = study::axis_words.begin() + (context.physics ? study::dimension_of(*context.physics) : 3);
   const auto found = std::find(study::axis_words.begin(), axes, axis);
   if (found == axes)
     value.fault(fmt::format("found the component {}, expected {}", shown(axis),

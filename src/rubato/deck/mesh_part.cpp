@@ -83,8 +83,7 @@ void read_cells(const Found& value, study::Body& body) {
 }
 
 /// A list with one number for each axis.
-template <class T, class U>
-void read_per_axis(const Found& value, int dimension, std::array<U, 3>& target) {
+template <class T, class U> void read_per_axis(const Found& value, int dimension, std::array<U, 3>& target) {
   std::vector<T> numbers;
   if (!read(value, numbers))
     return;

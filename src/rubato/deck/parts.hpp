@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// One reader for each part of a deck. Each fills its part of the study and adds what is wrong to the faults
-/// of the value; targets of faulty values keep their defaults. Words, types and keys are judged here, what the
-/// values may be by study/validate.hpp.
+/// of the value; targets of faulty values keep their defaults. Words, types and keys are judged here, what
+/// the values may be by study/validate.hpp.
 #pragma once
 
 #include "rubato/deck/values.hpp"

@@ -47,8 +47,8 @@ Deck read_deck(const std::filesystem::path& file, std::span<const Setting> setti
 Deck parse_deck(std::string_view text, const std::string& file_name, std::span<const Setting> settings = {},
                 std::span<const std::string> only = {});
 
-/// Reads back what study::to_json wrote, to an equal study; the other runs that it names are not looked for. Throws
-/// as parse_deck does.
+/// Reads back what study::to_json wrote, to an equal study; the other runs that it names are not looked for.
+/// Throws as parse_deck does.
 study::Study parse_echo(std::string_view text, const std::string& file_name);
 
 /// Whether the study is still a sound one with these settings laid over it, as far as the deck alone tells.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-
 namespace rubato::deck {
 namespace {
 

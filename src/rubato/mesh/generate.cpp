@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/generate.hpp"
 
-#include "rubato/core/naming.hpp"
 #include "rubato/cell/parts.hpp"
 #include "rubato/core/error.hpp"
+#include "rubato/core/naming.hpp"
 #include "rubato/mesh/builder.hpp"
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/grid_place.hpp"
@@ -155,8 +155,7 @@ void add_edges(MeshBuilder& builder, const study::Body& body, const Grid& grid) 
 
 void add_points(MeshBuilder& builder, const study::Body& body, const Grid& grid) {
   for (const auto& [key, group] : body.points)
-    builder.add_to_node_group(group,
-                              nodes_of_place(grid, *grid_place(key, body.dimension, body.dimension)));
+    builder.add_to_node_group(group, nodes_of_place(grid, *grid_place(key, body.dimension, body.dimension)));
 }
 
 Mesh in_type(Mesh linear, CellType type) {
@@ -278,9 +277,10 @@ void refuse_bad_input(std::span<const study::Body> bodies, int refine) {
     BodyCheck(body, i, faults).run();
     if (body.dimension != bodies.front().dimension)
       faults.push_back(
-          fault_at(fmt::format("mesh.generate.{}", i), fmt::format("body '{}' has dimension {} but '{}' has {}: all bodies of a mesh "
-                                "have the same",
-                                body.name, body.dimension, bodies.front().name, bodies.front().dimension)));
+          fault_at(fmt::format("mesh.generate.{}", i),
+                   fmt::format("body '{}' has dimension {} but '{}' has {}: all bodies of a mesh "
+                               "have the same",
+                               body.name, body.dimension, bodies.front().name, bodies.front().dimension)));
   }
   if (!faults.empty())
     throw InputError(std::move(faults));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/names.hpp"
 
-#include "rubato/core/naming.hpp"
 #include "rubato/core/error.hpp"
+#include "rubato/core/naming.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -60,7 +60,7 @@ private:
       if (cell::topology(type).dimension != 1) {
         faults_.push_back(
             fault_at(on.path, fmt::format("group '{}' holds {} cells, expected edges for a line force",
-                                     on.name, cell::topology(type).name)));
+                                          on.name, cell::topology(type).name)));
         return {};
       }
       edges.push_back({type, mesh_.nodes_of(cell)});
@@ -97,8 +97,8 @@ private:
         part.law_of_cell.push_back(bulk_.law_of_cell[i]);
       }
     if (part.cells.empty())
-      faults_.push_back(
-          fault_at(on.path, fmt::format("group '{}' holds no cells that deform, expected some for gravity", on.name)));
+      faults_.push_back(fault_at(
+          on.path, fmt::format("group '{}' holds no cells that deform, expected some for gravity", on.name)));
     load::add_gravity(mesh_, dofs_, part, acceleration, force);
   }
 
@@ -116,8 +116,7 @@ std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh
   std::vector<Force> forces;
   for (std::size_t i = 0; i < study.loads.size(); ++i) {
     const auto& load = study.loads[i];
-    const Mention on{load.on,
-                     fmt::format("loads.{}.{}.on", i, study::word_of(study::load_words, load.kind))};
+    const Mention on{load.on, fmt::format("loads.{}.{}.on", i, study::word_of(study::load_words, load.kind))};
     try {
       forces.push_back({builder.pattern(load, on), function_named(study, load.function)});
     } catch (const InputError& error) {

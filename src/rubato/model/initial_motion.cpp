@@ -54,14 +54,12 @@ private:
     return body_nodes_or_fault(mesh_, dofs_, name, "to set in motion", faults_);
   }
 
-  void set_displacement(const std::string& path, mesh::NodeIndex node, int component,
-                        double value) {
+  void set_displacement(const std::string& path, mesh::NodeIndex node, int component, double value) {
     const int dof = dofs_.dof(node, component);
     if (const auto support = supports_.find(dof); support != supports_.end()) {
       const double held = displacement_of(*support->second, time_.begin);
       if (!same(value, held))
-        tell(path, node, component, "displacement", value,
-             fmt::format("its support puts it at {:g}", held));
+        tell(path, node, component, "displacement", value, fmt::format("its support puts it at {:g}", held));
     }
     set(path, node, component, "displacement", value, displaced_, motion_.displacement);
   }
@@ -77,8 +75,8 @@ private:
   }
 
   /// What two entries say of one dof must be the same.
-  void set(const std::string& path, mesh::NodeIndex node, int component, std::string_view what,
-           double value, std::map<int, double>& known, VectorXd& values) {
+  void set(const std::string& path, mesh::NodeIndex node, int component, std::string_view what, double value,
+           std::map<int, double>& known, VectorXd& values) {
     const int dof = dofs_.dof(node, component);
     const auto [there, fresh] = known.emplace(dof, value);
     if (!fresh && there->second != value)
@@ -87,14 +85,14 @@ private:
   }
 
   /// One node of an entry is enough.
-  void tell(const std::string& path, mesh::NodeIndex node, int component, std::string_view what,
-            double value, const std::string& contradiction) {
+  void tell(const std::string& path, mesh::NodeIndex node, int component, std::string_view what, double value,
+            const std::string& contradiction) {
     if (told_)
       return;
     told_ = true;
     faults_.push_back(
         fault_at(path, fmt::format("node {} begins with the {} {:g} in {}, but {}", node_label(mesh_, node),
-                                 what, value, axes[static_cast<std::size_t>(component)], contradiction)));
+                                   what, value, axes[static_cast<std::size_t>(component)], contradiction)));
   }
 
   double velocity_of(const Constraint& support) const {

@@ -33,9 +33,9 @@ public:
     if (material.everywhere) {
       give(index, bulk_);
       if (bulk_.empty())
-        faults_.push_back(
-            fault_at("materials." + material.name, fmt::format("the mesh has no {} cells, expected some for material '{}'",
-                                      bulk_noun(), material.name)));
+        faults_.push_back(fault_at("materials." + material.name,
+                                   fmt::format("the mesh has no {} cells, expected some for material '{}'",
+                                               bulk_noun(), material.name)));
     }
     for (std::size_t i = 0; i < material.cells.size(); ++i) {
       const Mention name{material.cells[i], fmt::format("materials.{}.cells.{}", material.name, i)};
@@ -51,12 +51,12 @@ public:
       return;
     const auto first = *std::ranges::find_if(bulk_, bare);
     const auto path = study_.materials.empty() ? "materials" : "materials." + study_.materials.front().name;
-    faults_.push_back(
-        fault_at(path,
-         fmt::format("{} of {} cells have no material, the first one is cell {} ({}); expected one for every "
-                     "cell (`cells: all`, or a group)",
-                     count, bulk_.size(), mesh::cell_name(mesh_, first),
-                     cell::topology(mesh_.type_of(first)).name)));
+    faults_.push_back(fault_at(
+        path,
+        fmt::format("{} of {} cells have no material, the first one is cell {} ({}); expected one for every "
+                    "cell (`cells: all`, or a group)",
+                    count, bulk_.size(), mesh::cell_name(mesh_, first),
+                    cell::topology(mesh_.type_of(first)).name)));
   }
 
 private:
@@ -67,9 +67,11 @@ private:
       auto& now = material_[static_cast<std::size_t>(cell)];
       if (now >= 0 && now != index && std::ranges::find(clashes_, std::pair(now, index)) == clashes_.end()) {
         clashes_.emplace_back(now, index);
-        faults_.push_back(fault_at("materials." + study_.materials[static_cast<std::size_t>(index)].name, fmt::format("material '{}' is given to cells that have material '{}' already",
-                                       study_.materials[static_cast<std::size_t>(index)].name,
-                                       study_.materials[static_cast<std::size_t>(now)].name)));
+        faults_.push_back(
+            fault_at("materials." + study_.materials[static_cast<std::size_t>(index)].name,
+                     fmt::format("material '{}' is given to cells that have material '{}' already",
+                                 study_.materials[static_cast<std::size_t>(index)].name,
+                                 study_.materials[static_cast<std::size_t>(now)].name)));
       }
       now = index;
     }
@@ -81,10 +83,10 @@ private:
       return cell::topology(mesh_.type_of(cell)).dimension == dimension_;
     });
     if (cells.empty())
-      faults_.push_back(
-          fault_at(name.path, fmt::format("group '{}' holds {} cells, expected {} cells for material '{}'", name.name,
-                                cell::topology(mesh_.type_of(items.front())).name, bulk_noun(),
-                                study_.materials[static_cast<std::size_t>(index)].name)));
+      faults_.push_back(fault_at(
+          name.path, fmt::format("group '{}' holds {} cells, expected {} cells for material '{}'", name.name,
+                                 cell::topology(mesh_.type_of(items.front())).name, bulk_noun(),
+                                 study_.materials[static_cast<std::size_t>(index)].name)));
     give(index, cells);
   }
 
@@ -144,10 +146,10 @@ void check_masses(const Model& model, std::vector<Fault>& faults) {
       continue;
     told[law] = 1;
     const auto& material = model.study.materials[law];
-    faults.push_back(
-        fault_at("materials." + material.name, fmt::format("materials.{}.density: found 0, but {}; expected more than 0, or "
-                                  "supports that hold every node of its cells in all components",
-                                  material.name, freedom)));
+    faults.push_back(fault_at("materials." + material.name,
+                              fmt::format("materials.{}.density: found 0, but {}; expected more than 0, or "
+                                          "supports that hold every node of its cells in all components",
+                                          material.name, freedom)));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/contact_mass.hpp"
+#include "rubato/model/gauges.hpp"
 #include "rubato/model/rigid_motions.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,7 @@ void assemble_matrices(Model& model, const std::vector<study::Material>& materia
   model.stiffness = domain::assemble_stiffness(model.mesh, bulk, pattern);
   for (const auto& spring : model.springs)
     model.stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
+  add_gauges(model, model.stiffness);
   const auto scheme = model.study.time.scheme;
   if (scheme == study::SchemeKind::static_steps)
     return;
@@ -134,6 +136,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
   if (study.time.scheme == study::SchemeKind::static_steps) {
+    model.gauges = make_gauges(model, model.notes);
     check_supported(model, faults);
     model.free_body_nodes = free_body_nodes(model);
   } else {

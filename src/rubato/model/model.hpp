@@ -40,6 +40,13 @@ struct Spring {
   double stiffness = 0; ///< [force/length] > 0
 };
 
+/// Holds a motion of a body that nothing resists, and neither the body's other rigid motions nor, but for
+/// places near its nodes, deformations: a spring on g·u, slack at 0.
+struct Gauge {
+  std::vector<mesh::NodeIndex> nodes;
+  Eigen::VectorXd values; ///< of g, node by node
+};
+
 /// Displacements and velocities the deck gives the bodies at the first instant, one a dof; supports count
 /// before them.
 struct InitialMotion {
@@ -52,7 +59,7 @@ struct Model {
   mesh::Mesh mesh;
   domain::Bulk bulk; ///< the cells that deform and their materials
   domain::DofMap dofs;
-  SparseMatrix stiffness; ///< of the cells and of the springs
+  SparseMatrix stiffness; ///< of the cells, the springs and the gauges
   SparseMatrix mass;      ///< empty (no entries) in a static or explicit run
   /// Ascending; on contact surfaces when their mass is redistributed.
   std::vector<mesh::NodeIndex> massless_nodes;
@@ -62,6 +69,7 @@ struct Model {
   std::vector<Force> forces;
   std::vector<Constraint> constraints; ///< ascending dofs, one each
   std::vector<Spring> springs;
+  std::vector<Gauge> gauges; ///< of bodies that in a static run only contact holds
   InitialMotion initial;
   /// Nodes of bodies that in a static run only contact holds, ascending.
   std::vector<mesh::NodeIndex> free_body_nodes;

@@ -31,7 +31,8 @@ const mesh::Group* cells_named(const mesh::Mesh& mesh, const Mention& name, std:
     else
       faults.push_back(fault_at(name.path, unknown_group(mesh, name)));
   } else if (group->items.empty()) {
-    faults.push_back(fault_at(name.path, fmt::format("group '{}' is empty, expected cells in it", name.name)));
+    faults.push_back(
+        fault_at(name.path, fmt::format("group '{}' is empty, expected cells in it", name.name)));
     group = nullptr;
   }
   return group;
@@ -53,9 +54,10 @@ std::vector<mesh::NodeIndex> body_nodes_or_fault(const mesh::Mesh& mesh, const d
     return nodes;
   std::erase_if(nodes, [&](auto node) { return !dofs.has(node); });
   if (nodes.empty())
-    faults.push_back(fault_at(name.path, fmt::format("found '{}', none of whose nodes belongs to a cell that deforms, "
-                                           "expected a part of a body {}",
-                                           name.name, use)));
+    faults.push_back(
+        fault_at(name.path, fmt::format("found '{}', none of whose nodes belongs to a cell that deforms, "
+                                        "expected a part of a body {}",
+                                        name.name, use)));
   return nodes;
 }
 

@@ -24,14 +24,14 @@ std::string group_of(const Model& model, const Bodies& bodies, int body) {
   return {};
 }
 
+} // namespace
+
 std::string body_text(const Model& model, const Bodies& bodies, int body) {
   const auto node = node_label(model.mesh, bodies.first_node(body));
   const auto group = group_of(model, bodies, body);
   return group.empty() ? fmt::format("the body of node {}", node)
                        : fmt::format("the body '{}' (of node {})", group, node);
 }
-
-} // namespace
 
 void check_supported(const Model& model, std::vector<Fault>& faults) {
   RigidMotions motions(model);
@@ -42,11 +42,12 @@ void check_supported(const Model& model, std::vector<Fault>& faults) {
     return;
   std::vector<std::string> directions;
   std::ranges::transform(loose, std::back_inserter(directions), &direction_text);
-  faults.push_back(
-      fault_at("time", fmt::format("{} is not held: it can move as a rigid body {}, and a static run has no inertia; "
-                   "expected supports, springs, or contact with something that is held (frictionless contact "
-                   "holds across the surface only)",
-                   body_text(model, motions.bodies(), loose.front().body), fmt::join(directions, ", "))));
+  faults.push_back(fault_at(
+      "time",
+      fmt::format("{} is not held: it can move as a rigid body {}, and a static run has no inertia; "
+                  "expected supports, springs, or contact with something that is held (frictionless contact "
+                  "holds across the surface only)",
+                  body_text(model, motions.bodies(), loose.front().body), fmt::join(directions, ", "))));
 }
 
 } // namespace rubato::model

@@ -54,7 +54,7 @@ std::string axis_text(Vector3d axis) {
 }
 
 /// Independent motions that span the columns, turns told apart first: what is left then are shifts.
-std::vector<VectorXd> told_apart(MatrixXd columns) {
+std::vector<VectorXd> columns_told_apart(MatrixXd columns) {
   std::vector<VectorXd> motions;
   const double scale = columns.cwiseAbs().maxCoeff();
   for (Index row = columns.rows() - 1; row >= 0; --row) {
@@ -99,6 +99,8 @@ void RigidMotions::add_supports() {
     add_dof(constraint.dof);
   for (const auto& spring : model_.springs)
     add_dof(spring.dof);
+  for (const auto& gauge : model_.gauges)
+    add_gauge(gauge);
 }
 
 void RigidMotions::add_contact() {
@@ -131,7 +133,7 @@ std::vector<RigidMotion> RigidMotions::loose_alone() const {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(block_of(body));
     const auto count = modes_ - rank_of(block_of(body));
     if (count > 0)
-      for (const auto& motion : told_apart(solver.eigenvectors().leftCols(count)))
+      for (const auto& motion : columns_told_apart(solver.eigenvectors().leftCols(count)))
         loose.push_back(motion_of(body, motion));
   }
   return loose;
@@ -153,15 +155,49 @@ std::vector<RigidMotion> RigidMotions::loose() const {
       body = b;
     }
   std::vector<RigidMotion> loose;
-  for (const auto& motion : told_apart(motions.middleRows(body * modes_, modes_)))
+  for (const auto& motion : columns_told_apart(motions.middleRows(body * modes_, modes_)))
     loose.push_back(motion_of(static_cast<int>(body), motion));
   return loose;
+}
+
+std::vector<RigidMotion> RigidMotions::all_of(int body) const {
+  std::vector<RigidMotion> motions;
+  for (Index mode = 0; mode < modes_; ++mode)
+    motions.push_back(motion_of(body, VectorXd::Unit(modes_, mode)));
+  return motions;
+}
+
+std::vector<RigidMotion> RigidMotions::told_apart(std::span<const RigidMotion> motions) const {
+  std::vector<RigidMotion> apart;
+  if (motions.empty())
+    return apart;
+  MatrixXd values(6, static_cast<Index>(motions.size()));
+  for (std::size_t k = 0; k < motions.size(); ++k)
+    values.col(static_cast<Index>(k)) << motions[k].shift, motions[k].turn;
+  for (const auto& column : columns_told_apart(values))
+    apart.push_back({motions.front().body, column.head<3>(), column.tail<3>()});
+  return apart;
+}
+
+Vector3d RigidMotions::at(const RigidMotion& motion, const Vector3d& place) const {
+  return motion.shift + motion.turn.cross(place - centre_) / size_;
 }
 
 void RigidMotions::add_dof(int dof) {
   Vector3d direction = Vector3d::Zero();
   direction[dof % model_.dofs.components] = 1;
   add_row(row(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)], direction));
+}
+
+void RigidMotions::add_gauge(const Gauge& gauge) {
+  const int components = model_.dofs.components;
+  RowVectorXd sum = RowVectorXd::Zero(columns());
+  for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
+    Vector3d direction = Vector3d::Zero();
+    direction.head(components) = gauge.values.segment(static_cast<Index>(i) * components, components);
+    sum += row(gauge.nodes[i], direction);
+  }
+  add_row(sum / gauge.values.norm());
 }
 
 void RigidMotions::add_row(const RowVectorXd& row) {

@@ -8,13 +8,14 @@
 
 #include <Eigen/Core>
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace rubato::model {
 
-/// A rigid motion of one body, small: every place x moves by shift + turn × (x − centre), turn in 1/length of
-/// the model.
+/// A rigid motion of one body, small: every place x moves by shift + turn × (x − centre)/size, centre and
+/// size of the whole model.
 struct RigidMotion {
   int body = -1;
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
@@ -25,7 +26,7 @@ class RigidMotions {
 public:
   explicit RigidMotions(const Model& model);
 
-  /// Supports and springs.
+  /// Supports, springs and gauges.
   void add_supports();
   /// Contact where surfaces face one another before the first step: across, with friction also along.
   void add_contact();
@@ -38,11 +39,19 @@ public:
   /// several such bodies the one that moves most is given.
   std::vector<RigidMotion> loose() const;
 
+  /// Every motion that a body has if nothing resists.
+  std::vector<RigidMotion> all_of(int body) const;
+  /// Independent motions that span the same, of one body, turns about axes of their own first.
+  std::vector<RigidMotion> told_apart(std::span<const RigidMotion> motions) const;
+  /// How far a motion takes a place of its body.
+  Eigen::Vector3d at(const RigidMotion& motion, const Eigen::Vector3d& place) const;
+
   const Bodies& bodies() const { return bodies_; }
 
 private:
   Eigen::Index columns() const { return static_cast<Eigen::Index>(bodies_.count()) * modes_; }
   void add_dof(int dof);
+  void add_gauge(const Gauge& gauge);
   void add_row(const Eigen::RowVectorXd& row);
   Eigen::RowVectorXd row(mesh::NodeIndex node, const Eigen::Vector3d& direction) const;
   void add_point(const contact::Zone& zone, const contact::SlavePoint& point, const contact::Pair& pair,
@@ -60,6 +69,9 @@ private:
 
 /// "along x", "along (0.6, 0.8, 0)", "by turning about z": how messages name a motion.
 std::string direction_text(const RigidMotion& motion);
+
+/// "the body 'upper' (of node N1 (0, 5))", or "the body of node N1 (0, 5)": how messages name a body.
+std::string body_text(const Model& model, const Bodies& bodies, int body);
 
 /// A body and what has to hold it.
 struct LooseBody {

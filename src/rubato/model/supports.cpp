@@ -42,7 +42,7 @@ private:
     told_ = true;
     faults_.push_back(
         fault_at(path, fmt::format("node {} has two different displacements prescribed in {}",
-                                 node_label(mesh_, node), axes[static_cast<std::size_t>(component)])));
+                                   node_label(mesh_, node), axes[static_cast<std::size_t>(component)])));
   }
 
   const study::Study& study_;

@@ -132,12 +132,12 @@ void check_sheets(const mesh::Mesh& mesh, const Mention& name, const mesh::Sheet
     for (const auto node : face.nodes())
       for (int i = 0; i < dofs.components; ++i)
         if (!is_held(dofs.dof(node, i))) {
-          faults.push_back(
-              fault_at(name.path, fmt::format("contact surface '{}': {} of its faces bound no cell, and nothing holds "
-                                    "node {} of them along {}; expected supports that hold or move every "
-                                    "component of a surface without cells behind it",
-                                    name.name, sheets.faces.size(), node_label(mesh, node),
-                                    "xyz"[static_cast<std::size_t>(i)])));
+          faults.push_back(fault_at(
+              name.path, fmt::format("contact surface '{}': {} of its faces bound no cell, and nothing holds "
+                                     "node {} of them along {}; expected supports that hold or move every "
+                                     "component of a surface without cells behind it",
+                                     name.name, sheets.faces.size(), node_label(mesh, node),
+                                     "xyz"[static_cast<std::size_t>(i)])));
           return;
         }
 }
@@ -172,9 +172,10 @@ void check_rule(const study::ContactZone& zone, const contact::Surface& slave, s
     const int least = cell::topology(face.type).order + 1;
     if (zone.gauss_points >= least)
       continue;
-    faults.push_back(
-        fault_at("contact." + zone.name, fmt::format("found {} Gauss points a direction, expected at least {} on the {} faces of '{}'",
-                     zone.gauss_points, least, cell::topology(face.type).name, zone.slave)));
+    faults.push_back(fault_at(
+        "contact." + zone.name,
+        fmt::format("found {} Gauss points a direction, expected at least {} on the {} faces of '{}'",
+                    zone.gauss_points, least, cell::topology(face.type).name, zone.slave)));
     return;
   }
 }
@@ -229,9 +230,9 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
     auto [master, slave] = surfaces_of(settings, mesh, dofs, constraints, faults);
     const auto excluded = excluded_nodes(mesh, settings, faults);
     if (faults.size() == known && share_a_face(master, slave))
-      faults.push_back(
-          fault_at(slave_of(settings).path, fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
-                                          settings.master, settings.slave)));
+      faults.push_back(fault_at(slave_of(settings).path,
+                                fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
+                                            settings.master, settings.slave)));
     check_rule(settings, slave, faults);
     if (faults.size() > known)
       continue;

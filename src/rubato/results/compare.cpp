@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/compare.hpp"
 
-#include "rubato/core/naming.hpp"
 #include "rubato/core/error.hpp"
+#include "rubato/core/naming.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/results/history.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/med_fields.hpp"
 
-#include "rubato/core/naming.hpp"
 #include "rubato/core/error.hpp"
+#include "rubato/core/naming.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med_file.hpp"
 

@@ -2,7 +2,6 @@
 #include "rubato/results/recorder.hpp"
 
 #include "rubato/core/writing.hpp"
-#include "rubato/study/echo.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/results/attempt_json.hpp"
 #include "rubato/results/history.hpp"
@@ -10,6 +9,7 @@
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/vtu.hpp"
+#include "rubato/study/echo.hpp"
 #include "rubato/version.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/advice.hpp"
 
-
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"
@@ -99,9 +98,9 @@ void on_gap(const contact::Zone& zone, Advice& advice) {
 void on_projection(const contact::Zone& zone, Advice& advice) {
   for (const auto normal : {study::ContactNormal::slave, study::ContactNormal::average})
     if (zone.settings.normal != normal)
-      advice.add(fmt::format("{}: {}", key_of(zone, "normal"),
-                             study::word_of(study::contact_normal_words, normal)),
-                 zone, [&](study::ContactZone& changed) { changed.normal = normal; });
+      advice.add(
+          fmt::format("{}: {}", key_of(zone, "normal"), study::word_of(study::contact_normal_words, normal)),
+          zone, [&](study::ContactZone& changed) { changed.normal = normal; });
 }
 
 void on_lost_point(const model::Model& model, const step::Unmet& unmet, Advice& advice) {
@@ -198,9 +197,8 @@ void on_scheme(const model::Model& model, const time::Scheme& scheme, Advice& ad
   if (!feeds_on_contact(model, scheme))
     return;
   const auto time = fmt::format("{{scheme: moreau_jean{}}}", without_numbers(model.study.time));
-  advice.add(
-      fmt::format("time: {}, which gains no energy from contact", time),
-      [](study::Study& changed) { changed.time.scheme = study::SchemeKind::moreau_jean; });
+  advice.add(fmt::format("time: {}, which gains no energy from contact", time),
+             [](study::Study& changed) { changed.time.scheme = study::SchemeKind::moreau_jean; });
 }
 
 void on_step(const study::TimeStepping& time, const results::Failure& failure, Advice& advice) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/checkpoints.hpp"
 
-#include "rubato/study/echo.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"
 #include "rubato/results/study_difference.hpp"
+#include "rubato/study/echo.hpp"
 
 #include <fmt/format.h>
 
@@ -43,8 +43,9 @@ std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, co
   if (checkpoint.start != course.start)
     refuse(file, fmt::format("it began with another end of run '{}'", study.time.start_run));
   if (checkpoint.state.t > study.time.end + same_end * (study.time.end - study.time.begin))
-    throw InputError({fault_at("time.end", fmt::format("time.end: found {:g}, but the checkpoint stands at t = {:g} already",
-                                 study.time.end, checkpoint.state.t))});
+    throw InputError({fault_at(
+        "time.end", fmt::format("time.end: found {:g}, but the checkpoint stands at t = {:g} already",
+                                study.time.end, checkpoint.state.t))});
   return checkpoint;
 }
 

@@ -41,10 +41,11 @@ std::vector<double> instants_of(const study::TimeStepping& time, int records) {
 /// Throws InputError when the deck asks for steps that would not be stable.
 void check_step(const study::TimeStepping& time, double stable) {
   if (time.step > stable)
-    throw InputError({fault_at("time.step", 
-        fmt::format("time.step: found {:g}, expected at most the stable step of this model, {:g}, "
-                    "or auto",
-                    time.step, stable))});
+    throw InputError(
+        {fault_at("time.step",
+                  fmt::format("time.step: found {:g}, expected at most the stable step of this model, {:g}, "
+                              "or auto",
+                              time.step, stable))});
 }
 
 class ExplicitLoop {

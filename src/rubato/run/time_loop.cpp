@@ -56,9 +56,11 @@ void check_fits(const model::Model& model, const step::State& end) {
   };
   if (end.motion.u.size() == model.dofs.dof_count && std::ranges::equal(model.zones, end.zones, same_zone))
     return;
-  throw InputError({fault_at("time.start.from", fmt::format("run '{}' cannot start from the end of run '{}': that one has another mesh or "
-                               "other contact zones",
-                               model.study.name, model.study.time.start_run))});
+  throw InputError(
+      {fault_at("time.start.from",
+                fmt::format("run '{}' cannot start from the end of run '{}': that one has another mesh or "
+                            "other contact zones",
+                            model.study.name, model.study.time.start_run))});
 }
 
 step::State first_state(const model::Model& model, const time::Scheme& scheme, const step::State* previous) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/cell/topology.hpp"
 #include "rubato/study/echo.hpp"
+
+#include "rubato/cell/topology.hpp"
 #include "rubato/study/words.hpp"
 
 #include <nlohmann/json.hpp>
@@ -211,14 +212,14 @@ Json echo(const TimeStepping& time) {
   map["contact_mass"] = word(contact_mass_words, time.contact_mass);
   map["begin"] = time.begin;
   if (time.instants.empty()) {
-    map["step"] = is_explicit(time.scheme) && time.step == 0 ? Json(std::string(automatic_step))
-                                                                    : Json(time.step);
+    map["step"] =
+        is_explicit(time.scheme) && time.step == 0 ? Json(std::string(automatic_step)) : Json(time.step);
     map["end"] = time.end;
   } else {
     map["instants"] = time.instants;
   }
   map["start"] = time.start == StartKind::from_run ? Json{{"from", time.start_run}}
-                                                          : Json(word(start_words, time.start));
+                                                   : Json(word(start_words, time.start));
   if (!is_explicit(time.scheme))
     map["on_failure"] = {{"cut", time.cut_parts}, {"levels", time.cut_levels}};
   return map;

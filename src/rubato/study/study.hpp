@@ -38,7 +38,7 @@ struct Body {
 enum class MeshConversion { none, linear, quadratic, full_quadratic };
 
 struct MeshSource {
-  std::string file;                ///< empty when generated; found from the current folder
+  std::string file;         ///< empty when generated; found from the current folder
   std::string file_mesh;    ///< name of the mesh inside the file; empty: its only (first) one
   std::vector<Body> bodies; ///< empty when read
   MeshConversion convert = MeshConversion::none;
@@ -55,10 +55,10 @@ struct Material {
   double young = 0;   ///< E [pressure] > 0
   double poisson = 0; ///< −1 < ν < 0.5
   std::optional<double> density;
-  double rayleigh_stiffness = 0; ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
-  double rayleigh_mass = 0;      ///< [1/time]
-  bool everywhere = true;        ///< `cells: all`
-  std::vector<std::string> cells;       ///< groups, when not everywhere
+  double rayleigh_stiffness = 0;  ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
+  double rayleigh_mass = 0;       ///< [1/time]
+  bool everywhere = true;         ///< `cells: all`
+  std::vector<std::string> cells; ///< groups, when not everywhere
   bool operator==(const Material&) const = default;
 };
 
@@ -86,7 +86,7 @@ enum class LoadKind {
 
 struct Load {
   LoadKind kind = LoadKind::nodal_force;
-  std::string on;                            ///< gravity: empty means every cell
+  std::string on;                     ///< gravity: empty means every cell
   std::array<double, 3> components{}; ///< pressure: the first
   std::string function;
   bool operator==(const Load&) const = default;
@@ -101,7 +101,7 @@ struct Springs {
 
 /// Where nodes are and how they move when the run begins. What isn't given is 0, or the support's.
 struct InitialMotion {
-  std::string on;                                           ///< a group, a node, or "all"
+  std::string on;                                    ///< a group, a node, or "all"
   std::array<std::optional<double>, 3> displacement; ///< [length]
   std::array<std::optional<double>, 3> velocity;     ///< [length/time]
   bool operator==(const InitialMotion&) const = default;
@@ -154,7 +154,7 @@ struct Obstacle {
 
 struct ContactZone {
   std::string name;
-  std::string master;                      ///< empty with an obstacle
+  std::string master;               ///< empty with an obstacle
   std::optional<Obstacle> obstacle; ///< instead of a master
   std::string slave;
   double friction = 0; ///< Coulomb's μ ≥ 0
@@ -302,17 +302,17 @@ enum class CheckSource { external, analytic, other_code, other_run };
 struct CheckedField {
   std::string name;      ///< "displacement"
   std::string component; ///< "y"; empty: every component
-  std::string on;               ///< a group or a node; empty: every node
+  std::string on;        ///< a group or a node; empty: every node
   bool operator==(const CheckedField&) const = default;
 };
 
 /// A number that must come out: a probe's value, held against a reference; or the difference of a probe or a
 /// field from another run's, held against 0.
 struct Check {
-  std::string probe;                        ///< "tip"; empty when a field is compared
+  std::string probe;                 ///< "tip"; empty when a field is compared
   int component = 0;                 ///< of the probe: 0, 1, 2
   std::optional<CheckedField> field; ///< only with `run`
-  std::string run;                          ///< an earlier run of the deck, which is subtracted; empty: none
+  std::string run;                   ///< an earlier run of the deck, which is subtracted; empty: none
   double at = 0;                     ///< instant
   double reference = 0;              ///< 0 with `run`
   double tolerance = 0;

@@ -278,6 +278,29 @@ TEST(FreeRing, HangsOnAPinWithoutFriction) {
   }
 }
 
+/// Its turn is held, as nothing but facets resists it: nodes come to rest in valleys between facets.
+TEST(FreeRing, DropsOnAPinWithoutFriction) {
+  const std::vector<deck::Setting> smooth{{"contact.rest.friction", "0"}};
+  for (const int cells : {47, 48, 52, 58, 96})
+    for (const double drop : {0.1, 0.01})
+      for (const double load : {7.8e4, 1e6}) {
+        auto changes = smooth;
+        changes.push_back(
+            {"mesh.generate.0.rectangle.to", "[6.283185307179586, " + std::to_string(1 - drop) + "]"});
+        const auto study = deck::parse_deck(ring_deck(cells, load), "deck.yaml", changes).runs.front();
+        Walk walk(model::build_model(study, closed(model::load_mesh(study.mesh))));
+        EXPECT_EQ(walk.model.notes.size(), 1U);
+        ASSERT_TRUE(walk.to_end()) << cells << " " << drop << " " << load;
+        EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
+        EXPECT_LE(most_iterations(walk), 10) << cells << " " << drop << " " << load;
+        const double weight = load * cells / 2.0 * std::sin(2 * std::numbers::pi / cells) * (1.3 * 1.3 - 1);
+        const Eigen::Vector3d force = walk.resultants().force;
+        EXPECT_NEAR(force.y(), weight, 1e-6 * weight) << cells;
+        EXPECT_NEAR(force.x(), 0, 1e-6 * weight) << cells;
+        EXPECT_NEAR(walk.displacement(walk.node_at(1, 0), 1), -drop, 0.2 * drop + 2e-3) << cells;
+      }
+}
+
 /// What presses at one point of the ring puts on it depends on what rubs at another.
 TEST(FreeRing, IsHeldByFrictionOnAPin) {
   for (const int cells : {43, 47, 55})

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Studies that a program builds meet the rules that a deck meets.
-#include "rubato/study/validate.hpp"
-
 #include "rubato/core/error.hpp"
+#include "rubato/study/validate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +17,8 @@ namespace {
 Study sound_study() {
   Study study;
   study.physics = Physics::plane_strain;
-  Body lower{.name = "lower", .dimension = 2, .to = {4, 1, 0}, .divisions = {4, 1, 1}, .cells = CellType::quad4};
+  Body lower{
+      .name = "lower", .dimension = 2, .to = {4, 1, 0}, .divisions = {4, 1, 1}, .cells = CellType::quad4};
   lower.sides = {{"top", "roof"}, {"bottom", "ground"}};
   Body upper = lower;
   upper.name = "upper";
@@ -99,7 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
               s.physics = Physics::solid;
               s.mesh.bodies.pop_back();
             }},
-        Bad{"mesh.generate.1", "second body named 'lower'", [](Study& s) { s.mesh.bodies[1].name = "lower"; }},
+        Bad{"mesh.generate.1", "second body named 'lower'",
+            [](Study& s) { s.mesh.bodies[1].name = "lower"; }},
         Bad{"mesh.refine", "from 1 to 1000", [](Study& s) { s.mesh.refine = 0; }},
         Bad{"mesh.generate", "cells (divisions and refine)",
             [](Study& s) {
@@ -107,22 +108,33 @@ INSTANTIATE_TEST_SUITE_P(
               s.mesh.refine = 2;
             }},
         Bad{"materials", "no material", [](Study& s) { s.materials.clear(); }},
-        Bad{"materials.steel.young", "found '-1', expected a number > 0", [](Study& s) { s.materials[0].young = -1; }},
+        Bad{"materials.steel.young", "found '-1', expected a number > 0",
+            [](Study& s) { s.materials[0].young = -1; }},
         Bad{"materials.steel.young", "expected a number > 0", [](Study& s) { s.materials[0].young = nan; }},
         Bad{"materials.steel.poisson", "between -1 and 0.5", [](Study& s) { s.materials[0].poisson = 0.5; }},
         Bad{"materials.steel", "'density' is missing", [](Study& s) { s.materials[0].density.reset(); }},
         Bad{"materials.steel", "second entry", [](Study& s) { s.materials.push_back(s.materials[0]); }},
         Bad{"materials.st/eel", "letters, digits", [](Study& s) { s.materials[0].name = "st/eel"; }},
         Bad{"materials.steel.cells", "empty list", [](Study& s) { s.materials[0].everywhere = false; }},
-        Bad{"functions.ramp.times.1", "ascend", [](Study& s) { s.functions["ramp"].times = {1, 1}; }},
-        Bad{"functions.ramp.values", "3 values for 2 times", [](Study& s) { s.functions["ramp"].values = {0, 1, 2}; }},
+        Bad{"functions.ramp.times.1", "ascend",
+            [](Study& s) {
+              s.functions["ramp"].times = {1, 1};
+            }},
+        Bad{"functions.ramp.values", "3 values for 2 times",
+            [](Study& s) {
+              s.functions["ramp"].values = {0, 1, 2};
+            }},
         Bad{"supports.0", "holds nothing", [](Study& s) { s.supports[0].components = {}; }},
-        Bad{"supports.0.z", "plane_strain has no z", [](Study& s) { s.supports[0].components[2] = Amplitude{}; }},
+        Bad{"supports.0.z", "plane_strain has no z",
+            [](Study& s) { s.supports[0].components[2] = Amplitude{}; }},
         Bad{"supports.0.x.function", "did you mean 'ramp'",
-            [](Study& s) { s.supports[0].components[0] = Amplitude{1, "rampe"}; }},
+            [](Study& s) {
+              s.supports[0].components[0] = Amplitude{1, "rampe"};
+            }},
         Bad{"springs.0.x", ">= 0", [](Study& s) { s.springs[0].stiffness[0] = -1; }},
         Bad{"loads.0.pressure.on", "no name", [](Study& s) { s.loads[0].on.clear(); }},
-        Bad{"loads.0.pressure.function", "no function is called", [](Study& s) { s.loads[0].function = "other"; }},
+        Bad{"loads.0.pressure.function", "no function is called",
+            [](Study& s) { s.loads[0].function = "other"; }},
         Bad{"initial.0", "says nothing", [](Study& s) { s.initial = {{.on = "lower"}}; }},
         Bad{"initial", "the scheme static",
             [](Study& s) {
@@ -130,7 +142,8 @@ INSTANTIATE_TEST_SUITE_P(
               s.time.contact_mass = ContactMass::consistent;
               s.initial = {{.on = "lower", .velocity = {1.0, std::nullopt, std::nullopt}}};
             }},
-        Bad{"contact.joint", "'master' or 'obstacle' is missing", [](Study& s) { s.contact[0].master.clear(); }},
+        Bad{"contact.joint", "'master' or 'obstacle' is missing",
+            [](Study& s) { s.contact[0].master.clear(); }},
         Bad{"contact.joint.slave", "expected two surfaces", [](Study& s) { s.contact[0].slave = "roof"; }},
         Bad{"contact.joint.friction", ">= 0", [](Study& s) { s.contact[0].friction = -0.1; }},
         Bad{"contact.joint.friction_method", "expected nodal_penalty",
@@ -143,15 +156,18 @@ INSTANTIATE_TEST_SUITE_P(
               s.contact[0].method = ContactMethod::nodal_lagrange;
               s.contact[0].friction_method = FrictionMethod::nodal_penalty;
             }},
-        Bad{"contact.joint.integration.gauss", "from 1 to 7", [](Study& s) { s.contact[0].gauss_points = 8; }},
-        Bad{"contact.joint.coefficients.normal", "> 0", [](Study& s) { s.contact[0].normal_coefficient = 0; }},
+        Bad{"contact.joint.integration.gauss", "from 1 to 7",
+            [](Study& s) { s.contact[0].gauss_points = 8; }},
+        Bad{"contact.joint.coefficients.normal", "> 0",
+            [](Study& s) { s.contact[0].normal_coefficient = 0; }},
         Bad{"contact.joint", "stops bodies by impulses",
             [](Study& s) {
               s.contact[0].method = ContactMethod::penalty;
               s.contact[0].friction_method = FrictionMethod::penalty;
             }},
         // Multipliers asked for where only forces are computed.
-        Bad{"contact.joint", "the scheme central_difference has forces only", [](Study& s) { explicitly(s); }},
+        Bad{"contact.joint", "the scheme central_difference has forces only",
+            [](Study& s) { explicitly(s); }},
         Bad{"time.record", "> 0",
             [](Study& s) {
               explicitly(s);

@@ -31,7 +31,8 @@ std::span<const FrictionMethod> friction_methods_of(ContactMethod method) {
 /// Each broken rule of one zone.
 class ZoneRules {
 public:
-  ZoneRules(Rules& rules, const ContactZone& zone) : rules_(rules), zone_(zone), path_("contact." + zone.name) {}
+  ZoneRules(Rules& rules, const ContactZone& zone)
+      : rules_(rules), zone_(zone), path_("contact." + zone.name) {}
 
   void check() {
     check_surfaces();
@@ -53,8 +54,9 @@ private:
                     zone_.obstacle ? "found both 'master' and 'obstacle', expected one of them"
                                    : "'master' or 'obstacle' is missing");
     if (!zone_.slave.empty() && zone_.slave == zone_.master)
-      rules_.broken({at("slave"), at("master")},
-                    fmt::format("found {} as slave and as master, expected two surfaces", shown(zone_.slave)));
+      rules_.broken(
+          {at("slave"), at("master")},
+          fmt::format("found {} as slave and as master, expected two surfaces", shown(zone_.slave)));
     if (!zone_.obstacle)
       return;
     check_obstacle(rules_, zone_);
@@ -109,8 +111,9 @@ private:
     check_level(zone_.threshold, "iterate.friction", true);
     check_level(zone_.status, "iterate.status", false);
     if (is_nodal(zone_.method) && zone_.geometry.by == Iteration::newton)
-      rules_.broken({at("iterate.geometry"), at("method")},
-                    fmt::format("{} holds its relations during a loop, expected fixed_point", word(zone_.method)));
+      rules_.broken(
+          {at("iterate.geometry"), at("method")},
+          fmt::format("{} holds its relations during a loop, expected fixed_point", word(zone_.method)));
     if (zone_.method == ContactMethod::nodal_pcg && zone_.status.by == Iteration::fixed_point)
       rules_.broken({at("iterate.status"), at("method")},
                     "nodal_pcg finds the points that touch by itself, expected newton");
@@ -154,8 +157,9 @@ private:
       rules_.broken({path_, at("restitution"), "time.contact_mass", "time.scheme"},
                     "found a restitution, but redistributed contact mass leaves nothing that could bounce, "
                     "expected contact_mass: consistent or no restitution");
-    const bool springs = zone_.method == ContactMethod::penalty || zone_.method == ContactMethod::nodal_penalty ||
-                         (zone_.friction > 0 && zone_.friction_method != FrictionMethod::augmented_lagrangian);
+    const bool springs =
+        zone_.method == ContactMethod::penalty || zone_.method == ContactMethod::nodal_penalty ||
+        (zone_.friction > 0 && zone_.friction_method != FrictionMethod::augmented_lagrangian);
     if (jumps && springs)
       rules_.broken({path_, at("method"), at("friction_method"), at("friction"), "time.scheme"},
                     fmt::format("found the method {} with friction by {}, but the scheme {} stops bodies by "

@@ -64,9 +64,9 @@ void check_mesh(Rules& rules) {
   }
   rules.whole_number("mesh.refine", mesh.refine, from_to(1, finest));
   if (const double cells = cells_of(mesh); cells > most_cells)
-    rules.broken({"mesh.generate", "mesh.refine"},
-                 fmt::format("found {:.3g} cells (divisions and refine), expected at most {:.3g}", cells,
-                             most_cells));
+    rules.broken(
+        {"mesh.generate", "mesh.refine"},
+        fmt::format("found {:.3g} cells (divisions and refine), expected at most {:.3g}", cells, most_cells));
 }
 
 } // namespace rubato::study

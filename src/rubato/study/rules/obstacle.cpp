@@ -47,8 +47,9 @@ void check_sphere(Rules& rules, const Obstacle& obstacle, const std::string& pat
   const auto physics = rules.study.physics;
   check_point(rules, obstacle, path);
   if (physics == Physics::plane_stress || physics == Physics::plane_strain)
-    rules.broken({path, "physics"}, fmt::format("{} has no sphere, expected cylinder, which is a circle there",
-                                                word_of(physics_words, physics)));
+    rules.broken({path, "physics"},
+                 fmt::format("{} has no sphere, expected cylinder, which is a circle there",
+                             word_of(physics_words, physics)));
   if (physics == Physics::axisymmetric && obstacle.point[0] != 0)
     rules.broken({path + ".point", "physics"},
                  fmt::format("found a centre {} from the axis of revolution, expected one on it: the sphere "

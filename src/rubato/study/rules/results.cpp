@@ -40,12 +40,13 @@ void check_probed(Rules& rules, const Check& check, const std::string& path) {
     rules.broken({path + ".probe", "probes"},
                  fmt::format("no probe is called {}{}", shown(check.probe), suggestion(check.probe, names)));
   if (check.component < 0 || check.component >= dimension_of(rules.study.physics))
-    rules.broken({path + ".probe", "physics"},
-                 fmt::format("found the component {}, expected {}",
-                             check.component >= 0 && check.component < 3
-                                 ? shown(std::string(axis_words.at(static_cast<std::size_t>(check.component))))
-                                 : fmt::format("{}", check.component),
-                             dimension_of(rules.study.physics) == 3 ? "x, y or z" : "x or y"));
+    rules.broken(
+        {path + ".probe", "physics"},
+        fmt::format("found the component {}, expected {}",
+                    check.component >= 0 && check.component < 3
+                        ? shown(std::string(axis_words.at(static_cast<std::size_t>(check.component))))
+                        : fmt::format("{}", check.component),
+                    dimension_of(rules.study.physics) == 3 ? "x, y or z" : "x or y"));
 }
 
 void check_field(Rules& rules, const CheckedField& checked, const std::string& path) {
@@ -54,8 +55,8 @@ void check_field(Rules& rules, const CheckedField& checked, const std::string& p
   if (field == fields.end()) {
     std::vector<std::string> names;
     std::ranges::transform(fields, std::back_inserter(names), &StoredField::name);
-    rules.broken({path + ".field", "physics"},
-                 fmt::format("no field is called {}{}", shown(checked.name), suggestion(checked.name, names)));
+    rules.broken({path + ".field", "physics"}, fmt::format("no field is called {}{}", shown(checked.name),
+                                                           suggestion(checked.name, names)));
     return;
   }
   const auto& component = checked.component;
@@ -77,8 +78,9 @@ void check_source(Rules& rules, const Check& check, const std::string& path) {
     return;
   }
   if (!check.run.empty() && check.source != CheckSource::other_run)
-    rules.broken({at, path + ".run"}, fmt::format("found {} beside 'run', expected 'other_run'",
-                                                  shown(std::string(word_of(check_source_words, check.source)))));
+    rules.broken({at, path + ".run"},
+                 fmt::format("found {} beside 'run', expected 'other_run'",
+                             shown(std::string(word_of(check_source_words, check.source)))));
   if (check.run.empty() && check.source == CheckSource::other_run)
     rules.broken({at, path + ".run"}, "found 'other_run', but 'run', which names it, is missing");
 }

@@ -35,8 +35,9 @@ void Rules::ascending(const std::string& path, std::span<const double> numbers) 
 
 void Rules::instant(const std::string& path, double instant) {
   if (has_time() && !(instant >= study.time.begin && instant <= study.time.end))
-    broken({path, "time.begin", "time.end", "time.instants"}, fmt::format("found {}, expected an instant of the run, {} to {}", instant,
-                                       study.time.begin, study.time.end));
+    broken({path, "time.begin", "time.end", "time.instants"},
+           fmt::format("found {}, expected an instant of the run, {} to {}", instant, study.time.begin,
+                       study.time.end));
 }
 
 void Rules::name(const std::string& path, const std::string& name) {
@@ -57,7 +58,8 @@ void Rules::names(const std::string& path, std::span<const std::string> names) {
 void Rules::chosen_name(const std::string& path, const std::string& name,
                         std::span<const std::string> before) {
   if (!is_name(name))
-    broken({path}, fmt::format("found the name {}, expected up to 100 letters, digits, '_' or '-'", shown(name)));
+    broken({path},
+           fmt::format("found the name {}, expected up to 100 letters, digits, '_' or '-'", shown(name)));
   else if (std::ranges::find(before, name) != before.end())
     broken({path}, fmt::format("found a second entry named {}", shown(name)));
 }
@@ -68,13 +70,14 @@ void Rules::function(const std::string& path, const std::string& name) {
   std::vector<std::string> known;
   for (const auto& entry : study.functions)
     known.push_back(entry.first);
-  broken({path, "functions"}, fmt::format("no function is called {}{}", shown(name), suggestion(name, known)));
+  broken({path, "functions"},
+         fmt::format("no function is called {}{}", shown(name), suggestion(name, known)));
 }
 
 void Rules::axis(const std::string& path, std::size_t axis) {
   if (axis >= static_cast<std::size_t>(dimension_of(study.physics)))
-    broken({path, "physics"}, fmt::format("{} has no {}, expected x or y", word_of(physics_words, study.physics),
-                                          axis_words.at(axis)));
+    broken({path, "physics"}, fmt::format("{} has no {}, expected x or y",
+                                          word_of(physics_words, study.physics), axis_words.at(axis)));
 }
 
 } // namespace rubato::study

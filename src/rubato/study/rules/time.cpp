@@ -70,8 +70,9 @@ void check_instants(Rules& rules) {
   const auto& time = rules.study.time;
   rules.ascending("time.instants", time.instants);
   if (time.instants.front() <= time.begin)
-    rules.broken({"time.instants.0", "time.begin"},
-                 fmt::format("found {}, expected instants after the begin, {}", time.instants.front(), time.begin));
+    rules.broken(
+        {"time.instants.0", "time.begin"},
+        fmt::format("found {}, expected instants after the begin, {}", time.instants.front(), time.begin));
 }
 
 void check_course(Rules& rules) {
@@ -109,7 +110,8 @@ void check_contact_mass(Rules& rules) {
   if (time.contact_mass == ContactMass::consistent)
     return;
   if (time.scheme == SchemeKind::static_steps)
-    rules.broken({"time.contact_mass", "time.scheme"}, "the scheme static has no masses, expected consistent");
+    rules.broken({"time.contact_mass", "time.scheme"},
+                 "the scheme static has no masses, expected consistent");
   if (is_explicit(time.scheme))
     rules.broken({"time.contact_mass", "time.scheme"},
                  "the scheme central_difference divides by the mass of every node, expected consistent");
@@ -140,7 +142,8 @@ void check_solution(Rules& rules) {
     rules.broken({"solver", "time.scheme"}, fmt::format("the scheme {} solves no system, expected auto",
                                                         word_of(scheme_words, study.time.scheme)));
   if (study.solver == Solver::full && std::ranges::any_of(study.contact, is_by_cg))
-    rules.broken({"solver"}, "found full, but nodal_pcg works on the factored bulk, expected auto or condensed");
+    rules.broken({"solver"},
+                 "found full, but nodal_pcg works on the factored bulk, expected auto or condensed");
 }
 
 } // namespace rubato::study

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/gauges.hpp"
+
+#include "rubato/model/build.hpp"
+#include "rubato/model/neutral_motions.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+namespace rubato::model {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using mesh::NodeIndex;
+
+/// Nodes of a gauge: few, as they are all coupled, but enough that none carries much.
+constexpr std::size_t node_count = 8;
+
+std::vector<NodeIndex> nodes_of(const Model& model, const Bodies& bodies, int body) {
+  std::vector<NodeIndex> nodes;
+  std::ranges::copy_if(model.dofs.nodes, std::back_inserter(nodes),
+                       [&](NodeIndex node) { return bodies.of(node) == body; });
+  return nodes;
+}
+
+/// Each next one as far from the others as can be.
+std::vector<NodeIndex> spread_out(const mesh::Mesh& mesh, std::span<const NodeIndex> nodes) {
+  const auto place = [&](NodeIndex node) -> const Vector3d& {
+    return mesh.points[static_cast<std::size_t>(node)];
+  };
+  std::vector<double> distance(nodes.size(), std::numeric_limits<double>::infinity());
+  std::vector<NodeIndex> chosen{nodes.front()};
+  while (chosen.size() < std::min(node_count, nodes.size())) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      distance[i] = std::min(distance[i], (place(nodes[i]) - place(chosen.back())).norm());
+    chosen.push_back(nodes[static_cast<std::size_t>(std::ranges::max_element(distance) - distance.begin())]);
+  }
+  return chosen;
+}
+
+/// What some nodes move by in each motion, a column of length 1 each, node by node.
+MatrixXd moves_of(const Model& model, const RigidMotions& rigid, std::span<const RigidMotion> motions,
+                  std::span<const NodeIndex> nodes) {
+  const int components = model.dofs.components;
+  MatrixXd moves(static_cast<Index>(nodes.size()) * components, static_cast<Index>(motions.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t k = 0; k < motions.size(); ++k)
+      moves.block(static_cast<Index>(i) * components, static_cast<Index>(k), components, 1) =
+          rigid.at(motions[k], model.mesh.points[static_cast<std::size_t>(nodes[i])]).head(components);
+  moves.colwise().normalize();
+  return moves;
+}
+
+/// Columns that span what some have beside others, the largest first.
+MatrixXd beside(const MatrixXd& others, MatrixXd columns) {
+  const MatrixXd all = columns;
+  MatrixXd chosen(columns.rows(), columns.cols() - others.cols());
+  const auto take_out = [&](VectorXd direction) {
+    direction.normalize();
+    columns -= direction * (direction.transpose() * columns).eval();
+  };
+  MatrixXd basis = Eigen::HouseholderQR<MatrixXd>(others).householderQ() *
+                   MatrixXd::Identity(others.rows(), others.cols());
+  for (Index k = 0; k < basis.cols(); ++k)
+    take_out(basis.col(k));
+  for (Index k = 0; k < chosen.cols(); ++k) {
+    Index largest = 0;
+    columns.colwise().norm().maxCoeff(&largest);
+    chosen.col(k) = all.col(largest);
+    take_out(columns.col(largest));
+  }
+  return chosen;
+}
+
+/// g, a column each: gᵀ is 1 on its neutral motion, 0 on the other ones and on all motions that are left.
+MatrixXd gauges_of(const MatrixXd& neutral, const MatrixXd& rigid) {
+  MatrixXd motions(neutral.rows(), rigid.cols());
+  motions << neutral, beside(neutral, rigid);
+  const MatrixXd gram = motions.transpose() * motions;
+  return motions * gram.ldlt().solve(MatrixXd::Identity(gram.rows(), neutral.cols()));
+}
+
+std::string note_on(const Model& model, const RigidMotions& rigid, std::span<const RigidMotion> neutral) {
+  std::vector<std::string> directions;
+  std::ranges::transform(neutral, std::back_inserter(directions), &direction_text);
+  return fmt::format(
+      "{} can move {} and nothing resists: its contact surfaces are carried into themselves without "
+      "friction, "
+      "and no load works on it; this motion is held at zero in the mean; a support across on one node, or "
+      "friction, says what holds it",
+      body_text(model, rigid.bodies(), neutral.front().body), fmt::join(directions, ", "));
+}
+
+std::vector<Gauge> gauges_of_body(const Model& model, const RigidMotions& rigid,
+                                  std::span<const RigidMotion> neutral) {
+  const auto body = neutral.front().body;
+  const auto nodes = spread_out(model.mesh, nodes_of(model, rigid.bodies(), body));
+  const MatrixXd g =
+      gauges_of(moves_of(model, rigid, neutral, nodes), moves_of(model, rigid, rigid.all_of(body), nodes));
+  std::vector<Gauge> gauges;
+  for (Index k = 0; k < g.cols(); ++k)
+    gauges.push_back({nodes, g.col(k)});
+  return gauges;
+}
+
+double stiffness_of(const Model& model, const Gauge& gauge, const SparseMatrix& stiffness) {
+  double sum = 0;
+  for (const auto node : gauge.nodes)
+    for (int i = 0; i < model.dofs.components; ++i)
+      sum += stiffness.coeff(model.dofs.dof(node, i), model.dofs.dof(node, i));
+  return sum / static_cast<double>(gauge.values.size()) / gauge.values.cwiseAbs2().maxCoeff();
+}
+
+} // namespace
+
+std::vector<Gauge> make_gauges(const Model& model, std::vector<std::string>& notes) {
+  RigidMotions rigid(model);
+  rigid.add_supports();
+  const auto neutral = neutral_motions(model, rigid);
+  std::vector<Gauge> gauges;
+  for (std::size_t first = 0; first < neutral.size();) {
+    std::size_t last = first;
+    while (last < neutral.size() && neutral[last].body == neutral[first].body)
+      ++last;
+    const auto of_body = std::span(neutral).subspan(first, last - first);
+    std::ranges::move(gauges_of_body(model, rigid, of_body), std::back_inserter(gauges));
+    notes.push_back(note_on(model, rigid, of_body));
+    first = last;
+  }
+  return gauges;
+}
+
+void add_gauges(const Model& model, SparseMatrix& stiffness) {
+  std::vector<Eigen::Triplet<double, int>> entries;
+  const int components = model.dofs.components;
+  for (const auto& gauge : model.gauges) {
+    const double k = stiffness_of(model, gauge, stiffness);
+    const auto dof = [&](Index i) {
+      return model.dofs.dof(gauge.nodes[static_cast<std::size_t>(i / components)],
+                            static_cast<int>(i % components));
+    };
+    for (Index column = 0; column < gauge.values.size(); ++column)
+      for (Index row = 0; row < gauge.values.size(); ++row)
+        entries.emplace_back(dof(row), dof(column), k * gauge.values[row] * gauge.values[column]);
+  }
+  SparseMatrix springs(stiffness.rows(), stiffness.cols());
+  springs.setFromTriplets(entries.begin(), entries.end());
+  stiffness += springs;
+}
+
+} // namespace rubato::model

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/neutral_motions.hpp"
+
+#include "rubato/model/surface_normals.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace rubato::model {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// ν·r against n·r, root mean squares: what averages leave on a surface that is carried into itself.
+constexpr double carried_into_itself = 0.15;
+/// Means of n·r over faces against n·r likewise. They vanish on segments between places of a circle and are
+/// parts of n·r on triangles between places of a sphere: nodes in the middle of flat sides have them.
+constexpr double one_sided = 0.65;
+/// n·r against |r|, root mean squares: of a circle of ten cells. Corners of a box have more.
+constexpr double coarsest = 0.34;
+/// Facets that resist by less do not: such motions contact leaves alone.
+constexpr double not_resisted = 1e-6;
+/// Corners on the rim of a surface, whose normals are averaged on one side only, are left out where the
+/// others have this part of it at least.
+constexpr double enough = 0.5;
+/// What the work of a load on a motion may be, in parts of the square of n·r against |r|: the mass of facets
+/// is off its place by that order.
+constexpr double off_its_place = 0.3;
+
+/// How a place moves in each of some motions, a column each.
+MatrixXd moves_of(const RigidMotions& rigid, std::span<const RigidMotion> motions, const Vector3d& place) {
+  MatrixXd moves(3, static_cast<Index>(motions.size()));
+  for (std::size_t k = 0; k < motions.size(); ++k)
+    moves.col(static_cast<Index>(k)) = rigid.at(motions[k], place);
+  return moves;
+}
+
+/// Mean squares over a body's contact surfaces, as forms of its loose motions.
+struct Forms {
+  MatrixXd averaged;  ///< (ν·r)²
+  MatrixXd one_sided; ///< the square of the mean of n·r over a face
+  MatrixXd faceted;   ///< (n·r)²
+  MatrixXd moved;     ///< |r|²
+};
+
+class SurfaceForms {
+public:
+  SurfaceForms(const Model& model, const RigidMotions& rigid, std::span<const RigidMotion> motions)
+      : model_(model), rigid_(rigid), motions_(motions) {
+    const auto count = static_cast<Index>(motions.size());
+    const MatrixXd zero = MatrixXd::Zero(count, count);
+    forms_ = {zero, zero, zero, zero};
+  }
+
+  void add(const contact::Surface& surface) {
+    auto corners = face_corners(model_.mesh, surface);
+    const auto averages = averaged_normals(surface, corners);
+    std::erase_if(corners, [&](const auto& corner) { return !is_ours(surface, corner); });
+    add_faces(surface, corners);
+    leave_rim_out(surface, corners);
+    for (const auto& corner : corners)
+      add_corner(surface, corner, averages[static_cast<std::size_t>(corner.position)]);
+  }
+
+  const Forms& forms() const { return forms_; }
+
+private:
+  bool is_ours(const contact::Surface& surface, const FaceCorner& corner) const {
+    const auto index = surface.nodes[static_cast<std::size_t>(corner.position)];
+    return rigid_.bodies().of(index) == motions_.front().body;
+  }
+
+  MatrixXd moves_at(const contact::Surface& surface, const FaceCorner& corner) const {
+    const auto index = surface.nodes[static_cast<std::size_t>(corner.position)];
+    return moves_of(rigid_, motions_, model_.mesh.points[static_cast<std::size_t>(index)]);
+  }
+
+  static void leave_rim_out(const contact::Surface& surface, std::vector<FaceCorner>& corners) {
+    const auto rim = rim_of(surface);
+    double all = 0;
+    double inside = 0;
+    for (const auto& corner : corners) {
+      all += corner.area;
+      inside += rim[static_cast<std::size_t>(corner.position)] != 0 ? 0 : corner.area;
+    }
+    if (inside >= enough * all)
+      std::erase_if(corners,
+                    [&](const auto& corner) { return rim[static_cast<std::size_t>(corner.position)] != 0; });
+  }
+
+  void add_faces(const contact::Surface& surface, std::span<const FaceCorner> corners) {
+    for (std::size_t i = 0; i < corners.size();) {
+      const int face = corners[i].face;
+      RowVectorXd flow = RowVectorXd::Zero(forms_.moved.cols());
+      double area = 0;
+      for (; i < corners.size() && corners[i].face == face; ++i) {
+        flow += corners[i].area * corners[i].normal.transpose() * moves_at(surface, corners[i]);
+        area += corners[i].area;
+      }
+      forms_.one_sided += flow.transpose() * flow / area;
+    }
+  }
+
+  void add_corner(const contact::Surface& surface, const FaceCorner& corner, const Vector3d& average) {
+    const MatrixXd moves = moves_at(surface, corner);
+    const RowVectorXd along_average = average.transpose() * moves;
+    const RowVectorXd along_normal = corner.normal.transpose() * moves;
+    forms_.averaged += corner.area * along_average.transpose() * along_average;
+    forms_.faceted += corner.area * along_normal.transpose() * along_normal;
+    forms_.moved += corner.area * moves.transpose() * moves;
+  }
+
+  const Model& model_;
+  const RigidMotions& rigid_;
+  std::span<const RigidMotion> motions_;
+  Forms forms_;
+};
+
+/// Of the vectors in a subspace, which columns span, those with low ≤ v·A v/v·B v ≤ high: columns that span
+/// them, with v·B v = 1.
+MatrixXd with_quotient(const MatrixXd& a, const MatrixXd& b, const MatrixXd& subspace, double low,
+                       double high) {
+  if (subspace.cols() == 0)
+    return subspace;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(subspace.transpose() * a * subspace,
+                                                                  subspace.transpose() * b * subspace);
+  std::vector<Index> chosen;
+  for (Index i = 0; i < solver.eigenvalues().size(); ++i)
+    if (solver.eigenvalues()[i] >= low && solver.eigenvalues()[i] <= high)
+      chosen.push_back(i);
+  return subspace * solver.eigenvectors()(Eigen::all, chosen);
+}
+
+constexpr double square(double value) {
+  return value * value;
+}
+
+/// A surface on one line or at one place doesn't tell motions apart.
+bool tells_motions_apart(const MatrixXd& moved) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(moved, Eigen::EigenvaluesOnly);
+  const auto& values = solver.eigenvalues();
+  return values[0] > square(not_resisted) * values[values.size() - 1];
+}
+
+/// Coefficients of the motions that facets alone resist, a column each.
+MatrixXd resisted_by_facets(const Forms& forms) {
+  const auto count = forms.moved.cols();
+  if (!tells_motions_apart(forms.moved))
+    return MatrixXd(count, 0);
+  const double part = square(carried_into_itself);
+  const MatrixXd along = forms.averaged + part / square(one_sided) * forms.one_sided;
+  const MatrixXd allowed = forms.faceted + square(square(not_resisted)) * forms.moved;
+  const MatrixXd smooth = with_quotient(along, allowed, MatrixXd::Identity(count, count), -part, part);
+  return with_quotient(forms.faceted, forms.moved, smooth, square(not_resisted), square(coarsest));
+}
+
+/// The work of a load on each motion, and the most that it could be.
+struct Work {
+  VectorXd done;
+  double most = 0;
+};
+
+Work work_of(const Model& model, const RigidMotions& rigid, std::span<const RigidMotion> motions,
+             const MatrixXd& coefficients, const VectorXd& force) {
+  Work work{VectorXd::Zero(coefficients.cols()), 0};
+  const int components = model.dofs.components;
+  for (const auto node : model.dofs.nodes) {
+    if (rigid.bodies().of(node) != motions.front().body)
+      continue;
+    Vector3d push = Vector3d::Zero();
+    push.head(components) = force.segment(model.dofs.dof(node, 0), components);
+    const MatrixXd moves =
+        moves_of(rigid, motions, model.mesh.points[static_cast<std::size_t>(node)]) * coefficients;
+    work.done += moves.transpose() * push;
+    work.most += push.norm() * moves.norm();
+  }
+  return work;
+}
+
+/// Leaves out what loads work on: they move such a body without end, or until it hangs below its support.
+MatrixXd without_work(const Model& model, const RigidMotions& rigid, std::span<const RigidMotion> motions,
+                      const MatrixXd& faceted, MatrixXd coefficients) {
+  for (const auto& force : model.forces) {
+    if (coefficients.cols() == 0)
+      return coefficients;
+    const auto [done, most] = work_of(model, rigid, motions, coefficients, force.pattern);
+    const double facets = (coefficients.transpose() * faceted * coefficients).diagonal().maxCoeff();
+    if (done.norm() <= off_its_place * facets * most)
+      continue;
+    const Eigen::HouseholderQR<MatrixXd> qr(done);
+    const MatrixXd directions = qr.householderQ();
+    coefficients = coefficients * directions.rightCols(coefficients.cols() - 1);
+  }
+  return coefficients;
+}
+
+RigidMotion combined(std::span<const RigidMotion> motions, const VectorXd& coefficients) {
+  RigidMotion sum{.body = motions.front().body};
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    sum.shift += coefficients[static_cast<Index>(k)] * motions[k].shift;
+    sum.turn += coefficients[static_cast<Index>(k)] * motions[k].turn;
+  }
+  return sum;
+}
+
+bool touches(const RigidMotions& rigid, int body, const contact::Surface& surface) {
+  return std::ranges::any_of(surface.nodes, [&](auto node) { return rigid.bodies().of(node) == body; });
+}
+
+/// The contact surfaces of a body; none when one of them has friction.
+std::vector<const contact::Surface*> smooth_surfaces(const Model& model, const RigidMotions& rigid,
+                                                     int body) {
+  std::vector<const contact::Surface*> surfaces;
+  for (const auto& zone : model.zones)
+    for (const auto* surface : {&zone.master, &zone.slave}) {
+      if (!touches(rigid, body, *surface))
+        continue;
+      if (zone.settings.friction > 0)
+        return {};
+      surfaces.push_back(surface);
+    }
+  return surfaces;
+}
+
+/// Of one body.
+std::vector<RigidMotion> neutral_of(const Model& model, const RigidMotions& rigid,
+                                    std::span<const RigidMotion> motions) {
+  const auto surfaces = smooth_surfaces(model, rigid, motions.front().body);
+  if (surfaces.empty())
+    return {};
+  SurfaceForms sum(model, rigid, motions);
+  for (const auto* surface : surfaces)
+    sum.add(*surface);
+  const auto& forms = sum.forms();
+  const MatrixXd found = without_work(model, rigid, motions, forms.faceted, resisted_by_facets(forms));
+  std::vector<RigidMotion> neutral;
+  for (Index k = 0; k < found.cols(); ++k)
+    neutral.push_back(combined(motions, found.col(k)));
+  return rigid.told_apart(neutral);
+}
+
+} // namespace
+
+std::vector<RigidMotion> neutral_motions(const Model& model, const RigidMotions& rigid) {
+  std::vector<RigidMotion> neutral;
+  if (model.study.physics == study::Physics::axisymmetric)
+    return neutral;
+  const auto loose = rigid.loose_alone();
+  for (std::size_t first = 0; first < loose.size();) {
+    const auto next =
+        std::ranges::find_if(loose.begin() + static_cast<std::ptrdiff_t>(first), loose.end(),
+                             [&](const auto& motion) { return motion.body != loose[first].body; });
+    const auto last = static_cast<std::size_t>(next - loose.begin());
+    std::ranges::move(neutral_of(model, rigid, std::span(loose).subspan(first, last - first)),
+                      std::back_inserter(neutral));
+    first = last;
+  }
+  return neutral;
+}
+
+} // namespace rubato::model
