@@ -103,7 +103,7 @@ TEST_F(RefusedCheckpoint, OfAnotherDeck) {
 TEST_F(RefusedCheckpoint, ThatIsBeyondTheEnd) {
   EXPECT_EQ(
       sentence({"--set", "time.end=2e-4"}),
-      "error: deck.yaml:23:7: time.end: found 0.0002, but the checkpoint stands at t = 0.0004 already\n");
+      "error: --set time.end: time.end: found 0.0002, but the checkpoint stands at t = 0.0004 already\n");
 }
 
 TEST_F(RefusedCheckpoint, WhoseTablesWereShortened) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Points and weights on the reference cells of mesh/cell_type.hpp; the weights add up to the cell's
+/// Points and weights on the reference cells of topology.hpp; the weights add up to the cell's
 /// reference measure.
 #pragma once
 

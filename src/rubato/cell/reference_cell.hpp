@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Shape functions on the reference cells of mesh/cell_type.hpp.
+/// Shape functions on the reference cells of topology.hpp.
 #pragma once
 
 #include "rubato/cell/topology.hpp"

@@ -14,7 +14,8 @@ void read_integration(const Found& value, study::ContactZone& zone) {
     return;
   if (value->tree().is(Tree::Kind::map)) {
     MapReader map(*value);
-    read(map.require("gauss"), zone.gauss_points, study::at_least(1)); // 0 stands for nodes
+    // 0 stands for nodes
+    read(map.require("gauss"), zone.gauss_points, study::from_to(1, study::most_gauss_points));
     map.finish();
   } else if (!value->tree().is(Tree::Kind::word) || value->tree().text != "nodes") {
     value->fault(fmt::format("found {}, expected nodes or {{gauss: n}}", described(value->tree())));

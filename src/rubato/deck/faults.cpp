@@ -15,6 +15,19 @@ void Faults::add(const Location& at, const std::string& text) {
     runs.push_back(runs_.back());
 }
 
+void Faults::add_number(const Location& at, const std::string& text, std::string path) {
+  spoil(path);
+  numbers_.push_back({at, text, std::move(path)});
+}
+
+void Faults::add_bounds(const std::map<std::string, std::string>& bounds) {
+  for (const auto& number : numbers_) {
+    const auto found = bounds.find(number.path);
+    add(number.at, number.text + (found == bounds.end() ? "" : found->second));
+  }
+  numbers_.clear();
+}
+
 void Faults::spoil(std::string path) {
   spoiled_.insert(std::move(path));
 }

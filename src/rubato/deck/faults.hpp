@@ -21,6 +21,11 @@ class Faults {
 public:
   void add(const Location& at, const std::string& text);
 
+  /// The same of a number that could not be read: what it may be is told by add_bounds.
+  void add_number(const Location& at, const std::string& text, std::string path);
+  /// Completes the sentences about numbers of the run by what they may be, by path.
+  void add_bounds(const std::map<std::string, std::string>& bounds);
+
   /// The value there could not be read: no rule that is about it can be judged.
   void spoil(std::string path);
   bool is_spoiled(std::string_view path) const;
@@ -35,9 +40,15 @@ public:
   void throw_if_any() const;
 
 private:
+  struct Number {
+    Location at;
+    std::string text;
+    std::string path;
+  };
   using Key = std::tuple<std::string, int, int, std::string>; // file, line, column, sentence
   std::map<Key, std::vector<std::string>> met_by_;
   std::vector<std::string> runs_;
+  std::vector<Number> numbers_;                ///< that could not be read, of the run that is being read
   std::set<std::string, std::less<>> spoiled_; ///< paths in the run that is being read
 };
 

@@ -74,6 +74,8 @@ study::Obstacle read_obstacle(const Value& value, const Context& context) {
   if (const auto move = map.find("move"))
     read_move(*move, obstacle);
   map.finish();
+  if (kinds != 1)
+    value.spoil();
   const auto& entries = value.tree().entries;
   const bool unknown_key_told =
       std::ranges::any_of(entries, [](const auto& entry) { return entry.key != "move"; });

@@ -53,14 +53,16 @@ InputError Places::located(const InputError& error) const {
 
 void throw_if_any(const std::vector<std::vector<Fault>>& faults, const std::vector<Places>& places) {
   std::vector<Fault> all;
-  for (std::size_t run = 0; run < faults.size(); ++run)
-    for (const auto& fault : places[run].located(InputError(faults[run])).faults()) {
+  for (std::size_t run = 0; run < faults.size(); ++run) {
+    const auto located = places[run].located(InputError(faults[run]));
+    for (const auto& fault : located.faults()) {
       const auto same = [&](const Fault& known) {
         return known.text == fault.text && place_of(known) == place_of(fault);
       };
       if (std::ranges::none_of(all, same))
         all.push_back(fault);
     }
+  }
   if (!all.empty())
     throw InputError(std::move(all));
 }

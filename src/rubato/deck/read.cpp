@@ -71,7 +71,9 @@ void read_physics(MapReader& map, Context& context, study::Study& study) {
 /// Rules about values that could not be read are left out.
 void add_broken_rules(const study::Study& study, const Places& places, Faults& faults) {
   const auto is_spoiled = [&](const std::string& path) { return faults.is_spoiled(path); };
-  for (const auto& rule : study::broken_rules(study))
+  const auto judgement = study::judge(study);
+  faults.add_bounds(judgement.bounds);
+  for (const auto& rule : judgement.broken)
     if (std::ranges::none_of(rule.paths, is_spoiled))
       faults.add(places.of(rule.paths.front()), rule.paths.front() + ": " + rule.text);
 }

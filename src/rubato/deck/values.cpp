@@ -45,8 +45,10 @@ bool read_number(const Value& value, T& target, const study::Range& range, const
   const bool good = number && std::isfinite(static_cast<double>(*number)) && range.contains(*number);
   if (good)
     target = *number;
+  else if (const auto bounds = study::bounds_text(range); !bounds.empty())
+    expected(value, noun + bounds);
   else
-    expected(value, noun + study::bounds_text(range));
+    value.number_fault(fmt::format("found {}, expected {}", described(value.tree()), noun));
   return good;
 }
 
@@ -79,6 +81,10 @@ template <class T> bool read_numbers(const Found& value, std::vector<T>& target,
 void Value::fault(const std::string& text, const Location& where) const {
   faults_->spoil(path_);
   faults_->add(where, path_.empty() ? text : fmt::format("{}: {}", path_, text));
+}
+
+void Value::number_fault(const std::string& text) const {
+  faults_->add_number(at(), path_.empty() ? text : fmt::format("{}: {}", path_, text), path_);
 }
 
 void Value::miss(const std::string& key) const {

@@ -30,6 +30,8 @@ public:
   /// Adds the fault "path: text" at this value, or at another place.
   void fault(const std::string& text) const { fault(text, at()); }
   void fault(const std::string& text, const Location& where) const;
+  /// Adds the fault "path: text" of a number; what it may be is told when the study is judged.
+  void number_fault(const std::string& text) const;
   /// Adds the fault that a key is missing in this map.
   void miss(const std::string& key) const;
   /// No rule about this value can be judged.

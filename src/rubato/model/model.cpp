@@ -13,6 +13,7 @@
 #include "rubato/model/contact_mass.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/rigid_motions.hpp"
+#include "rubato/study/validate.hpp"
 
 #include <fmt/format.h>
 
@@ -112,6 +113,7 @@ mesh::Mesh source_mesh(const study::MeshSource& source) {
 
 /// Everything but the matrices.
 Model lay_out(const study::Study& study, mesh::Mesh mesh) {
+  study::validate(study);
   Model model;
   model.study = study;
   model.mesh = std::move(mesh);

@@ -86,7 +86,8 @@ struct Model {
   std::vector<mesh::NodeIndex> node_of_dof;
 };
 
-/// Builds the discrete problem. Throws InputError with every fault of the study that shows against the mesh.
+/// Builds the discrete problem. Throws InputError with every rule that the study breaks, else with every
+/// fault that shows against the mesh; faults have the path of the value in the study.
 Model build_model(const study::Study& study);
 
 /// The same on a mesh that is already there.

@@ -140,7 +140,7 @@ public:
     for (std::size_t z = 0; z < model_.zones.size(); ++z)
       resultants_.emplace_back(folder_ / resultants_file(model_.zones[z].settings.name),
                                position.resultants.at(z));
-    restore_fields(position);
+    restore_fields();
     if (position.unwritten)
       unwritten_ = state;
     write_summary(running, {});
@@ -257,7 +257,7 @@ private:
     return entries;
   }
 
-  void restore_fields(const RecorderPosition& position) {
+  void restore_fields() {
     if (model_.study.fields.vtu) {
       std::vector<std::string> kept;
       for (const auto& entry : series_.entries())

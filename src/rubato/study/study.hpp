@@ -152,6 +152,9 @@ struct Obstacle {
   bool operator==(const Obstacle&) const = default;
 };
 
+/// Gauss points a direction on a face.
+inline constexpr int most_gauss_points = 7;
+
 struct ContactZone {
   std::string name;
   std::string master;               ///< empty with an obstacle

@@ -8,7 +8,7 @@
 
 namespace rubato::study {
 
-std::vector<BrokenRule> broken_rules(const Study& study) {
+Judgement judge(const Study& study) {
   Rules rules(study);
   check_physics(rules);
   check_mesh(rules);
@@ -25,6 +25,10 @@ std::vector<BrokenRule> broken_rules(const Study& study) {
   check_output(rules);
   check_checks(rules);
   return rules.take();
+}
+
+std::vector<BrokenRule> broken_rules(const Study& study) {
+  return judge(study).broken;
 }
 
 void validate(const Study& study) {

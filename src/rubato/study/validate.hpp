@@ -5,6 +5,7 @@
 
 #include "rubato/study/study.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,13 @@ struct BrokenRule {
   std::string text;               ///< a sentence: what was found, what is expected
 };
 
-/// Every broken rule, in the order of the study's parts; empty when all are kept.
+/// What the rules say of a study.
+struct Judgement {
+  std::vector<BrokenRule> broken;            ///< in the order of the study's parts; empty when all are kept
+  std::map<std::string, std::string> bounds; ///< of each number, by its path: " > 0"; empty without bounds
+};
+
+Judgement judge(const Study& study);
 std::vector<BrokenRule> broken_rules(const Study& study);
 
 /// Throws InputError with every broken rule, each with its path.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/study/echo.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Mutated decks: each is either read or refused with sentences, never anything else.
+#include "rubato/study/echo.hpp"
+
 #include <gtest/gtest.h>
 
 #include "sample_deck.hpp"

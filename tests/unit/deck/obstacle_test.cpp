@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Obstacles in a deck: what they may be, how they are echoed, and every way to get them wrong.
+#include "rubato/study/echo.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -175,10 +175,11 @@ TEST(DeckSettings, ComeAfterTheRunsAndLaterOnesWin) {
 
 TEST(DeckSettings, MeshFileIsFromTheCurrentFolderAndDrivesOutTheGenerator) {
   const std::vector<Setting> settings{{"mesh.file", "real/f.med"}};
-  const auto mesh = parse_deck(full_deck, "cases/f/f.yaml", settings).runs.at(0).mesh;
+  const auto deck = parse_deck(full_deck, "cases/f/f.yaml", settings);
+  const auto& mesh = deck.runs.at(0).mesh;
   EXPECT_EQ(mesh.file, "real/f.med");
   EXPECT_TRUE(mesh.bodies.empty());
-  EXPECT_EQ(to_string(mesh.file.at), "--set mesh.file");
+  EXPECT_EQ(to_string(deck.places.at(0).of("mesh.file")), "--set mesh.file");
   const std::vector<Setting> whole{{"mesh", "{file: g.med}"}};
   EXPECT_TRUE(parse_deck(full_deck, "cases/f/f.yaml", whole).runs.at(0).mesh.bodies.empty());
   const std::vector<Setting> bodies{

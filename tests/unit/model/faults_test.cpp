@@ -142,7 +142,7 @@ TEST(BadModel, OfSeveralStudiesTellsCommonFaultsOnce) {
                                          "runs:\n  a: {}\n  b: {probes: {end: {node: nowhere}}}\n",
                                      "deck.yaml");
   try {
-    deck::throw_if_any(faults_of(deck.runs), deck.places);
+    deck::throw_if_any(model::faults_of(deck.runs), deck.places);
     FAIL() << "nothing thrown";
   } catch (const InputError& error) {
     ASSERT_EQ(error.faults().size(), 2U);

@@ -17,8 +17,12 @@ namespace {
 Study sound_study() {
   Study study;
   study.physics = Physics::plane_strain;
-  Body lower{
-      .name = "lower", .dimension = 2, .to = {4, 1, 0}, .divisions = {4, 1, 1}, .cells = CellType::quad4};
+  Body lower;
+  lower.name = "lower";
+  lower.dimension = 2;
+  lower.to = {4, 1, 0};
+  lower.divisions = {4, 1, 1};
+  lower.cells = CellType::quad4;
   lower.sides = {{"top", "roof"}, {"bottom", "ground"}};
   Body upper = lower;
   upper.name = "upper";
@@ -26,7 +30,11 @@ Study sound_study() {
   upper.to = {4, 2, 0};
   upper.sides = {{"bottom", "under"}, {"top", "above"}};
   study.mesh.bodies = {lower, upper};
-  study.materials = {{.name = "steel", .young = 2e11, .poisson = 0.3, .density = 7800}};
+  Material& steel = study.materials.emplace_back();
+  steel.name = "steel";
+  steel.young = 2e11;
+  steel.poisson = 0.3;
+  steel.density = 7800;
   study.functions["ramp"] = {{0, 1}, {0, 1}, Function::Outside::constant};
   study.supports = {{"ground", {Amplitude{}, Amplitude{}, std::nullopt}}};
   study.springs = {{"above", {1e3, 0, 0}}};
@@ -38,8 +46,15 @@ Study sound_study() {
   study.contact = {zone};
   study.time.step = 0.1;
   study.time.end = 1;
-  study.probes = {{.name = "tip", .node = "N1"}};
-  study.checks = {{.probe = "tip", .component = 1, .at = 1, .reference = 0.5, .tolerance = 0.1}};
+  Probe& tip = study.probes.emplace_back();
+  tip.name = "tip";
+  tip.node = "N1";
+  Check& check = study.checks.emplace_back();
+  check.probe = "tip";
+  check.component = 1;
+  check.at = 1;
+  check.reference = 0.5;
+  check.tolerance = 0.1;
   return study;
 }
 
@@ -135,12 +150,15 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"loads.0.pressure.on", "no name", [](Study& s) { s.loads[0].on.clear(); }},
         Bad{"loads.0.pressure.function", "no function is called",
             [](Study& s) { s.loads[0].function = "other"; }},
-        Bad{"initial.0", "says nothing", [](Study& s) { s.initial = {{.on = "lower"}}; }},
+        Bad{"initial.0", "says nothing",
+            [](Study& s) {
+              s.initial = {{"lower", {}, {}}};
+            }},
         Bad{"initial", "the scheme static",
             [](Study& s) {
               s.time.scheme = SchemeKind::static_steps;
               s.time.contact_mass = ContactMass::consistent;
-              s.initial = {{.on = "lower", .velocity = {1.0, std::nullopt, std::nullopt}}};
+              s.initial = {{"lower", {}, {1.0, std::nullopt, std::nullopt}}};
             }},
         Bad{"contact.joint", "'master' or 'obstacle' is missing",
             [](Study& s) { s.contact[0].master.clear(); }},

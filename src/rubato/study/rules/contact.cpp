@@ -10,7 +10,6 @@
 namespace rubato::study {
 namespace {
 
-constexpr int most_gauss_points = 7;
 constexpr int most_loops = 10'000;
 
 std::string_view word(ContactMethod method) {

@@ -9,15 +9,17 @@
 namespace rubato::study {
 
 void Rules::broken(std::initializer_list<std::string> paths, std::string text) {
-  broken_.push_back({paths, std::move(text)});
+  judgement_.broken.push_back({paths, std::move(text)});
 }
 
 void Rules::number(const std::string& path, double value, const Range& range) {
+  judgement_.bounds[path] = bounds_text(range);
   if (!range.contains(value))
     broken({path}, fmt::format("found '{}', expected a number{}", value, bounds_text(range)));
 }
 
 void Rules::whole_number(const std::string& path, int value, const Range& range) {
+  judgement_.bounds[path] = bounds_text(range);
   if (!range.contains(value))
     broken({path}, fmt::format("found '{}', expected a whole number{}", value, bounds_text(range)));
 }

@@ -18,7 +18,7 @@ namespace rubato::study {
 /// Collects what is broken.
 class Rules {
 public:
-  explicit Rules(const Study& study) : study(study) {}
+  explicit Rules(const Study& checked) : study(checked) {}
 
   const Study& study;
 
@@ -44,10 +44,10 @@ public:
   void axis(const std::string& path, std::size_t axis);
 
   bool has_time() const { return study.time.end > study.time.begin; }
-  std::vector<BrokenRule> take() { return std::move(broken_); }
+  Judgement take() { return std::move(judgement_); }
 
 private:
-  std::vector<BrokenRule> broken_;
+  Judgement judgement_;
 };
 
 void check_mesh(Rules& rules);

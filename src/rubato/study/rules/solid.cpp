@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace rubato::study {
 namespace {
@@ -29,14 +29,14 @@ void check_material(Rules& rules, const Material& material, const std::string& p
 /// No cell can have two materials; what groups share is only seen in the mesh.
 void refuse_overlap(Rules& rules) {
   const auto& materials = rules.study.materials;
-  std::set<std::string> used;
+  std::map<std::string, const Material*> used;
   for (const auto& material : materials) {
     const auto path = "materials." + material.name;
     if (material.everywhere && materials.size() > 1)
       rules.broken({path, path + ".cells"},
                    "is on all cells, expected its own groups ('cells') beside other materials");
     for (std::size_t i = 0; i < material.cells.size(); ++i)
-      if (!used.insert(material.cells[i]).second)
+      if (used.emplace(material.cells[i], &material).first->second != &material)
         rules.broken({fmt::format("{}.cells.{}", path, i)},
                      fmt::format("the group {} has another material already", shown(material.cells[i])));
   }
