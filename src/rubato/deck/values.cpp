@@ -202,14 +202,18 @@ bool read_name(const Found& value, std::string& target) {
 bool read_names(const Found& value, std::vector<std::string>& target) {
   if (!value)
     return false;
-  const bool is_list = value->tree().is(Tree::Kind::list);
   std::vector<std::string> names;
   bool good = true;
-  for (const auto& element : is_list ? items(value) : std::vector<Value>{*value}) {
+  const auto read_one = [&](const Found& element) {
     std::string name;
     good = read_name(element, name) && good;
     names.push_back(std::move(name));
-  }
+  };
+  if (value->tree().is(Tree::Kind::list))
+    for (const auto& element : items(value))
+      read_one(element);
+  else
+    read_one(value);
   if (good)
     target = std::move(names);
   else
