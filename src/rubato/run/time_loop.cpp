@@ -13,6 +13,7 @@
 #include "rubato/step/energy.hpp"
 #include "rubato/step/finiteness.hpp"
 #include "rubato/step/start.hpp"
+#include "rubato/step/system_cache.hpp"
 #include "rubato/time/step_control.hpp"
 
 #include <fmt/format.h>
@@ -23,31 +24,6 @@
 
 namespace rubato::run {
 namespace {
-
-/// Effective matrices of the step lengths in use: cut steps come back to the lengths they had.
-class SystemCache {
-public:
-  /// `tell_memory` hears what each factor needs [bytes] before it is computed.
-  SystemCache(const model::Model& model, const time::Scheme& scheme,
-              std::function<void(std::size_t)> tell_memory)
-      : model_(model), scheme_(scheme), tell_memory_(std::move(tell_memory)) {}
-
-  step::EffectiveSystem& of(double length) {
-    const auto known = std::ranges::find(systems_, length, &step::EffectiveSystem::step);
-    if (known != systems_.end())
-      return *known;
-    if (systems_.size() == kept)
-      systems_.erase(systems_.begin());
-    return systems_.emplace_back(step::make_effective_system(model_, scheme_, length, tell_memory_));
-  }
-
-private:
-  static constexpr std::size_t kept = 4;
-  const model::Model& model_;
-  const time::Scheme& scheme_;
-  std::function<void(std::size_t)> tell_memory_;
-  std::vector<step::EffectiveSystem> systems_;
-};
 
 /// The end of another run goes on only on the same unknowns and contact points.
 void check_fits(const model::Model& model, const step::State& end) {
@@ -297,7 +273,7 @@ private:
   Course& course_;
   const Watch& watch_;
   time::Scheme scheme_;
-  SystemCache systems_;
+  step::SystemCache systems_;
   step::State committed_;
   std::optional<results::Recorder> recorder_; // once nothing can be refused any more: that leaves no folder
   time::StepControl control_;
