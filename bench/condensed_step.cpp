@@ -7,7 +7,7 @@
 #include "rubato/model/model.hpp"
 #include "rubato/run/loop_parts.hpp"
 #include "rubato/step/advance.hpp"
-#include "rubato/step/contact_side.hpp"
+#include "rubato/step/contact_evaluator.hpp"
 #include "rubato/step/start.hpp"
 
 #include <benchmark/benchmark.h>
@@ -48,7 +48,7 @@ public:
   }
 
   void measure(step::ContactIterate& points) {
-    const step::ContactSide side(model_, scheme_, system_, committed_, {});
+    const step::ContactEvaluator side(model_, scheme_, system_, committed_, {});
     side.measure(trial_, step::Held(model_.zones.size()), points);
   }
 

@@ -89,13 +89,13 @@ protected:
       for (Index i = 0; i < count; ++i)
         x.col(i) = mesh.points[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])];
       const MatrixXd jacobian = x.topRows(d_) * dn.transpose();
-      const MatrixXd slopes = jacobian.inverse().transpose() * dn;
+      const MatrixXd n_xi = jacobian.inverse().transpose() * dn;
       SpacePoint point{x * n, 0., n, MatrixXd(material::strain_size(physics_), d_ * count)};
       point.volume = weight * jacobian.determinant() * element::measure(section_, point.x[0]);
       for (Index i = 0; i < count; ++i)
         for (int a = 0; a < d_; ++a) {
           Matrix3d h = Matrix3d::Zero();
-          h.row(a).head(d_) = slopes.col(i);
+          h.row(a).head(d_) = n_xi.col(i);
           point.b.col(d_ * i + a) = strain(h, a == 0 ? n[i] / point.x[0] : 0.);
         }
       points.push_back(std::move(point));

@@ -181,7 +181,7 @@ std::string words_of(const Draw& draw, const std::string& iterate) {
   return words + fmt::format(", {}{}, {} × {:.2e} s", draw.scheme, draw.time, draw.steps, draw.step);
 }
 
-Variant variant(std::uint32_t seed, int number, Meshes meshes) {
+RetrySettings variant(std::uint32_t seed, int number, Meshes meshes) {
   Dice dice(seed, number);
   Draw draw;
   draw_mesh(dice, meshes, draw);
@@ -202,12 +202,12 @@ Variant variant(std::uint32_t seed, int number, Meshes meshes) {
           deck_of(draw, fmt::format("two beams, variant {}", number), iterate)};
 }
 
-study::Study study_of(const Variant& variant, const std::vector<deck::Setting>& changes = {}) {
+study::Study study_of(const RetrySettings& variant, const std::vector<deck::Setting>& changes = {}) {
   return deck::parse_deck(variant.deck, fmt::format("{}.yaml", variant.number), changes).runs.front();
 }
 
 /// Runs until it has tried that many times the steps it has.
-run::RunResult run_patiently(const Variant& variant, const study::Study& study,
+run::RunResult run_patiently(const RetrySettings& variant, const study::Study& study,
                              const std::filesystem::path& folder, bool& warned) {
   constexpr int patience = 10;
   int attempts = 0;
@@ -235,14 +235,14 @@ void note_energy(const std::filesystem::path& file, Survival& survival) {
 
 } // namespace
 
-std::vector<Variant> variants(std::uint32_t seed, int first, int count, Meshes meshes) {
-  std::vector<Variant> all;
+std::vector<RetrySettings> variants(std::uint32_t seed, int first, int count, Meshes meshes) {
+  std::vector<RetrySettings> all;
   for (int number = first; number < first + count; ++number)
     all.push_back(variant(seed, number, meshes));
   return all;
 }
 
-Survival survive(const Variant& variant) {
+Survival survive(const RetrySettings& variant) {
   const test::ScratchFolder folder;
   Survival survival;
   try {
@@ -256,7 +256,7 @@ Survival survive(const Variant& variant) {
   return survival;
 }
 
-SolverComparison compare_solvers(const Variant& variant) {
+SolverComparison compare_solvers(const RetrySettings& variant) {
   std::array<results::Table, 2> histories;
   std::array<int, 2> steps{};
   for (std::size_t i = 0; i < histories.size(); ++i) {

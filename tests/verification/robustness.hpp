@@ -14,7 +14,7 @@
 
 namespace rubato::verification {
 
-struct Variant {
+struct RetrySettings {
   int number = 0;
   std::string cells;  ///< "quad4"
   std::string scheme; ///< words of the deck
@@ -31,7 +31,7 @@ struct Variant {
 enum class Meshes { coarse, any };
 
 /// Variants `first` to `first + count − 1` of a seed. `coarse`: none is refined, and all are short.
-std::vector<Variant> variants(std::uint32_t seed, int first, int count, Meshes meshes = Meshes::any);
+std::vector<RetrySettings> variants(std::uint32_t seed, int first, int count, Meshes meshes = Meshes::any);
 
 struct Survival {
   run::RunResult result;
@@ -47,7 +47,7 @@ struct Survival {
 
 /// Runs a variant in a folder that is gone afterwards. It is given up when it has tried far more steps than
 /// it has.
-Survival survive(const Variant& variant);
+Survival survive(const RetrySettings& variant);
 
 /// A variant solved condensed and whole, both to a sharper residual.
 struct SolverComparison {
@@ -58,6 +58,6 @@ struct SolverComparison {
   int steps_whole = 0;
   bool same_steps = false; ///< neither cuts a step that the other takes whole
 };
-SolverComparison compare_solvers(const Variant& variant);
+SolverComparison compare_solvers(const RetrySettings& variant);
 
 } // namespace rubato::verification

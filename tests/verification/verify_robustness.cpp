@@ -21,13 +21,13 @@ constexpr int compared = 5;
 constexpr double same_answer = 1e-6;
 
 struct Entry {
-  Variant variant;
+  RetrySettings variant;
   Survival survival;
   SolverComparison solvers = {}; ///< of some only
 };
 
 using Entries = std::vector<Entry>;
-using Key = std::function<std::string(const Variant&)>;
+using Key = std::function<std::string(const RetrySettings&)>;
 
 std::vector<Entry> run_all(const std::filesystem::path& decks) {
   std::filesystem::remove_all(decks);
@@ -77,7 +77,8 @@ void write_finished(Page& page, const Entries& entries) {
   };
   page.table({"", "variants", "finished", "steps", "cuts", "iterations a step", "seconds"});
   row("all", entries);
-  for (const auto& key : {Key(&Variant::method), Key(&Variant::scheme), Key(&Variant::cells)})
+  for (const auto& key :
+       {Key(&RetrySettings::method), Key(&RetrySettings::scheme), Key(&RetrySettings::cells)})
     for (const auto& [name, of] : sorted_by(entries, key))
       row(name, of);
 }
@@ -89,7 +90,7 @@ void write_gains(Page& page, const Entries& entries) {
   Entries apart;
   std::ranges::copy_if(entries, std::back_inserter(apart),
                        [](const Entry& e) { return !e.variant.overlaps; });
-  const auto key = [](const Variant& v) { return fmt::format("{} {}", v.scheme, v.massless); };
+  const auto key = [](const RetrySettings& v) { return fmt::format("{} {}", v.scheme, v.massless); };
   for (const auto& [name, of] : sorted_by(apart, key)) {
     const auto kept = std::ranges::count_if(of, [](const Entry& e) { return e.survival.keeps_gain(); });
     const auto by_contact =

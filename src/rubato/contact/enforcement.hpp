@@ -24,7 +24,7 @@ struct PointOutcome {
   double pressure = 0;                              ///< T_n; of nodal methods over the node's area
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< force of the master on the slave, its two parts
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();
-  double standing_gap = 0; ///< of a law of velocities: what it still had when it closed [length]
+  double activation_gap = 0; ///< of a law of velocities: what it still had when it closed [length]
 
   bool operator==(const PointOutcome&) const = default;
 };

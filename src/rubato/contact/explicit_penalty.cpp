@@ -251,13 +251,13 @@ Vector3d ExplicitPenalty::slip_of(std::size_t index, const Place& place, const V
 
 /// The pressure that the gap calls for; false, and a relaxed spring, when there is none.
 bool ExplicitPenalty::press(Spring& spring, double normal_stiffness) const {
-  const double known = spring.paired ? spring.forgiven : spring.gap;
-  spring.forgiven = std::min(std::max(known, spring.gap), 0.0);
+  const double known = spring.paired ? spring.gap_offset : spring.gap;
+  spring.gap_offset = std::min(std::max(known, spring.gap), 0.0);
   spring.paired = true;
-  spring.pressure = normal_stiffness * (spring.forgiven - spring.gap);
+  spring.pressure = normal_stiffness * (spring.gap_offset - spring.gap);
   if (spring.pressure > 0)
     return true;
-  spring = {.forgiven = spring.forgiven, .gap = spring.gap};
+  spring = {.gap_offset = spring.gap_offset, .gap = spring.gap};
   return false;
 }
 

@@ -9,8 +9,8 @@
 /// short for a slip that starts anew each step to make any friction.
 ///
 /// A point that faced nothing and is found to penetrate when it faces the master again (a tip that has slid
-/// off an edge and comes back) would be shot away. The gap it is found with is forgiven instead: p = k_n ⟨g₀
-/// − g⟩, and g₀ follows g as far as the point comes out by itself.
+/// off an edge and comes back) would be shot away. The gap it is found with is its offset instead: p = k_n
+/// ⟨g₀ − g⟩, and g₀ follows g as far as the point comes out by itself.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
@@ -39,8 +39,8 @@ public:
   /// What a point keeps from step to step.
   struct Spring {
     Status status = Status::open;
-    bool paired = true;  ///< at the end of the last step; in the first one nothing is forgiven
-    double forgiven = 0; ///< g₀ ≤ 0
+    bool paired = true;    ///< at the end of the last step; in the first one no gap has an offset
+    double gap_offset = 0; ///< g₀ ≤ 0
     double gap = 0;
     double pressure = 0;
     double tangential_stiffness = 0;

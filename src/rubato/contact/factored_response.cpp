@@ -20,13 +20,13 @@ void collect_dofs(const Kinematics& k, const domain::DofMap& map, std::vector<in
 }
 
 /// N and H: what a force at the point, and a change of its place on the master, put on q.
-void collect_spread(const Kinematics& k, const Eigen::Vector3d& force, int slopes, MatrixXd& spread) {
+void collect_spread(const Kinematics& k, const Eigen::Vector3d& force, int n_xi, MatrixXd& spread) {
   const int d = k.components;
-  spread.setZero(d + slopes, k.unknowns());
+  spread.setZero(d + n_xi, k.unknowns());
   for (Index node = 0; node < k.shape.size(); ++node)
     for (int i = 0; i < d; ++i) {
       spread(i, node * d + i) = k.shape[node];
-      for (int a = 0; a < slopes; ++a)
+      for (int a = 0; a < n_xi; ++a)
         spread(d + a, node * d + i) = k.shape_slope(node, a) * force[i];
     }
 }
@@ -54,22 +54,22 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
 
   collect_dofs(k, dofs, into.dofs);
   into.components = d;
-  into.slopes = k.shape_slope.isZero(0) ? 0 : k.parametric_dimension;
+  into.n_xi = k.shape_slope.isZero(0) ? 0 : k.parametric_dimension;
   into.force = force.head(d);
-  collect_spread(k, response.kept_friction == 1 ? force : Eigen::Vector3d(frame * traction), into.slopes,
+  collect_spread(k, response.kept_friction == 1 ? force : Eigen::Vector3d(frame * traction), into.n_xi,
                  into.spread);
-  into.by_q.resize(d + m + into.slopes, k.unknowns());
+  into.d_du.resize(d + m + into.n_xi, k.unknowns());
   for (Index q = 0; q < k.unknowns(); ++q) {
     const Eigen::Vector3d measures(k.d_gap[q], k.d_slip(0, q), k.d_slip(1, q));
     const Eigen::Vector3d d_force = force_by_measures * measures + traction[0] * k.d_normal.col(q) +
                                     traction[1] * k.d_tangent[0].col(q) + traction[2] * k.d_tangent[1].col(q);
     const Eigen::Vector3d d_equations = equations_by_measures * measures;
-    double* entry = into.by_q.col(q).data();
+    double* entry = into.d_du.col(q).data();
     for (int a = 0; a < d; ++a)
       *entry++ = d_force[a];
     for (const int a : variables)
       *entry++ = d_equations[a];
-    for (int a = 0; a < into.slopes; ++a)
+    for (int a = 0; a < into.n_xi; ++a)
       *entry++ = k.d_projection(a, q);
   }
   into.by_multiplier.resize(d + m, m);

@@ -22,10 +22,10 @@ using MultiplierColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 
 struct FactoredResponse {
   std::vector<int> dofs;           ///< of q
   int components = 0;              ///< d
-  int slopes = 0;                  ///< size of ξ; 0 in a held frame or before an obstacle
+  int n_xi = 0;                    ///< size of ξ; 0 in a held frame or before an obstacle
   PointVector force;               ///< z, d entries
-  Eigen::MatrixXd spread;          ///< N over H: d + slopes rows
-  Eigen::MatrixXd by_q;            ///< Z_q, E_q, P: d + m + slopes rows
+  Eigen::MatrixXd spread;          ///< N over H: d + n_xi rows
+  Eigen::MatrixXd d_du;            ///< Z_q, E_q, P: d + m + n_xi rows
   MultiplierColumns by_multiplier; ///< Z_m, E_m: d + m rows, m columns
   PointVector equations;           ///< e, m entries
 

@@ -68,10 +68,10 @@ template <int D> auto reference_gradients(const cell::ShapeTable& table, Index q
 }
 
 template <int D> Square<D> jacobian(const Nodal<D>& x, const cell::ShapeTable& table, Index q) {
-  const auto slopes = reference_gradients<D>(table, q);
+  const auto n_xi = reference_gradients<D>(table, q);
   Square<D> j = Square<D>::Zero();
   for (Index i = 0; i < x.cols(); ++i)
-    j += x.col(i) * slopes.col(i).transpose();
+    j += x.col(i) * n_xi.col(i).transpose();
   return j;
 }
 
@@ -100,12 +100,12 @@ Columns<Rows * most_nodes> scaled_gradients(const cell::ShapeTable& table, Point
   Columns<Rows * most_nodes> scaled(Rows * x.cols(), table.weights.size());
   for (Index q = 0; q < table.weights.size(); ++q) {
     const auto at = point_in_space<D>(x, table, q);
-    const auto slopes = reference_gradients<D>(table, q);
+    const auto n_xi = reference_gradients<D>(table, q);
     const double root = std::sqrt(table.weights[q] * at.jacobian * measure(section, at.radius));
     const Square<D> to_space = root * at.inverse;
     Eigen::Map<Eigen::Matrix<double, Rows, Eigen::Dynamic>> column(scaled.col(q).data(), Rows, x.cols());
     for (Index i = 0; i < x.cols(); ++i)
-      column.col(i).template head<D>() = to_space * slopes.col(i);
+      column.col(i).template head<D>() = to_space * n_xi.col(i);
     if constexpr (Rows > D)
       column.row(D) = root / at.radius * table.values.col(q).transpose();
   }
@@ -177,10 +177,10 @@ void strains_of(const cell::ShapeTable& table, Points points, Physics physics,
   const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> u(displacement.data(), D, x.cols());
   for (Index q = 0; q < table.weights.size(); ++q) {
     const auto at = point_in_space<D>(x, table, q);
-    const auto slopes = reference_gradients<D>(table, q);
+    const auto n_xi = reference_gradients<D>(table, q);
     Square<D> h = Square<D>::Zero();
     for (Index i = 0; i < x.cols(); ++i)
-      h += u.col(i) * (at.inverse * slopes.col(i)).transpose();
+      h += u.col(i) * (at.inverse * n_xi.col(i)).transpose();
     if constexpr (D == 3)
       strain.col(q) = voigt(h);
     else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Which nodes hang together: a body is what cells connect, whatever touches it.
+/// The connected components of the mesh: a body is what cells connect, whatever touches it.
 #pragma once
 
 #include "rubato/domain/bulk.hpp"

@@ -85,7 +85,7 @@ ordered_json to_json(const model::Model& model, const Failure& failure) {
   for (const auto& worst : report.worst)
     json["worst_nodes"].push_back(
         {{"node", model::node_label(model.mesh, worst.node)}, {"residual", finite(worst.residual)}});
-  for (const auto& point : report.restless)
+  for (const auto& point : report.changing_points)
     json["restless"].push_back({{"zone", zone_name(model, point.zone)},
                                 {"node", model::node_label(model.mesh, point.node)},
                                 {"before", contact::to_string(point.before)},

@@ -24,7 +24,7 @@ using Spring = contact::ExplicitPenalty::Spring;
 
 /// Shows every number of a record of a table, in the same order always.
 template <class Visit> void each_number(PointOutcome& outcome, const Visit& visit) {
-  for (auto* x : {&outcome.gap, &outcome.pressure, &outcome.standing_gap})
+  for (auto* x : {&outcome.gap, &outcome.pressure, &outcome.activation_gap})
     visit(*x);
   for (auto& x : outcome.slip)
     visit(x);
@@ -41,7 +41,7 @@ template <class Visit> void each_number(Spring& spring, const Visit& visit) {
   visit(paired);
   spring.status = static_cast<Status>(static_cast<int>(status));
   spring.paired = paired != 0;
-  for (auto* x : {&spring.forgiven, &spring.gap, &spring.pressure, &spring.tangential_stiffness})
+  for (auto* x : {&spring.gap_offset, &spring.gap, &spring.pressure, &spring.tangential_stiffness})
     visit(*x);
   for (auto* v : {&spring.slip, &spring.traction, &spring.normal})
     for (auto& x : *v)
@@ -179,7 +179,7 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.numbers("state/u", state.motion.u);
   archive.numbers("state/v", state.motion.v);
   archive.numbers("state/a", state.motion.a);
-  archive.numbers("state/unbalance", state.unbalance);
+  archive.numbers("state/unbalance", state.residual_force);
   archive.numbers("state/contact_force", state.contact_force);
   archive.numbers("state/reaction", state.reaction);
   archive.number("state/force_scale", state.force_scale);
@@ -250,7 +250,7 @@ template <class Archive> void exchange(Archive& archive, ExplicitProgress& progr
   archive.whole("explicit/steps", motion.steps);
   archive.numbers("explicit/u", motion.u);
   archive.numbers("explicit/v", motion.v);
-  archive.numbers("explicit/unbalance", motion.unbalance);
+  archive.numbers("explicit/unbalance", motion.residual_force);
   archive.numbers("explicit/contact_force", motion.contact_force);
   archive.numbers("explicit/damping_force", motion.damping_force);
   archive.numbers("explicit/load_factors", motion.load_factors);

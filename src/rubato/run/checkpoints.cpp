@@ -31,7 +31,7 @@ bool reaches_end(const study::TimeStepping& time, double t) {
 
 } // namespace
 
-std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, const Course& course) {
+std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, const RunContext& course) {
   const auto file = course.folder / results::checkpoint_file;
   if (!std::filesystem::exists(file))
     return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, co
   return checkpoint;
 }
 
-std::optional<RunResult> finished_run(const study::Study& study, const Course& course) {
+std::optional<RunResult> finished_run(const study::Study& study, const RunContext& course) {
   if (!course.from || !reaches_end(study.time, course.from->state.t) ||
       !std::filesystem::exists(course.folder / results::summary_file))
     return std::nullopt;
@@ -70,7 +70,7 @@ std::optional<RunResult> finished_run(const study::Study& study, const Course& c
   return result;
 }
 
-std::optional<RunResult> unchanged_run(const study::Study& study, Course& course) {
+std::optional<RunResult> unchanged_run(const study::Study& study, RunContext& course) {
   try {
     course.from = find_checkpoint(study, course);
     if (course.from && results::same_results_expected(course.from->study, study::to_json(study)))
@@ -82,17 +82,17 @@ std::optional<RunResult> unchanged_run(const study::Study& study, Course& course
   return std::nullopt;
 }
 
-Keeper::Keeper(const study::Study& study, const Course& course, const Watch& watch)
+CheckpointWriter::CheckpointWriter(const study::Study& study, const RunContext& course, const Watch& watch)
     : settings_(study.checkpoint), course_(course), watch_(watch), study_(study::to_json(study)) {}
 
-bool Keeper::is_due(int count, double t, double step) const {
+bool CheckpointWriter::is_due(int count, double t, double step) const {
   const double near = part_of_step * step;
   const auto just_passed = [&](double at) { return at > t - step + near && at <= t + near; };
   return (settings_.every > 0 && count % settings_.every == 0) ||
          std::ranges::any_of(settings_.at, just_passed);
 }
 
-bool Keeper::keep(const std::function<results::Checkpoint()>& make) const {
+bool CheckpointWriter::keep(const std::function<results::Checkpoint()>& make) const {
   try {
     auto checkpoint = make();
     checkpoint.study = study_;

@@ -17,7 +17,7 @@
 namespace rubato::run {
 
 /// A run and where it is kept.
-struct Course {
+struct RunContext {
   std::filesystem::path folder;
   std::uint32_t mesh = 0;                  ///< fingerprint
   std::uint32_t start = 0;                 ///< fingerprint of the other run's end it starts from, or 0
@@ -27,20 +27,20 @@ struct Course {
 
 /// The checkpoint in the run's folder; nothing when there is none. Throws InputError, with the reason, when
 /// it is not one this run can go on from.
-std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, const Course& course);
+std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, const RunContext& course);
 
 /// The run as it was left in its folder, when it came to the end that the study wants.
-std::optional<RunResult> finished_run(const study::Study& study, const Course& course);
+std::optional<RunResult> finished_run(const study::Study& study, const RunContext& course);
 
 /// The same of a run that the study would make again with every result: `course.from` is its checkpoint then,
 /// else nothing, as when the folder holds no run, another one, or one that was not finished.
-std::optional<RunResult> unchanged_run(const study::Study& study, Course& course);
+std::optional<RunResult> unchanged_run(const study::Study& study, RunContext& course);
 
 /// Writes the checkpoints of a run.
-class Keeper {
+class CheckpointWriter {
 public:
   /// Everything must outlive this.
-  Keeper(const study::Study& study, const Course& course, const Watch& watch);
+  CheckpointWriter(const study::Study& study, const RunContext& course, const Watch& watch);
 
   /// Whether the step that led to t in `step`, the run's `count`-th, is one to keep: no step is made shorter
   /// for a checkpoint, so that results don't depend on it.
@@ -53,7 +53,7 @@ public:
 
 private:
   const study::CheckpointOutput& settings_;
-  const Course& course_;
+  const RunContext& course_;
   const Watch& watch_;
   std::string study_; ///< its echo
 };

@@ -50,7 +50,7 @@ void check_step(const study::TimeStepping& time, double stable) {
 
 class ExplicitLoop {
 public:
-  ExplicitLoop(const model::Model& model, Course& course, const Watch& watch)
+  ExplicitLoop(const model::Model& model, RunContext& course, const Watch& watch)
       : model_(model), time_(model.study.time), course_(course), watch_(watch), motion_(model),
         keeper_(model.study, course, watch),
         energy_(model.study.name, watch, course.from ? course.from->record : step::EnergyRecord()) {
@@ -253,10 +253,10 @@ private:
 
   const model::Model& model_;
   const study::TimeStepping& time_;
-  Course& course_;
+  RunContext& course_;
   const Watch& watch_;
   step::ExplicitMotion motion_;
-  Keeper keeper_;
+  CheckpointWriter keeper_;
   EnergyWatch energy_;
   std::optional<results::Recorder> recorder_; // after the step is known to be good
   step::State now_;
@@ -274,7 +274,8 @@ private:
 
 } // namespace
 
-RunResult run_explicit(const model::Model& model, Course& course, const Watch& watch, double setup_start) {
+RunResult run_explicit(const model::Model& model, RunContext& course, const Watch& watch,
+                       double setup_start) {
   return ExplicitLoop(model, course, watch).run(setup_start);
 }
 

@@ -10,6 +10,6 @@ namespace rubato::run {
 
 /// `setup_start`: processor time when the run began. Throws InputError, before the folder is made, when the
 /// deck's step is longer than the stable one.
-RunResult run_explicit(const model::Model& model, Course& course, const Watch& watch, double setup_start);
+RunResult run_explicit(const model::Model& model, RunContext& course, const Watch& watch, double setup_start);
 
 } // namespace rubato::run

@@ -48,7 +48,7 @@ std::string residual_of(const model::Model& model, const step::StepReport& repor
 
 std::string restless_of(const model::Model& model, const step::StepReport& report) {
   std::vector<std::string> points;
-  for (const auto& point : report.restless)
+  for (const auto& point : report.changing_points)
     if (points.size() < named)
       points.push_back(fmt::format("{} of zone '{}' ({} and {})", model::node_label(model.mesh, point.node),
                                    zone_name(model, point.zone), contact::to_string(point.before),

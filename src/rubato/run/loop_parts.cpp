@@ -36,7 +36,7 @@ std::string causes_of(const step::EnergyLedger& ledger) {
 
 } // namespace
 
-void take_folder(Course& course, const std::string& run, const Watch& watch) {
+void take_folder(RunContext& course, const std::string& run, const Watch& watch) {
   course.claim.make();
   if (results::holds_run(course.folder))
     watch.say(fmt::format("{}: the former results in {} move into {}", run, course.folder.string(),

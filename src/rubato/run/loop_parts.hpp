@@ -26,7 +26,7 @@ inline int points_in_contact(const step::State& state) {
 }
 
 /// Makes the folder of a run that begins anew, and says where former results in it go.
-void take_folder(Course& course, const std::string& run, const Watch& watch);
+void take_folder(RunContext& course, const std::string& run, const Watch& watch);
 
 /// Follows the ledger of a run: says when energy is gained and not given up again, and at the end how well
 /// the ledger closes. docs/theory/energy.md has the numbers behind what is worth a warning.

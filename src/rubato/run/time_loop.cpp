@@ -53,7 +53,7 @@ step::State first_state(const model::Model& model, const time::Scheme& scheme, c
 
 class Loop {
 public:
-  Loop(const model::Model& model, Course& course, const Watch& watch, const step::State* previous)
+  Loop(const model::Model& model, RunContext& course, const Watch& watch, const step::State* previous)
       : model_(model), course_(course), watch_(watch), scheme_(time::make_scheme(model.study.time)),
         systems_(model, scheme_, [this](std::size_t bytes) { tell_memory(bytes); }),
         committed_(course.from ? course.from->state : first_state(model, scheme_, previous)),
@@ -270,7 +270,7 @@ private:
   }
 
   const model::Model& model_;
-  Course& course_;
+  RunContext& course_;
   const Watch& watch_;
   time::Scheme scheme_;
   step::SystemCache systems_;
@@ -279,7 +279,7 @@ private:
   time::StepControl control_;
   double end_;
   step::EnergyAccount account_;
-  Keeper keeper_;
+  CheckpointWriter keeper_;
   EnergyWatch energy_;
   std::size_t factor_bytes_ = 0; ///< what the factor of the matrix needs; 0: nothing was factored
   double loop_start_ = 0;
@@ -300,11 +300,11 @@ RunResult run_study(const study::Study& study, const std::filesystem::path& fold
                     const step::State* previous, Begin begin) {
   const double start = processor_seconds();
   auto mesh = model::load_mesh(study.mesh);
-  Course course{folder,
-                results::fingerprint(mesh),
-                previous != nullptr ? results::fingerprint(*previous) : 0,
-                {},
-                results::FolderClaim(folder)};
+  RunContext course{folder,
+                    results::fingerprint(mesh),
+                    previous != nullptr ? results::fingerprint(*previous) : 0,
+                    {},
+                    results::FolderClaim(folder)};
   if (begin == Begin::unless_done)
     if (auto finished = unchanged_run(study, course)) {
       watch.say(

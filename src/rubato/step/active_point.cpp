@@ -19,14 +19,14 @@ constexpr double empty_row = 1e-13;
 /// Equations of size one that differ by less say the same.
 constexpr double no_pivot = 1e-10;
 
-/// Multipliers that nothing can change stay as they are.
-void mend_empty_rows(contact::FactoredResponse& r) {
+/// dλ = 0 for rows without free dofs.
+void fix_unconstrained_multipliers(contact::FactoredResponse& r) {
   const Index d = r.components;
   for (Index row = d; row < d + r.multipliers(); ++row)
-    if (r.by_multiplier.row(row).isZero(0) && r.by_q.row(row).lpNorm<Eigen::Infinity>() <=
+    if (r.by_multiplier.row(row).isZero(0) && r.d_du.row(row).lpNorm<Eigen::Infinity>() <=
                                                   empty_row * r.spread.topRows(d).lpNorm<Eigen::Infinity>()) {
       r.by_multiplier(row, row - d) = 1;
-      r.by_q.row(row).setZero();
+      r.d_du.row(row).setZero();
       r.equations[row - d] = 0;
     }
 }
@@ -48,10 +48,10 @@ public:
     point_.by_force = combinations.template leftCols<D>(d_);
     point_.right = combinations.template rightCols<M>(m_) * r_.equations.template head<M>(m_);
     auto& left = point_.rows.left;
-    left.resize(d_ + r_.slopes, r_.by_q.cols());
+    left.resize(d_ + r_.n_xi, r_.d_du.cols());
     for (Index q = 0; q < left.cols(); ++q) {
-      left.col(q).template head<D>(d_) = -(combinations * r_.by_q.col(q).template head<rows>(d_ + m_));
-      left.col(q).tail(r_.slopes) = -r_.by_q.col(q).tail(r_.slopes);
+      left.col(q).template head<D>(d_) = -(combinations * r_.d_du.col(q).template head<rows>(d_ + m_));
+      left.col(q).tail(r_.n_xi) = -r_.d_du.col(q).tail(r_.n_xi);
     }
     point_.rows.right = r_.spread;
   }
@@ -161,7 +161,7 @@ bool reduce(Rows& rows, Index unknowns) {
 
 void eliminate_multipliers(ActivePoint& point) {
   auto& r = point.response;
-  mend_empty_rows(r);
+  fix_unconstrained_multipliers(r);
   if (r.components == 3 && r.multipliers() == 3)
     Elimination<3, 3>(point).run();
   else if (r.components == 2 && r.multipliers() == 2)
@@ -192,7 +192,7 @@ contact::PointVector multiplier_change(const ActivePoint& point,
   Eigen::Matrix<double, Dynamic, 1, 0, 6, 1> right(d + m);
   right << force, -r.equations;
   for (std::size_t q = 0; q < point.positions.size(); ++q)
-    right -= r.by_q.col(static_cast<Index>(q)).head(d + m) * moved[point.positions[q]];
+    right -= r.d_du.col(static_cast<Index>(q)).head(d + m) * moved[point.positions[q]];
   return point.inverse * right;
 }
 

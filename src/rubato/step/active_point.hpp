@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rubato/contact/factored_response.hpp"
-#include "rubato/step/touched_surface.hpp"
+#include "rubato/step/active_interface_compliance.hpp"
 
 #include <Eigen/Core>
 
@@ -28,7 +28,7 @@ struct ActivePoint {
   Eigen::Index first_slope = 0; ///< of its δξ
 
   int components() const { return response.components; }
-  int slopes() const { return response.slopes; }
+  int n_xi() const { return response.n_xi; }
 };
 
 /// Takes the combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm.

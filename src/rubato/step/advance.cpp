@@ -2,7 +2,7 @@
 #include "rubato/step/advance.hpp"
 
 #include "rubato/step/condensed.hpp"
-#include "rubato/step/levels.hpp"
+#include "rubato/step/nested_loops.hpp"
 #include "rubato/step/newton.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using model::Model;
 
 /// Augmentations tried one after the other. They do not change the answer, only which points are guessed to
 /// touch and to stick on the way there.
-constexpr std::array<Variant, 2> other_augmentations{
+constexpr std::array<RetrySettings, 2> other_augmentations{
     {{.normal_multiple = 0.01, .tangential_multiple = 0.1, .start = Start::last_step},
      {.normal_multiple = 10, .tangential_multiple = 10, .start = Start::last_step}}};
 /// Parts of μ tried one after the other, each from the last one's solution, when the whole of it fails.
@@ -98,21 +98,21 @@ public:
   }
 
 private:
-  StepReport afresh(const Variant& variant, State& trial) {
+  StepReport afresh(const RetrySettings& variant, State& trial) {
     trial = predict(model_, scheme_, system_, committed_, t_);
     return solve(variant, trial);
   }
 
   /// Also counts what earlier attempts have cost.
-  StepReport solve(const Variant& variant, State& trial) {
-    const ContactSide side(model_, scheme_, system_, committed_, variant);
+  StepReport solve(const RetrySettings& variant, State& trial) {
+    const ContactEvaluator side(model_, scheme_, system_, committed_, variant);
     auto report =
         can_condense(model_, system_) ? solve_by<Condensed>(side, trial) : solve_by<Newton>(side, trial);
     report.iterations = spent_ += report.iterations;
     return report;
   }
 
-  template <class Solver> StepReport solve_by(const ContactSide& side, State& trial) {
+  template <class Solver> StepReport solve_by(const ContactEvaluator& side, State& trial) {
     Solver solver(model_, scheme_, system_, committed_, t_, side, pulse_);
     return solve_levels(
         model_, side, [&](State& to, const Held& held) { return solver.run(to, held); }, committed_, trial);

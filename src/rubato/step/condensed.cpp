@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/condensed.hpp"
 
-#include "rubato/step/cycle_watch.hpp"
+#include "rubato/step/cycle_detector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ std::optional<Start> other_start(const Model& model, const EffectiveSystem& syst
 }
 
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                     const State& committed, double t, const ContactSide& side, Pulse& pulse)
+                     const State& committed, double t, const ContactEvaluator& side, Pulse& pulse)
     : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
       equilibrium_(model, scheme, system, committed, t),
       scratch_(scratch_of(system, scheme, model.dofs.components)), scale_(committed.force_scale),
@@ -82,14 +82,14 @@ StepReport Condensed::run(State& trial, const Held& held) {
       return ended(Outcome::not_finite, held);
     side_.start_iterations();
     if (starts_from_guess(model_, side_.variant().start))
-      guess_contact(trial, held);
+      predict_contact(trial, held);
     if (pulse_.stopped())
       return ended(Outcome::interrupted, held);
   }
   if (!system_.has_free_bodies)
     side_.start_iterations();
   reach_.start();
-  CycleWatch cycle;
+  CycleDetector cycle;
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
     if (!force().allFinite())
@@ -149,9 +149,9 @@ void Condensed::start_from(const State& trial) {
   surface_.start_from(trial.motion, equilibrium_);
 }
 
-void Condensed::guess_contact(State& trial, const Held& held) {
-  step::guess_contact({model_, system_, side_, held, equilibrium_, pulse_}, surface_, reach_, scratch_.guess,
-                      now(), trial);
+void Condensed::predict_contact(State& trial, const Held& held) {
+  step::predict_contact({model_, system_, side_, held, equilibrium_, pulse_}, surface_, reach_,
+                        scratch_.guess, now(), trial);
   // Only points that are guessed are followed.
   measured_ = std::ranges::all_of(held, [](const HeldZone& zone) { return zone.status.empty(); });
 }
@@ -284,8 +284,8 @@ bool Condensed::iterate(State& trial, const Held& held, double part) {
 }
 
 /// `moved`: how far the whole change moves the surface. Open points have no multipliers in the end.
-void Condensed::correct_multipliers(const PointSystem::Change& change, const VectorXd& moved, double part,
-                                    State& trial) const {
+void Condensed::correct_multipliers(const InterfaceNewtonSystem::Change& change, const VectorXd& moved,
+                                    double part, State& trial) const {
   const auto of_point = [&](std::size_t z, int count, std::size_t i) {
     return trial.zones[z].multipliers.segment(model_.zones[z].points[i].node_position * count, count);
   };

@@ -8,10 +8,10 @@
 /// (linalg/split_factor.hpp).
 #pragma once
 
-#include "rubato/step/contact_side.hpp"
+#include "rubato/step/contact_evaluator.hpp"
 #include "rubato/step/equilibrium.hpp"
-#include "rubato/step/guessed_start.hpp"
-#include "rubato/step/point_system.hpp"
+#include "rubato/step/interface_newton_system.hpp"
+#include "rubato/step/predicted_start.hpp"
 #include "rubato/step/surface_motion.hpp"
 
 #include <Eigen/Core>
@@ -41,9 +41,9 @@ struct PointInContact {
 /// Storage that one attempt leaves to the next.
 struct CondensedScratch {
   ContactIterate now, previous;
-  TouchedSurface surface;
-  PointSystem points;
-  GuessScratch guess;
+  ActiveInterfaceCompliance surface;
+  InterfaceNewtonSystem points;
+  PredictorScratch guess;
   std::vector<PointInContact> in_contact;
   Eigen::VectorXd force; ///< theirs on the surface, one a position
 
@@ -56,7 +56,7 @@ class Condensed {
 public:
   /// Everything must outlive this.
   Condensed(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-            const State& committed, double t, const ContactSide& side, Pulse& pulse);
+            const State& committed, double t, const ContactEvaluator& side, Pulse& pulse);
 
   /// Iterates from `trial` (u, v, a, multipliers and statuses) to the end of the step.
   StepReport run(State& trial, const Held& held);
@@ -68,7 +68,7 @@ private:
   const Eigen::VectorXd& force() const { return scratch_.force; }
 
   void start_from(const State& trial);
-  void guess_contact(State& trial, const Held& held);
+  void predict_contact(State& trial, const Held& held);
   void evaluate_contact(const State& trial, const Held& held, int iteration);
   void collect_forces(const Held& held);
   bool settled(const State& trial, const Held& held);
@@ -79,8 +79,8 @@ private:
   std::vector<WorstNode> worst_on_surface() const;
   void linearise(const State& trial, const Held& held);
   bool iterate(State& trial, const Held& held, double part);
-  void correct_multipliers(const PointSystem::Change& change, const Eigen::VectorXd& moved, double part,
-                           State& trial) const;
+  void correct_multipliers(const InterfaceNewtonSystem::Change& change, const Eigen::VectorXd& moved,
+                           double part, State& trial) const;
   ContactForce contact_force() const;
   bool in_equilibrium(const State& trial, const Held& held, const ContactForce& force);
   StepReport ended(Outcome outcome, const Held& held);
@@ -88,7 +88,7 @@ private:
   const model::Model& model_;
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
-  const ContactSide& side_;
+  const ContactEvaluator& side_;
   Pulse& pulse_;
   Equilibrium equilibrium_;
   CondensedScratch& scratch_;

@@ -46,7 +46,7 @@ EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, con
   ledger_.strain = strain_energy(start);
   ledger_.contact = energy_of_springs(model.zones, start.zones);
   ledger_.start = ledger_.stored();
-  if (!scheme.impulsive) // a law of velocities leaves overlaps as they are
+  if (!scheme.nonsmooth) // a law of velocities leaves overlaps as they are
     overlaps_ = overlaps_of(model, start);
 }
 
@@ -64,7 +64,7 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
       work_of_contact(moved, committed.friction_force, trial.friction_force) + obstacles.tangential;
   const double contact = work_of_contact(moved, committed.contact_force, trial.contact_force) +
                          obstacles.normal + obstacles.tangential;
-  const double springs = scheme_->impulsive ? 0.0 : energy_of_springs(model_->zones, trial.zones);
+  const double springs = scheme_->nonsmooth ? 0.0 : energy_of_springs(model_->zones, trial.zones);
   const double overlap = enter_overlaps(committed, trial);
   ledger_.friction += friction;
   ledger_.overlap_work += overlap;
@@ -87,7 +87,7 @@ double EnergyAccount::enter_overlaps(const State& committed, const State& trial)
 /// [u]·{f}, or [u]·f₁ where f₁ is the mean over the step.
 double EnergyAccount::work_of_contact(const VectorXd& moved, const VectorXd& before,
                                       const VectorXd& now) const {
-  return scheme_->impulsive ? moved.dot(now) : work(moved, before, now);
+  return scheme_->nonsmooth ? moved.dot(now) : work(moved, before, now);
 }
 
 /// [o]·{f} of the forces that obstacles push the bodies with, o their motion; [o]·f₁ where f₁ is the mean.
@@ -104,9 +104,9 @@ EnergyAccount::Obstacles EnergyAccount::work_of_obstacles(const State& committed
         work.tangential += part * way.dot(outcome.tangential);
       }
     };
-    if (!scheme_->impulsive)
+    if (!scheme_->nonsmooth)
       add(committed, 0.5);
-    add(trial, scheme_->impulsive ? 1.0 : 0.5);
+    add(trial, scheme_->nonsmooth ? 1.0 : 0.5);
   }
   return work;
 }
@@ -128,7 +128,7 @@ EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, con
     if (moved[dof] == 0)
       continue;
     const double mean =
-        scheme_->impulsive ? trial.reaction[dof] : 0.5 * (reaction(committed, dof) + reaction(trial, dof));
+        scheme_->nonsmooth ? trial.reaction[dof] : 0.5 * (reaction(committed, dof) + reaction(trial, dof));
     supports.work += moved[dof] * mean;
     supports.with_step += moved[dof] * trial.reaction[dof];
   }
@@ -143,7 +143,7 @@ double EnergyAccount::work_of_equation(const VectorXd& moved, const State& commi
   double sum = scheme_->forces.now * moved.dot(now.internal - trial.external_force) +
                scheme_->contact_weight() * moved.dot(trial.contact_force);
   if (scheme_->forces.before != 0)
-    sum += scheme_->forces.before * moved.dot(committed.unbalance);
+    sum += scheme_->forces.before * moved.dot(committed.residual_force);
   if (!scheme_->dynamic)
     return sum;
   sum += moved.dot(scheme_->inertia.now * now.inertia + scheme_->inertia.before * before.inertia);
@@ -168,7 +168,7 @@ double EnergyAccount::scheme_dissipation(const VectorXd& moved, const State& com
   const VectorXd bracket_before = bracket(committed);
   double sum = (scheme_->forces.now - 0.5) * moved.dot(bracket(trial) - bracket_before);
   if (scheme_->forces.before != 0)
-    sum += scheme_->forces.before * moved.dot(committed.unbalance - bracket_before);
+    sum += scheme_->forces.before * moved.dot(committed.residual_force - bracket_before);
   if (!scheme_->dynamic)
     return sum;
   if (damped(trial))
@@ -181,7 +181,7 @@ double EnergyAccount::dissipation_of_inertia(const VectorXd& moved, const State&
   const double h = trial.t - committed.t;
   const auto& before = committed.bulk;
   const auto& now = trial.bulk;
-  if (scheme_->impulsive)
+  if (scheme_->nonsmooth)
     return (scheme_->beta - 0.5) * h * h * trial.motion.a.dot(now.inertia);
   const auto inertia_change = now.inertia - before.inertia;
   double sum = (scheme_->inertia.now - scheme_->gamma) * moved.dot(inertia_change);

@@ -24,7 +24,7 @@ void add_magnitudes(double factor, const model::SparseMatrix& matrix, const Vect
 }
 
 VectorXd history_forces(const time::Scheme& scheme, const State& committed) {
-  VectorXd history = scheme.forces.before * committed.unbalance;
+  VectorXd history = scheme.forces.before * committed.residual_force;
   if (scheme.inertia.before != 0)
     history += scheme.inertia.before * committed.bulk.inertia;
   if (scheme.damping.before != 0 && committed.bulk.viscous.size() > 0)
@@ -177,9 +177,9 @@ void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.t = t_;
   trial.bulk = bulk_;
   trial.force_scale = scale_;
-  trial.unbalance = bulk_unbalance_;
+  trial.residual_force = bulk_unbalance_;
   if (scheme_.remembers_contact())
-    trial.unbalance += contact.all - contact.forgotten;
+    trial.residual_force += contact.all - contact.forgotten;
   trial.contact_force = contact.all;
   trial.external_force = external_;
   trial.reaction = VectorXd::Zero(full_residual_.size());

@@ -30,7 +30,7 @@ struct ContactStiffness {
   Eigen::VectorXd by_move;  ///< friction by penalty, which knows of the slips of the step only
 };
 
-/// `friction`: what ContactSide::friction_stiffness gives.
+/// `friction`: what ContactEvaluator::friction_stiffness gives.
 ContactStiffness contact_stiffness(const model::Model& model, const EffectiveSystem& system,
                                    const std::vector<std::vector<double>>& friction);
 

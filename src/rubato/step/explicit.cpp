@@ -37,10 +37,10 @@ VectorXd inverse_masses(const Model& model) {
 }
 
 /// v −= h M⁻¹ r, u += h v in one sweep: vectors cost memory traffic, too.
-void leap(double h, const VectorXd& inverse_mass, const VectorXd& unbalance, VectorXd& velocity,
-          VectorXd& displacement) {
+void central_difference_update(double h, const VectorXd& inverse_mass, const VectorXd& residual_force,
+                               VectorXd& velocity, VectorXd& displacement) {
   const double* m = inverse_mass.data();
-  const double* r = unbalance.data();
+  const double* r = residual_force.data();
   double* v = velocity.data();
   double* u = displacement.data();
   for (Index i = 0; i < velocity.size(); ++i) {
@@ -144,7 +144,7 @@ void ExplicitMotion::step(double end) {
     const int dof = support.constraint->dof;
     v_[dof] = (model::displacement_of(*support.constraint, end) - u_[dof]) / h_;
   }
-  leap(h_, inverse_mass_, unbalance_, v_, u_);
+  central_difference_update(h_, inverse_mass_, unbalance_, v_, u_);
   const double begin = std::exchange(t_, end);
   ++steps_;
   const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
@@ -177,7 +177,7 @@ void ExplicitMotion::find_forces() {
     apply(load);
 }
 
-/// Adds a load to the unbalance, and its work since the last instant.
+/// Adds a load to the residual force, and its work since the last instant.
 void ExplicitMotion::apply(Load& load) {
   const double factor = factor_at(*load.function, t_);
   double displacement = 0;
@@ -260,7 +260,7 @@ void ExplicitMotion::restore(const Memory& memory) {
   steps_ = memory.steps;
   u_ = memory.u;
   v_ = memory.v;
-  unbalance_ = memory.unbalance;
+  unbalance_ = memory.residual_force;
   contact_force_ = memory.contact_force;
   damping_force_ = memory.damping_force;
   energy_ = memory.energy;
@@ -279,9 +279,9 @@ State ExplicitMotion::state() const {
   state.t = t_;
   const VectorXd a = acceleration();
   state.motion = {u_, v_ + h_ / 2 * a, a};
-  state.unbalance = unbalance_;
+  state.residual_force = unbalance_;
   if (damping_)
-    state.unbalance -= damping_force_;
+    state.residual_force -= damping_force_;
   state.contact_force = contact_force_;
   state.reaction = VectorXd::Zero(u_.size());
   for (const auto& constraint : model_->constraints)

@@ -61,7 +61,7 @@ public:
     double t = 0;
     double step = 0;
     std::int64_t steps = 0;
-    Eigen::VectorXd u, v, unbalance, contact_force, damping_force;
+    Eigen::VectorXd u, v, residual_force, contact_force, damping_force;
     std::vector<double> load_factors, load_displacements; ///< one a load
     std::vector<double> reactions;                        ///< one a support that moves
     std::vector<contact::ExplicitPenalty::Memory> zones;

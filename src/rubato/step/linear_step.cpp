@@ -33,7 +33,7 @@ struct ContactBlocks {
 };
 
 /// A point between parts that are held has a gap or slip nobody can change: its multiplier stays as it is.
-void mend_empty_rows(ContactBlocks& blocks) {
+void fix_unconstrained_multipliers(ContactBlocks& blocks) {
   VectorXd largest = VectorXd::Zero(blocks.equations.size());
   for (const auto* triplets : {&blocks.equation_by_dof, &blocks.equation_by_multiplier})
     for (const auto& entry : *triplets)
@@ -67,7 +67,7 @@ ContactBlocks blocks_of(const LinearProblem& problem) {
       blocks.equation_by_dof.emplace_back(entry.row(), free(entry.col()), entry.value());
   blocks.equation_by_multiplier = system.equation_by_multiplier;
   blocks.equations = system.equations;
-  mend_empty_rows(blocks);
+  fix_unconstrained_multipliers(blocks);
   return blocks;
 }
 

@@ -2,9 +2,9 @@
 #include "rubato/step/newton.hpp"
 
 #include "rubato/step/condensed.hpp"
-#include "rubato/step/cycle_watch.hpp"
-#include "rubato/step/guessed_start.hpp"
+#include "rubato/step/cycle_detector.hpp"
 #include "rubato/step/linear_step.hpp"
+#include "rubato/step/predicted_start.hpp"
 #include "rubato/step/projected_cg.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ bool by_projected_cg(const Model& model) {
 } // namespace
 
 Newton::Newton(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-               const State& committed, double t, const ContactSide& side, Pulse& pulse)
+               const State& committed, double t, const ContactEvaluator& side, Pulse& pulse)
     : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
       equilibrium_(model, scheme, system, committed, t),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {}
@@ -32,10 +32,10 @@ StepReport Newton::run(State& trial, const Held& held) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
   if (!started_ && can_guess(model_, system_) && starts_from_guess(model_, side_.variant().start))
-    start_from_guess({model_, system_, side_, held, equilibrium_, pulse_}, scheme_, trial);
+    start_from_prediction({model_, system_, side_, held, equilibrium_, pulse_}, scheme_, trial);
   started_ = true;
   side_.start_iterations();
-  CycleWatch cycle;
+  CycleDetector cycle;
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
     evaluate_contact(trial, held, iteration);
     equilibrium_.evaluate(trial.motion, force_);

@@ -8,7 +8,7 @@
 ///   [  ∂e/∂u            ∂e/∂λ   ] [dλ] = − [equations]
 #pragma once
 
-#include "rubato/step/contact_side.hpp"
+#include "rubato/step/contact_evaluator.hpp"
 #include "rubato/step/equilibrium.hpp"
 #include "rubato/step/pulse.hpp"
 
@@ -18,7 +18,7 @@ class Newton {
 public:
   /// Everything must outlive this.
   Newton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-         const State& committed, double t, const ContactSide& side, Pulse& pulse);
+         const State& committed, double t, const ContactEvaluator& side, Pulse& pulse);
 
   /// Iterates from `trial` (u, v, a, multipliers and statuses) to the end of the step.
   StepReport run(State& trial, const Held& held);
@@ -35,7 +35,7 @@ private:
   const model::Model& model_;
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
-  const ContactSide& side_;
+  const ContactEvaluator& side_;
   Pulse& pulse_;
   Equilibrium equilibrium_;
   contact::ContactSystem contact_;

@@ -93,9 +93,9 @@ const Unmet* StepReport::unmet_by(Criterion criterion) const {
 }
 
 void name_restless(StepReport& report) {
-  if (report.restless.empty())
+  if (report.changing_points.empty())
     return;
-  const auto& first = report.restless.front();
+  const auto& first = report.changing_points.front();
   report.unmet.push_back({Criterion::status, first.zone, first.node,
                           static_cast<double>(report.status_changes), 0, report.status_changes});
 }

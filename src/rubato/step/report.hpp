@@ -32,7 +32,7 @@ std::string_view to_string(Outcome outcome);
 std::string_view level_of(Outcome outcome);
 
 /// A contact point whose status would not settle, and what it went from and to last.
-struct RestlessPoint {
+struct ChangingPoint {
   int zone = 0;
   mesh::NodeIndex node = -1;
   contact::Status before = contact::Status::open;
@@ -97,7 +97,7 @@ struct StepReport {
   /// Of an attempt that failed: the nodes where the residual is largest, largest first, at most five.
   std::vector<WorstNode> worst;
   int status_changes = 0; ///< contact points that changed in the last iteration or round
-  std::vector<RestlessPoint> restless;
+  std::vector<ChangingPoint> changing_points;
   /// Of an attempt that failed: each criterion that is not met, once.
   std::vector<Unmet> unmet;
   std::vector<LoopRound> rounds;      ///< in the order they ended, of the last attempt

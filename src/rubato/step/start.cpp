@@ -38,9 +38,9 @@ VectorXd solve_mass(const model::SparseMatrix& mass, const VectorXd& force) {
   return a;
 }
 
-/// M a = −(unbalance + C v) on the free dofs, a = 0 on the others and where nothing has mass.
-VectorXd balanced_acceleration(const Model& model, const VectorXd& unbalance, const VectorXd& velocity) {
-  VectorXd force = -unbalance;
+/// M a = −(residual force + C v) on the free dofs, a = 0 on the others and where nothing has mass.
+VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_force, const VectorXd& velocity) {
+  VectorXd force = -residual_force;
   if (model.damping.nonZeros() > 0)
     force -= model.damping * velocity;
   auto mass = model::free_part(model, model.mass);
@@ -51,7 +51,7 @@ VectorXd balanced_acceleration(const Model& model, const VectorXd& unbalance, co
       if (const int row = model.free_index[static_cast<std::size_t>(dof)]; row >= 0)
         mass.coeffRef(row, row) = 1;
     }
-  VectorXd a = VectorXd::Zero(unbalance.size());
+  VectorXd a = VectorXd::Zero(residual_force.size());
   a(model.free_dofs) = solve_mass(mass, force(model.free_dofs));
   return a;
 }
@@ -82,16 +82,16 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   state.t = t;
   state.motion = {model.initial.displacement, model.initial.velocity, VectorXd::Zero(size)};
   apply_imposed(model, t, state.motion.u);
-  state.unbalance = model.stiffness * state.motion.u - model::external_force(model, t);
+  state.residual_force = model.stiffness * state.motion.u - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
   for (const auto& zone : model.zones)
     state.zones.push_back(untouched_zone(model, zone, state.motion.u, t));
   if (scheme.dynamic)
-    state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
+    state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v);
   if (!loaded_history)
-    state.unbalance.setZero();
+    state.residual_force.setZero();
   state.bulk = bulk_forces(model, state.motion);
   state.external_force = model::external_force(model, t);
   return state;
@@ -100,11 +100,11 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
 State continued_state(const Model& model, const time::Scheme& scheme, const State& end, double t) {
   State state = end;
   state.t = t;
-  state.unbalance = model.stiffness * state.motion.u - model::external_force(model, t);
+  state.residual_force = model.stiffness * state.motion.u - model::external_force(model, t);
   if (scheme.remembers_contact())
-    state.unbalance += state.contact_force;
+    state.residual_force += state.contact_force;
   if (scheme.dynamic)
-    state.motion.a = balanced_acceleration(model, state.unbalance, state.motion.v);
+    state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v);
   state.bulk = bulk_forces(model, state.motion);
   state.external_force = model::external_force(model, t);
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart

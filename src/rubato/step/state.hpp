@@ -24,7 +24,7 @@ struct State {
   time::Motion motion; ///< u, v, a, one a dof
   BulkForces bulk;
   Eigen::VectorXd
-      unbalance; ///< internal + contact − external force at t: the scheme's history bracket [force]
+      residual_force; ///< internal + contact − external force at t: the scheme's history bracket [force]
   Eigen::VectorXd contact_force;  ///< contact and friction, internal side [force]
   Eigen::VectorXd friction_force; ///< the part of it along the surfaces [force]
   Eigen::VectorXd external_force; ///< the loads at t [force]

@@ -48,7 +48,7 @@ Scheme theta_method(double theta) {
   scheme.gamma = 1;
   scheme.damping = {theta, 1 - theta};
   scheme.forces = {theta, 1 - theta};
-  scheme.impulsive = true;
+  scheme.nonsmooth = true;
   return scheme;
 }
 
@@ -87,7 +87,7 @@ Scheme make_scheme(const study::TimeStepping& settings) {
 }
 
 bool is_undamped(const Scheme& scheme) {
-  return scheme.dynamic && !scheme.impulsive && scheme.gamma <= 0.5;
+  return scheme.dynamic && !scheme.nonsmooth && scheme.gamma <= 0.5;
 }
 
 StepCoefficients coefficients_of(const Scheme& scheme, double step) {
@@ -108,7 +108,7 @@ Motion predict(const Scheme& scheme, double step, const Motion& start) {
     return {start.u, Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
   const double beta = scheme.beta;
   const double gamma = scheme.gamma;
-  if (scheme.impulsive) // a₀ is the mean of another step
+  if (scheme.nonsmooth) // a₀ is the mean of another step
     return {start.u, (beta - gamma) / beta * start.v, -1 / (beta * step) * start.v};
   return {start.u, (beta - gamma) / beta * start.v + (2 * beta - gamma) * step / (2 * beta) * start.a,
           -1 / (beta * step) * start.v + (2 * beta - 1) / (2 * beta) * start.a};

@@ -31,10 +31,10 @@ struct Scheme {
   bool dynamic = true; ///< false: load steps in pseudo-time, no velocity and no acceleration
   /// Velocities may jump: a₁ and the contact force of a step are their means over it, with the weight 1 and
   /// without history, and contact is a law of velocities. γ = 1 and β = θ of the θ-method then.
-  bool impulsive = false;
+  bool nonsmooth = false;
 
-  double contact_weight() const { return impulsive ? 1.0 : forces.now; }
-  bool remembers_contact() const { return !impulsive; }
+  double contact_weight() const { return nonsmooth ? 1.0 : forces.now; }
+  bool remembers_contact() const { return !nonsmooth; }
 };
 
 /// newmark: β, γ given (default average acceleration). hht: Hilber, Hughes and Taylor (1977) with α ≤ 0,

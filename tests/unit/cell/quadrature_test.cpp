@@ -97,12 +97,12 @@ TEST_P(EveryQuadrature, IntegratesProductsOfGradientsExactlyByTheStiffnessRule) 
   const auto& cell = reference_cell(GetParam());
   const auto rows = static_cast<std::size_t>(cell.node_count * cell.dimension);
   const auto gram = [&](std::span<const QuadraturePoint> rule) {
-    std::vector<double> slopes(rows), products(rows * rows, 0.);
+    std::vector<double> n_xi(rows), products(rows * rows, 0.);
     for (const auto& [xi, weight] : rule) {
-      cell.gradients(xi, slopes);
+      cell.gradients(xi, n_xi);
       for (std::size_t i = 0; i < rows; ++i)
         for (std::size_t j = 0; j < rows; ++j)
-          products[i * rows + j] += weight * slopes[i] * slopes[j];
+          products[i * rows + j] += weight * n_xi[i] * n_xi[j];
     }
     return products;
   };

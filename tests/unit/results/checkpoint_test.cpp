@@ -27,7 +27,7 @@ Checkpoint sample() {
   c.spent = {.setup_seconds = 0.1, .loop_seconds = 1.0 / 3, .steps = 5, .iterations = 17, .cuts = 2};
   c.state.t = 0.3;
   c.state.motion = {VectorXd::Constant(3, -0.0), VectorXd::Constant(3, tiny), VectorXd::LinSpaced(3, 1, 2)};
-  c.state.unbalance = VectorXd::Constant(3, 0.1);
+  c.state.residual_force = VectorXd::Constant(3, 0.1);
   c.state.force_scale = 12;
   c.state.zones.resize(2);
   c.state.zones[1].multipliers = VectorXd::Constant(2, 1e300);

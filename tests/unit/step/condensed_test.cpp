@@ -72,11 +72,11 @@ History history(const std::string& deck, study::Solver solver) {
   return all;
 }
 
-struct Variant {
+struct RetrySettings {
   std::string name, cells, contact;
 };
 
-class Condensed : public testing::TestWithParam<Variant> {};
+class Condensed : public testing::TestWithParam<RetrySettings> {};
 
 TEST_P(Condensed, GivesWhatTheWholeSystemGives) {
   const auto deck = beams(GetParam().cells, GetParam().contact);
@@ -110,20 +110,21 @@ time: {scheme: hht, alpha: -0.164, step: 1.6e-5, end: 1.6e-4}
 
 INSTANTIATE_TEST_SUITE_P(
     Variants, Condensed,
-    testing::Values(Variant{"Plane", "quad4", "friction: 0.2"},
-                    Variant{"PlaneFrictionless", "quad4", "friction: 0"},
-                    Variant{"PlaneQuadratic", "quad8", "friction: 0.4"},
-                    Variant{"PlaneGauss", "quad4", "friction: 0.2, integration: {gauss: 2}"},
-                    Variant{"PlanePartialNewton", "quad4", "friction: 0.2, iterate: {geometry: fixed_point}"},
-                    Variant{"PlanePenalty", "quad4",
-                            "friction: 0.2, method: penalty, iterate: {geometry: "
-                            "fixed_point, friction: fixed_point, status: fixed_point}"},
-                    Variant{"PlaneNodal", "quad4", "friction: 0.2, method: nodal_penalty"},
-                    Variant{"Solid", "hexa8", "friction: 0.2"},
-                    Variant{"SolidPenalty", "hexa8", "friction: 0.2, method: penalty"},
-                    Variant{"SolidNodal", "hexa8", "friction: 0.2, method: nodal_lagrange"},
-                    Variant{"SolidSlaveNormal", "hexa8", "friction: 0.2, normal: slave"},
-                    Variant{"SolidQuadratic", "hexa27", "friction: 0.3"}),
+    testing::Values(RetrySettings{"Plane", "quad4", "friction: 0.2"},
+                    RetrySettings{"PlaneFrictionless", "quad4", "friction: 0"},
+                    RetrySettings{"PlaneQuadratic", "quad8", "friction: 0.4"},
+                    RetrySettings{"PlaneGauss", "quad4", "friction: 0.2, integration: {gauss: 2}"},
+                    RetrySettings{"PlanePartialNewton", "quad4",
+                                  "friction: 0.2, iterate: {geometry: fixed_point}"},
+                    RetrySettings{"PlanePenalty", "quad4",
+                                  "friction: 0.2, method: penalty, iterate: {geometry: "
+                                  "fixed_point, friction: fixed_point, status: fixed_point}"},
+                    RetrySettings{"PlaneNodal", "quad4", "friction: 0.2, method: nodal_penalty"},
+                    RetrySettings{"Solid", "hexa8", "friction: 0.2"},
+                    RetrySettings{"SolidPenalty", "hexa8", "friction: 0.2, method: penalty"},
+                    RetrySettings{"SolidNodal", "hexa8", "friction: 0.2, method: nodal_lagrange"},
+                    RetrySettings{"SolidSlaveNormal", "hexa8", "friction: 0.2, normal: slave"},
+                    RetrySettings{"SolidQuadratic", "hexa27", "friction: 0.3"}),
     [](const auto& variant) { return variant.param.name; });
 
 } // namespace

@@ -71,7 +71,7 @@ protected:
     state.contact_force = anything();
     state.friction_force = anything();
     state.external_force = anything();
-    state.unbalance = anything();
+    state.residual_force = anything();
     state.reaction = anything();
     state.bulk = bulk_forces(model_, state.motion);
     return state;
@@ -92,7 +92,8 @@ protected:
   /// m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F₁ + f₀ F₀, as the matrices give it.
   VectorXd left_side(const State& before, const State& now) const {
     VectorXd sum = scheme_.forces.now * (model_.stiffness * now.motion.u - now.external_force) +
-                   scheme_.contact_weight() * now.contact_force + scheme_.forces.before * before.unbalance;
+                   scheme_.contact_weight() * now.contact_force +
+                   scheme_.forces.before * before.residual_force;
     if (scheme_.dynamic)
       sum += scheme_.inertia.now * (model_.mass * now.motion.a) +
              scheme_.inertia.before * (model_.mass * before.motion.a) +
@@ -138,7 +139,7 @@ TEST_P(Ledger, MeasuresWorksByTheMeanOfBothEnds) {
   EXPECT_NEAR(ledger.strain, 0.5 * now.motion.u.dot(model_.stiffness * now.motion.u), 1e-9);
   EXPECT_NEAR(ledger.external_work, work(before.external_force, now.external_force), 1e-9);
   const auto contact_work = [&](const VectorXd& a, const VectorXd& b) {
-    return scheme_.impulsive ? moved.dot(b) : work(a, b);
+    return scheme_.nonsmooth ? moved.dot(b) : work(a, b);
   };
   EXPECT_NEAR(ledger.friction, contact_work(before.friction_force, now.friction_force), 1e-9);
   EXPECT_NEAR(ledger.friction + ledger.impact, contact_work(before.contact_force, now.contact_force), 1e-9);

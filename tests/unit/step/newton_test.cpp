@@ -54,7 +54,7 @@ std::vector<double> residuals_by_iteration(const Changes& changes) {
     auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
     const double t = walk.control.target();
     State trial = predict(walk.model, walk.scheme, system, walk.state, t);
-    const ContactSide side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
+    const ContactEvaluator side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
     Pulse pulse;
     Newton newton(walk.model, walk.scheme, system, walk.state, t, side, pulse);
     const auto report = newton.run(trial, Held(walk.model.zones.size()));

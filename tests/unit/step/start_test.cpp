@@ -92,10 +92,10 @@ TEST(StaticSteps, FindTheEquilibriumInOneSolveWhenNothingTouches) {
   Walk walk(test::two_beams, and_static({{"contact", "~"}}));
   ASSERT_TRUE(walk.to_end());
   EXPECT_EQ(walk.reports.back().iterations, 1);
-  const Eigen::VectorXd unbalance =
+  const Eigen::VectorXd residual_force =
       walk.model.stiffness * walk.state.motion.u - model::external_force(walk.model, 1);
   for (const auto dof : walk.model.free_dofs)
-    EXPECT_NEAR(unbalance[dof], 0, 1e-9 * 1e7);
+    EXPECT_NEAR(residual_force[dof], 0, 1e-9 * 1e7);
   EXPECT_EQ(walk.state.motion.v.norm(), 0);
 }
 

@@ -43,10 +43,10 @@ TEST(SystemCache, KeepsTheMainLengthThroughManyCuts) {
 
 TEST(SystemCache, LetsGoOfTheLengthThatWasNotUsedForLongest) {
   Counted cache;
-  for (const double part : {1.0, 1.0, 2.0, 4.0, 8.0})
+  for (const double part : {1.0, 1.0, 1.0, 2.0, 4.0, 8.0})
     cache.of(main_length / part);
   cache.of(main_length / 2);
-  cache.of(main_length / 16); // a fourth of the main length is the oldest now
+  cache.of(main_length / 16); // the main length was used most, so a fourth of it goes
   EXPECT_EQ(cache.factored(), 5);
   for (const double part : {1.0, 2.0, 8.0, 16.0})
     cache.of(main_length / part);

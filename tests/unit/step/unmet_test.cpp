@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // An attempt that fails names the criterion that is not met and the point where it is furthest from it.
-#include "rubato/step/contact_side.hpp"
+#include "rubato/step/contact_evaluator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ class Spoilt : public testing::Test {
 protected:
   Spoilt() : walk_(test::block_on_plane), held_(walk_.model.zones.size()) {
     EXPECT_TRUE(walk_.advance());
-    side_.emplace(walk_.model, walk_.scheme, *walk_.system, walk_.state, Variant{});
+    side_.emplace(walk_.model, walk_.scheme, *walk_.system, walk_.state, RetrySettings{});
     before_ = side_->at(walk_.state, held_);
     now_ = before_;
     while (now_.status[0][point_] == contact::Status::open)
@@ -36,7 +36,7 @@ protected:
 
   test::Walk walk_;
   Held held_;
-  std::optional<ContactSide> side_;
+  std::optional<ContactEvaluator> side_;
   ContactIterate before_, now_;
   std::size_t point_ = 0;
 };
@@ -96,7 +96,7 @@ TEST_F(Spoilt, APointThatLostItsMasterFaceIsNamed) {
 TEST(APointThatNothingEverFaced, IsNotLost) {
   test::Walk walk(test::block_on_plane, {{"mesh.generate.1.rectangle.from", "[0.4, -1]"}});
   auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
-  const ContactSide side(walk.model, walk.scheme, system, walk.state, {});
+  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state, {});
   const Held held(walk.model.zones.size());
   const auto now = side.at(walk.state, held);
   EXPECT_FALSE(now.points[0].front().kinematics && now.points[0].back().kinematics);

@@ -110,7 +110,7 @@ TEST_F(Apart, PointsThatArriveInTheFirstHalfStandWhereTheyAre) {
     EXPECT_FALSE(point.kinematics.has_value());
 }
 
-struct Course {
+struct RunContext {
   EnergyLedger end;
   double least_impact = 0;   ///< of a step
   double least_friction = 0; ///< of a step
@@ -118,10 +118,10 @@ struct Course {
   VectorXd u;
 };
 
-Course course_of(const Changes& changes) {
+RunContext course_of(const Changes& changes) {
   test::Walk walk(test::two_beams, changes);
   EnergyAccount account(walk.model, walk.scheme, walk.state);
-  Course course;
+  RunContext course;
   walk.accepted = [&] {
     const auto before = account.ledger();
     account.enter(walk.before, walk.state);

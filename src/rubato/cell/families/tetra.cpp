@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::array<std::array<double, 3>, 4> slopes{{{-1, -1, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+constexpr std::array<std::array<double, 3>, 4> n_xi{{{-1, -1, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 void values4(const Vector3d& xi, std::span<double> n) {
   n[0] = 1 - xi.sum();
@@ -19,7 +19,7 @@ void values4(const Vector3d& xi, std::span<double> n) {
 
 void gradients4(const Vector3d&, std::span<double> dn) {
   auto out = dn.begin();
-  for (const auto& slope : slopes)
+  for (const auto& slope : n_xi)
     out = std::ranges::copy(slope, out).out;
 }
 
@@ -37,7 +37,7 @@ void gradients10(const Vector3d& xi, std::span<double> dn) {
   auto out = dn.begin() + 12;
   for (const auto [p, q] : cell::topology(CellType::tetra10).edges)
     for (std::size_t a = 0; a < 3; ++a)
-      *out++ = 4 * (slopes[p][a] * volume[q] + volume[p] * slopes[q][a]);
+      *out++ = 4 * (n_xi[p][a] * volume[q] + volume[p] * n_xi[q][a]);
   subtract_half_of_mid_edges<3>(CellType::tetra10, dn);
 }
 

@@ -24,10 +24,10 @@
 
 namespace rubato::step {
 
-class PointSystem {
+class InterfaceNewtonSystem {
 public:
   /// Both must outlive this.
-  PointSystem(Compliance& compliance, TouchedSurface& surface, double force_weight);
+  InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface, double force_weight);
 
   /// Begins another iteration with no points; factors are kept for the same ones.
   void clear();
@@ -80,7 +80,7 @@ private:
   std::size_t count_ = 0;
   Eigen::Index forces_ = 0; ///< how many δz
   Eigen::Index places_ = 0; ///< how many δξ
-  TouchedSurface& surface_;
+  ActiveInterfaceCompliance& surface_;
   std::optional<linalg::DenseLu> factors_;
   std::vector<std::pair<std::size_t, std::size_t>> factored_points_; ///< zone and index
   Eigen::Index factored_rows_ = 0;           ///< of each point: δz alone, or δξ too

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The sweeps that Newton starts from, on small problems with known answers.
-#include "rubato/step/contact_guess.hpp"
+#include "rubato/step/contact_predictor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ class PushedBlock : public testing::Test {
 protected:
   PushedBlock() : compliance_(factored(), numbers(), matrix_.rows()) {
     for (int i = 0; i < 8; ++i) {
-      GuessPoint point;
+      PredictorPoint point;
       point.index = static_cast<std::size_t>(i);
       const auto& at = compliance_.position_of_dof();
       const auto first = static_cast<std::size_t>(9 * i);
@@ -112,7 +112,7 @@ protected:
     return d;
   }
 
-  Eigen::Vector3d measures(const GuessPoint& point, const VectorXd& d) const {
+  Eigen::Vector3d measures(const PredictorPoint& point, const VectorXd& d) const {
     Eigen::Vector3d e = Eigen::Vector3d::Zero();
     for (const auto& share : point.shares)
       add_moved(share, d, e);
@@ -121,11 +121,11 @@ protected:
 
   linalg::SparseMatrix matrix_ = test::elastic_block(5, 4, 3);
   Compliance compliance_;
-  std::vector<GuessPoint> points_;
+  std::vector<PredictorPoint> points_;
 };
 
 TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
-  ContactGuess guess(compliance_, 1, 3);
+  ContactPredictor guess(compliance_, 1, 3);
   for (int round = 0; round < 20; ++round)
     guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), pulse_);
   const VectorXd d = moved();
@@ -148,7 +148,7 @@ TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
 }
 
 TEST_F(PushedBlock, FindsTheSameForcesAgain) {
-  ContactGuess guess(compliance_, 1, 3);
+  ContactPredictor guess(compliance_, 1, 3);
   guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), pulse_);
   const auto first = points_;
   for (auto& point : points_)

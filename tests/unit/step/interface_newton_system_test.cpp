@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The points' linear system against the equations it stands for, with made-up points on two elastic blocks.
-#include "rubato/step/point_system.hpp"
+#include "rubato/step/interface_newton_system.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ private:
 FactoredResponse made_up(Random& random, int dofs, double slope_size) {
   FactoredResponse response;
   response.components = 3;
-  response.slopes = 2;
+  response.n_xi = 2;
   while (response.dofs.size() < 8)
     if (const int dof = random.below(dofs);
         std::find(response.dofs.begin(), response.dofs.end(), dof) == response.dofs.end())
@@ -45,7 +45,7 @@ FactoredResponse made_up(Random& random, int dofs, double slope_size) {
   response.force = random.matrix(3, 1);
   response.spread = random.matrix(5, 8);
   response.spread.bottomRows(2) *= slope_size;
-  response.by_q = random.matrix(8, 8);
+  response.d_du = random.matrix(8, 8);
   response.by_multiplier = random.matrix(6, 3);
   response.equations = random.matrix(3, 1);
   return response;
@@ -86,7 +86,7 @@ struct Points {
 };
 
 /// How far the changes that a system comes to are from fulfilling the equations of its points.
-void expect_solved(PointSystem& system, Bulk& bulk, const VectorXd& d0) {
+void expect_solved(InterfaceNewtonSystem& system, Bulk& bulk, const VectorXd& d0) {
   const auto& dofs = bulk.compliance.dof_of_position();
   VectorXd force = force_of(system.points(), bulk.compliance);
   const auto change = system.solve(d0, force);
@@ -103,18 +103,18 @@ void expect_solved(PointSystem& system, Bulk& bulk, const VectorXd& d0) {
                        .position_of_dof()[static_cast<std::size_t>(r.dofs[static_cast<std::size_t>(k)])]];
     const VectorXd z = change->force.segment(point.first, 3);
     const double size = std::max(1.0, z.lpNorm<Eigen::Infinity>());
-    EXPECT_LE((r.by_q.topRows(3) * q + r.by_multiplier.topRows(3) * m - z).lpNorm<Eigen::Infinity>(),
+    EXPECT_LE((r.d_du.topRows(3) * q + r.by_multiplier.topRows(3) * m - z).lpNorm<Eigen::Infinity>(),
               1e-7 * size);
-    EXPECT_LE((r.by_q.middleRows(3, 3) * q + r.by_multiplier.bottomRows(3) * m + r.equations)
+    EXPECT_LE((r.d_du.middleRows(3, 3) * q + r.by_multiplier.bottomRows(3) * m + r.equations)
                   .lpNorm<Eigen::Infinity>(),
               1e-7 * size);
     EXPECT_LE(
-        (r.by_q.bottomRows(2) * q - change->places.segment(point.first_slope, 2)).lpNorm<Eigen::Infinity>(),
+        (r.d_du.bottomRows(2) * q - change->places.segment(point.first_slope, 2)).lpNorm<Eigen::Infinity>(),
         1e-7 * size);
   }
 }
 
-class PointSystemWith : public testing::TestWithParam<Points> {
+class InterfaceNewtonSystemWith : public testing::TestWithParam<Points> {
 protected:
   std::vector<FactoredResponse> points() {
     std::vector<FactoredResponse> all;
@@ -133,23 +133,23 @@ protected:
 
   Bulk bulk;
   Random random{17};
-  TouchedSurface surface{bulk.compliance};
-  PointSystem system{bulk.compliance, surface, force_weight};
+  ActiveInterfaceCompliance surface{bulk.compliance};
+  InterfaceNewtonSystem system{bulk.compliance, surface, force_weight};
 };
 
-TEST_P(PointSystemWith, SolvesEachPointsEquations) {
+TEST_P(InterfaceNewtonSystemWith, SolvesEachPointsEquations) {
   take(points());
   expect_solved(system, bulk, way());
 }
 
 // With the factors of points that differ little, of points that differ much, and of others.
-TEST_P(PointSystemWith, SolvesThoseOfTheNextIterations) {
+TEST_P(InterfaceNewtonSystemWith, SolvesThoseOfTheNextIterations) {
   auto some = points();
   take(some);
   expect_solved(system, bulk, way());
   for (const double change : {1e-6, 1e-3, 1.0}) {
     for (auto& point : some)
-      point.by_q += change * random.matrix(point.by_q.rows(), point.by_q.cols());
+      point.d_du += change * random.matrix(point.d_du.rows(), point.d_du.cols());
     system.clear();
     take(some);
     expect_solved(system, bulk, way());
@@ -162,14 +162,14 @@ TEST_P(PointSystemWith, SolvesThoseOfTheNextIterations) {
 
 // From places that hardly matter to ones that matter as much as forces. Few points are solved for at once,
 // of many the forces first, refined with the places.
-INSTANTIATE_TEST_SUITE_P(Few, PointSystemWith,
+INSTANTIATE_TEST_SUITE_P(Few, InterfaceNewtonSystemWith,
                          testing::Values(Points{0, 12}, Points{1e-3, 12}, Points{1e-1, 12}, Points{1, 12},
                                          Points{10, 12}));
-INSTANTIATE_TEST_SUITE_P(Many, PointSystemWith,
+INSTANTIATE_TEST_SUITE_P(Many, InterfaceNewtonSystemWith,
                          testing::Values(Points{0, 20}, Points{1e-3, 20}, Points{1e-1, 20}, Points{1, 20},
                                          Points{10, 20}));
 
-TEST(PointSystem, SharesAForceAmongPointsThatSayTheSame) {
+TEST(InterfaceNewtonSystem, SharesAForceAmongPointsThatSayTheSame) {
   Bulk bulk;
   const double unit = 1 / bulk.s.diagonal().maxCoeff();
   FactoredResponse held; // one displacement held at 1 by a force along it
@@ -177,11 +177,11 @@ TEST(PointSystem, SharesAForceAmongPointsThatSayTheSame) {
   held.dofs = {7};
   held.force = VectorXd::Zero(1);
   held.spread = MatrixXd::Constant(1, 1, unit);
-  held.by_q = (MatrixXd(2, 1) << 0, 1).finished();
+  held.d_du = (MatrixXd(2, 1) << 0, 1).finished();
   held.by_multiplier = (MatrixXd(2, 1) << 1, 0).finished();
   held.equations = VectorXd::Constant(1, -1);
-  TouchedSurface surface(bulk.compliance);
-  PointSystem system(bulk.compliance, surface, force_weight);
+  ActiveInterfaceCompliance surface(bulk.compliance);
+  InterfaceNewtonSystem system(bulk.compliance, surface, force_weight);
   system.add(0, 0) = held;
   system.add(0, 1) = held;
   const VectorXd none = VectorXd::Zero(static_cast<Index>(bulk.compliance.surface().size()));
@@ -192,10 +192,10 @@ TEST(PointSystem, SharesAForceAmongPointsThatSayTheSame) {
   EXPECT_NEAR(moved, 1, 1e-9);
 }
 
-TEST(PointSystem, WithoutPointsChangesNothing) {
+TEST(InterfaceNewtonSystem, WithoutPointsChangesNothing) {
   Bulk bulk;
-  TouchedSurface surface(bulk.compliance);
-  PointSystem system(bulk.compliance, surface, force_weight);
+  ActiveInterfaceCompliance surface(bulk.compliance);
+  InterfaceNewtonSystem system(bulk.compliance, surface, force_weight);
   const auto size = static_cast<Index>(bulk.compliance.surface().size());
   VectorXd force = VectorXd::Zero(size);
   const auto change = system.solve(VectorXd::Ones(size), force);
@@ -235,9 +235,9 @@ TEST(ActivePoint, KeepsEquationsThatSayTheSame) {
   EXPECT_EQ(point.right, VectorXd::Constant(2, 3));
 }
 
-TEST(TouchedSurface, TakesMoreAndKeepsWhatItHas) {
+TEST(ActiveInterfaceCompliance, TakesMoreAndKeepsWhatItHas) {
   Bulk bulk;
-  TouchedSurface surface(bulk.compliance);
+  ActiveInterfaceCompliance surface(bulk.compliance);
   surface.add(std::vector<int>{9, 4, 9});
   surface.touch_added();
   EXPECT_EQ(surface.positions(), (std::vector<int>{4, 9}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/contact_side.hpp"
+#include "rubato/step/contact_evaluator.hpp"
 
 #include "rubato/contact/spring_friction.hpp"
 
@@ -24,7 +24,7 @@ constexpr double closed_gap = 1e-9;
 constexpr double deep_in_edges = 0.5;
 
 /// Augmentations may be anything; penalties are the user's.
-void vary(const contact::Zone& zone, const Variant& variant, contact::ZoneCoefficients& coefficients) {
+void vary(const contact::Zone& zone, const RetrySettings& variant, contact::ZoneCoefficients& coefficients) {
   if (study::is_exact(zone.settings.method))
     for (auto& normal : coefficients.normal)
       normal *= variant.normal_multiple;
@@ -77,18 +77,18 @@ std::vector<double> standing_gaps(const contact::ZoneState& zone) {
   std::vector<double> gaps(zone.status.size(), 0.0);
   for (std::size_t i = 0; i < zone.outcomes.size(); ++i)
     if (zone.status[i] != Status::open)
-      gaps[i] = zone.outcomes[i].standing_gap;
+      gaps[i] = zone.outcomes[i].activation_gap;
   return gaps;
 }
 
 } // namespace
 
-ContactSide::ContactSide(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                         const State& committed, const Variant& variant)
+ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                                   const State& committed, const RetrySettings& variant)
     : model_(model), system_(system), committed_(committed), variant_(variant), coefficients_(system.zones) {
   for (std::size_t z = 0; z < coefficients_.size(); ++z)
     vary(model.zones[z], variant, coefficients_[z]);
-  if (!scheme.impulsive)
+  if (!scheme.nonsmooth)
     return;
   const contact::Configuration start{&model.mesh,         &model.dofs, &committed.motion.u,
                                      &committed.motion.u, committed.t, committed.t};
@@ -101,25 +101,25 @@ ContactSide::ContactSide(const Model& model, const time::Scheme& scheme, Effecti
   }
 }
 
-contact::ZoneLaw ContactSide::law_of(std::size_t zone, const Held& held) const {
+contact::ZoneLaw ContactEvaluator::law_of(std::size_t zone, const Held& held) const {
   return {&model_.zones[zone], &coefficients_[zone],
           variant_.friction_part * model_.zones[zone].settings.friction, held[zone].thresholds};
 }
 
-ContactIterate ContactSide::at(const State& trial, const Held& held) const {
+ContactIterate ContactEvaluator::at(const State& trial, const Held& held) const {
   ContactIterate iterate;
   evaluate(trial, held, iterate);
   return iterate;
 }
 
-contact::Configuration ContactSide::at_end(const State& trial) const {
+contact::Configuration ContactEvaluator::at_end(const State& trial) const {
   return {&model_.mesh, &model_.dofs, &trial.motion.u, &committed_.motion.u, trial.t, committed_.t};
 }
 
 /// `measure` takes points of a zone whose frames move to the configuration.
 template <class Measure>
-void ContactSide::measure_by(const Measure& measure, const State& trial, const Held& held,
-                             ContactIterate& into) const {
+void ContactEvaluator::measure_by(const Measure& measure, const State& trial, const Held& held,
+                                  ContactIterate& into) const {
   const auto configuration = at_end(trial);
   into.points.resize(model_.zones.size());
   into.status.resize(model_.zones.size());
@@ -137,22 +137,23 @@ void ContactSide::measure_by(const Measure& measure, const State& trial, const H
   }
 }
 
-void ContactSide::evaluate(const State& trial, const Held& held, ContactIterate& into) const {
+void ContactEvaluator::evaluate(const State& trial, const Held& held, ContactIterate& into) const {
   const auto all = [&](std::size_t z, const auto& configuration) {
     contact::evaluate(system_.neighbours[z], trial.zones[z].multipliers, configuration, into.points[z]);
   };
   measure_by(all, trial, held, into);
 }
 
-void ContactSide::measure(const State& trial, const Held& held, ContactIterate& into) const {
+void ContactEvaluator::measure(const State& trial, const Held& held, ContactIterate& into) const {
   const auto all = [&](std::size_t z, const auto& configuration) {
     contact::measure(system_.neighbours[z], trial.zones[z].multipliers, configuration, into.points[z]);
   };
   measure_by(all, trial, held, into);
 }
 
-void ContactSide::measure(const State& trial, const Held& held,
-                          std::span<const std::vector<std::size_t>> points, ContactIterate& iterate) const {
+void ContactEvaluator::measure(const State& trial, const Held& held,
+                               std::span<const std::vector<std::size_t>> points,
+                               ContactIterate& iterate) const {
   const auto some = [&](std::size_t z, const auto& configuration) {
     contact::measure(system_.neighbours[z], trial.zones[z].multipliers, configuration, points[z],
                      iterate.points[z]);
@@ -160,13 +161,13 @@ void ContactSide::measure(const State& trial, const Held& held,
   measure_by(some, trial, held, iterate);
 }
 
-void ContactSide::differentiate(const State& trial, const Held& held, std::size_t zone, std::size_t point,
-                                ContactIterate& iterate) const {
+void ContactEvaluator::differentiate(const State& trial, const Held& held, std::size_t zone,
+                                     std::size_t point, ContactIterate& iterate) const {
   if (!has_held_frames(zone, held))
     contact::differentiate(model_.zones[zone], point, at_end(trial), iterate.points[zone][point]);
 }
 
-bool ContactSide::has_lost_its_way(const ContactIterate& now) const {
+bool ContactEvaluator::has_lost_its_way(const ContactIterate& now) const {
   bool all_face = true;
   for (std::size_t z = 0; z < now.points.size(); ++z) {
     const double deep = -deep_in_edges * model_.zones[z].edge();
@@ -180,7 +181,7 @@ bool ContactSide::has_lost_its_way(const ContactIterate& now) const {
 }
 
 /// Some may have slid off the master.
-bool ContactSide::most_are_lost(const ContactIterate& now) const {
+bool ContactEvaluator::most_are_lost(const ContactIterate& now) const {
   int touching = 0;
   int lost = 0;
   for (std::size_t z = 0; z < now.points.size(); ++z)
@@ -193,19 +194,20 @@ bool ContactSide::most_are_lost(const ContactIterate& now) const {
   return 2 * lost > touching;
 }
 
-void ContactSide::start_iterations() const {
+void ContactEvaluator::start_iterations() const {
   for (auto& neighbours : system_.neighbours)
     neighbours.forget_visits();
 }
 
-bool ContactSide::release_strays() const {
+bool ContactEvaluator::release_strays() const {
   bool any = false;
   for (auto& neighbours : system_.neighbours)
     any = neighbours.release_strays() || any;
   return any;
 }
 
-void ContactSide::renew_status(const Held& held, const ContactIterate& before, ContactIterate& now) const {
+void ContactEvaluator::renew_status(const Held& held, const ContactIterate& before,
+                                    ContactIterate& now) const {
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     if (!held[z].status.empty())
       continue;
@@ -216,33 +218,34 @@ void ContactSide::renew_status(const Held& held, const ContactIterate& before, C
   }
 }
 
-std::vector<std::vector<double>> ContactSide::friction_stiffness(const Held& held,
-                                                                 const ContactIterate& now) const {
+std::vector<std::vector<double>> ContactEvaluator::friction_stiffness(const Held& held,
+                                                                      const ContactIterate& now) const {
   std::vector<std::vector<double>> stiffness;
   for (std::size_t z = 0; z < now.points.size(); ++z)
     stiffness.push_back(contact::friction_stiffness(law_of(z, held), now.points[z], now.status[z]));
   return stiffness;
 }
 
-void ContactSide::collect_restless(const Held& held, const ContactIterate& before, const ContactIterate& now,
-                                   StepReport& report) const {
+void ContactEvaluator::collect_restless(const Held& held, const ContactIterate& before,
+                                        const ContactIterate& now, StepReport& report) const {
   report.status_changes = 0;
-  report.restless.clear();
+  report.changing_points.clear();
   for (std::size_t z = 0; z < now.status.size(); ++z)
     for (std::size_t i = 0; held[z].status.empty() && i < now.status[z].size(); ++i)
       if (now.status[z][i] != before.status[z][i]) {
         ++report.status_changes;
-        report.restless.push_back({static_cast<int>(z), model_.zones[z].points[i].nodes.front(),
-                                   before.status[z][i], now.status[z][i]});
+        report.changing_points.push_back({static_cast<int>(z), model_.zones[z].points[i].nodes.front(),
+                                         before.status[z][i], now.status[z][i]});
       }
 }
 
-bool ContactSide::settled(const Held& held, const ContactIterate& before, const ContactIterate& now) const {
+bool ContactEvaluator::settled(const Held& held, const ContactIterate& before,
+                               const ContactIterate& now) const {
   return !moving_projection(held, before, now) && !open_gap(held, now);
 }
 
-void ContactSide::name_unmet(const Held& held, const ContactIterate* before, const ContactIterate& now,
-                             StepReport& report) const {
+void ContactEvaluator::name_unmet(const Held& held, const ContactIterate* before, const ContactIterate& now,
+                                  StepReport& report) const {
   const auto add = [&](const std::optional<Unmet>& unmet) {
     if (unmet)
       report.unmet.push_back(*unmet);
@@ -254,7 +257,7 @@ void ContactSide::name_unmet(const Held& held, const ContactIterate* before, con
   add(open_gap(held, now));
 }
 
-void ContactSide::finish(const Held& held, const ContactIterate& iterate, State& trial) const {
+void ContactEvaluator::finish(const Held& held, const ContactIterate& iterate, State& trial) const {
   trial.friction_force = VectorXd::Zero(trial.motion.u.size());
   trial.moved_out.clear();
   for (std::size_t z = 0; z < iterate.status.size(); ++z) {
@@ -268,8 +271,8 @@ void ContactSide::finish(const Held& held, const ContactIterate& iterate, State&
     measure_places(trial);
 }
 
-std::vector<double> ContactSide::moved_out(std::size_t z, const ContactIterate& iterate,
-                                           const contact::Configuration& configuration) const {
+std::vector<double> ContactEvaluator::moved_out(std::size_t z, const ContactIterate& iterate,
+                                                const contact::Configuration& configuration) const {
   std::vector<double> moved;
   const auto& before = committed_.zones[z].outcomes;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -286,20 +289,20 @@ std::vector<double> ContactSide::moved_out(std::size_t z, const ContactIterate& 
 }
 
 /// Results tell where points are, not how fast they part.
-void ContactSide::measure_places(State& trial) const {
+void ContactEvaluator::measure_places(State& trial) const {
   std::vector<PointEvaluation> points;
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     contact::measure(system_.neighbours[z], trial.zones[z].multipliers, at_end(trial), points);
     for (std::size_t i = 0; i < points.size(); ++i) {
       trial.zones[z].outcomes[i].gap = points[i].variables.gap;
       trial.zones[z].outcomes[i].slip = points[i].variables.slip;
-      trial.zones[z].outcomes[i].standing_gap = standing_gaps_[z][i];
+      trial.zones[z].outcomes[i].activation_gap = standing_gaps_[z][i];
     }
   }
 }
 
-std::optional<Unmet> ContactSide::moving_projection(const Held& held, const ContactIterate& before,
-                                                    const ContactIterate& now) const {
+std::optional<Unmet> ContactEvaluator::moving_projection(const Held& held, const ContactIterate& before,
+                                                         const ContactIterate& now) const {
   std::optional<Unmet> worst;
   for (std::size_t z = 0; z < now.points.size(); ++z)
     for (std::size_t i = 0; held[z].frames.empty() && i < now.points[z].size(); ++i) {
@@ -315,7 +318,7 @@ std::optional<Unmet> ContactSide::moving_projection(const Held& held, const Cont
   return worst;
 }
 
-std::optional<Unmet> ContactSide::open_gap(const Held& held, const ContactIterate& now) const {
+std::optional<Unmet> ContactEvaluator::open_gap(const Held& held, const ContactIterate& now) const {
   std::optional<Unmet> worst;
   for (std::size_t z = 0; z < now.points.size(); ++z) {
     const auto& zone = model_.zones[z];
@@ -339,7 +342,8 @@ std::optional<Unmet> ContactSide::open_gap(const Held& held, const ContactIterat
 }
 
 /// A law of velocities has frames for the points that touch in this step only: none of the others is lost.
-std::optional<Unmet> ContactSide::lost_point(const ContactIterate* before, const ContactIterate& now) const {
+std::optional<Unmet> ContactEvaluator::lost_point(const ContactIterate* before,
+                                                  const ContactIterate& now) const {
   std::optional<Unmet> lost;
   for (std::size_t z = 0; frames_.empty() && z < now.points.size(); ++z)
     for (std::size_t i = 0; i < now.points[z].size(); ++i) {
@@ -353,7 +357,7 @@ std::optional<Unmet> ContactSide::lost_point(const ContactIterate* before, const
   return lost;
 }
 
-mesh::NodeIndex ContactSide::named_node(std::size_t zone, std::size_t point) const {
+mesh::NodeIndex ContactEvaluator::named_node(std::size_t zone, std::size_t point) const {
   return model_.zones[zone].points[point].nodes.front();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/levels.hpp"
+#include "rubato/step/nested_loops.hpp"
 
 #include "rubato/contact/held_frame.hpp"
 
@@ -42,19 +42,19 @@ struct Loop {
 using LevelOfZone = study::Level study::ContactZone::*;
 
 /// Whether this attempt loops a level that the zone wants by Newton.
-bool loops_instead(const contact::Zone& zone, LevelOfZone level, const Variant& variant) {
+bool loops_instead(const contact::Zone& zone, LevelOfZone level, const RetrySettings& variant) {
   return variant.geometry_by_loop && level == &study::ContactZone::geometry &&
          zone.settings.geometry.by == Iteration::newton;
 }
 
-bool loops(const contact::Zone& zone, LevelOfZone level, const Variant& variant) {
+bool loops(const contact::Zone& zone, LevelOfZone level, const RetrySettings& variant) {
   if (variant.status_by_newton && level == &study::ContactZone::status)
     return false;
   return (zone.settings.*level).by == Iteration::fixed_point || loops_instead(zone, level, variant);
 }
 
 /// Where `newton_like` cannot be reached, the zone's own tolerance has to do.
-Loop loop_of(const Model& model, LevelOfZone level, const Variant& variant) {
+Loop loop_of(const Model& model, LevelOfZone level, const RetrySettings& variant) {
   Loop loop;
   for (const auto& zone : model.zones) {
     if (!loops(zone, level, variant))
@@ -69,10 +69,10 @@ Loop loop_of(const Model& model, LevelOfZone level, const Variant& variant) {
   return loop;
 }
 
-class Levels {
+class NestedLoops {
 public:
-  Levels(const Model& model, const ContactSide& side, const Solve& solve, const State& committed,
-         State& trial)
+  NestedLoops(const Model& model, const ContactEvaluator& side, const Solve& solve, const State& committed,
+              State& trial)
       : model_(model), side_(side), solve_(solve), committed_(committed), trial_(trial),
         held_(model.zones.size()), former_faces_(model.zones.size()), between_(model.zones.size()) {}
 
@@ -242,7 +242,7 @@ private:
       for (std::size_t i = 0; i < wanted.size(); ++i)
         if (wanted[i] != held_[z].status[i]) {
           ++report_.status_changes;
-          report_.restless.push_back(
+          report_.changing_points.push_back(
               {static_cast<int>(z), model_.zones[z].points[i].nodes.front(), held_[z].status[i], wanted[i]});
         }
       held_[z].status = wanted;
@@ -304,7 +304,7 @@ private:
   }
 
   const Model& model_;
-  const ContactSide& side_;
+  const ContactEvaluator& side_;
   const Solve& solve_;
   const State& committed_;
   State& trial_;
@@ -321,9 +321,9 @@ private:
 
 } // namespace
 
-StepReport solve_levels(const Model& model, const ContactSide& side, const Solve& solve,
+StepReport solve_levels(const Model& model, const ContactEvaluator& side, const Solve& solve,
                         const State& committed, State& trial) {
-  return Levels(model, side, solve, committed, trial).run();
+  return NestedLoops(model, side, solve, committed, trial).run();
 }
 
 } // namespace rubato::step

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/contact_guess.hpp"
+#include "rubato/step/contact_predictor.hpp"
 
 #include "rubato/linalg/dense_cholesky.hpp"
 #include "rubato/step/active_set.hpp"
@@ -32,7 +32,7 @@ constexpr double well_balanced = 1e-3;
 constexpr double deep = 0.6;
 
 /// Off its place on the master, with the surface at d.
-Vector3d moved_of(const GuessPoint& point, const VectorXd& d) {
+Vector3d moved_of(const PredictorPoint& point, const VectorXd& d) {
   Vector3d moved = Vector3d::Zero();
   for (const auto& share : point.shares)
     add_moved(share, d, moved);
@@ -119,11 +119,11 @@ void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorX
 
 } // namespace
 
-Vector3d measures_of(const GuessPoint& point, const VectorXd& d) {
+Vector3d measures_of(const PredictorPoint& point, const VectorXd& d) {
   return point.value + point.frame.transpose() * moved_of(point, d);
 }
 
-void add_force(std::span<const GuessPoint> points, int first, int last, VectorXd& force) {
+void add_force(std::span<const PredictorPoint> points, int first, int last, VectorXd& force) {
   for (const auto& point : points) {
     if (point.force[0] == 0)
       continue;
@@ -137,10 +137,11 @@ void add_force(std::span<const GuessPoint> points, int first, int last, VectorXd
   }
 }
 
-ContactGuess::ContactGuess(Compliance& compliance, double factor, int components, bool to_the_end)
+ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int components, bool to_the_end)
     : compliance_(compliance), factor_(factor), components_(components), to_the_end_(to_the_end) {}
 
-void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free, VectorXd d, Pulse& pulse) {
+void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
+                               Pulse& pulse) {
   forget();
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
@@ -158,8 +159,8 @@ void ContactGuess::improve(std::span<GuessPoint> points, const VectorXd& free, V
 /// Of bodies that only contact holds: friction that has been found for pressing forces as they were leaves
 /// gaps of the size of a rigid motion. Those that press are solved for together, then those too that they
 /// push into the master.
-void ContactGuess::press_and_rub(std::span<GuessPoint> points, const VectorXd& free, Pulse& pulse) {
-  std::vector<GuessPoint*> together;
+void ContactPredictor::press_and_rub(std::span<PredictorPoint> points, const VectorXd& free, Pulse& pulse) {
+  std::vector<PredictorPoint*> together;
   for (int round = 0; round < most_rounds && pulse.beat(); ++round) {
     VectorXd d = free;
     add_motion(points, 0, 2, d);
@@ -178,8 +179,9 @@ void ContactGuess::press_and_rub(std::span<GuessPoint> points, const VectorXd& f
 }
 
 /// Points that press, and those that penetrate deepest, join others. Whether there are any.
-bool ContactGuess::join(std::span<GuessPoint> points, const VectorXd& d, std::vector<GuessPoint*>& together) {
-  const std::vector<GuessPoint*> known = together;
+bool ContactPredictor::join(std::span<PredictorPoint> points, const VectorXd& d,
+                            std::vector<PredictorPoint*>& together) {
+  const std::vector<PredictorPoint*> known = together;
   double deepest = 0;
   for (const auto& point : points)
     if (point.force[0] == 0)
@@ -193,8 +195,8 @@ bool ContactGuess::join(std::span<GuessPoint> points, const VectorXd& d, std::ve
   return together.size() > known.size();
 }
 
-FrictionCones ContactGuess::cones_of(std::span<GuessPoint* const> together, const VectorXd& free,
-                                     Pulse& pulse) {
+FrictionCones ContactPredictor::cones_of(std::span<PredictorPoint* const> together, const VectorXd& free,
+                                         Pulse& pulse) {
   const auto count = static_cast<Index>(together.size());
   const Index size = count * components_;
   FrictionCones cones{MatrixXd(size, size), VectorXd(size), VectorXd(count)};
@@ -210,19 +212,19 @@ FrictionCones ContactGuess::cones_of(std::span<GuessPoint* const> together, cons
             (seeing.frame.transpose() * moved_of(seeing, moved_)).head(components_);
       }
     }
-    cones.matrix(k * components_, k * components_) += point.softness;
+    cones.matrix(k * components_, k * components_) += point.penalty_compliance;
   }
   return cones;
 }
 
 /// The largest gap or slip that forces do not fit, as a force on the point's own surface, in parts of the
 /// largest force.
-double ContactGuess::misfit_by_own_give(std::span<const GuessPoint> points, const VectorXd& d) const {
+double ContactPredictor::misfit_by_own_give(std::span<const PredictorPoint> points, const VectorXd& d) const {
   double misfit = 0;
   double largest = 0;
   for (const auto& point : points) {
     const Vector3d measures = measures_of(point, d);
-    const double gap = measures[0] + point.softness * point.force[0];
+    const double gap = measures[0] + point.penalty_compliance * point.force[0];
     misfit = std::max(misfit, (point.force[0] > 0 ? std::abs(gap) : -gap) / point.give);
     largest = std::max(largest, point.force[0]);
     const Eigen::Vector2d slip = measures.tail<2>();
@@ -234,13 +236,13 @@ double ContactGuess::misfit_by_own_give(std::span<const GuessPoint> points, cons
   return misfit > 0 ? misfit / largest : 0.0;
 }
 
-double ContactGuess::misfit(std::span<const GuessPoint> points, const VectorXd& d) const {
+double ContactPredictor::misfit(std::span<const PredictorPoint> points, const VectorXd& d) const {
   double change = 0;
   double largest = 0;
   for (std::size_t k = 0; k < chosen_.size(); ++k) {
     const auto& point = *chosen_[k];
-    const double give = give_of(k) + point.softness;
-    const double gap = measures_of(point, d)[0] + point.softness * point.force[0];
+    const double give = give_of(k) + point.penalty_compliance;
+    const double gap = measures_of(point, d)[0] + point.penalty_compliance * point.force[0];
     if (give > 0)
       change = std::max(change, std::abs(std::max(0.0, point.force[0] - gap / give) - point.force[0]));
     largest = std::max(largest, point.force[0]);
@@ -266,18 +268,18 @@ double ContactGuess::misfit(std::span<const GuessPoint> points, const VectorXd& 
 }
 
 /// How far a unit pressing force opens its own gap.
-double ContactGuess::give_of(std::size_t chosen) const {
+double ContactPredictor::give_of(std::size_t chosen) const {
   return pressing_(static_cast<Index>(chosen), static_cast<Index>(chosen));
 }
 
-void ContactGuess::forget() {
+void ContactPredictor::forget() {
   chosen_.clear();
   sliding_.clear();
   pressing_.resize(0, 0);
 }
 
 /// Moves the surface by some of the forces of all points.
-void ContactGuess::add_motion(std::span<const GuessPoint> points, int first, int last, VectorXd& d) {
+void ContactPredictor::add_motion(std::span<const PredictorPoint> points, int first, int last, VectorXd& d) {
   force_.setZero(d.size());
   add_force(points, first, last, force_);
   compliance_.add(factor_, force_, d);
@@ -285,9 +287,9 @@ void ContactGuess::add_motion(std::span<const GuessPoint> points, int first, int
 
 /// Points that press, and those that penetrate deepest, join those that are chosen already. Whether there are
 /// any.
-bool ContactGuess::choose_more(std::span<GuessPoint> points, const VectorXd& d) {
+bool ContactPredictor::choose_more(std::span<PredictorPoint> points, const VectorXd& d) {
   const auto known = static_cast<std::ptrdiff_t>(chosen_.size());
-  const auto is_known = [&](const GuessPoint& point) {
+  const auto is_known = [&](const PredictorPoint& point) {
     return std::find(chosen_.begin(), chosen_.begin() + known, &point) != chosen_.begin() + known;
   };
   gaps_.resize(points.size());
@@ -303,7 +305,7 @@ bool ContactGuess::choose_more(std::span<GuessPoint> points, const VectorXd& d) 
 }
 
 /// Moves the surface by a unit force along an axis of the frame of a point.
-void ContactGuess::push(const GuessPoint& point, int axis) {
+void ContactPredictor::push(const PredictorPoint& point, int axis) {
   pushing_.clear();
   for (const auto& share : point.shares)
     for (std::size_t c = 0; c < 3; ++c)
@@ -314,7 +316,7 @@ void ContactGuess::push(const GuessPoint& point, int axis) {
 }
 
 /// By the rows and columns of the points chosen last.
-void ContactGuess::couple_pressing(Pulse& pulse) {
+void ContactPredictor::couple_pressing(Pulse& pulse) {
   const Index known = pressing_.rows();
   const auto count = static_cast<Index>(chosen_.size());
   pressing_.conservativeResize(count, count);
@@ -327,7 +329,7 @@ void ContactGuess::couple_pressing(Pulse& pulse) {
   }
 }
 
-void ContactGuess::couple_rubbing(Pulse& pulse) {
+void ContactPredictor::couple_rubbing(Pulse& pulse) {
   const Index tangents = components_ - 1;
   const auto count = static_cast<Index>(sliding_.size());
   rubbing_.resize(count * tangents, count * tangents);
@@ -345,7 +347,7 @@ void ContactGuess::couple_rubbing(Pulse& pulse) {
 }
 
 /// `without`: the surface without pressing forces.
-void ContactGuess::press(const VectorXd& without, Pulse& pulse) {
+void ContactPredictor::press(const VectorXd& without, Pulse& pulse) {
   const auto count = static_cast<Index>(chosen_.size());
   couple_pressing(pulse);
   if (pulse.stopped())
@@ -357,7 +359,7 @@ void ContactGuess::press(const VectorXd& without, Pulse& pulse) {
     const auto& point = *chosen_[static_cast<std::size_t>(k)];
     gaps[k] = measures_of(point, without)[0];
     forces[k] = point.force[0];
-    matrix(k, k) += point.softness;
+    matrix(k, k) += point.penalty_compliance;
   }
   sweep_pressing(matrix, gaps, forces);
   if (!settle_pressing(matrix, gaps, forces, pulse) && to_the_end_)
@@ -367,7 +369,7 @@ void ContactGuess::press(const VectorXd& without, Pulse& pulse) {
 }
 
 /// `without`: the surface under the pressing forces alone.
-void ContactGuess::rub(std::span<GuessPoint> points, const VectorXd& without, Pulse& pulse) {
+void ContactPredictor::rub(std::span<PredictorPoint> points, const VectorXd& without, Pulse& pulse) {
   for (auto& point : points)
     if (point.force[0] == 0 || point.friction == 0)
       point.force.tail<2>().setZero();

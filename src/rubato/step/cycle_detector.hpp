@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Notices iterations that come back to where they were: they would do so for ever.
+/// Detects limit cycles of the active set: iterations that come back to where they were.
 #pragma once
 
-#include "rubato/step/contact_side.hpp"
+#include "rubato/step/contact_evaluator.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace rubato::step {
 
-class CycleWatch {
+class CycleDetector {
 public:
   /// Whether an earlier iterate had the same statuses and, but for rounding, forces of the same size. The
   /// same statuses alone are no cycle: on the way to the answer they often come twice.

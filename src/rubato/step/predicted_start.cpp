@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/guessed_start.hpp"
+#include "rubato/step/predicted_start.hpp"
 
 #include "rubato/step/condensed.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Frames that the guess goes through.
+/// Frames that the prediction goes through.
 constexpr int most_rounds = 10;
 constexpr int most_rounds_of_free_bodies = 60;
 /// Moves of free bodies, in parts of how far an iteration may move them, that Newton takes over.
@@ -25,17 +25,17 @@ constexpr double settled = 3e-3;
 constexpr double reach_in_edges = 0.5;
 
 /// How far points that may touch have to come at least.
-double nearest_gap(std::span<const GuessPoint> points) {
+double nearest_gap(std::span<const PredictorPoint> points) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& point : points)
     nearest = std::min(nearest, std::max(0.0, point.gap));
   return points.empty() ? 0 : nearest;
 }
 
-class Guessing {
+class Prediction {
 public:
-  Guessing(const GuessSite& site, SurfaceMotion& surface, Reach& reach, GuessScratch& scratch,
-           ContactIterate& now, State& trial)
+  Prediction(const PredictorSite& site, SurfaceMotion& surface, Reach& reach, PredictorScratch& scratch,
+             ContactIterate& now, State& trial)
       : site_(site), surface_(surface), reach_(reach), guess_(scratch.guess), points_(scratch.points),
         touching_(scratch.touching), now_(now), trial_(trial), free_bodies_(site.system.has_free_bodies),
         takes_bases_(free_bodies_ && can_condense(site.model, site.system)),
@@ -91,7 +91,7 @@ private:
     move_frames(site_.model, compliance(), now_, surface_.moved, touching_, points_);
   }
 
-  /// Springs that hold free bodies let go of what they carry.
+  /// The forces of the springs that hold free bodies are dropped: the motion reached is the new base.
   void take_as_base() {
     const double more = still_to_come();
     const VectorXd moved = (1 + more) * surface_.moved;
@@ -119,11 +119,11 @@ private:
 
   Compliance& compliance() { return *site_.system.compliance; }
 
-  const GuessSite& site_;
+  const PredictorSite& site_;
   SurfaceMotion& surface_;
   Reach& reach_;
-  ContactGuess& guess_;
-  std::vector<GuessPoint>& points_;
+  ContactPredictor& guess_;
+  std::vector<PredictorPoint>& points_;
   PointsOfZones& touching_;
   ContactIterate& now_;
   State& trial_;
@@ -135,7 +135,8 @@ private:
 
 } // namespace
 
-GuessScratch::GuessScratch(Compliance& compliance, double force_weight, int components, bool free_bodies)
+PredictorScratch::PredictorScratch(Compliance& compliance, double force_weight, int components,
+                                   bool free_bodies)
     : guess(compliance, force_weight, components, free_bodies) {}
 
 Reach reach_of(const model::Model& model, const EffectiveSystem& system) {
@@ -145,20 +146,21 @@ Reach reach_of(const model::Model& model, const EffectiveSystem& system) {
   return Reach(system.has_free_bodies ? reach_in_edges * edge : std::numeric_limits<double>::infinity());
 }
 
-void guess_contact(const GuessSite& site, SurfaceMotion& surface, Reach& reach, GuessScratch& scratch,
-                   ContactIterate& now, State& trial) {
-  Guessing(site, surface, reach, scratch, now, trial).run();
+void predict_contact(const PredictorSite& site, SurfaceMotion& surface, Reach& reach,
+                     PredictorScratch& scratch, ContactIterate& now, State& trial) {
+  Prediction(site, surface, reach, scratch, now, trial).run();
 }
 
-void start_from_guess(const GuessSite& site, const time::Scheme& scheme, State& trial) {
+void start_from_prediction(const PredictorSite& site, const time::Scheme& scheme, State& trial) {
   SurfaceMotion surface(site.model, scheme, site.system);
   surface.start_from(trial.motion, site.equilibrium);
   if (!site.equilibrium.residual().allFinite())
     return;
   Reach reach = reach_of(site.model, site.system);
-  GuessScratch scratch(*site.system.compliance, scheme.contact_weight(), site.model.dofs.components, false);
+  PredictorScratch scratch(*site.system.compliance, scheme.contact_weight(), site.model.dofs.components,
+                           false);
   ContactIterate now;
-  guess_contact(site, surface, reach, scratch, now, trial);
+  predict_contact(site, surface, reach, scratch, now, trial);
   if (!site.pulse.stopped())
     surface.move_bulk(trial);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/guess_points.hpp"
+#include "rubato/step/predictor_points.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -21,7 +21,7 @@ constexpr double averaged_softness = 0.1;
 constexpr double still_open = 0.5;
 
 void set_relations(const Model& model, const Compliance& compliance, const contact::Kinematics& k,
-                   const VectorXd& moved, GuessPoint& guess) {
+                   const VectorXd& moved, PredictorPoint& guess) {
   const auto& position = compliance.position_of_dof();
   guess.frame << k.normal, k.tangents;
   guess.shares.clear();
@@ -45,13 +45,13 @@ void set_relations(const Model& model, const Compliance& compliance, const conta
 }
 
 /// Nothing faces it.
-void release(GuessPoint& guess) {
+void release(PredictorPoint& guess) {
   guess.shares.clear();
   guess.value[0] = std::numeric_limits<double>::infinity();
   guess.force.setZero();
 }
 
-void set_forces(const contact::PointOutcome& outcome, const contact::Kinematics& k, GuessPoint& guess) {
+void set_forces(const contact::PointOutcome& outcome, const contact::Kinematics& k, PredictorPoint& guess) {
   guess.force.setZero();
   guess.force[0] = outcome.normal.norm();
   for (int a = 0; a + 1 < k.components; ++a)
@@ -64,11 +64,11 @@ bool has_friction_springs(const contact::Zone& zone) {
   return zone.settings.friction > 0 && zone.settings.friction_method == study::FrictionMethod::nodal_penalty;
 }
 
-double friction_limit(const GuessPoint& guess) {
+double friction_limit(const PredictorPoint& guess) {
   return guess.friction * guess.force[0];
 }
 
-Status status_of(const GuessPoint& guess) {
+Status status_of(const PredictorPoint& guess) {
   if (guess.force[0] == 0)
     return Status::open;
   const Eigen::Vector2d friction = guess.force.tail<2>();
@@ -76,7 +76,7 @@ Status status_of(const GuessPoint& guess) {
 }
 
 /// λ, Λ₁, Λ₂ of a point with that force.
-Eigen::Vector3d multipliers_of(const GuessPoint& guess, double weight) {
+Eigen::Vector3d multipliers_of(const PredictorPoint& guess, double weight) {
   Eigen::Vector3d values = Eigen::Vector3d::Zero();
   values[0] = guess.force[0] / weight;
   if (const double limit = friction_limit(guess); limit > 0)
@@ -85,7 +85,7 @@ Eigen::Vector3d multipliers_of(const GuessPoint& guess, double weight) {
 }
 
 /// Of nodes that several points share: their mean, each counted with its weight and the node's part of it.
-void take_mean_multipliers(const contact::Zone& zone, std::size_t z, std::span<const GuessPoint> points,
+void take_mean_multipliers(const contact::Zone& zone, std::size_t z, std::span<const PredictorPoint> points,
                            VectorXd& multipliers) {
   const auto variables = zone.multiplier_variables();
   const auto count = static_cast<Index>(variables.size());
@@ -110,9 +110,9 @@ void take_mean_multipliers(const contact::Zone& zone, std::size_t z, std::span<c
 
 } // namespace
 
-void take_points(const Model& model, const ContactSide& side, const Held& held, const Compliance& compliance,
-                 const ContactIterate& contact, const VectorXd& moved, const State& state,
-                 std::vector<GuessPoint>& points) {
+void take_points(const Model& model, const ContactEvaluator& side, const Held& held,
+                 const Compliance& compliance, const ContactIterate& contact, const VectorXd& moved,
+                 const State& state, std::vector<PredictorPoint>& points) {
   std::size_t count = 0;
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
@@ -129,10 +129,11 @@ void take_points(const Model& model, const ContactSide& side, const Held& held, 
       guess.zone = z;
       guess.index = i;
       guess.friction = law.friction;
-      guess.softness = soft       ? 1 / (law.coefficients->normal[i] * zone.points[i].weight)
-                       : averaged ? averaged_softness / contact::resistance(zone.points[i], model.dofs,
-                                                                            side.system().diagonal)
-                                  : 0.0;
+      guess.penalty_compliance =
+          soft ? 1 / (law.coefficients->normal[i] * zone.points[i].weight)
+          : averaged
+              ? averaged_softness / contact::resistance(zone.points[i], model.dofs, side.system().diagonal)
+              : 0.0;
       if (side.system().has_free_bodies)
         guess.give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       set_relations(model, compliance, *kinematics, moved, guess);
@@ -142,7 +143,7 @@ void take_points(const Model& model, const ContactSide& side, const Held& held, 
   points.resize(count);
 }
 
-void find_touching(std::span<const GuessPoint> points, const VectorXd& d, PointsOfZones& touching) {
+void find_touching(std::span<const PredictorPoint> points, const VectorXd& d, PointsOfZones& touching) {
   for (auto& of_zone : touching)
     of_zone.clear();
   for (const auto& point : points)
@@ -151,7 +152,7 @@ void find_touching(std::span<const GuessPoint> points, const VectorXd& d, Points
 }
 
 void move_frames(const Model& model, const Compliance& compliance, const ContactIterate& contact,
-                 const VectorXd& moved, const PointsOfZones& touching, std::span<GuessPoint> points) {
+                 const VectorXd& moved, const PointsOfZones& touching, std::span<PredictorPoint> points) {
   auto point = points.begin();
   for (std::size_t z = 0; z < touching.size(); ++z)
     for (const auto index : touching[z]) {
@@ -164,7 +165,7 @@ void move_frames(const Model& model, const Compliance& compliance, const Contact
     }
 }
 
-VectorXd force_on_surface(std::span<const GuessPoint> points, Index positions) {
+VectorXd force_on_surface(std::span<const PredictorPoint> points, Index positions) {
   VectorXd force = VectorXd::Zero(positions);
   add_force(points, 0, 2, force);
   return -force;
@@ -175,7 +176,7 @@ bool starts_from_guess(const Model& model, Start start) {
          (start == Start::usual && std::ranges::none_of(model.zones, has_friction_springs));
 }
 
-void take_guess(const Model& model, std::span<const GuessPoint> points, State& state) {
+void take_guess(const Model& model, std::span<const PredictorPoint> points, State& state) {
   for (const auto& guess : points)
     state.zones[guess.zone].status[guess.index] = status_of(guess);
   for (std::size_t z = 0; z < model.zones.size(); ++z)

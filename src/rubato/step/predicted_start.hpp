@@ -2,8 +2,8 @@
 /// The contact of a step guessed before it is solved: which points will touch, stick and slip, and how hard.
 #pragma once
 
-#include "rubato/step/contact_side.hpp"
-#include "rubato/step/guess_points.hpp"
+#include "rubato/step/contact_evaluator.hpp"
+#include "rubato/step/predictor_points.hpp"
 #include "rubato/step/reach.hpp"
 #include "rubato/step/surface_motion.hpp"
 
@@ -11,25 +11,25 @@
 
 namespace rubato::step {
 
-/// Storage that one guess leaves to the next.
-struct GuessScratch {
-  ContactGuess guess;
-  std::vector<GuessPoint> points;
+/// Buffers that predictions reuse.
+struct PredictorScratch {
+  ContactPredictor guess;
+  std::vector<PredictorPoint> points;
   PointsOfZones touching;
 
   /// The compliance must outlive this.
-  GuessScratch(Compliance& compliance, double force_weight, int components, bool free_bodies);
+  PredictorScratch(Compliance& compliance, double force_weight, int components, bool free_bodies);
 };
 
 /// Largest moves of the surfaces of bodies that only contact holds, by half an edge of the finest zone;
 /// infinite where there are none.
 Reach reach_of(const model::Model& model, const EffectiveSystem& system);
 
-/// Where a guess works.
-struct GuessSite {
+/// What a prediction works on.
+struct PredictorSite {
   const model::Model& model;
   EffectiveSystem& system;
-  const ContactSide& side;
+  const ContactEvaluator& side;
   const Held& held;
   Equilibrium& equilibrium;
   Pulse& pulse;
@@ -40,10 +40,10 @@ struct GuessSite {
 /// lead to, beginning where the forces of the last step would push it. Points that press in the end touch at
 /// first, all others are open. With free bodies the base is where these come to rest. `now` is contact
 /// there, of the points that are guessed. Nothing that comes of it counts when the pulse has stopped.
-void guess_contact(const GuessSite& site, SurfaceMotion& surface, Reach& reach, GuessScratch& scratch,
-                   ContactIterate& now, State& trial);
+void predict_contact(const PredictorSite& site, SurfaceMotion& surface, Reach& reach,
+                     PredictorScratch& scratch, ContactIterate& now, State& trial);
 
 /// The same for a solver that iterates on the whole motion, which `trial` has then.
-void start_from_guess(const GuessSite& site, const time::Scheme& scheme, State& trial);
+void start_from_prediction(const PredictorSite& site, const time::Scheme& scheme, State& trial);
 
 } // namespace rubato::step

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/point_system.hpp"
+#include "rubato/step/interface_newton_system.hpp"
 
 #include "rubato/linalg/equilibration.hpp"
 
@@ -36,11 +36,11 @@ constexpr Index largest_whole = 3000;
 /// Cᵀ (δz, δξ) of a point: what it puts on its displacements.
 class ForceOf {
 public:
-  ForceOf(const ActivePoint& point, const PointSystem::Change& change)
+  ForceOf(const ActivePoint& point, const InterfaceNewtonSystem::Change& change)
       : spread_(point.response.spread.data()), rows_(point.response.spread.rows()) {
     const Index d = point.components();
     std::copy_n(change.force.data() + point.first, d, all_.begin());
-    std::copy_n(change.places.data() + point.first_slope, point.slopes(), all_.begin() + d);
+    std::copy_n(change.places.data() + point.first_slope, point.n_xi(), all_.begin() + d);
   }
   double on(std::size_t q) const {
     const double* of_q = spread_ + static_cast<Index>(q) * rows_;
@@ -62,22 +62,23 @@ std::pair<std::size_t, std::size_t> id_of(const ActivePoint& point) {
 
 } // namespace
 
-PointSystem::PointSystem(Compliance& compliance, TouchedSurface& surface, double force_weight)
+InterfaceNewtonSystem::InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface,
+                                             double force_weight)
     : compliance_(compliance), force_weight_(force_weight), surface_(surface) {
   clear();
 }
 
-void PointSystem::forget() {
+void InterfaceNewtonSystem::forget() {
   clear();
   factors_.reset();
 }
 
-void PointSystem::clear() {
+void InterfaceNewtonSystem::clear() {
   count_ = 0;
   forces_ = places_ = 0;
 }
 
-contact::FactoredResponse& PointSystem::add(std::size_t zone, std::size_t index) {
+contact::FactoredResponse& InterfaceNewtonSystem::add(std::size_t zone, std::size_t index) {
   if (count_ == points_.size())
     points_.emplace_back();
   auto& point = points_[count_++];
@@ -87,7 +88,7 @@ contact::FactoredResponse& PointSystem::add(std::size_t zone, std::size_t index)
 }
 
 /// Puts the point on the surface: displacements that supports hold leave its response.
-void PointSystem::place(ActivePoint& point) {
+void InterfaceNewtonSystem::place(ActivePoint& point) {
   auto& r = point.response;
   const auto& position = compliance_.position_of_dof();
   point.positions.clear();
@@ -99,21 +100,22 @@ void PointSystem::place(ActivePoint& point) {
     point.positions.push_back(at);
     if (const auto from = static_cast<Index>(q); kept < from) {
       r.spread.col(kept) = r.spread.col(from);
-      r.by_q.col(kept) = r.by_q.col(from);
+      r.d_du.col(kept) = r.d_du.col(from);
     }
     ++kept;
   }
   if (kept < r.spread.cols()) {
     r.spread.conservativeResize(Eigen::NoChange, kept);
-    r.by_q.conservativeResize(Eigen::NoChange, kept);
+    r.d_du.conservativeResize(Eigen::NoChange, kept);
   }
   point.first = forces_;
   point.first_slope = places_;
   forces_ += point.components();
-  places_ += point.slopes();
+  places_ += point.n_xi();
 }
 
-std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0, const VectorXd& force) {
+std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solve(const VectorXd& d0,
+                                                                          const VectorXd& force) {
   for (auto& point : active()) {
     place(point);
     eliminate_multipliers(point);
@@ -131,7 +133,7 @@ std::optional<PointSystem::Change> PointSystem::solve(const VectorXd& d0, const 
 }
 
 /// By the factors of the iteration before while they serve.
-std::optional<PointSystem::Change> PointSystem::solved_for_forces(const VectorXd& c) {
+std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solved_for_forces(const VectorXd& c) {
   for (auto& point : active())
     if (keeps_factors() && !point.positions.empty())
       reduce_equations(point, force_weight_ * compliance_.own(point.positions.front()));
@@ -144,16 +146,16 @@ std::optional<PointSystem::Change> PointSystem::solved_for_forces(const VectorXd
 }
 
 /// In held frames new factors solve to rounding, which loops around them count on.
-bool PointSystem::keeps_factors() const {
+bool InterfaceNewtonSystem::keeps_factors() const {
   return places_ > 0;
 }
 
-bool PointSystem::has_factors_of_these() const {
+bool InterfaceNewtonSystem::has_factors_of_these() const {
   return factors_ && keeps_factors() && factored_rows_ == points().front().components() &&
          std::ranges::equal(factored_points_, points(), {}, {}, &id_of);
 }
 
-void PointSystem::touch_surface() {
+void InterfaceNewtonSystem::touch_surface() {
   for (const auto& point : points())
     surface_.add(point.positions);
   surface_.touch_added();
@@ -165,7 +167,7 @@ void PointSystem::touch_surface() {
 }
 
 /// Of values, one a position.
-VectorXd PointSystem::at_places(const VectorXd& values) const {
+VectorXd InterfaceNewtonSystem::at_places(const VectorXd& values) const {
   VectorXd chosen(surface_.size());
   std::ranges::transform(surface_.positions(), chosen.begin(),
                          [&](int position) { return values[position]; });
@@ -173,15 +175,15 @@ VectorXd PointSystem::at_places(const VectorXd& values) const {
 }
 
 /// δz of each point, and δξ, of all as many as any has.
-Index PointSystem::rows_of_whole() const {
+Index InterfaceNewtonSystem::rows_of_whole() const {
   Index rows = 0;
   for (const auto& point : points())
-    rows = std::max<Index>(rows, point.components() + point.slopes());
+    rows = std::max<Index>(rows, point.components() + point.n_xi());
   return rows;
 }
 
 /// Of the first rows of each point: δz and, beyond them, δξ.
-MatrixXd PointSystem::matrix_of(Index rows) const {
+MatrixXd InterfaceNewtonSystem::matrix_of(Index rows) const {
   std::vector<const PointRows*> all;
   all.reserve(count_);
   for (const auto& point : points())
@@ -197,7 +199,7 @@ MatrixXd PointSystem::matrix_of(Index rows) const {
   return matrix;
 }
 
-bool PointSystem::factor(Index rows) {
+bool InterfaceNewtonSystem::factor(Index rows) {
   MatrixXd matrix = matrix_of(rows);
   linalg::equilibrate(matrix, row_scale_, column_scale_);
   factors_ = linalg::DenseLu::of(std::move(matrix));
@@ -208,7 +210,7 @@ bool PointSystem::factor(Index rows) {
 }
 
 /// What the factors answer to what is left of the equations.
-PointSystem::Change PointSystem::correction(const Change& left) const {
+InterfaceNewtonSystem::Change InterfaceNewtonSystem::correction(const Change& left) const {
   const VectorXd right = row_scale_.cwiseProduct(joined(left, factored_rows_));
   auto change = split(column_scale_.cwiseProduct(factors_->solve(right)), factored_rows_);
   if (factored_rows_ == points().front().components()) {
@@ -219,33 +221,33 @@ PointSystem::Change PointSystem::correction(const Change& left) const {
 }
 
 /// The first rows of each point, one after the other; rows that a point has none of are 0.
-VectorXd PointSystem::joined(const Change& change, Index rows) const {
+VectorXd InterfaceNewtonSystem::joined(const Change& change, Index rows) const {
   VectorXd all = VectorXd::Zero(static_cast<Index>(count_) * rows);
   Index first = 0;
   for (const auto& point : points()) {
     const Index d = point.components();
     all.segment(first, d) = change.force.segment(point.first, d);
     if (rows > d)
-      all.segment(first + d, point.slopes()) = change.places.segment(point.first_slope, point.slopes());
+      all.segment(first + d, point.n_xi()) = change.places.segment(point.first_slope, point.n_xi());
     first += rows;
   }
   return all;
 }
 
-PointSystem::Change PointSystem::split(const VectorXd& all, Index rows) const {
+InterfaceNewtonSystem::Change InterfaceNewtonSystem::split(const VectorXd& all, Index rows) const {
   auto change = no_change();
   Index first = 0;
   for (const auto& point : points()) {
     const Index d = point.components();
     change.force.segment(point.first, d) = all.segment(first, d);
     if (rows > d)
-      change.places.segment(point.first_slope, point.slopes()) = all.segment(first + d, point.slopes());
+      change.places.segment(point.first_slope, point.n_xi()) = all.segment(first + d, point.n_xi());
     first += rows;
   }
   return change;
 }
 
-std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c, int rounds) {
+std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::refined(const VectorXd& c, int rounds) {
   auto change = no_change();
   double first = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -271,7 +273,7 @@ std::optional<PointSystem::Change> PointSystem::refined(const VectorXd& c, int r
 }
 
 /// Of the equations of δz, as they were scaled to be factored.
-double PointSystem::largest_force_row(const Change& left) const {
+double InterfaceNewtonSystem::largest_force_row(const Change& left) const {
   double largest = 0;
   Index first = 0;
   for (const auto& point : points()) {
@@ -282,7 +284,7 @@ double PointSystem::largest_force_row(const Change& left) const {
   return largest;
 }
 
-std::optional<PointSystem::Change> PointSystem::solved_whole(const VectorXd& c) {
+std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solved_whole(const VectorXd& c) {
   const Index rows = rows_of_whole();
   if (static_cast<Index>(count_) * rows > largest_whole)
     return std::nullopt;
@@ -295,28 +297,29 @@ std::optional<PointSystem::Change> PointSystem::solved_whole(const VectorXd& c) 
 }
 
 /// Points that say the same share what they carry: the smallest such forces.
-std::optional<PointSystem::Change> PointSystem::least(const Change& left, Index rows) const {
+std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::least(const Change& left,
+                                                                          Index rows) const {
   const MatrixXd matrix = matrix_of(rows);
   const VectorXd solution = matrix.completeOrthogonalDecomposition().solve(joined(left, rows));
   return solution.allFinite() ? std::optional(split(solution, rows)) : std::nullopt;
 }
 
-PointSystem::Change PointSystem::no_change() const {
+InterfaceNewtonSystem::Change InterfaceNewtonSystem::no_change() const {
   return {VectorXd::Zero(forces_), VectorXd::Zero(places_)};
 }
 
 /// P δq of a point, added to δξ.
-void PointSystem::add_places(const ActivePoint& point, const VectorXd& d, double* places) {
-  const auto& by_q = point.response.by_q;
-  const Index rows = by_q.rows();
-  const double* slopes = by_q.data() + rows - point.slopes();
+void InterfaceNewtonSystem::add_places(const ActivePoint& point, const VectorXd& d, double* places) {
+  const auto& d_du = point.response.d_du;
+  const Index rows = d_du.rows();
+  const double* n_xi = d_du.data() + rows - point.n_xi();
   for (std::size_t q = 0; q < point.rows.places.size(); ++q)
-    for (int a = 0; a < point.slopes(); ++a)
-      places[a] += slopes[static_cast<Index>(q) * rows + a] * d[point.rows.places[q]];
+    for (int a = 0; a < point.n_xi(); ++a)
+      places[a] += n_xi[static_cast<Index>(q) * rows + a] * d[point.rows.places[q]];
 }
 
 /// S Cᵀ (δz, δξ), one a place.
-VectorXd PointSystem::motion(const Change& change) const {
+VectorXd InterfaceNewtonSystem::motion(const Change& change) const {
   VectorXd force = VectorXd::Zero(surface_.size());
   for (const auto& point : points()) {
     const ForceOf force_of(point, change);
@@ -330,7 +333,7 @@ VectorXd PointSystem::motion(const Change& change) const {
   return moved;
 }
 
-PointSystem::Change PointSystem::residual(const VectorXd& c, const Change& change) const {
+InterfaceNewtonSystem::Change InterfaceNewtonSystem::residual(const VectorXd& c, const Change& change) const {
   const VectorXd d = c - force_weight_ * motion(change);
   Change left{VectorXd(forces_), -change.places};
   for (const auto& point : points()) {
@@ -351,7 +354,7 @@ PointSystem::Change PointSystem::residual(const VectorXd& c, const Change& chang
 }
 
 /// δξ that follows from how a change moves the surface.
-VectorXd PointSystem::places_after(const Change& change) const {
+VectorXd InterfaceNewtonSystem::places_after(const Change& change) const {
   const VectorXd d = -force_weight_ * motion(change);
   VectorXd places = change.places;
   for (const auto& point : points())
@@ -359,7 +362,7 @@ VectorXd PointSystem::places_after(const Change& change) const {
   return places;
 }
 
-void PointSystem::add_force(const Change& change, VectorXd& force) const {
+void InterfaceNewtonSystem::add_force(const Change& change, VectorXd& force) const {
   for (const auto& point : points()) {
     const ForceOf force_of(point, change);
     for (std::size_t q = 0; q < point.positions.size(); ++q)
@@ -367,8 +370,8 @@ void PointSystem::add_force(const Change& change, VectorXd& force) const {
   }
 }
 
-contact::PointVector PointSystem::multipliers_of(const ActivePoint& point, const Change& change,
-                                                 const VectorXd& moved) const {
+contact::PointVector InterfaceNewtonSystem::multipliers_of(const ActivePoint& point, const Change& change,
+                                                           const VectorXd& moved) const {
   return multiplier_change(point, change.force.segment(point.first, point.components()), moved);
 }
 

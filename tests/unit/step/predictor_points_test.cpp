@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Which points the guess of a step's contact follows, and what becomes of those that lose their master.
-#include "rubato/step/guess_points.hpp"
+#include "rubato/step/predictor_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// The first component of the first node moves its gap.
-GuessPoint point_with(std::size_t index, double gap, double force) {
-  GuessPoint point;
+PredictorPoint point_with(std::size_t index, double gap, double force) {
+  PredictorPoint point;
   point.index = index;
   point.shares = {{.positions = {static_cast<int>(index), -1, -1}, .weight = 1}};
   point.gap = gap;
@@ -49,11 +49,11 @@ protected:
   const model::Model& model_ = walk_.model;
   State state_ = walk_.state;
   EffectiveSystem system_ = make_effective_system(model_, walk_.scheme, 1e-3);
-  ContactSide side_{model_, walk_.scheme, system_, walk_.state, {}};
+  ContactEvaluator side_{model_, walk_.scheme, system_, walk_.state, {}};
   Held held_ = Held(1);
   ContactIterate contact_;
   VectorXd at_rest_ = VectorXd::Zero(static_cast<Eigen::Index>(system_.compliance->surface().size()));
-  std::vector<GuessPoint> points_;
+  std::vector<PredictorPoint> points_;
 };
 
 TEST_F(PointsOfBeams, AreThoseThatFaceTheMasterAndMayTouch) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/cycle_watch.hpp"
+#include "rubato/step/cycle_detector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr int most_cycles = 3;
 
 } // namespace
 
-bool CycleWatch::has_met(const ContactIterate& iterate, double size_of_forces) {
+bool CycleDetector::has_met(const ContactIterate& iterate, double size_of_forces) {
   const bool known = std::ranges::any_of(met_, [&](const Met& met) {
     return std::abs(met.size - size_of_forces) <= rounding * size_of_forces && met.status == iterate.status;
   });
@@ -23,7 +23,7 @@ bool CycleWatch::has_met(const ContactIterate& iterate, double size_of_forces) {
   return known;
 }
 
-std::optional<double> CycleWatch::part_of_next(const ContactIterate& iterate, double size_of_forces) {
+std::optional<double> CycleDetector::part_of_next(const ContactIterate& iterate, double size_of_forces) {
   if (!has_met(iterate, size_of_forces))
     return 1.0;
   if (++cycles_ > most_cycles)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The surface compliance between the positions that some contact points touch, body by body in one piece:
-/// what dense algebra on contact points works with.
+/// The compliance of the interface, restricted to the surface unknowns of active contact points: the blocks
+/// C_i S C_jᵀ between points are taken from it, body by body.
 #pragma once
 
 #include "rubato/step/compliance.hpp"
@@ -12,10 +12,10 @@
 
 namespace rubato::step {
 
-class TouchedSurface {
+class ActiveInterfaceCompliance {
 public:
   /// `compliance` must outlive this.
-  explicit TouchedSurface(Compliance& compliance) : compliance_(&compliance) {}
+  explicit ActiveInterfaceCompliance(Compliance& compliance) : compliance_(&compliance) {}
 
   void forget();
   /// Takes these positions too, each of which may occur several times; they have places after touch_added.
@@ -59,7 +59,7 @@ struct PointRows {
 };
 
 /// factor · left S rightᵀ between all points, of the first `rows` rows of each, at most five.
-Eigen::MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points,
-                               Eigen::Index rows, double factor);
+Eigen::MatrixXd between_points(const ActiveInterfaceCompliance& surface,
+                               std::span<const PointRows* const> points, Eigen::Index rows, double factor);
 
 } // namespace rubato::step

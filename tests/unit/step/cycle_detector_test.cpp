@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/condensed.hpp"
-#include "rubato/step/cycle_watch.hpp"
-#include "rubato/step/levels.hpp"
+#include "rubato/step/cycle_detector.hpp"
+#include "rubato/step/nested_loops.hpp"
 #include "rubato/step/newton.hpp"
 
 #include <gtest/gtest.h>
@@ -22,22 +22,22 @@ ContactIterate with(Status first, Status second) {
   return iterate;
 }
 
-TEST(CycleWatch, KnowsStatusesThatComeBackWithTheirForces) {
-  CycleWatch watch;
+TEST(CycleDetector, KnowsStatusesThatComeBackWithTheirForces) {
+  CycleDetector watch;
   EXPECT_FALSE(watch.has_met(with(Status::stick, Status::open), 1));
   EXPECT_FALSE(watch.has_met(with(Status::slip, Status::open), 2));
   EXPECT_TRUE(watch.has_met(with(Status::stick, Status::open), 1 + 1e-12));
 }
 
-TEST(CycleWatch, LetsStatusesComeBackWithOtherForces) {
-  CycleWatch watch;
+TEST(CycleDetector, LetsStatusesComeBackWithOtherForces) {
+  CycleDetector watch;
   EXPECT_FALSE(watch.has_met(with(Status::stick, Status::open), 1));
   EXPECT_FALSE(watch.has_met(with(Status::stick, Status::open), 1.001));
   EXPECT_FALSE(watch.has_met(with(Status::open, Status::stick), 1));
 }
 
-TEST(CycleWatch, TakesHalfOfACorrectionWhereIteratesComeBackUntilTheyDoTooOften) {
-  CycleWatch watch;
+TEST(CycleDetector, TakesHalfOfACorrectionWhereIteratesComeBackUntilTheyDoTooOften) {
+  CycleDetector watch;
   const auto part = [&](Status status) { return watch.part_of_next(with(status, Status::open), 1); };
   for (int cycle = 0; cycle < 3; ++cycle) {
     EXPECT_EQ(part(Status::stick), 1.0);
@@ -64,8 +64,8 @@ TEST(Cycles, EndAnAttemptAndNameTheirPoints) {
   const auto cycling = std::ranges::find(walk.reports, Outcome::cycling, &StepReport::outcome);
   ASSERT_NE(cycling, walk.reports.end());
   EXPECT_GT(cycling->status_changes, 0);
-  EXPECT_EQ(cycling->restless.size(), static_cast<std::size_t>(cycling->status_changes));
-  for (const auto& point : cycling->restless)
+  EXPECT_EQ(cycling->changing_points.size(), static_cast<std::size_t>(cycling->status_changes));
+  for (const auto& point : cycling->changing_points)
     EXPECT_NE(point.before, point.now);
 }
 
@@ -73,7 +73,7 @@ TEST(Cycles, EndAnAttemptAndNameTheirPoints) {
 template <class Solver> StepReport attempt(test::Walk& walk, double length) {
   const double t = walk.state.t + length;
   auto system = make_effective_system(walk.model, walk.scheme, length);
-  const ContactSide side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
+  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
   Pulse pulse;
   Solver solver(walk.model, walk.scheme, system, walk.state, t, side, pulse);
   auto trial = predict(walk.model, walk.scheme, system, walk.state, t);
@@ -101,9 +101,9 @@ TEST(Cycles, AreTheSameOfPointsAndOfTheWholeMotion) {
   EXPECT_EQ(condensed.outcome, Outcome::cycling);
   EXPECT_EQ(whole.outcome, Outcome::cycling);
   EXPECT_EQ(condensed.iterations, whole.iterations);
-  ASSERT_EQ(condensed.restless.size(), whole.restless.size());
-  for (std::size_t i = 0; i < whole.restless.size(); ++i)
-    EXPECT_EQ(condensed.restless[i].node, whole.restless[i].node);
+  ASSERT_EQ(condensed.changing_points.size(), whole.changing_points.size());
+  for (std::size_t i = 0; i < whole.changing_points.size(); ++i)
+    EXPECT_EQ(condensed.changing_points[i].node, whole.changing_points[i].node);
 }
 
 } // namespace

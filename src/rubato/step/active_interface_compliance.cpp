@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/touched_surface.hpp"
+#include "rubato/step/active_interface_compliance.hpp"
 
 #include "rubato/linalg/column_sum.hpp"
 #include "rubato/linalg/symmetric_product.hpp"
@@ -16,8 +16,8 @@ using Eigen::VectorXd;
 
 /// What one point's unit forces move, row after row of them: one column a place.
 template <int Rows>
-void answer_to(const TouchedSurface& surface, const PointRows& point, MatrixXd& by_place,
-               Eigen::Matrix<double, Rows, Eigen::Dynamic>& by_row) {
+void apply_compliance(const ActiveInterfaceCompliance& surface, const PointRows& point, MatrixXd& by_place,
+                      Eigen::Matrix<double, Rows, Eigen::Dynamic>& by_row) {
   by_place.setZero(surface.size(), Rows);
   for (int row = 0; row < Rows; ++row)
     surface.add_motion(point.places, point.right.row(row), by_place.col(row).data());
@@ -42,13 +42,13 @@ Eigen::Matrix<double, Rows, Rows> seen_by(const PointRows& point,
 }
 
 template <int Rows>
-void fill(const TouchedSurface& surface, std::span<const PointRows* const> points, double factor,
+void fill(const ActiveInterfaceCompliance& surface, std::span<const PointRows* const> points, double factor,
           MatrixXd& matrix) {
   const auto count = static_cast<Index>(points.size());
   MatrixXd by_place;
   Eigen::Matrix<double, Rows, Eigen::Dynamic> moved;
   for (Index j = 0; j < count; ++j) {
-    answer_to<Rows>(surface, *points[static_cast<std::size_t>(j)], by_place, moved);
+    apply_compliance<Rows>(surface, *points[static_cast<std::size_t>(j)], by_place, moved);
     for (Index i = 0; i < count; ++i)
       matrix.template block<Rows, Rows>(i * Rows, j * Rows) =
           factor * seen_by<Rows>(*points[static_cast<std::size_t>(i)], moved);
@@ -65,7 +65,7 @@ void fill_up_with_zeros(MatrixXd& matrix, Index rows) {
 
 } // namespace
 
-void TouchedSurface::forget() {
+void ActiveInterfaceCompliance::forget() {
   for (const int position : positions_)
     places_[static_cast<std::size_t>(position)] = -1;
   positions_.clear();
@@ -74,7 +74,7 @@ void TouchedSurface::forget() {
   bodies_.clear();
 }
 
-void TouchedSurface::add(std::span<const int> positions) {
+void ActiveInterfaceCompliance::add(std::span<const int> positions) {
   places_.resize(compliance_->surface().size(), -1);
   for (const int position : positions)
     if (auto& place = places_[static_cast<std::size_t>(position)]; place < 0) {
@@ -83,7 +83,7 @@ void TouchedSurface::add(std::span<const int> positions) {
     }
 }
 
-void TouchedSurface::touch_added() {
+void ActiveInterfaceCompliance::touch_added() {
   if (positions_.size() == placed_)
     return;
   placed_ = positions_.size();
@@ -103,15 +103,15 @@ void TouchedSurface::touch_added() {
   }
 }
 
-void TouchedSurface::multiply(const VectorXd& force, VectorXd& moved) const {
+void ActiveInterfaceCompliance::multiply(const VectorXd& force, VectorXd& moved) const {
   moved.setZero(size());
   for (const auto& body : bodies_)
     linalg::add_symmetric_product(1, body.s, force.data() + body.first, moved.data() + body.first);
 }
 
-void TouchedSurface::add_motion(std::span<const int> places,
-                                const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& force,
-                                double* moved) const {
+void ActiveInterfaceCompliance::add_motion(
+    std::span<const int> places, const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& force,
+    double* moved) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const auto& body = bodies_[b];
     linalg::ColumnSum sum(moved + body.first, body.s.rows());
@@ -128,8 +128,8 @@ void PointRows::fill_up(Index rows) {
   fill_up_with_zeros(right, rows);
 }
 
-MatrixXd between_points(const TouchedSurface& surface, std::span<const PointRows* const> points, Index rows,
-                        double factor) {
+MatrixXd between_points(const ActiveInterfaceCompliance& surface, std::span<const PointRows* const> points,
+                        Index rows, double factor) {
   const Index size = static_cast<Index>(points.size()) * rows;
   MatrixXd matrix(size, size);
   switch (rows) {

@@ -23,7 +23,7 @@ enum class Start {
 };
 
 /// How an attempt at a step differs from the plain one.
-struct Variant {
+struct RetrySettings {
   double friction_part = 1;       ///< of μ
   double normal_multiple = 1;     ///< of c where it is an augmentation
   double tangential_multiple = 1; ///< of c_t where it is an augmentation
@@ -47,11 +47,11 @@ struct ContactIterate {
   Eigen::VectorXd u; ///< one a dof, where friction is by springs; else unused
 };
 
-class ContactSide {
+class ContactEvaluator {
 public:
   /// Everything must outlive this.
-  ContactSide(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-              const State& committed, const Variant& variant);
+  ContactEvaluator(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                   const State& committed, const RetrySettings& variant);
 
   /// Contact at `trial` as `held` has it, with the statuses of `trial` where a point can have them.
   ContactIterate at(const State& trial, const Held& held) const;
@@ -69,7 +69,7 @@ public:
   void renew_status(const Held& held, const ContactIterate& before, ContactIterate& now) const;
   /// How the zone behaves in this attempt.
   contact::ZoneLaw law_of(std::size_t zone, const Held& held) const;
-  const Variant& variant() const { return variant_; }
+  const RetrySettings& variant() const { return variant_; }
   const EffectiveSystem& system() const { return system_; }
   /// Where the step starts.
   const State& committed() const { return committed_; }
@@ -119,7 +119,7 @@ private:
   const model::Model& model_;
   EffectiveSystem& system_;
   const State& committed_;
-  Variant variant_;
+  RetrySettings variant_;
   std::vector<contact::ZoneCoefficients> coefficients_;
   std::vector<std::vector<contact::PointEvaluation>>
       frames_; ///< of every zone, where contact is a law of velocities; else none

@@ -3,7 +3,7 @@
 /// every Newton iteration or a loop of its own around them, zone by zone.
 #pragma once
 
-#include "rubato/step/contact_side.hpp"
+#include "rubato/step/contact_evaluator.hpp"
 
 #include <functional>
 
@@ -18,7 +18,7 @@ using Solve = std::function<StepReport(State& trial, const Held& held)>;
 ///     of the step, not before the second round (Code_Aster's RESI_GEOM with REAC_GEOM='AUTOMATIQUE');
 ///   friction: when no friction pressure changes by more than tolerance × the largest one;
 ///   status: when no point's status changes.
-StepReport solve_levels(const model::Model& model, const ContactSide& side, const Solve& solve,
+StepReport solve_levels(const model::Model& model, const ContactEvaluator& side, const Solve& solve,
                         const State& committed, State& trial);
 
 } // namespace rubato::step

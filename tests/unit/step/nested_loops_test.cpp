@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The three nested levels by Newton or by loops, and every method they carry, must end at one answer.
-#include "rubato/step/levels.hpp"
+#include "rubato/step/nested_loops.hpp"
 #include "rubato/step/newton.hpp"
 
 #include <gtest/gtest.h>
@@ -123,7 +123,7 @@ TEST(ALoopOfTheStatusThatDoesNotSettle, SaysSo) {
   auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
   const double t = walk.control.target();
   State trial = predict(walk.model, walk.scheme, system, walk.state, t);
-  const ContactSide side(walk.model, walk.scheme, system, walk.state, {});
+  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state, {});
   Pulse pulse;
   Newton newton(walk.model, walk.scheme, system, walk.state, t, side, pulse);
   const auto report = solve_levels(

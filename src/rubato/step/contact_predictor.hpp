@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Which points will touch, stick and slip at the end of a step, and how hard: a start for Newton's
-/// iterations, which from the free motion would let go of one row of points after the other.
+/// Predicts the active set of a step: which points will touch, stick and slip at its end, and with which
+/// forces. Without it Newton's method releases one row of points an iteration.
 #pragma once
 
 #include "rubato/step/compliance.hpp"
@@ -32,7 +32,7 @@ inline void add_moved(const Share& share, const Eigen::VectorXd& d, Eigen::Vecto
 /// A point that may touch, in a frame that is held. With e = Σ weight · d, how far the surface moves it off
 /// its place on the master, its gap and slips are `value` + frameᵀ e, and its forces F along them put
 /// −weight · frame F on the surface (internal side).
-struct GuessPoint {
+struct PredictorPoint {
   std::size_t zone = 0;
   std::size_t index = 0; ///< in the zone's points
   std::vector<Share> shares;
@@ -40,25 +40,25 @@ struct GuessPoint {
   Eigen::Vector3d value = Eigen::Vector3d::Zero();     ///< where d = 0 [length]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< pressing ≥ 0, and along the slips [force]
   double gap = 0;                                      ///< where its frame was measured [length]
-  double softness = 0; ///< penetration a unit of force makes: of penalties [length/force]
-  double friction = 0; ///< μ
-  double give = 0;     ///< of free bodies: what its own surface gives under a unit force [length/force]
+  double penalty_compliance = 0; ///< penetration a unit of force makes: of penalties [length/force]
+  double friction = 0;           ///< μ
+  double give = 0; ///< of free bodies: what its own surface gives under a unit force [length/force]
 };
 
 /// Gap and slips with the surface at d.
-Eigen::Vector3d measures_of(const GuessPoint& point, const Eigen::VectorXd& d);
+Eigen::Vector3d measures_of(const PredictorPoint& point, const Eigen::VectorXd& d);
 
 /// Adds Σ weight · frame F, of the forces from `first` to `last` (0 along the gap, 1 and 2 along the slips),
 /// to `force`, one a position.
-void add_force(std::span<const GuessPoint> points, int first, int last, Eigen::VectorXd& force);
+void add_force(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& force);
 
-class ContactGuess {
+class ContactPredictor {
 public:
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
   /// dimensions as `components`. Pressing forces are found `to_the_end` where sweeps and sets at once don't:
   /// of bodies that only contact holds, each of whose points moves all others by more than its own strain.
   /// `compliance` must outlive this.
-  ContactGuess(Compliance& compliance, double factor, int components, bool to_the_end = false);
+  ContactPredictor(Compliance& compliance, double factor, int components, bool to_the_end = false);
 
   /// Improves the forces of the points, which have been measured with the surface at d: first the pressing
   /// ones, so that no gap is negative, then those along the slips for the pressing ones found, so that none
@@ -67,41 +67,43 @@ public:
   /// another is computed when they press or penetrate first in a call: kept for the next one, it leads to
   /// other points that stick.
   /// Nothing that comes of it counts when the pulse has stopped.
-  void improve(std::span<GuessPoint> points, const Eigen::VectorXd& free, Eigen::VectorXd d, Pulse& pulse);
+  void improve(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Eigen::VectorXd d,
+               Pulse& pulse);
 
   /// How much a sweep would change the forces now that the points have been measured anew and the surface
   /// is at d, in parts of the largest one. The points must be those of the last call.
-  double misfit(std::span<const GuessPoint> points, const Eigen::VectorXd& d) const;
+  double misfit(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
   /// Points and what they do to one another.
   void forget();
 
 private:
-  void add_motion(std::span<const GuessPoint> points, int first, int last, Eigen::VectorXd& d);
-  bool choose_more(std::span<GuessPoint> points, const Eigen::VectorXd& d);
-  void push(const GuessPoint& point, int axis);
+  void add_motion(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& d);
+  bool choose_more(std::span<PredictorPoint> points, const Eigen::VectorXd& d);
+  void push(const PredictorPoint& point, int axis);
   void couple_pressing(Pulse& pulse);
   void couple_rubbing(Pulse& pulse);
   void press(const Eigen::VectorXd& without, Pulse& pulse);
-  void rub(std::span<GuessPoint> points, const Eigen::VectorXd& without, Pulse& pulse);
-  FrictionCones cones_of(std::span<GuessPoint* const> together, const Eigen::VectorXd& free, Pulse& pulse);
-  static bool join(std::span<GuessPoint> points, const Eigen::VectorXd& d,
-                   std::vector<GuessPoint*>& together);
-  void press_and_rub(std::span<GuessPoint> points, const Eigen::VectorXd& free, Pulse& pulse);
-  double misfit_by_own_give(std::span<const GuessPoint> points, const Eigen::VectorXd& d) const;
+  void rub(std::span<PredictorPoint> points, const Eigen::VectorXd& without, Pulse& pulse);
+  FrictionCones cones_of(std::span<PredictorPoint* const> together, const Eigen::VectorXd& free,
+                         Pulse& pulse);
+  static bool join(std::span<PredictorPoint> points, const Eigen::VectorXd& d,
+                   std::vector<PredictorPoint*>& together);
+  void press_and_rub(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Pulse& pulse);
+  double misfit_by_own_give(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
   double give_of(std::size_t chosen) const;
 
   Compliance& compliance_;
   double factor_;
   Eigen::Index components_;
   bool to_the_end_;
-  std::vector<GuessPoint*> chosen_;  ///< those that may touch
-  std::vector<std::size_t> sliding_; ///< of those chosen
-  Eigen::MatrixXd pressing_;         ///< gaps of chosen points for unit pressing forces on each
-  Eigen::MatrixXd rubbing_;          ///< slips of sliding ones for unit friction on each
-  Eigen::VectorXd force_;            ///< storage of add_motion
-  std::vector<ForceAt> pushing_;     ///< storage of push
-  Eigen::VectorXd moved_;            ///< of the surface by the last push
-  std::vector<double> gaps_;         ///< storage of choose_more
+  std::vector<PredictorPoint*> chosen_; ///< those that may touch
+  std::vector<std::size_t> sliding_;    ///< of those chosen
+  Eigen::MatrixXd pressing_;            ///< gaps of chosen points for unit pressing forces on each
+  Eigen::MatrixXd rubbing_;             ///< slips of sliding ones for unit friction on each
+  Eigen::VectorXd force_;               ///< storage of add_motion
+  std::vector<ForceAt> pushing_;        ///< storage of push
+  Eigen::VectorXd moved_;               ///< of the surface by the last push
+  std::vector<double> gaps_;            ///< storage of choose_more
 };
 
 /// Sweeps on w = values + matrix F,  F ≥ 0, w ≥ 0, F·w = 0, until one changes neither which F are positive

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The contact points of a model as the guess of a step's contact sees them.
+/// The contact points of a model as the contact predictor sees them.
 #pragma once
 
-#include "rubato/step/contact_guess.hpp"
-#include "rubato/step/contact_side.hpp"
+#include "rubato/step/contact_evaluator.hpp"
+#include "rubato/step/contact_predictor.hpp"
 
 #include <Eigen/Core>
 
@@ -14,28 +14,29 @@ namespace rubato::step {
 
 /// Every point that may touch, in the frame where `contact` measured it with the surface at d = `moved`, with
 /// its force of the last step, from the outcomes in `state`.
-void take_points(const model::Model& model, const ContactSide& side, const Held& held,
+void take_points(const model::Model& model, const ContactEvaluator& side, const Held& held,
                  const Compliance& compliance, const ContactIterate& contact, const Eigen::VectorXd& moved,
-                 const State& state, std::vector<GuessPoint>& points);
+                 const State& state, std::vector<PredictorPoint>& points);
 
 using PointsOfZones = std::vector<std::vector<std::size_t>>;
 
 /// Those of each zone that have a force, or with the surface at d penetrate or have lost half of the gap that
 /// they were measured with. Others are open without doubt and may keep their frames.
-void find_touching(std::span<const GuessPoint> points, const Eigen::VectorXd& d, PointsOfZones& touching);
+void find_touching(std::span<const PredictorPoint> points, const Eigen::VectorXd& d, PointsOfZones& touching);
 
 /// Takes these to the frames where `contact` measured them anew. Points that have nothing to touch any more
 /// lose their forces.
 void move_frames(const model::Model& model, const Compliance& compliance, const ContactIterate& contact,
-                 const Eigen::VectorXd& moved, const PointsOfZones& touching, std::span<GuessPoint> points);
+                 const Eigen::VectorXd& moved, const PointsOfZones& touching,
+                 std::span<PredictorPoint> points);
 
 /// What their forces put on the surface, internal side, one a position [force].
-Eigen::VectorXd force_on_surface(std::span<const GuessPoint> points, Eigen::Index positions);
+Eigen::VectorXd force_on_surface(std::span<const PredictorPoint> points, Eigen::Index positions);
 
 /// Whether an attempt that starts so guesses its contact first.
 bool starts_from_guess(const model::Model& model, Start start);
 
 /// Statuses and multipliers that belong to the guessed forces.
-void take_guess(const model::Model& model, std::span<const GuessPoint> points, State& state);
+void take_guess(const model::Model& model, std::span<const PredictorPoint> points, State& state);
 
 } // namespace rubato::step
