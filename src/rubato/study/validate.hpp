@@ -20,7 +20,7 @@ struct BrokenRule {
 /// What the rules say of a study.
 struct Judgement {
   std::vector<BrokenRule> broken;            ///< in the order of the study's parts; empty when all are kept
-  std::map<std::string, std::string> bounds; ///< of each number, by its path: " > 0"; empty without bounds
+  std::map<std::string, std::string> bounds; ///< of each number that has some, by its path: " > 0"
 };
 
 Judgement judge(const Study& study);

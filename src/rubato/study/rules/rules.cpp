@@ -12,27 +12,37 @@ void Rules::broken(std::initializer_list<std::string> paths, std::string text) {
   judgement_.broken.push_back({paths, std::move(text)});
 }
 
+void Rules::note_bounds(const std::string& path, const Range& range) {
+  if (auto text = bounds_text(range); !text.empty())
+    judgement_.bounds[path] = std::move(text);
+}
+
 void Rules::number(const std::string& path, double value, const Range& range) {
-  judgement_.bounds[path] = bounds_text(range);
+  note_bounds(path, range);
   if (!range.contains(value))
     broken({path}, fmt::format("found '{}', expected a number{}", value, bounds_text(range)));
 }
 
 void Rules::whole_number(const std::string& path, int value, const Range& range) {
-  judgement_.bounds[path] = bounds_text(range);
+  note_bounds(path, range);
   if (!range.contains(value))
     broken({path}, fmt::format("found '{}', expected a whole number{}", value, bounds_text(range)));
 }
 
-void Rules::ascending(const std::string& path, std::span<const double> numbers) {
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    number(fmt::format("{}.{}", path, i), numbers[i]);
-  const auto pair = std::ranges::adjacent_find(numbers, [](double a, double b) { return a >= b; });
-  if (pair == numbers.end())
+void Rules::numbers(const std::string& path, std::span<const double> values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!Range{}.contains(values[i]))
+      number(fmt::format("{}.{}", path, i), values[i]);
+}
+
+void Rules::ascending(const std::string& path, std::span<const double> values) {
+  numbers(path, values);
+  const auto pair = std::ranges::adjacent_find(values, [](double a, double b) { return a >= b; });
+  if (pair == values.end())
     return;
-  const auto index = static_cast<std::size_t>(pair - numbers.begin()) + 1;
+  const auto index = static_cast<std::size_t>(pair - values.begin()) + 1;
   broken({fmt::format("{}.{}", path, index), path},
-         fmt::format("found {} after {}, expected numbers that ascend", numbers[index], *pair));
+         fmt::format("found {} after {}, expected numbers that ascend", values[index], *pair));
 }
 
 void Rules::instant(const std::string& path, double instant) {

@@ -28,8 +28,10 @@ public:
   /// A number within its bounds, finite in any case.
   void number(const std::string& path, double value, const Range& range = {});
   void whole_number(const std::string& path, int value, const Range& range);
+  /// Each of a list of numbers; paths are made only where one is broken: tables may be long.
+  void numbers(const std::string& path, std::span<const double> values);
   /// Numbers that ascend, each greater than the one before.
-  void ascending(const std::string& path, std::span<const double> numbers);
+  void ascending(const std::string& path, std::span<const double> values);
   /// An instant of the run.
   void instant(const std::string& path, double instant);
   /// A name that is given.
@@ -47,6 +49,8 @@ public:
   Judgement take() { return std::move(judgement_); }
 
 private:
+  void note_bounds(const std::string& path, const Range& range);
+
   Judgement judgement_;
 };
 

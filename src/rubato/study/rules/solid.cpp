@@ -45,8 +45,7 @@ void refuse_overlap(Rules& rules) {
 void check_function(Rules& rules, const Function& function, const std::string& path) {
   const auto times = path + ".times";
   rules.ascending(times, function.times);
-  for (std::size_t i = 0; i < function.values.size(); ++i)
-    rules.number(fmt::format("{}.values.{}", path, i), function.values[i]);
+  rules.numbers(path + ".values", function.values);
   if (function.times.empty())
     rules.broken({times}, "found an empty list, expected at least one instant");
   if (function.values.size() != function.times.size())
