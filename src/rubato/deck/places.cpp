@@ -11,10 +11,6 @@ namespace {
 /// The maps whose keys are names the user chose.
 constexpr std::array<std::string_view, 3> named{"materials", "contact", "probes"};
 
-std::string joined(const std::string& path, const std::string& step) {
-  return path.empty() ? step : path + "." + step;
-}
-
 } // namespace
 
 Places::Places(const Tree& tree) {

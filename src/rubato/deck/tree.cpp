@@ -200,6 +200,10 @@ Tree* Tree::find(std::string_view key) {
   return const_cast<Tree*>(std::as_const(*this).find(key));
 }
 
+std::string joined(const std::string& path, const std::string& step) {
+  return path.empty() ? step : path + "." + step;
+}
+
 std::size_t count_nodes(const Tree& tree) {
   std::size_t nodes = 1;
   for (const auto& item : tree.items)

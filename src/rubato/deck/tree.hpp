@@ -49,6 +49,9 @@ struct Tree::Entry {
   Tree value;
 };
 
+/// The path of a value inside of another one: "time.step".
+std::string joined(const std::string& path, const std::string& step);
+
 /// Nodes of the tree, itself included.
 std::size_t count_nodes(const Tree& tree);
 

@@ -13,10 +13,6 @@
 namespace rubato::deck {
 namespace {
 
-std::string joined(const std::string& path, const std::string& step) {
-  return path.empty() ? step : path + "." + step;
-}
-
 void expected(const Value& value, const std::string& what) {
   value.fault(fmt::format("found {}, expected {}", described(value.tree()), what));
 }

@@ -172,10 +172,6 @@ private:
   std::string path_;
 };
 
-bool is_by_cg(const ContactZone& zone) {
-  return zone.method == ContactMethod::nodal_pcg;
-}
-
 /// All zones are solved together by conjugate gradients, or none.
 void check_methods_together(Rules& rules) {
   const auto& zones = rules.study.contact;

@@ -54,6 +54,11 @@ private:
   Judgement judgement_;
 };
 
+/// Whether projected conjugate gradients solve for the zone.
+constexpr bool is_by_cg(const ContactZone& zone) {
+  return zone.method == ContactMethod::nodal_pcg;
+}
+
 void check_mesh(Rules& rules);
 void check_physics(Rules& rules);
 void check_materials(Rules& rules);

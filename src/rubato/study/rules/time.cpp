@@ -116,11 +116,6 @@ void check_contact_mass(Rules& rules) {
     rules.broken({"time.contact_mass", "time.scheme"},
                  "the scheme central_difference divides by the mass of every node, expected consistent");
 }
-
-bool is_by_cg(const ContactZone& zone) {
-  return zone.method == ContactMethod::nodal_pcg;
-}
-
 } // namespace
 
 void check_time(Rules& rules) {
