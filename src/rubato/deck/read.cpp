@@ -92,7 +92,7 @@ study::Study read_study(const Tree& tree, const std::filesystem::path& folder, F
   read_functions(map.find("functions"), study.functions);
   read_supports(map.find("supports"), context, study.supports);
   read_springs(map.find("springs"), study.springs);
-  read_loads(map.find("loads"), study.loads);
+  read_loads(map.find("loads"), context, study.loads);
   read_initial(map.find("initial"), study.initial);
   read_contact(map.find("contact"), context, study.contact);
   read_newton(map.find("newton"), study.newton);

@@ -77,18 +77,23 @@ study::Support read_support(const Value& value, const Context& context) {
   return support;
 }
 
-void read_components(MapReader& map, study::Load& load) {
+void read_components(MapReader& map, const Context& context, study::Load& load) {
   bool given = false;
   for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto component = map.find(study::axis_words[axis])) {
       read(component, load.components[axis]);
       given = true;
+      // 0 stands for no component in the study
+      if (context.physics && axis >= static_cast<std::size_t>(study::dimension_of(*context.physics)))
+        component->fault(fmt::format("{} has no {}, expected x or y",
+                                     study::word_of(study::physics_words, *context.physics),
+                                     study::axis_words[axis]));
     }
   if (!given && map.is_map())
     map.value().fault("has no component, expected at least one of x, y, z");
 }
 
-study::Load read_load(const Value& value, study::LoadKind kind) {
+study::Load read_load(const Value& value, study::LoadKind kind, const Context& context) {
   study::Load load;
   load.kind = kind;
   MapReader map(value);
@@ -96,7 +101,7 @@ study::Load read_load(const Value& value, study::LoadKind kind) {
   if (kind == study::LoadKind::pressure)
     read(map.require("value"), load.components[0]);
   else
-    read_components(map, load);
+    read_components(map, context, load);
   read_name(map.find("function"), load.function);
   map.finish();
   return load;
@@ -147,13 +152,13 @@ void read_supports(const Found& value, const Context& context, std::vector<study
     supports.push_back(read_support(item, context));
 }
 
-void read_loads(const Found& value, std::vector<study::Load>& loads) {
+void read_loads(const Found& value, const Context& context, std::vector<study::Load>& loads) {
   for (const auto& item : items(value)) {
     MapReader map(item);
     std::size_t kinds = 0;
     for (const auto& word : study::load_words)
       if (const auto load = map.find(word.text)) {
-        loads.push_back(read_load(*load, word.value));
+        loads.push_back(read_load(*load, word.value, context));
         ++kinds;
       }
     map.finish();

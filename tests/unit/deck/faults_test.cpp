@@ -210,6 +210,7 @@ const Mistake sense_mistakes[] = {
      "expected augmented_lagrangian or penalty"},
     {"[Clamped, N6]", "[N6, N6]", "N6]", "contact.interface.exclude_nodes.1: found 'N6' a second time"},
     {"y: -1e7", "z: -1e7", "-1e7", "loads.0.nodal_force.z: plane_stress has no z, expected x or y"},
+    {"y: -1e7", "z: 0", "0, f", "loads.0.nodal_force.z: plane_stress has no z, expected x or y"},
     {"fix: [x, y]", "fix: [x, z]", "z]",
      "supports.0.fix.1: found 'z', expected one of x, y; did you mean 'x'?"},
     {"fix: [x, y]", "fix: [x, x]", "x]", "supports.0.fix.1: x is given a second time"},
