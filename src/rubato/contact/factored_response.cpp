@@ -84,4 +84,22 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
   }
 }
 
+PointEquations open_equations(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation) {
+  const auto variables = law.zone->multiplier_variables();
+  const double weight = law.zone->points[point].weight;
+  const auto response = respond(evaluation.variables, Status::open, law.of_point(point));
+  const auto count = static_cast<Index>(variables.size());
+  PointEquations equations;
+  equations.values.resize(count);
+  equations.by_multiplier.resize(count, count);
+  for (Index row = 0; row < count; ++row) {
+    const int a = variables[static_cast<std::size_t>(row)];
+    equations.values[row] = weight * response.equations[a];
+    for (Index column = 0; column < count; ++column)
+      equations.by_multiplier(row, column) =
+          weight * response.d_equations(a, first_multiplier + variables[static_cast<std::size_t>(column)]);
+  }
+  return equations;
+}
+
 } // namespace rubato::contact

@@ -15,10 +15,17 @@ namespace rubato::contact {
 using PointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
 using MultiplierColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 3>;
 
+/// A point's equations of its multipliers, δe = E_m δm, times its weight.
+struct PointEquations {
+  PointVector values;                                                           ///< e, m entries
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> by_multiplier; ///< E_m
+};
+
 /// With δq the change of the point's local displacements (slave's nodes, then master's, component by
 /// component) and δm that of its own multipliers, the force on q (internal side) and the equations change by
 ///   δf = Nᵀ δz + Hᵀ δξ,   δz = Z_q δq + Z_m δm,   δξ = P δq,   δe = E_q δq + E_m δm;
-/// z = −w T [force] in d components, ξ the place on the master. Only for points that own their multipliers.
+/// z = −w T [force] in d components, ξ the place on the master, m the multipliers at the point: its own, or
+/// those interpolated from the nodes that share it.
 struct FactoredResponse {
   std::vector<int> dofs;           ///< of q
   int components = 0;              ///< d
@@ -30,10 +37,14 @@ struct FactoredResponse {
   PointVector equations;           ///< e, m entries
 
   int multipliers() const { return static_cast<int>(equations.size()); }
+  PointEquations multiplier_equations() const { return {equations, by_multiplier.bottomRows(multipliers())}; }
 };
 
 /// A point in contact, written into the storage of another one.
 void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status,
                      const domain::DofMap& dofs, FactoredResponse& into);
+
+/// What a point apart says of its multipliers: λ = 0, Λ = 0.
+PointEquations open_equations(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation);
 
 } // namespace rubato::contact

@@ -63,6 +63,10 @@ struct Zone {
   /// Which of λ, Λ₁, Λ₂ (0, 1, 2) are unknowns of a slave node, in their order there.
   std::span<const int> multiplier_variables() const;
   int multipliers_per_node() const { return static_cast<int>(multiplier_variables().size()); }
+  /// Whether there are multipliers, each with one point.
+  bool owns_multipliers() const { return points_own_multipliers && multipliers_per_node() > 0; }
+  /// Whether there are multipliers that several points interpolate.
+  bool shares_multipliers() const { return !points_own_multipliers && multipliers_per_node() > 0; }
   int multiplier_count() const { return static_cast<int>(slave.nodes.size()) * multipliers_per_node(); }
 };
 

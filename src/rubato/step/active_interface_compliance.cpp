@@ -128,6 +128,13 @@ void PointRows::fill_up(Index rows) {
   fill_up_with_zeros(right, rows);
 }
 
+MatrixXd moved_by(const ActiveInterfaceCompliance& surface, const PointRows& point, Index rows) {
+  MatrixXd by_place = MatrixXd::Zero(surface.size(), rows);
+  for (Index row = 0; row < rows; ++row)
+    surface.add_motion(point.places, point.right.row(row), by_place.col(row).data());
+  return by_place;
+}
+
 MatrixXd between_points(const ActiveInterfaceCompliance& surface, std::span<const PointRows* const> points,
                         Index rows, double factor) {
   const Index size = static_cast<Index>(points.size()) * rows;

@@ -58,6 +58,9 @@ struct PointRows {
   void fill_up(Eigen::Index rows);
 };
 
+/// S rightᵀ of a point's first `rows` rows, at most five: how unit forces in them move the places.
+Eigen::MatrixXd moved_by(const ActiveInterfaceCompliance& surface, const PointRows& point, Eigen::Index rows);
+
 /// factor · left S rightᵀ between all points, of the first `rows` rows of each, at most five.
 Eigen::MatrixXd between_points(const ActiveInterfaceCompliance& surface,
                                std::span<const PointRows* const> points, Eigen::Index rows, double factor);

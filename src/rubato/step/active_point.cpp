@@ -170,6 +170,16 @@ void eliminate_multipliers(ActivePoint& point) {
     Elimination<Dynamic, Dynamic>(point).run();
 }
 
+void keep_multipliers(ActivePoint& point) {
+  const auto& r = point.response;
+  const Index d = r.components;
+  point.by_force.setIdentity(d, d);
+  point.right.setZero(d);
+  point.rows.left.resize(d + r.n_xi, r.d_du.cols());
+  point.rows.left << -r.d_du.topRows(d), -r.d_du.bottomRows(r.n_xi);
+  point.rows.right = r.spread;
+}
+
 void reduce_equations(ActivePoint& point, double give) {
   const Index d = point.components();
   auto left = point.rows.left.topRows(d);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// A point in contact as the points' linear system sees it: linearised, its own multipliers eliminated.
+/// A point in contact as the points' linear system sees it: linearised, its own multipliers eliminated. Those
+/// that it shares with other points stay (step/shared_multipliers.hpp).
 #pragma once
 
 #include "rubato/contact/factored_response.hpp"
 #include "rubato/step/active_interface_compliance.hpp"
+#include "rubato/step/shared_multipliers.hpp"
 
 #include <Eigen/Core>
 
@@ -15,10 +17,12 @@ namespace rubato::step {
 struct ActivePoint {
   std::size_t zone = 0;
   std::size_t index = 0;
+  std::vector<MultiplierShare> shares; ///< empty where the point owns its multipliers
   /// Its columns are those displacements that no support holds, once the system has been solved.
   contact::FactoredResponse response;
   std::vector<int> positions; ///< of those columns, on the surface
-  /// What is left of the equations: A₁ δz + A₂ δq = b and δξ − P δq = 0.
+  /// What is left of the equations: A₁ δz + A₂ δq = b and δξ − P δq = 0. Where multipliers are shared
+  /// δz − Z_q δq = Z_m δm.
   PointRows rows;                                                          ///< A₂ over −P, and N over H
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> by_force; ///< A₁
   contact::PointVector right;                                              ///< b
@@ -33,6 +37,9 @@ struct ActivePoint {
 
 /// Takes the combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm.
 void eliminate_multipliers(ActivePoint& point);
+
+/// Keeps them: δz − Z_q δq = Z_m δm.
+void keep_multipliers(ActivePoint& point);
 
 /// Combines the equations of δz so that they depend on the point alone, not on how its multipliers were
 /// eliminated: unit columns at pivots among A₁ and `give` A₂, `give` what a force moves [length/force].

@@ -137,8 +137,7 @@ std::string solver_text(const Model& model, const EffectiveSystem& system) {
     return "the bulk factored once a step length";
   if (can_condense(model, system))
     return "condensed on contact points: the bulk is linear and factored once a step length";
-  return "condensed on contact unknowns: the bulk is linear and factored once a step length, and not every "
-         "contact point stands on a node";
+  return "projected conjugate gradients on contact forces: the bulk is linear and factored once a step length";
 }
 
 } // namespace

@@ -44,13 +44,6 @@ void CondensedScratch::forget() {
 
 bool can_condense(const Model& model, const EffectiveSystem& system) {
   return system.compliance && !model.zones.empty() &&
-         std::ranges::all_of(model.zones, [](const contact::Zone& zone) {
-           return zone.points_own_multipliers && zone.settings.method != study::ContactMethod::nodal_pcg;
-         });
-}
-
-bool can_guess(const Model& model, const EffectiveSystem& system) {
-  return system.compliance && !model.zones.empty() &&
          std::ranges::none_of(model.zones, [](const contact::Zone& zone) {
            return zone.settings.method == study::ContactMethod::nodal_pcg;
          });
@@ -58,7 +51,7 @@ bool can_guess(const Model& model, const EffectiveSystem& system) {
 
 std::optional<Start> other_start(const Model& model, const EffectiveSystem& system) {
   const bool guesses =
-      can_guess(model, system) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
+      can_condense(model, system) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
         return zone.settings.status.by == study::Iteration::newton;
       });
   if (!guesses)
@@ -152,8 +145,9 @@ void Condensed::start_from(const State& trial) {
 void Condensed::predict_contact(State& trial, const Held& held) {
   step::predict_contact({model_, system_, side_, held, equilibrium_, pulse_}, surface_, reach_,
                         scratch_.guess, now(), trial);
-  // Only points that are guessed are followed.
-  measured_ = std::ranges::all_of(held, [](const HeldZone& zone) { return zone.status.empty(); });
+  // Only points that are guessed are followed, and not those that take part of others' multipliers.
+  measured_ = std::ranges::all_of(held, [](const HeldZone& zone) { return zone.status.empty(); }) &&
+              std::ranges::none_of(model_.zones, &contact::Zone::shares_multipliers);
 }
 
 void Condensed::evaluate_contact(const State& trial, const Held& held, int iteration) {
@@ -253,8 +247,35 @@ void Condensed::linearise(const State& trial, const Held& held) {
     side_.differentiate(trial, held, point.zone, point.index, now());
     contact::factor_response(side_.law_of(point.zone, held), point.index,
                              now().points[point.zone][point.index], point.status, model_.dofs,
-                             points.add(point.zone, point.index));
+                             points.add(point.zone, point.index, shares_of(point.zone, point.index)));
   }
+  add_open_points(held);
+}
+
+/// Those that share multipliers with others.
+void Condensed::add_open_points(const Held& held) {
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    if (!model_.zones[z].shares_multipliers())
+      continue;
+    const auto law = side_.law_of(z, held);
+    for (std::size_t i = 0; i < now().status[z].size(); ++i)
+      if (now().status[z][i] == Status::open)
+        scratch_.points.add_open(shares_of(z, i), contact::open_equations(law, i, now().points[z][i]));
+  }
+}
+
+/// None of a point that owns its multipliers.
+std::span<const MultiplierShare> Condensed::shares_of(std::size_t z, std::size_t index) {
+  const auto& zone = model_.zones[z];
+  auto& shares = scratch_.shares;
+  shares.clear();
+  if (!zone.shares_multipliers())
+    return shares;
+  const auto& point = zone.points[index];
+  for (std::size_t j = 0; j < point.multipliers.size(); ++j)
+    shares.push_back({model_.multiplier_offsets[z] + point.multipliers[j] * zone.multipliers_per_node(),
+                      point.multiplier_shape[j]});
+  return shares;
 }
 
 bool Condensed::iterate(State& trial, const Held& held, double part) {
@@ -279,26 +300,35 @@ bool Condensed::iterate(State& trial, const Held& held, double part) {
     surface_.moved -= (1 - part) * move;
     surface_.place(trial);
   }
-  correct_multipliers(*change, move, part, trial);
+  correct_own_multipliers(*change, move, part, trial);
+  correct_shared_multipliers(*change, part, trial);
   return surface_.moved.allFinite();
 }
 
 /// `moved`: how far the whole change moves the surface. Open points have no multipliers in the end.
-void Condensed::correct_multipliers(const InterfaceNewtonSystem::Change& change, const VectorXd& moved,
-                                    double part, State& trial) const {
-  const auto of_point = [&](std::size_t z, int count, std::size_t i) {
+void Condensed::correct_own_multipliers(const InterfaceNewtonSystem::Change& change, const VectorXd& moved,
+                                        double part, State& trial) const {
+  const auto of_point = [&](std::size_t z, std::size_t i) {
+    const int count = model_.zones[z].multipliers_per_node();
     return trial.zones[z].multipliers.segment(model_.zones[z].points[i].node_position * count, count);
   };
-  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
-    const int count = model_.zones[z].multipliers_per_node();
-    for (std::size_t i = 0; count > 0 && i < now().status[z].size(); ++i)
+  for (std::size_t z = 0; z < model_.zones.size(); ++z)
+    for (std::size_t i = 0; model_.zones[z].owns_multipliers() && i < now().status[z].size(); ++i)
       if (now().status[z][i] == Status::open)
-        of_point(z, count, i) *= 1 - part;
-  }
+        of_point(z, i) *= 1 - part;
   const auto& points = scratch_.points;
   for (const auto& point : points.points())
-    if (const auto count = static_cast<int>(point.response.multipliers()); count > 0)
-      of_point(point.zone, count, point.index) += part * points.multipliers_of(point, change, moved);
+    if (model_.zones[point.zone].owns_multipliers())
+      of_point(point.zone, point.index) += part * points.multipliers_of(point, change, moved);
+}
+
+void Condensed::correct_shared_multipliers(const InterfaceNewtonSystem::Change& change, double part,
+                                           State& trial) const {
+  scratch_.points.for_each_shared(change, [&](int multiplier, double by) {
+    const auto after = std::ranges::upper_bound(model_.multiplier_offsets, multiplier);
+    const auto zone = static_cast<std::size_t>(after - model_.multiplier_offsets.begin()) - 1;
+    trial.zones[zone].multipliers[multiplier - model_.multiplier_offsets[zone]] += part * by;
+  });
 }
 
 ContactForce Condensed::contact_force() const {

@@ -21,11 +21,8 @@
 
 namespace rubato::step {
 
-/// Whether every contact point of the model owns its multipliers and A is factored.
+/// Whether A is factored and the method of contact is not one that solves for its forces itself.
 bool can_condense(const model::Model& model, const EffectiveSystem& system);
-
-/// Whether the contact of a step can be guessed before it is solved: A is factored.
-bool can_guess(const model::Model& model, const EffectiveSystem& system);
 
 /// What a step on the points alone can start from beside the usual; nothing where no status is guessed.
 std::optional<Start> other_start(const model::Model& model, const EffectiveSystem& system);
@@ -46,6 +43,7 @@ struct CondensedScratch {
   PredictorScratch guess;
   std::vector<PointInContact> in_contact;
   Eigen::VectorXd force; ///< theirs on the surface, one a position
+  std::vector<MultiplierShare> shares; ///< of one point
 
   /// The compliance must outlive this.
   CondensedScratch(Compliance& compliance, double force_weight, int components, bool free_bodies);
@@ -78,9 +76,13 @@ private:
   double surface_scale() const;
   std::vector<WorstNode> worst_on_surface() const;
   void linearise(const State& trial, const Held& held);
+  void add_open_points(const Held& held);
   bool iterate(State& trial, const Held& held, double part);
-  void correct_multipliers(const InterfaceNewtonSystem::Change& change, const Eigen::VectorXd& moved,
-                           double part, State& trial) const;
+  std::span<const MultiplierShare> shares_of(std::size_t zone, std::size_t point);
+  void correct_own_multipliers(const InterfaceNewtonSystem::Change& change, const Eigen::VectorXd& moved,
+                               double part, State& trial) const;
+  void correct_shared_multipliers(const InterfaceNewtonSystem::Change& change, double part,
+                                  State& trial) const;
   ContactForce contact_force() const;
   bool in_equilibrium(const State& trial, const Held& held, const ContactForce& force);
   StepReport ended(Outcome outcome, const Held& held);

@@ -70,20 +70,24 @@ InterfaceNewtonSystem::InterfaceNewtonSystem(Compliance& compliance, ActiveInter
 
 void InterfaceNewtonSystem::forget() {
   clear();
+  shared_.forget();
   factors_.reset();
 }
 
 void InterfaceNewtonSystem::clear() {
   count_ = 0;
   forces_ = places_ = 0;
+  shared_.clear();
 }
 
-contact::FactoredResponse& InterfaceNewtonSystem::add(std::size_t zone, std::size_t index) {
+contact::FactoredResponse& InterfaceNewtonSystem::add(std::size_t zone, std::size_t index,
+                                                      std::span<const MultiplierShare> shares) {
   if (count_ == points_.size())
     points_.emplace_back();
   auto& point = points_[count_++];
   point.zone = zone;
   point.index = index;
+  point.shares.assign(shares.begin(), shares.end());
   return point.response;
 }
 
@@ -118,24 +122,48 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solve(const 
                                                                           const VectorXd& force) {
   for (auto& point : active()) {
     place(point);
-    eliminate_multipliers(point);
+    if (point.shares.empty())
+      eliminate_multipliers(point);
+    else
+      keep_multipliers(point);
   }
+  touch_surface();
+  if (!collect_shared())
+    return std::nullopt;
   if (points().empty())
     return no_change();
-  touch_surface();
   VectorXd c;
   surface_.multiply(at_places(force), c);
   c = at_places(d0) - force_weight_ * c;
-  if (forces_ + places_ > small)
+  if (forces_ + places_ + shared_.size() > small)
     if (auto change = solved_for_forces(c))
       return change;
   return solved_whole(c);
 }
 
+/// Whether they can be numbered.
+bool InterfaceNewtonSystem::collect_shared() {
+  for (const auto& point : points())
+    if (!point.shares.empty())
+      shared_.add_pressed(point.shares, point.response.multiplier_equations());
+  if (!shared_.number())
+    return false;
+  for (const auto& point : points()) {
+    const auto& r = point.response;
+    for (const auto& share : point.shares)
+      for (int a = 0; a < r.multipliers(); ++a)
+        for (std::size_t q = 0; q < point.rows.places.size(); ++q)
+          shared_.see(shared_.unknown_of(share.first + a), point.rows.places[q],
+                      share.shape * r.d_du(r.components + a, static_cast<Index>(q)));
+  }
+  shared_.assemble(surface_.size());
+  return true;
+}
+
 /// By the factors of the iteration before while they serve.
 std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solved_for_forces(const VectorXd& c) {
   for (auto& point : active())
-    if (keeps_factors() && !point.positions.empty())
+    if (keeps_factors() && !point.positions.empty() && point.shares.empty())
       reduce_equations(point, force_weight_ * compliance_.own(point.positions.front()));
   if (has_factors_of_these())
     if (auto change = refined(c, most_rounds_by_last))
@@ -152,6 +180,7 @@ bool InterfaceNewtonSystem::keeps_factors() const {
 
 bool InterfaceNewtonSystem::has_factors_of_these() const {
   return factors_ && keeps_factors() && factored_rows_ == points().front().components() &&
+         factored_shared_ == shared_.unknowns() &&
          std::ranges::equal(factored_points_, points(), {}, {}, &id_of);
 }
 
@@ -182,7 +211,7 @@ Index InterfaceNewtonSystem::rows_of_whole() const {
   return rows;
 }
 
-/// Of the first rows of each point: δz and, beyond them, δξ.
+/// Of the first rows of each point, δz and, beyond them, δξ, and of the shared multipliers.
 MatrixXd InterfaceNewtonSystem::matrix_of(Index rows) const {
   std::vector<const PointRows*> all;
   all.reserve(count_);
@@ -196,7 +225,29 @@ MatrixXd InterfaceNewtonSystem::matrix_of(Index rows) const {
     matrix.diagonal().segment(first + d, rows - d).array() += 1;
     first += rows;
   }
+  if (shared_.size() > 0)
+    add_shared(rows, matrix);
   return matrix;
+}
+
+/// The rows and columns of the shared multipliers.
+void InterfaceNewtonSystem::add_shared(Index rows, MatrixXd& matrix) const {
+  const Index of_points = matrix.rows();
+  const Index shared = shared_.size();
+  matrix.conservativeResize(of_points + shared, of_points + shared);
+  matrix.rightCols(shared).setZero();
+  matrix.bottomRightCorner(shared, shared) = shared_.by_unknown();
+  Index first = 0;
+  for (const auto& point : points()) {
+    const auto& r = point.response;
+    matrix.block(of_points, first, shared, rows) =
+        -force_weight_ * (shared_.by_place() * moved_by(surface_, point.rows, rows));
+    for (const auto& share : point.shares)
+      for (int a = 0; a < r.multipliers(); ++a)
+        matrix.col(of_points + shared_.unknown_of(share.first + a)).segment(first, r.components) -=
+            share.shape * r.by_multiplier.col(a).head(r.components);
+    first += rows;
+  }
 }
 
 bool InterfaceNewtonSystem::factor(Index rows) {
@@ -206,6 +257,7 @@ bool InterfaceNewtonSystem::factor(Index rows) {
   factored_rows_ = rows;
   factored_points_.resize(count_);
   std::ranges::transform(points(), factored_points_.begin(), &id_of);
+  factored_shared_ = shared_.unknowns();
   return factors_.has_value();
 }
 
@@ -220,9 +272,11 @@ InterfaceNewtonSystem::Change InterfaceNewtonSystem::correction(const Change& le
   return change;
 }
 
-/// The first rows of each point, one after the other; rows that a point has none of are 0.
+/// The first rows of each point, one after the other, then the shared multipliers; rows that a point has none
+/// of are 0.
 VectorXd InterfaceNewtonSystem::joined(const Change& change, Index rows) const {
-  VectorXd all = VectorXd::Zero(static_cast<Index>(count_) * rows);
+  VectorXd all = VectorXd::Zero(static_cast<Index>(count_) * rows + shared_.size());
+  all.tail(shared_.size()) = change.shared;
   Index first = 0;
   for (const auto& point : points()) {
     const Index d = point.components();
@@ -236,6 +290,7 @@ VectorXd InterfaceNewtonSystem::joined(const Change& change, Index rows) const {
 
 InterfaceNewtonSystem::Change InterfaceNewtonSystem::split(const VectorXd& all, Index rows) const {
   auto change = no_change();
+  change.shared = all.tail(shared_.size());
   Index first = 0;
   for (const auto& point : points()) {
     const Index d = point.components();
@@ -254,7 +309,7 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::refined(cons
   int slow_rounds = 0;
   for (int round = 0; round < rounds; ++round) {
     const auto left = residual(c, change);
-    const double size = largest_force_row(left);
+    const double size = largest_row(left);
     const double moves = left.places.size() > 0 ? left.places.lpNorm<Eigen::Infinity>() : 0.0;
     if (round == 0)
       first = size;
@@ -268,12 +323,13 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::refined(cons
     const auto by = correction(left);
     change.force += by.force;
     change.places += by.places;
+    change.shared += by.shared;
   }
   return std::nullopt;
 }
 
-/// Of the equations of δz, as they were scaled to be factored.
-double InterfaceNewtonSystem::largest_force_row(const Change& left) const {
+/// Of the equations of δz and δm, as they were scaled to be factored.
+double InterfaceNewtonSystem::largest_row(const Change& left) const {
   double largest = 0;
   Index first = 0;
   for (const auto& point : points()) {
@@ -281,12 +337,14 @@ double InterfaceNewtonSystem::largest_force_row(const Change& left) const {
       largest = std::max(largest, std::abs(row_scale_[first + a] * left.force[point.first + a]));
     first += factored_rows_;
   }
+  for (Index k = 0; k < shared_.size(); ++k)
+    largest = std::max(largest, std::abs(row_scale_[first + k] * left.shared[k]));
   return largest;
 }
 
 std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solved_whole(const VectorXd& c) {
   const Index rows = rows_of_whole();
-  if (static_cast<Index>(count_) * rows > largest_whole)
+  if (static_cast<Index>(count_) * rows + shared_.size() > largest_whole)
     return std::nullopt;
   for (auto& point : active())
     point.rows.fill_up(rows);
@@ -305,7 +363,7 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::least(const 
 }
 
 InterfaceNewtonSystem::Change InterfaceNewtonSystem::no_change() const {
-  return {VectorXd::Zero(forces_), VectorXd::Zero(places_)};
+  return {VectorXd::Zero(forces_), VectorXd::Zero(places_), VectorXd::Zero(shared_.size())};
 }
 
 /// P δq of a point, added to δξ.
@@ -335,7 +393,7 @@ VectorXd InterfaceNewtonSystem::motion(const Change& change) const {
 
 InterfaceNewtonSystem::Change InterfaceNewtonSystem::residual(const VectorXd& c, const Change& change) const {
   const VectorXd d = c - force_weight_ * motion(change);
-  Change left{VectorXd(forces_), -change.places};
+  Change left{VectorXd(forces_), -change.places, VectorXd()};
   for (const auto& point : points()) {
     const int count = point.components();
     double* forces = left.force.data() + point.first;
@@ -350,7 +408,21 @@ InterfaceNewtonSystem::Change InterfaceNewtonSystem::residual(const VectorXd& c,
         forces[a] -= seen[a] * d[point.rows.places[q]];
     add_places(point, d, left.places.data() + point.first_slope);
   }
+  add_shared(change, d, left);
   return left;
+}
+
+/// What the shared multipliers leave of their equations and of the points'. `d`: one a place.
+void InterfaceNewtonSystem::add_shared(const Change& change, const VectorXd& d, Change& left) const {
+  left.shared = shared_.right() - shared_.by_unknown() * change.shared - shared_.by_place() * d;
+  for (const auto& point : points()) {
+    const auto& r = point.response;
+    for (const auto& share : point.shares)
+      for (int a = 0; a < r.multipliers(); ++a)
+        left.force.segment(point.first, r.components) +=
+            share.shape * change.shared[shared_.unknown_of(share.first + a)] *
+            r.by_multiplier.col(a).head(r.components);
+  }
 }
 
 /// δξ that follows from how a change moves the surface.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/linear_step.hpp"
 
-#include "rubato/linalg/dense_lu.hpp"
 #include "rubato/linalg/direct_solver.hpp"
-#include "rubato/linalg/equilibration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +11,9 @@ namespace {
 
 using contact::Triplets;
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Triplet = Eigen::Triplet<double, int>;
 
-/// Dense systems beyond this size cost more than a sparse factorisation of everything.
-constexpr std::size_t largest_dense = 5000;
 /// Rows of multipliers whose entries are below this part of the largest one say nothing about any unknown.
 constexpr double empty_row = 1e-13;
 
@@ -71,120 +66,6 @@ ContactBlocks blocks_of(const LinearProblem& problem) {
   return blocks;
 }
 
-/// Numbers the entries of a set: index in it, or −1.
-class Numbering {
-public:
-  explicit Numbering(Index size) : number_(static_cast<std::size_t>(size), -1) {}
-  /// Whether it is new.
-  bool add(int item) {
-    auto& number = number_[static_cast<std::size_t>(item)];
-    if (number >= 0)
-      return false;
-    number = static_cast<int>(items_.size());
-    items_.push_back(item);
-    return true;
-  }
-  int operator[](int item) const { return number_[static_cast<std::size_t>(item)]; }
-  const std::vector<int>& items() const { return items_; }
-  Index size() const { return static_cast<Index>(items_.size()); }
-
-private:
-  std::vector<int> number_;
-  std::vector<int> items_;
-};
-
-/// The unknowns that contact couples; multipliers that only meet themselves are left out.
-struct Coupled {
-  Numbering unknowns;
-  Numbering multipliers;
-};
-
-Coupled coupled_unknowns(const ContactBlocks& blocks, Index free_count) {
-  Coupled coupled{Numbering(free_count), Numbering(blocks.equations.size())};
-  for (const auto& entry : blocks.force_by_dof) {
-    coupled.unknowns.add(entry.row());
-    coupled.unknowns.add(entry.col());
-  }
-  for (const auto& entry : blocks.force_by_multiplier) {
-    coupled.unknowns.add(entry.row());
-    coupled.multipliers.add(entry.col());
-  }
-  for (const auto& entry : blocks.equation_by_dof) {
-    coupled.multipliers.add(entry.row());
-    coupled.unknowns.add(entry.col());
-  }
-  for (bool grown = true; grown;) {
-    grown = false;
-    for (const auto& entry : blocks.equation_by_multiplier)
-      if ((coupled.multipliers[entry.row()] >= 0) != (coupled.multipliers[entry.col()] >= 0))
-        grown = coupled.multipliers.add(entry.row()) || coupled.multipliers.add(entry.col()) || grown;
-  }
-  return coupled;
-}
-
-/// Multipliers of open points: their own equations among themselves.
-bool solve_uncoupled(const ContactBlocks& blocks, const Coupled& coupled, VectorXd& change) {
-  Numbering rest(blocks.equations.size());
-  for (Index row = 0; row < blocks.equations.size(); ++row)
-    if (coupled.multipliers[static_cast<int>(row)] < 0)
-      rest.add(static_cast<int>(row));
-  if (rest.size() == 0)
-    return true;
-  Triplets triplets;
-  bool diagonal = true;
-  for (const auto& entry : blocks.equation_by_multiplier)
-    if (rest[entry.row()] >= 0) {
-      diagonal = diagonal && entry.row() == entry.col();
-      triplets.emplace_back(rest[entry.row()], rest[entry.col()], entry.value());
-    }
-  model::SparseMatrix matrix(rest.size(), rest.size());
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  const VectorXd right = -blocks.equations(rest.items());
-  if (diagonal) {
-    change(rest.items()) = right.cwiseQuotient(VectorXd(matrix.diagonal()));
-    return change.allFinite();
-  }
-  const auto factor = linalg::LuFactor::of(matrix);
-  if (factor)
-    change(rest.items()) = factor->solve(right);
-  return factor.has_value();
-}
-
-model::SparseMatrix sparse(const Triplets& triplets, const Numbering& rows, const Numbering& columns) {
-  Triplets chosen;
-  for (const auto& entry : triplets)
-    if (rows[entry.row()] >= 0 && columns[entry.col()] >= 0)
-      chosen.emplace_back(rows[entry.row()], columns[entry.col()], entry.value());
-  model::SparseMatrix matrix(rows.size(), columns.size());
-  matrix.setFromTriplets(chosen.begin(), chosen.end());
-  return matrix;
-}
-
-MatrixXd dense(const Triplets& triplets, const Numbering& rows, const Numbering& columns) {
-  MatrixXd matrix = MatrixXd::Zero(rows.size(), columns.size());
-  for (const auto& entry : triplets)
-    if (rows[entry.row()] >= 0 && columns[entry.col()] >= 0)
-      matrix(rows[entry.row()], columns[entry.col()]) += entry.value();
-  return matrix;
-}
-
-/// Solves with rows and columns scaled to entries of order one: pressures and displacements differ by 15
-/// orders. Nothing comes back when the matrix is singular.
-std::optional<VectorXd> solve_dense(MatrixXd matrix, VectorXd right) {
-  VectorXd row_scale, column_scale;
-  linalg::equilibrate(matrix, row_scale, column_scale);
-  right = row_scale.cwiseProduct(right);
-  const auto lu = linalg::DenseLu::of(matrix);
-  if (!lu)
-    return std::nullopt;
-  VectorXd solution = lu->solve(right);
-  // One refinement: the condensed answer is to be the whole system's to rounding.
-  solution += lu->solve(right - matrix * solution);
-  if (!solution.allFinite())
-    return std::nullopt;
-  return VectorXd(column_scale.cwiseProduct(solution));
-}
-
 } // namespace
 
 std::optional<LinearSolution> solve_full(const LinearProblem& problem) {
@@ -211,42 +92,6 @@ std::optional<LinearSolution> solve_full(const LinearProblem& problem) {
   right << -problem.residual, -blocks.equations;
   const VectorXd solution = factor->solve(right);
   return LinearSolution{solution.head(free_count), solution.tail(blocks.equations.size())};
-}
-
-std::optional<LinearSolution> solve_condensed(const LinearProblem& problem, Compliance& compliance) {
-  const auto blocks = blocks_of(problem);
-  const auto coupled = coupled_unknowns(blocks, problem.matrix.rows());
-  const Index surface = coupled.unknowns.size();
-  const Index multipliers = coupled.multipliers.size();
-  if (static_cast<std::size_t>(surface + multipliers) > largest_dense)
-    return std::nullopt;
-  LinearSolution solution{compliance.solve(-problem.residual), VectorXd::Zero(blocks.equations.size())};
-  if (!solve_uncoupled(blocks, coupled, solution.multipliers))
-    return std::nullopt;
-  if (surface + multipliers == 0)
-    return solution;
-
-  const MatrixXd s = compliance.between_unknowns(coupled.unknowns.items());
-  const auto k = sparse(blocks.force_by_dof, coupled.unknowns, coupled.unknowns);
-  const auto g = sparse(blocks.force_by_multiplier, coupled.unknowns, coupled.multipliers);
-  MatrixXd matrix(surface + multipliers, surface + multipliers);
-  matrix.topLeftCorner(surface, surface) = MatrixXd::Identity(surface, surface) + s * k;
-  matrix.topRightCorner(surface, multipliers) = s * g;
-  matrix.bottomLeftCorner(multipliers, surface) =
-      dense(blocks.equation_by_dof, coupled.multipliers, coupled.unknowns);
-  matrix.bottomRightCorner(multipliers, multipliers) =
-      dense(blocks.equation_by_multiplier, coupled.multipliers, coupled.multipliers);
-  VectorXd right(surface + multipliers);
-  right << solution.displacement(coupled.unknowns.items()), -blocks.equations(coupled.multipliers.items());
-  const auto local = solve_dense(std::move(matrix), std::move(right));
-  if (!local)
-    return std::nullopt;
-
-  solution.multipliers(coupled.multipliers.items()) = local->tail(multipliers);
-  VectorXd force = -problem.residual;
-  force(coupled.unknowns.items()) -= k * local->head(surface) + g * local->tail(multipliers);
-  solution.displacement = compliance.solve(force);
-  return solution;
 }
 
 std::vector<int> surface_unknowns(const model::Model& model) {

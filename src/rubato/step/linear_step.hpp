@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The linear system of one Newton iteration,
+/// The linear system of one Newton iteration on all unknowns,
 ///   [A + f ∂f_c/∂u   f ∂f_c/∂λ] [d ]     [residual ]
 ///   [  ∂e/∂u           ∂e/∂λ   ] [dλ] = − [equations],
-/// solved whole, or condensed on the contact unknowns that take part: with y the forces contact adds there,
-///   d = A⁻¹(−residual) − A⁻¹Bᵀ y,   y = f (∂f_c/∂u d + ∂f_c/∂λ dλ),
-/// a small dense system for d on the surfaces and dλ remains. Both give the same answer.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
@@ -33,9 +30,6 @@ struct LinearProblem {
 
 /// Nothing comes back when the system is singular.
 std::optional<LinearSolution> solve_full(const LinearProblem& problem);
-
-/// Nothing comes back when the dense system is singular or larger than pays; solve_full is to be tried then.
-std::optional<LinearSolution> solve_condensed(const LinearProblem& problem, Compliance& compliance);
 
 /// The free unknowns of every contact surface of the model, ascending.
 std::vector<int> surface_unknowns(const model::Model& model);

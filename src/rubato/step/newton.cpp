@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/newton.hpp"
 
-#include "rubato/step/condensed.hpp"
 #include "rubato/step/cycle_detector.hpp"
 #include "rubato/step/linear_step.hpp"
-#include "rubato/step/predicted_start.hpp"
 #include "rubato/step/projected_cg.hpp"
 
 #include <algorithm>
@@ -31,9 +29,6 @@ Newton::Newton(const Model& model, const time::Scheme& scheme, EffectiveSystem& 
 StepReport Newton::run(State& trial, const Held& held) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
-  if (!started_ && can_guess(model_, system_) && starts_from_guess(model_, side_.variant().start))
-    start_from_prediction({model_, system_, side_, held, equilibrium_, pulse_}, scheme_, trial);
-  started_ = true;
   side_.start_iterations();
   CycleDetector cycle;
   for (int iteration = 0; iteration <= model_.study.newton.max_iterations; ++iteration) {
@@ -127,9 +122,7 @@ bool Newton::solve_and_correct(double part, State& trial) {
   std::optional<LinearSolution> solution;
   if (by_projected_cg(model_))
     solution = solve_projected_cg(problem, system_.compliance.get(), now_.points, trial.zones, pulse_);
-  else if (system_.compliance)
-    solution = solve_condensed(problem, *system_.compliance);
-  if (!solution && !by_projected_cg(model_))
+  else
     solution = solve_full(problem);
   if (!solution || !solution->displacement.allFinite() || !solution->multipliers.allFinite())
     return false;

@@ -43,7 +43,6 @@ private:
   ContactIterate now_, previous_;
   StepReport report_;
   StallWatch stall_;
-  bool started_ = false;
 };
 
 } // namespace rubato::step

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/predicted_start.hpp"
 
-#include "rubato/step/condensed.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -38,7 +36,8 @@ public:
              ContactIterate& now, State& trial)
       : site_(site), surface_(surface), reach_(reach), guess_(scratch.guess), points_(scratch.points),
         touching_(scratch.touching), now_(now), trial_(trial), free_bodies_(site.system.has_free_bodies),
-        takes_bases_(free_bodies_ && can_condense(site.model, site.system)),
+        takes_bases_(free_bodies_ && std::ranges::all_of(site.model.zones,
+                                                         &contact::Zone::points_own_multipliers)),
         rubs_(std::ranges::any_of(site.model.zones,
                                   [](const auto& zone) { return zone.settings.friction > 0; })) {}
 
@@ -149,20 +148,6 @@ Reach reach_of(const model::Model& model, const EffectiveSystem& system) {
 void predict_contact(const PredictorSite& site, SurfaceMotion& surface, Reach& reach,
                      PredictorScratch& scratch, ContactIterate& now, State& trial) {
   Prediction(site, surface, reach, scratch, now, trial).run();
-}
-
-void start_from_prediction(const PredictorSite& site, const time::Scheme& scheme, State& trial) {
-  SurfaceMotion surface(site.model, scheme, site.system);
-  surface.start_from(trial.motion, site.equilibrium);
-  if (!site.equilibrium.residual().allFinite())
-    return;
-  Reach reach = reach_of(site.model, site.system);
-  PredictorScratch scratch(*site.system.compliance, scheme.contact_weight(), site.model.dofs.components,
-                           false);
-  ContactIterate now;
-  predict_contact(site, surface, reach, scratch, now, trial);
-  if (!site.pulse.stopped())
-    surface.move_bulk(trial);
 }
 
 } // namespace rubato::step

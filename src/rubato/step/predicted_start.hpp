@@ -43,7 +43,4 @@ struct PredictorSite {
 void predict_contact(const PredictorSite& site, SurfaceMotion& surface, Reach& reach,
                      PredictorScratch& scratch, ContactIterate& now, State& trial);
 
-/// The same for a solver that iterates on the whole motion, which `trial` has then.
-void start_from_prediction(const PredictorSite& site, const time::Scheme& scheme, State& trial);
-
 } // namespace rubato::step
