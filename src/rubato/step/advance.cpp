@@ -137,7 +137,8 @@ std::string solver_text(const Model& model, const EffectiveSystem& system) {
     return "the bulk factored once a step length";
   if (can_condense(model, system))
     return "condensed on contact points: the bulk is linear and factored once a step length";
-  return "projected conjugate gradients on contact forces: the bulk is linear and factored once a step length";
+  return "projected conjugate gradients on contact forces: the bulk is linear and factored once a step "
+         "length";
 }
 
 } // namespace

@@ -42,7 +42,7 @@ struct CondensedScratch {
   InterfaceNewtonSystem points;
   PredictorScratch guess;
   std::vector<PointInContact> in_contact;
-  Eigen::VectorXd force; ///< theirs on the surface, one a position
+  Eigen::VectorXd force;               ///< theirs on the surface, one a position
   std::vector<MultiplierShare> shares; ///< of one point
 
   /// The compliance must outlive this.

@@ -104,6 +104,8 @@ void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorX
     held = slips;
     held.noalias() += matrix * next;
     const VectorXd pulled_back = solve_among(sticking, matrix, held);
+    if (!pulled_back.allFinite()) // points that say the same
+      return;
     for (std::size_t k = 0; k < sticking.size(); ++k)
       next[sticking[k]] = pulled_back[static_cast<Index>(k)];
     const bool same = (next - forces).lpNorm<Eigen::Infinity>() <= 1e-9 * limits.maxCoeff();
@@ -212,7 +214,9 @@ FrictionCones ContactPredictor::cones_of(std::span<PredictorPoint* const> togeth
             (seeing.frame.transpose() * moved_of(seeing, moved_)).head(components_);
       }
     }
-    cones.matrix(k * components_, k * components_) += point.penalty_compliance;
+    auto diagonal = cones.matrix.diagonal().segment(k * components_, components_);
+    diagonal[0] += point.penalty_compliance;
+    diagonal.tail(components_ - 1).array() += point.tangential_compliance;
   }
   return cones;
 }
@@ -227,7 +231,7 @@ double ContactPredictor::misfit_by_own_give(std::span<const PredictorPoint> poin
     const double gap = measures[0] + point.penalty_compliance * point.force[0];
     misfit = std::max(misfit, (point.force[0] > 0 ? std::abs(gap) : -gap) / point.give);
     largest = std::max(largest, point.force[0]);
-    const Eigen::Vector2d slip = measures.tail<2>();
+    const Eigen::Vector2d slip = measures.tail<2>() + point.tangential_compliance * point.force.tail<2>();
     Eigen::Vector2d wanted = point.force.tail<2>() - slip / point.give;
     if (const double length = wanted.norm(), limit = point.friction * point.force[0]; length > limit)
       wanted *= limit / length;
@@ -254,7 +258,9 @@ double ContactPredictor::misfit(std::span<const PredictorPoint> points, const Ve
     const double limit = point.friction * point.force[0];
     Eigen::Vector2d wanted = point.force.tail<2>();
     if (give > 0)
-      wanted.head(tangents) -= measures_of(point, d).segment(1, tangents) / give;
+      wanted.head(tangents) -= (measures_of(point, d).segment(1, tangents) +
+                                point.tangential_compliance * point.force.segment(1, tangents)) /
+                               give;
     if (const double length = wanted.norm(); length > limit)
       wanted *= limit / length;
     change = std::max(change, (wanted - point.force.tail<2>()).lpNorm<Eigen::Infinity>());
@@ -333,9 +339,10 @@ void ContactPredictor::couple_rubbing(Pulse& pulse) {
   const Index tangents = components_ - 1;
   const auto count = static_cast<Index>(sliding_.size());
   rubbing_.resize(count * tangents, count * tangents);
-  for (Index j = 0; j < count && pulse.beat(); ++j)
+  for (Index j = 0; j < count && pulse.beat(); ++j) {
+    const auto& point = *chosen_[sliding_[static_cast<std::size_t>(j)]];
     for (Index b = 0; b < tangents; ++b) {
-      push(*chosen_[sliding_[static_cast<std::size_t>(j)]], static_cast<int>(1 + b));
+      push(point, static_cast<int>(1 + b));
       for (Index i = 0; i <= j; ++i) {
         const auto& seeing = *chosen_[sliding_[static_cast<std::size_t>(i)]];
         const Vector3d moved = moved_of(seeing, moved_);
@@ -343,7 +350,9 @@ void ContactPredictor::couple_rubbing(Pulse& pulse) {
           rubbing_(i * tangents + a, j * tangents + b) = rubbing_(j * tangents + b, i * tangents + a) =
               seeing.frame.col(1 + a).dot(moved);
       }
+      rubbing_(j * tangents + b, j * tangents + b) += point.tangential_compliance;
     }
+  }
 }
 
 /// `without`: the surface without pressing forces.

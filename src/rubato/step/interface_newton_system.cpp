@@ -419,9 +419,9 @@ void InterfaceNewtonSystem::add_shared(const Change& change, const VectorXd& d, 
     const auto& r = point.response;
     for (const auto& share : point.shares)
       for (int a = 0; a < r.multipliers(); ++a)
-        left.force.segment(point.first, r.components) +=
-            share.shape * change.shared[shared_.unknown_of(share.first + a)] *
-            r.by_multiplier.col(a).head(r.components);
+        left.force.segment(point.first, r.components) += share.shape *
+                                                         change.shared[shared_.unknown_of(share.first + a)] *
+                                                         r.by_multiplier.col(a).head(r.components);
   }
 }
 

@@ -3,9 +3,9 @@
 ///
 /// Unknowns are (δz, δξ) of each point (contact/factored_response.hpp): the change of its force and of its
 /// place on the master. Its own multipliers are eliminated; those that points share are unknowns δm beside
-/// them, each with the sum of the equations of its points (step/shared_multipliers.hpp). With C the change of force put on the dofs, f₁
-/// the scheme's weight of forces, f_c what contact puts on the surface now, and d₀ − f₁ S f_c how far the
-/// surface then moves from where the points were measured:
+/// them, each with the sum of the equations of its points (step/shared_multipliers.hpp). With C the change of
+/// force put on the dofs, f₁ the scheme's weight of forces, f_c what contact puts on the surface now, and d₀
+/// − f₁ S f_c how far the surface then moves from where the points were measured:
 ///   A₁ δz + A₂ δq = b (+ Z_m δm),   δξ − P δq = 0,   δq = d₀ − f₁ S (f_c + Cᵀ (δz, δξ))   at each point,
 ///   Σ ψ (E_q δq + E_m δm) = −Σ ψ e   for each shared multiplier.
 /// Of few points the whole dense matrix is factored, of many that of the forces alone: the moving places

@@ -36,8 +36,8 @@ public:
              ContactIterate& now, State& trial)
       : site_(site), surface_(surface), reach_(reach), guess_(scratch.guess), points_(scratch.points),
         touching_(scratch.touching), now_(now), trial_(trial), free_bodies_(site.system.has_free_bodies),
-        takes_bases_(free_bodies_ && std::ranges::all_of(site.model.zones,
-                                                         &contact::Zone::points_own_multipliers)),
+        takes_bases_(free_bodies_ &&
+                     std::ranges::all_of(site.model.zones, &contact::Zone::points_own_multipliers)),
         rubs_(std::ranges::any_of(site.model.zones,
                                   [](const auto& zone) { return zone.settings.friction > 0; })) {}
 

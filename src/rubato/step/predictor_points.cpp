@@ -16,7 +16,9 @@ using model::Model;
 constexpr double rounding = 1e-9;
 /// Where gaps close on average, more points than the surface has motions share each node: what keeps the
 /// forces of points unique, in parts of what the nodes give.
-constexpr double averaged_softness = 0.1;
+constexpr double averaged_compliance = 0.1;
+/// The same of friction: more would let points that stick slip.
+constexpr double averaged_friction_compliance = 0.01;
 /// Part of its gap that leaves a point without doubt open where frames are held.
 constexpr double still_open = 0.5;
 
@@ -129,13 +131,13 @@ void take_points(const Model& model, const ContactEvaluator& side, const Held& h
       guess.zone = z;
       guess.index = i;
       guess.friction = law.friction;
-      guess.penalty_compliance =
-          soft ? 1 / (law.coefficients->normal[i] * zone.points[i].weight)
-          : averaged
-              ? averaged_softness / contact::resistance(zone.points[i], model.dofs, side.system().diagonal)
-              : 0.0;
+      const double give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
+      guess.tangential_compliance = averaged ? averaged_friction_compliance * give : 0;
+      guess.penalty_compliance = soft       ? 1 / (law.coefficients->normal[i] * zone.points[i].weight)
+                                 : averaged ? averaged_compliance * give
+                                            : 0;
       if (side.system().has_free_bodies)
-        guess.give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
+        guess.give = give;
       set_relations(model, compliance, *kinematics, moved, guess);
       set_forces(state.zones[z].outcomes[i], *kinematics, guess);
     }

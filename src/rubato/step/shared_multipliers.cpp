@@ -51,8 +51,8 @@ void SharedMultipliers::add_open(std::span<const MultiplierShare> shares,
   add(shares, equations, open_);
 }
 
-void SharedMultipliers::add(std::span<const MultiplierShare> shares,
-                            const contact::PointEquations& equations, Entries& entries) {
+void SharedMultipliers::add(std::span<const MultiplierShare> shares, const contact::PointEquations& equations,
+                            Entries& entries) {
   const auto count = static_cast<int>(equations.values.size());
   for (const auto& share : shares)
     for (int a = 0; a < count; ++a) {

@@ -58,7 +58,8 @@ public:
   /// −Σ ψ e, what was eliminated taken into account.
   const Eigen::VectorXd& right() const { return right_; }
 
-  /// Calls `take(multiplier, change)` for every multiplier that points have, given the change of the unknowns.
+  /// Calls `take(multiplier, change)` for every multiplier that points have, given the change of the
+  /// unknowns.
   template <class Take> void for_each_change(const Eigen::VectorXd& change, Take take) const {
     for (Eigen::Index i = 0; i < size(); ++i)
       take(unknowns_[static_cast<std::size_t>(i)], change[i]);
