@@ -14,7 +14,7 @@ namespace rubato {
 namespace {
 
 std::string beams(const std::string& cells, const std::string& contact) {
-  const bool solid = cells.starts_with("hexa");
+  const bool solid = cells.starts_with("hexa") || cells.starts_with("tetra");
   const std::string shape = solid ? "box" : "rectangle";
   const auto corner = [&](const std::string& xy) { return "[" + xy + (solid ? ", 0]" : "]"); };
   const auto far_corner = [&](const std::string& xy) { return "[" + xy + (solid ? ", 0.1]" : "]"); };
@@ -124,7 +124,16 @@ INSTANTIATE_TEST_SUITE_P(
                     RetrySettings{"SolidPenalty", "hexa8", "friction: 0.2, method: penalty"},
                     RetrySettings{"SolidNodal", "hexa8", "friction: 0.2, method: nodal_lagrange"},
                     RetrySettings{"SolidSlaveNormal", "hexa8", "friction: 0.2, normal: slave"},
-                    RetrySettings{"SolidQuadratic", "hexa27", "friction: 0.3"}),
+                    RetrySettings{"SolidQuadratic", "hexa27", "friction: 0.3"},
+                    RetrySettings{"SolidSerendipity", "hexa20", "friction: 0.3"},
+                    RetrySettings{"SolidSerendipityFrictionless", "hexa20", "friction: 0"},
+                    RetrySettings{"SolidSerendipityByLoops", "hexa20",
+                                  "friction: 0.2, iterate: {geometry: "
+                                  "fixed_point, friction: fixed_point, status: fixed_point}"},
+                    RetrySettings{"SolidSerendipityExactFriction", "hexa20",
+                                  "friction: 0.2, method: penalty, friction_method: augmented_lagrangian"},
+                    RetrySettings{"SolidTetrahedra", "tetra10", "friction: 0.2"},
+                    RetrySettings{"SolidGauss", "hexa8", "friction: 0.2, integration: {gauss: 2}"}),
     [](const auto& variant) { return variant.param.name; });
 
 } // namespace

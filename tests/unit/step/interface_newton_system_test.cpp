@@ -192,6 +192,148 @@ TEST(InterfaceNewtonSystem, SharesAForceAmongPointsThatSayTheSame) {
   EXPECT_NEAR(moved, 1, 1e-9);
 }
 
+/// Points that share the multipliers of five nodes, some of them apart.
+class SharedBy : public testing::TestWithParam<Points> {
+protected:
+  static constexpr int nodes = 5;
+
+  struct Point {
+    FactoredResponse response;
+    std::vector<MultiplierShare> shares;
+    bool open = false;
+  };
+
+  /// Those apart are between the last two nodes, of which only the last one has no other points.
+  std::vector<Point> points() {
+    std::vector<Point> all;
+    for (std::size_t i = 0; i < GetParam().count; ++i) {
+      Point point;
+      point.open = i % 4 == 3;
+      point.response = made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam().slope_size);
+      point.response.spread /= bulk.s.diagonal().maxCoeff();
+      const int first = point.open ? nodes - 2 : random.below(nodes - 2);
+      for (int node = first; node < first + 2; ++node)
+        point.shares.push_back({3 * node, random.number()});
+      if (point.open)
+        point.response.by_multiplier.bottomRows(3) = -MatrixXd::Identity(3, 3);
+      all.push_back(std::move(point));
+    }
+    return all;
+  }
+
+  void take(const std::vector<Point>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].open)
+        system.add_open(points[i].shares, points[i].response.multiplier_equations());
+      else
+        system.add(0, i, points[i].shares) = points[i].response;
+  }
+
+  /// δm at a point.
+  static VectorXd interpolated(const Point& point, const VectorXd& multipliers) {
+    VectorXd m = VectorXd::Zero(3);
+    for (const auto& share : point.shares)
+      m += share.shape * multipliers.segment(share.first, 3);
+    return m;
+  }
+
+  void expect_solved(const std::vector<Point>& points, const VectorXd& d0) {
+    const auto& dofs = bulk.compliance.dof_of_position();
+    VectorXd force = force_of(system.points(), bulk.compliance);
+    const auto change = system.solve(d0, force);
+    ASSERT_TRUE(change);
+    VectorXd multipliers = VectorXd::Zero(3 * nodes);
+    system.for_each_shared(*change, [&](int i, double by) { multipliers[i] = by; });
+    system.add_force(*change, force);
+    const VectorXd moved = d0 - force_weight * bulk.s(dofs, dofs) * force;
+    VectorXd equations = VectorXd::Zero(3 * nodes);
+    for (const auto& point : system.points()) {
+      const auto& r = point.response;
+      const VectorXd m = interpolated(points[point.index], multipliers);
+      VectorXd q(8);
+      for (Index k = 0; k < 8; ++k)
+        q[k] = moved[bulk.compliance
+                         .position_of_dof()[static_cast<std::size_t>(r.dofs[static_cast<std::size_t>(k)])]];
+      const VectorXd z = change->force.segment(point.first, 3);
+      EXPECT_LE((r.d_du.topRows(3) * q + r.by_multiplier.topRows(3) * m - z).lpNorm<Eigen::Infinity>(),
+                1e-7 * std::max(1.0, z.lpNorm<Eigen::Infinity>()));
+      for (const auto& share : point.shares)
+        equations.segment(share.first, 3) +=
+            share.shape * (r.d_du.middleRows(3, 3) * q + r.by_multiplier.bottomRows(3) * m + r.equations);
+    }
+    for (const auto& point : points)
+      if (const auto& r = point.response; point.open)
+        for (const auto& share : point.shares)
+          equations.segment(share.first, 3) +=
+              share.shape * (r.by_multiplier.bottomRows(3) * interpolated(point, multipliers) + r.equations);
+    EXPECT_LE(equations.lpNorm<Eigen::Infinity>(),
+              1e-7 * std::max(1.0, multipliers.lpNorm<Eigen::Infinity>()));
+  }
+
+  Bulk bulk;
+  Random random{23};
+  ActiveInterfaceCompliance surface{bulk.compliance};
+  InterfaceNewtonSystem system{bulk.compliance, surface, force_weight};
+};
+
+TEST_P(SharedBy, TheSumsOfPointsEquationsAreSolved) {
+  auto some = points();
+  const VectorXd d0 = random.matrix(static_cast<Index>(bulk.compliance.surface().size()), 1);
+  take(some);
+  expect_solved(some, d0);
+  for (const double change : {1e-6, 1e-2}) {
+    for (auto& point : some)
+      point.response.d_du += change * random.matrix(8, 8);
+    system.clear();
+    take(some);
+    expect_solved(some, d0);
+  }
+}
+
+TEST_P(SharedBy, PointsThatOpenLeaveTheirMultipliersToTheOthers) {
+  auto some = points();
+  const VectorXd d0 = random.matrix(static_cast<Index>(bulk.compliance.surface().size()), 1);
+  take(some);
+  expect_solved(some, d0);
+  for (auto& point : some) {
+    point.open = true;
+    point.response.by_multiplier.bottomRows(3) = -MatrixXd::Identity(3, 3);
+    point.response.equations = -interpolated(point, VectorXd::Ones(3 * nodes));
+  }
+  system.clear();
+  take(some);
+  const auto change = system.solve(d0, VectorXd::Zero(d0.size()));
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->shared.size(), 0);
+  // λ = 1 everywhere is to vanish.
+  std::vector<double> by;
+  system.for_each_shared(*change, [&](int, double change_of) { by.push_back(change_of); });
+  EXPECT_EQ(by.size(), 3U * nodes);
+  for (const double value : by)
+    EXPECT_NEAR(value, -1, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Few, SharedBy, testing::Values(Points{0, 8}, Points{1e-2, 8}, Points{1, 12}));
+INSTANTIATE_TEST_SUITE_P(Many, SharedBy, testing::Values(Points{0, 24}, Points{1e-2, 24}));
+
+// Between parts that are held nothing can be said of its multiplier: it stays.
+TEST(SharedMultipliers, StayWhereNoDisplacementIsFree) {
+  SharedMultipliers shared;
+  const std::vector<MultiplierShare> held{{0, 1.0}}, free{{1, 1.0}};
+  contact::PointEquations pressed;
+  pressed.values = VectorXd::Constant(1, 0.3);
+  pressed.by_multiplier = MatrixXd::Zero(1, 1);
+  shared.add_pressed(held, pressed);
+  shared.add_pressed(free, pressed);
+  ASSERT_TRUE(shared.number());
+  shared.see(shared.unknown_of(1), 4, 2.0);
+  shared.assemble(6);
+  EXPECT_EQ(shared.right()[0], 0);
+  EXPECT_EQ(shared.by_unknown()(0, 0), 1);
+  EXPECT_DOUBLE_EQ(shared.right()[1], -0.3);
+  EXPECT_EQ(shared.by_unknown()(1, 1), 0);
+}
+
 TEST(InterfaceNewtonSystem, WithoutPointsChangesNothing) {
   Bulk bulk;
   ActiveInterfaceCompliance surface(bulk.compliance);
