@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/enforcement.hpp"
 
+#include "rubato/contact/factored_response.hpp"
 #include "rubato/contact/held_frame.hpp"
 #include "rubato/contact/spring_friction.hpp"
 
@@ -36,91 +37,45 @@ constexpr double spring_share = 0.1;
 /// Gap, in lengths of the zone's edge, below which a point touches at the start of a step.
 constexpr double touching_gap = 1e-9;
 
-/// Positions of the six point variables among local unknowns: displacement ones first, then λ and Λ.
-struct LocalResponse {
-  VectorXd force; ///< internal side, by q
-  MatrixXd force_by_q;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> force_by_multiplier;
-  Vector3d equations;
-  Eigen::Matrix<double, 3, Eigen::Dynamic> equations_by_q;
-  Eigen::Matrix3d equations_by_multiplier;
-};
-
-/// Chain rule from the law's variables to the displacements: f = −w N̂ᵀT, T = T_n n + T_a τ_a.
-LocalResponse localise(const Kinematics& k, const PointResponse& law, double weight) {
-  const int d = k.components;
-  const Index unknowns = k.unknowns();
-  Eigen::Matrix3d frame;
-  frame << k.normal, k.tangents.col(0), k.tangents.col(1);
-  const Vector3d traction = frame * law.traction;
-  const Vector3d kept = law.kept_traction();
-  const Vector3d turning = frame * kept;
-
-  Eigen::Matrix<double, 3, Eigen::Dynamic> d_variables(3, unknowns);
-  d_variables << k.d_gap, k.d_slip;
-  Eigen::Matrix<double, 3, Eigen::Dynamic> d_traction = frame * (law.d_traction.leftCols<3>() * d_variables);
-  d_traction += kept[0] * k.d_normal + kept[1] * k.d_tangent[0] + kept[2] * k.d_tangent[1];
-  const Eigen::Matrix3d traction_by_multiplier = frame * law.d_traction.rightCols<3>();
-
-  LocalResponse local;
-  local.force.resize(unknowns);
-  local.force_by_q.resize(unknowns, unknowns);
-  local.force_by_multiplier.resize(unknowns, 3);
-  for (Index node = 0; node < k.shape.size(); ++node) {
-    const Eigen::Matrix<double, 1, Eigen::Dynamic> d_shape = k.shape_slope.row(node) * k.d_projection;
-    for (int i = 0; i < d; ++i) {
-      const Index row = node * d + i;
-      local.force[row] = -weight * k.shape[node] * traction[i];
-      local.force_by_q.row(row) = -weight * (k.shape[node] * d_traction.row(i) + turning[i] * d_shape);
-      local.force_by_multiplier.row(row) = -weight * k.shape[node] * traction_by_multiplier.row(i);
-    }
-  }
-  local.equations = weight * law.equations;
-  local.equations_by_q = weight * law.d_equations.leftCols<3>() * d_variables;
-  local.equations_by_multiplier = weight * law.d_equations.rightCols<3>();
-  return local;
-}
-
 class ZoneAssembler {
 public:
-  ZoneAssembler(const Zone& zone, const domain::DofMap& dofs, int multiplier_offset, ContactSystem& system)
-      : variables_(zone.multiplier_variables()), dofs_(dofs), offset_(multiplier_offset), system_(system) {}
+  ZoneAssembler(const Zone& zone, int multiplier_offset, ContactSystem& system)
+      : per_node_(zone.multipliers_per_node()), offset_(multiplier_offset), system_(system) {}
 
-  void add(const SlavePoint& point, const Kinematics& kinematics, const LocalResponse& local) {
-    const int d = kinematics.components;
-    unknowns_.clear();
-    for (const auto node : kinematics.nodes)
-      for (int i = 0; i < d; ++i)
-        unknowns_.push_back(dofs_.first_dof[static_cast<std::size_t>(node)] + i);
-    for (Index row = 0; row < local.force.size(); ++row) {
-      const int global_row = unknowns_[static_cast<std::size_t>(row)];
-      system_.force[global_row] += local.force[row];
-      for (Index column = 0; column < local.force.size(); ++column)
-        push(system_.force_by_dof, global_row, unknowns_[static_cast<std::size_t>(column)],
-             local.force_by_q(row, column));
+  void add(const SlavePoint& point, const FactoredResponse& response) {
+    const Index d = response.components;
+    const Index m = response.multipliers();
+    const auto weights = response.spread.topRows(d);
+    const VectorXd force = weights.transpose() * response.force;
+    const MatrixXd force_by_q = response.spread.transpose() * response.force_by_displacement();
+    const MatrixXd force_by_multiplier = weights.transpose() * response.by_multiplier.topRows(d);
+    for (Index row = 0; row < force.size(); ++row) {
+      const int global_row = response.dofs[static_cast<std::size_t>(row)];
+      system_.force[global_row] += force[row];
+      for (Index column = 0; column < force.size(); ++column)
+        push(system_.force_by_dof, global_row, response.dofs[static_cast<std::size_t>(column)],
+             force_by_q(row, column));
     }
     for (std::size_t j = 0; j < point.multipliers.size(); ++j)
-      couple(point, j, local);
-    add_equations(point, local.equations, local.equations_by_multiplier);
+      couple(point, j, response.dofs, force_by_multiplier, response.d_du.middleRows(d, m));
+    add_equations(point, response.multiplier_equations());
   }
 
-  void add_equations(const SlavePoint& point, const Vector3d& equations,
-                     const Eigen::Matrix3d& by_multiplier) {
+  void add_equations(const SlavePoint& point, const PointEquations& equations) {
     for (std::size_t j = 0; j < point.multipliers.size(); ++j)
-      for (const int a : variables_) {
+      for (Index a = 0; a < equations.values.size(); ++a) {
         const int row = multiplier(point, j, a);
-        system_.equations[row] += point.multiplier_shape[j] * equations[a];
+        system_.equations[row] += point.multiplier_shape[j] * equations.values[a];
         for (std::size_t k = 0; k < point.multipliers.size(); ++k)
-          for (const int b : variables_)
+          for (Index b = 0; b < equations.values.size(); ++b)
             push(system_.equation_by_multiplier, row, multiplier(point, k, b),
-                 point.multiplier_shape[j] * point.multiplier_shape[k] * by_multiplier(a, b));
+                 point.multiplier_shape[j] * point.multiplier_shape[k] * equations.by_multiplier(a, b));
       }
   }
 
 private:
-  int multiplier(const SlavePoint& point, std::size_t node, int variable) const {
-    return offset_ + point.multipliers[node] * static_cast<int>(variables_.size()) + variable -
-           variables_.front();
+  int multiplier(const SlavePoint& point, std::size_t node, Index variable) const {
+    return offset_ + point.multipliers[node] * per_node_ + static_cast<int>(variable);
   }
 
   static void push(Triplets& triplets, int row, int column, double value) {
@@ -128,22 +83,20 @@ private:
       triplets.emplace_back(row, column, value);
   }
 
-  void couple(const SlavePoint& point, std::size_t j, const LocalResponse& local) {
+  void couple(const SlavePoint& point, std::size_t j, std::span<const int> dofs, const MatrixXd& force,
+              const MatrixXd& equations) {
     const double shape = point.multiplier_shape[j];
-    for (const int a : variables_)
-      for (Index q = 0; q < local.force.size(); ++q) {
-        const int dof = unknowns_[static_cast<std::size_t>(q)];
-        push(system_.force_by_multiplier, dof, multiplier(point, j, a),
-             shape * local.force_by_multiplier(q, a));
-        push(system_.equation_by_dof, multiplier(point, j, a), dof, shape * local.equations_by_q(a, q));
+    for (Index a = 0; a < equations.rows(); ++a)
+      for (Index q = 0; q < equations.cols(); ++q) {
+        const int dof = dofs[static_cast<std::size_t>(q)];
+        push(system_.force_by_multiplier, dof, multiplier(point, j, a), shape * force(q, a));
+        push(system_.equation_by_dof, multiplier(point, j, a), dof, shape * equations(a, q));
       }
   }
 
-  std::span<const int> variables_;
-  const domain::DofMap& dofs_;
+  int per_node_;
   int offset_;
   ContactSystem& system_;
-  std::vector<int> unknowns_;
 };
 
 PointState measured(const Zone& zone, const SlavePoint& point, const VectorXd& multipliers,
@@ -196,19 +149,10 @@ void measure_again(const Zone& zone, const VectorXd& multipliers, const Configur
   }
 }
 
-/// Σ N_i v_i over the point's nodes: of the slave point relative to the place it faces.
-Vector3d interpolated(const Kinematics& k, const domain::DofMap& dofs, const VectorXd& values) {
-  Vector3d sum = Vector3d::Zero();
-  for (std::size_t node = 0; node < k.nodes.size(); ++node)
-    sum.head(k.components) +=
-        k.shape[static_cast<Index>(node)] * values.segment(dofs.dof(k.nodes[node], 0), k.components);
-  return sum;
-}
-
 /// Takes a held place along with the obstacle it is on.
 void carry(Kinematics& k, const Vector3d& way) {
-  k.foot += way;
-  k.carried = way;
+  k.closest_point += way;
+  k.obstacle_displacement = way;
 }
 
 /// Sets from where a held frame counts gap and slip, so that they are those of the law of velocities.
@@ -352,7 +296,7 @@ std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Co
     if (!points[i].kinematics)
       continue;
     const auto& k = *points[i].kinematics;
-    const Vector3d relative = interpolated(k, *start.dofs, velocity) - way / law.step;
+    const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - way / law.step;
     const bool stands = k.gap <= standing[i] + touching_gap * zone.edge();
     const bool arrives = k.gap + law.step / 2 * k.normal.dot(relative) <= 0;
     if (!stands)
@@ -412,16 +356,16 @@ std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const Point
 void add_contributions(const ZoneLaw& law, std::span<const PointEvaluation> points,
                        std::span<const Status> status, const domain::DofMap& dofs, int multiplier_offset,
                        ContactSystem& system) {
-  ZoneAssembler assembler(*law.zone, dofs, multiplier_offset, system);
+  ZoneAssembler assembler(*law.zone, multiplier_offset, system);
+  FactoredResponse response;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& point = law.zone->points[i];
-    auto response = respond(points[i].variables, status[i], law.of_point(i));
-    follow_limit(response);
-    if (status[i] == Status::open)
-      assembler.add_equations(point, point.weight * response.equations,
-                              point.weight * response.d_equations.rightCols<3>());
-    else
-      assembler.add(point, *points[i].kinematics, localise(*points[i].kinematics, response, point.weight));
+    if (status[i] == Status::open) {
+      assembler.add_equations(point, open_equations(law, i, points[i]));
+      continue;
+    }
+    factor_response(law, i, points[i], status[i], dofs, response);
+    assembler.add(point, response);
   }
 }
 
@@ -466,14 +410,9 @@ MeanGap largest_mean_gap(const ZoneLaw& law, std::span<const PointEvaluation> po
 
 void add_friction_force(std::span<const PointEvaluation> points, std::span<const PointOutcome> outcomes,
                         const domain::DofMap& dofs, VectorXd& force) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].kinematics || outcomes[i].tangential.isZero(0))
-      continue;
-    const auto& k = *points[i].kinematics;
-    for (std::size_t node = 0; node < k.nodes.size(); ++node)
-      force.segment(dofs.dof(k.nodes[node], 0), k.components) -=
-          k.shape[static_cast<Index>(node)] * outcomes[i].tangential.head(k.components);
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].kinematics && !outcomes[i].tangential.isZero(0))
+      points[i].kinematics->stencil.scatter(-outcomes[i].tangential, dofs, force);
 }
 
 } // namespace rubato::contact

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/explicit_penalty.hpp"
 
-#include "rubato/cell/reference_cell.hpp"
-#include "rubato/contact/obstacle_kinematics.hpp"
+#include "rubato/contact/kinematics.hpp"
 
 #include <Eigen/Geometry>
 
@@ -24,22 +23,9 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-Vector3d vector_at(const domain::DofMap& dofs, const VectorXd& values, mesh::NodeIndex node) {
-  Vector3d v = Vector3d::Zero();
-  v.head(dofs.components) = values.segment(dofs.dof(node, 0), dofs.components);
-  return v;
-}
-
 /// Of the direction that moves most easily: a node may be held in others.
 double inverse_mass_of(const domain::DofMap& dofs, const VectorXd& inverse_mass, mesh::NodeIndex node) {
   return inverse_mass.segment(dofs.dof(node, 0), dofs.components).maxCoeff();
-}
-
-std::array<double, 9> shape_at(CellType type, const Eigen::Vector2d& xi) {
-  std::array<double, 9> values{};
-  const auto& cell = cell::reference_cell(type);
-  cell.values({xi[0], xi[1], 0}, std::span(values).first(at(cell.node_count)));
-  return values;
 }
 
 /// Steps without iterations have nothing to hop in: a point that comes back to a face is there. Which faces
@@ -90,20 +76,23 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
       spring = {.paired = false};
       continue;
     }
-    const auto place = place_of(i, configuration);
-    spring.gap = place.normal.dot(contact::position(zone_->points[i], configuration) - place.position);
+    measure_kinematics(*zone_, zone_->points[i], neighbours_.pairs()[i], configuration, place_);
+    spring.gap = place_.gap;
     if (!press(spring, normal_stiffness_[i])) {
       dissipated_ += energy;
       continue;
     }
-    const Vector3d slip = slip_of(i, place, velocity, step);
-    spring.normal = place.normal;
-    spring.slip_on_tangents = {slip.dot(place.tangent), slip.dot(place.normal.cross(place.tangent))};
+    const Vector3d relative =
+        step * place_.stencil.gather(velocity, *dofs_) - place_.obstacle_displacement;
+    const Vector3d slip = in_plane(relative, place_.normal);
+    spring.normal = place_.normal;
+    spring.slip_on_tangents = place_.tangents.transpose() * slip;
     const Vector3d traction = spring.traction;
-    rub(spring, normal_stiffness_[i], place, slip);
+    rub(spring, normal_stiffness_[i], slip);
     const double work = -0.5 * zone_->points[i].weight * (traction + spring.traction).dot(slip);
     dissipated_ += work - (tangential_energy(i) - energy);
-    add_force(i, place, force);
+    const Vector3d push = zone_->points[i].weight * (spring.pressure * spring.normal + spring.traction);
+    place_.stencil.scatter(-push, *dofs_, force);
   }
 }
 
@@ -175,78 +164,10 @@ template <class Visit> void ExplicitPenalty::visit_nodes(std::size_t index, cons
     visit(point.nodes[i], point.shape[i]);
   if (zone_->obstacle)
     return;
-  const auto& face = master_face(index);
-  const auto shape = shape_at(face.type, pair.projection.clamped);
+  const auto& face = zone_->master.faces[at(pair.master_face)];
+  const auto shape = face_values(face.type, pair.projection.clamped);
   for (std::size_t j = 0; j < at(face.node_count); ++j)
     visit(face.nodes[j], -shape[j]);
-}
-
-const Face& ExplicitPenalty::master_face(std::size_t point) const {
-  return zone_->master.faces[at(neighbours_.pairs()[point].master_face)];
-}
-
-/// None before an obstacle.
-std::span<const mesh::NodeIndex> ExplicitPenalty::master_nodes(std::size_t point) const {
-  if (zone_->obstacle)
-    return {};
-  return master_face(point).node_span();
-}
-
-ExplicitPenalty::Place ExplicitPenalty::place_of(std::size_t index,
-                                                 const Configuration& configuration) const {
-  if (const auto& obstacle = zone_->obstacle) {
-    const auto& point = zone_->points[index];
-    const Vector3d x = contact::position(point, configuration);
-    const auto place = place_before(*obstacle, point, x, configuration);
-    return {.position = x - place.gap * place.normal,
-            .normal = place.normal,
-            .tangent = place.tangent,
-            .carried = obstacle->way(configuration.start_t, configuration.t)};
-  }
-  const auto& face = master_face(index);
-  const auto& projection = neighbours_.pairs()[index].projection;
-  const auto nodes = deformed(face, configuration);
-  const auto closest = face_geometry(face.type, nodes, projection.clamped);
-  auto tangents = closest.tangents;
-  if (zone_->settings.clamped_normal == study::ClampedNormal::code_aster && !projection.inside()) {
-    const int directions = parametric_dimension(face.type);
-    tangents.leftCols(directions) +=
-        face_geometry(face.type, nodes, projection.xi).tangents.leftCols(directions);
-  }
-  Vector3d normal = tangents.col(0).cross(tangents.col(1)).normalized();
-  if (zone_->settings.normal != study::ContactNormal::master) {
-    const Vector3d against_slave = -slave_normal(zone_->points[index], configuration);
-    normal = zone_->settings.normal == study::ContactNormal::slave ? against_slave
-                                                                   : (normal + against_slave).normalized();
-  }
-  return {.position = closest.position,
-          .normal = normal,
-          .tangent = in_plane(tangents.col(0), normal).normalized(),
-          .shape = shape_at(face.type, projection.clamped)};
-}
-
-/// The mean of the unit normals of the slave faces at the point.
-Vector3d ExplicitPenalty::slave_normal(const SlavePoint& point, const Configuration& configuration) const {
-  Vector3d sum = Vector3d::Zero();
-  for (const auto& place : point.stands_on) {
-    const auto& face = zone_->slave.faces[at(place.face)];
-    const auto tangents = face_geometry(face.type, deformed(face, configuration), place.xi).tangents;
-    sum += tangents.col(0).cross(tangents.col(1)).normalized();
-  }
-  return sum.normalized();
-}
-
-/// Tangential motion of the slave point against the master's since the last call.
-Vector3d ExplicitPenalty::slip_of(std::size_t index, const Place& place, const VectorXd& velocity,
-                                  double step) const {
-  const auto& point = zone_->points[index];
-  const auto master = master_nodes(index);
-  Vector3d relative = Vector3d::Zero();
-  for (std::size_t i = 0; i < point.nodes.size(); ++i)
-    relative += point.shape[i] * vector_at(*dofs_, velocity, point.nodes[i]);
-  for (std::size_t j = 0; j < master.size(); ++j)
-    relative -= place.shape[j] * vector_at(*dofs_, velocity, master[j]);
-  return in_plane(step * relative - place.carried, place.normal);
 }
 
 /// The pressure that the gap calls for; false, and a relaxed spring, when there is none.
@@ -262,8 +183,7 @@ bool ExplicitPenalty::press(Spring& spring, double normal_stiffness) const {
 }
 
 /// Friction after a slip increment: elastic as far as Coulomb allows.
-void ExplicitPenalty::rub(Spring& spring, double normal_stiffness, const Place& place,
-                          const Vector3d& slip) const {
+void ExplicitPenalty::rub(Spring& spring, double normal_stiffness, const Vector3d& slip) const {
   const auto& settings = zone_->settings;
   spring.status = Status::slip;
   const double limit = settings.friction * spring.pressure;
@@ -271,24 +191,13 @@ void ExplicitPenalty::rub(Spring& spring, double normal_stiffness, const Place& 
     return;
   spring.tangential_stiffness =
       std::min(normal_stiffness, limit * settings.tangential_coefficient.value_or(INFINITY));
-  spring.slip = in_plane(spring.slip + slip, place.normal);
+  spring.slip = in_plane(spring.slip + slip, spring.normal);
   const double trial = spring.tangential_stiffness * spring.slip.norm();
   if (trial <= limit)
     spring.status = Status::stick;
   else
     spring.slip *= limit / trial;
   spring.traction = -spring.tangential_stiffness * spring.slip;
-}
-
-void ExplicitPenalty::add_force(std::size_t index, const Place& place, VectorXd& force) const {
-  const auto& point = zone_->points[index];
-  const auto master = master_nodes(index);
-  const Vector3d push = point.weight * (springs_[index].pressure * place.normal + springs_[index].traction);
-  const int components = dofs_->components;
-  for (std::size_t i = 0; i < point.nodes.size(); ++i)
-    force.segment(dofs_->dof(point.nodes[i], 0), components) -= point.shape[i] * push.head(components);
-  for (std::size_t j = 0; j < master.size(); ++j)
-    force.segment(dofs_->dof(master[j], 0), components) += place.shape[j] * push.head(components);
 }
 
 double ExplicitPenalty::tangential_energy(std::size_t index) const {

@@ -86,24 +86,8 @@ public:
   const NeighbourList& neighbours() const { return neighbours_; }
 
 private:
-  /// Where the master is that a point is paired with.
-  struct Place {
-    Eigen::Vector3d position;
-    Eigen::Vector3d normal;
-    Eigen::Vector3d tangent;                           ///< the first
-    std::array<double, 9> shape{};                     ///< one a node of the face
-    Eigen::Vector3d carried = Eigen::Vector3d::Zero(); ///< an obstacle's way since the last call
-  };
-
-  const Face& master_face(std::size_t point) const;
-  std::span<const mesh::NodeIndex> master_nodes(std::size_t point) const;
-  Place place_of(std::size_t point, const Configuration& configuration) const;
-  Eigen::Vector3d slave_normal(const SlavePoint& point, const Configuration& configuration) const;
-  Eigen::Vector3d slip_of(std::size_t point, const Place& place, const Eigen::VectorXd& velocity,
-                          double step) const;
   bool press(Spring& spring, double normal_stiffness) const;
-  void rub(Spring& spring, double normal_stiffness, const Place& place, const Eigen::Vector3d& slip) const;
-  void add_force(std::size_t point, const Place& place, Eigen::VectorXd& force) const;
+  void rub(Spring& spring, double normal_stiffness, const Eigen::Vector3d& slip) const;
   double tangential_energy(std::size_t point) const;
   template <class Visit> void visit_nodes(std::size_t point, const Visit& visit) const;
 
@@ -112,6 +96,7 @@ private:
   std::vector<double> normal_stiffness_;
   NeighbourList neighbours_;
   std::vector<Spring> springs_;
+  Kinematics place_; ///< of one point after the other
   double dissipated_ = 0;
 };
 

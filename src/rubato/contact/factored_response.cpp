@@ -14,24 +14,30 @@ constexpr int first_multiplier = 3;
 
 void collect_dofs(const Kinematics& k, const domain::DofMap& map, std::vector<int>& dofs) {
   dofs.clear();
-  for (const auto node : k.nodes)
-    for (int i = 0; i < k.components; ++i)
+  for (const auto node : k.stencil.nodes)
+    for (int i = 0; i < k.stencil.components; ++i)
       dofs.push_back(map.dof(node, i));
 }
 
 /// N and H: what a force at the point, and a change of its place on the master, put on q.
 void collect_spread(const Kinematics& k, const Eigen::Vector3d& force, int n_xi, MatrixXd& spread) {
-  const int d = k.components;
+  const int d = k.stencil.components;
   spread.setZero(d + n_xi, k.unknowns());
-  for (Index node = 0; node < k.shape.size(); ++node)
+  for (Index node = 0; node < k.stencil.weights.size(); ++node)
     for (int i = 0; i < d; ++i) {
-      spread(i, node * d + i) = k.shape[node];
+      spread(i, node * d + i) = k.stencil.weights[node];
       for (int a = 0; a < n_xi; ++a)
         spread(d + a, node * d + i) = k.shape_slope(node, a) * force[i];
     }
 }
 
 } // namespace
+
+MatrixXd FactoredResponse::force_by_displacement() const {
+  MatrixXd rows(spread.rows(), d_du.cols());
+  rows << d_du.topRows(components), d_du.bottomRows(n_xi);
+  return rows;
+}
 
 void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status,
                      const domain::DofMap& dofs, FactoredResponse& into) {
@@ -40,7 +46,7 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
   const double weight = law.zone->points[point].weight;
   auto response = respond(evaluation.variables, status, law.of_point(point));
   follow_limit(response);
-  const int d = k.components;
+  const int d = k.stencil.components;
   const auto m = static_cast<Index>(variables.size());
 
   Eigen::Matrix3d frame;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// A contact point linearised in factors as narrow as the space it lives in, whatever its faces: what a solve
-/// that is condensed on contact points works with.
+/// A contact point linearised in factors as narrow as the space it lives in, whatever its faces.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
@@ -37,6 +36,8 @@ struct FactoredResponse {
   PointVector equations;           ///< e, m entries
 
   int multipliers() const { return static_cast<int>(equations.size()); }
+  /// Z_q over P: what the rows of `spread` are multiplied with as q changes.
+  Eigen::MatrixXd force_by_displacement() const;
   PointEquations multiplier_equations() const { return {equations, by_multiplier.bottomRows(multipliers())}; }
 };
 

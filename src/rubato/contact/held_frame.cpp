@@ -17,25 +17,25 @@ Kinematics with_held_frame(Kinematics k) {
   for (auto& variation : k.d_tangent)
     variation.setZero(3, unknowns);
   k.d_slave_normal.resize(3, 0);
-  k.shape_slope.setZero(k.shape.size(), 2);
+  k.shape_slope.setZero(k.stencil.weights.size(), 2);
   k.d_gap.resize(unknowns);
   k.d_slip.setZero(2, unknowns);
-  for (Eigen::Index node = 0; node < k.shape.size(); ++node)
-    for (int i = 0; i < k.components; ++i) {
-      const auto column = node * k.components + i;
-      k.d_gap[column] = k.shape[node] * k.normal[i];
+  for (Eigen::Index node = 0; node < k.stencil.weights.size(); ++node)
+    for (int i = 0; i < k.stencil.components; ++i) {
+      const auto column = node * k.stencil.components + i;
+      k.d_gap[column] = k.stencil.weights[node] * k.normal[i];
       for (int a = 0; a < k.parametric_dimension; ++a)
-        k.d_slip(a, column) = k.shape[node] * k.tangents(i, a);
+        k.d_slip(a, column) = k.stencil.weights[node] * k.tangents(i, a);
     }
   return k;
 }
 
 Kinematics held_between(const Kinematics& a, const Kinematics& b) {
   Kinematics k = a;
-  k.nodes.insert(k.nodes.end(), b.nodes.begin(), b.nodes.end());
-  k.shape.resize(a.shape.size() + b.shape.size());
-  k.shape << 0.5 * a.shape, 0.5 * b.shape;
-  k.shape_slope.resize(k.shape.size(), 2);
+  k.stencil.nodes.insert(k.stencil.nodes.end(), b.stencil.nodes.begin(), b.stencil.nodes.end());
+  k.stencil.weights.resize(a.stencil.weights.size() + b.stencil.weights.size());
+  k.stencil.weights << 0.5 * a.stencil.weights, 0.5 * b.stencil.weights;
+  k.shape_slope.resize(k.stencil.weights.size(), 2);
   k.normal = (a.normal + b.normal).normalized();
   const Vector3d along = a.tangents.col(0) + b.tangents.col(0);
   k.tangents.col(0) = (along - along.dot(k.normal) * k.normal).normalized();
@@ -48,13 +48,10 @@ Kinematics held_between(const Kinematics& a, const Kinematics& b) {
 }
 
 void measure_in_held_frame(Kinematics& k, const Configuration& configuration) {
-  Vector3d apart = -k.foot;
-  Vector3d moved = -k.carried;
-  for (std::size_t node = 0; node < k.nodes.size(); ++node) {
-    const double shape = k.shape[static_cast<Eigen::Index>(node)];
-    apart += shape * configuration.position(k.nodes[node]);
-    moved += shape * configuration.increment(k.nodes[node]);
-  }
+  const Vector3d apart =
+      k.stencil.sum([&](auto node) { return configuration.position(node); }) - k.closest_point;
+  const Vector3d moved = k.stencil.sum([&](auto node) { return configuration.increment(node); }) -
+                         k.obstacle_displacement;
   k.gap = k.normal.dot(apart) - k.gap_origin;
   for (int a = 0; a < k.parametric_dimension; ++a)
     k.slip[a] = k.tangents.col(a).dot(moved) - k.slip_origin[a];

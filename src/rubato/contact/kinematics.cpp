@@ -111,22 +111,22 @@ private:
   static auto in_space(const Vector3d& v) { return v.head<components>().transpose(); }
 
   void collect_nodes() {
-    out_.components = components;
+    out_.stencil.components = components;
     out_.parametric_dimension = Dimension;
     const auto count = slave_count_ + face_.node_count;
-    out_.nodes.resize(static_cast<std::size_t>(count));
-    std::ranges::copy(face_.node_span(), std::ranges::copy(point_.nodes, out_.nodes.begin()).out);
-    out_.shape.resize(count);
+    out_.stencil.nodes.resize(static_cast<std::size_t>(count));
+    std::ranges::copy(face_.node_span(), std::ranges::copy(point_.nodes, out_.stencil.nodes.begin()).out);
+    out_.stencil.weights.resize(count);
     for (Index i = 0; i < slave_count_; ++i)
-      out_.shape[i] = point_.shape[static_cast<std::size_t>(i)];
+      out_.stencil.weights[i] = point_.shape[static_cast<std::size_t>(i)];
     const auto values = face_values(face_.type, projection_.clamped);
     for (Index j = 0; j < face_.node_count; ++j)
-      out_.shape[slave_count_ + j] = -values[static_cast<std::size_t>(j)];
+      out_.stencil.weights[slave_count_ + j] = -values[static_cast<std::size_t>(j)];
   }
 
   void collect_slopes() {
     const auto shape = face_shape(face_.type, projection_.clamped);
-    out_.shape_slope.setZero(out_.shape.size(), 2);
+    out_.shape_slope.setZero(out_.stencil.weights.size(), 2);
     for (Index j = 0; j < face_.node_count; ++j)
       for (int a = 0; a < Dimension; ++a)
         out_.shape_slope(slave_count_ + j, a) = -gradient(shape, j, a);
@@ -325,13 +325,11 @@ private:
   }
 
   Vector3d increment(Index node) const {
-    return configuration_.increment(out_.nodes[static_cast<std::size_t>(node)]);
+    return configuration_.increment(out_.stencil.nodes[static_cast<std::size_t>(node)]);
   }
 
   void measure_slip() {
-    moved_.setZero();
-    for (Index i = 0; i < out_.shape.size(); ++i)
-      moved_ += out_.shape[i] * increment(i);
+    moved_ = out_.stencil.sum([&](auto node) { return configuration_.increment(node); });
     out_.slip.setZero();
     for (int a = 0; a < Dimension; ++a)
       out_.slip[a] = tangent(a).dot(moved_);
@@ -339,7 +337,7 @@ private:
 
   void vary_slip() {
     Eigen::Matrix<double, 3, 2> moved_slope = Eigen::Matrix<double, 3, 2>::Zero();
-    for (Index i = slave_count_; i < out_.shape.size(); ++i)
+    for (Index i = slave_count_; i < out_.stencil.weights.size(); ++i)
       for (int a = 0; a < Dimension; ++a)
         moved_slope.col(a) += out_.shape_slope(i, a) * increment(i);
     const Eigen::Vector2d along = out_.tangents.transpose() * moved_;
@@ -366,7 +364,7 @@ private:
     if constexpr (!Inside)
       by_approach += motion(rows_, free_start, 0);
     for (Index i = 0; i < slave_count_; ++i) {
-      Block rows = out_.shape[i] * by_approach;
+      Block rows = out_.stencil.weights[i] * by_approach;
       if constexpr (Turned)
         rows += motion(rows_, turning_start, 0) *
                 motion(out_.d_slave_normal, 0, static_cast<int>(i)).template topRows<components>();
@@ -374,7 +372,7 @@ private:
     }
     for (Index j = 0; j < face_.node_count; ++j) {
       const Index node = slave_count_ + j;
-      Block rows = out_.shape[node] * motion(rows_, 0, 0);
+      Block rows = out_.stencil.weights[node] * motion(rows_, 0, 0);
       for (int a = 0; a < Dimension; ++a)
         rows -= out_.shape_slope(node, a) * motion(rows_, 0, 1 + a);
       if constexpr (!Inside)
@@ -386,7 +384,7 @@ private:
 
   void write(Index node, const Block& rows) const {
     const Vector3d n = normal(), t1 = tangent(0), t2 = tangent(1);
-    const double shape = out_.shape[node];
+    const double shape = out_.stencil.weights[node];
     for (int c = 0; c < components; ++c) {
       const Index column = node * components + c;
       const double a = rows(alpha, c), b = rows(beta, c), g = rows(gamma, c);

@@ -19,6 +19,7 @@
 #pragma once
 
 #include "rubato/contact/pairing.hpp"
+#include "rubato/contact/stencil.hpp"
 
 #include <Eigen/Core>
 
@@ -31,9 +32,7 @@ namespace rubato::contact {
 template <int Rows> using Variation = Eigen::Matrix<double, Rows, Eigen::Dynamic>;
 
 struct Kinematics {
-  std::vector<mesh::NodeIndex> nodes; ///< slave's, then master's; an obstacle has none
-  Eigen::VectorXd shape;              ///< +N_i on slave nodes, −N_j(ξ̄) on master nodes
-  int components = 3;                 ///< displacement components a node
+  Stencil stencil;
   int parametric_dimension = 2;
   Eigen::Vector3d normal;
   Eigen::Matrix<double, 3, 2> tangents; ///< τ₁, τ₂; in 2D only τ₁ counts
@@ -41,8 +40,8 @@ struct Kinematics {
   Eigen::Vector2d slip = Eigen::Vector2d::Zero();
   /// What an obstacle has instead of nodes, 0 on a master with faces: the place the point faces, and how far
   /// the obstacle has come since the start of the step.
-  Eigen::Vector3d foot = Eigen::Vector3d::Zero();
-  Eigen::Vector3d carried = Eigen::Vector3d::Zero();
+  Eigen::Vector3d closest_point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d obstacle_displacement = Eigen::Vector3d::Zero();
   /// Of a held frame: what gap and slip are counted from.
   double gap_origin = 0;
   Eigen::Vector2d slip_origin = Eigen::Vector2d::Zero();
@@ -54,10 +53,10 @@ struct Kinematics {
   Variation<2> d_slip;
   /// δn_s over the slave nodes' part of q, where normals are the slave's or averages; else unused.
   Variation<3> d_slave_normal;
-  /// −∂N_j/∂ξ_b(ξ̄) on master nodes, 0 on slave nodes: the shape's own change is shape_slope · dξ̄.
+  /// −∂N_j/∂ξ_b(ξ̄) on master nodes, 0 on slave nodes: the weights' own change is shape_slope · dξ̄.
   Eigen::Matrix<double, Eigen::Dynamic, 2> shape_slope;
 
-  int unknowns() const { return static_cast<int>(nodes.size()) * components; }
+  int unknowns() const { return stencil.unknowns(); }
 };
 
 /// Everything about a paired point that a contact law asks for. The pair must be one of find_pairs' for the

@@ -18,10 +18,10 @@ Vector3d undeformed(const SlavePoint& point, const mesh::Mesh& mesh) {
 
 void take_nodes(const SlavePoint& point, int components, Kinematics& k) {
   const auto count = static_cast<Index>(point.nodes.size());
-  k.components = components;
+  k.stencil.components = components;
   k.parametric_dimension = components - 1;
-  k.nodes.assign(point.nodes.begin(), point.nodes.end());
-  k.shape = Eigen::Map<const Eigen::VectorXd>(point.shape.data(), count);
+  k.stencil.nodes.assign(point.nodes.begin(), point.nodes.end());
+  k.stencil.weights = Eigen::Map<const Eigen::VectorXd>(point.shape.data(), count);
   k.shape_slope.setZero(count, 2);
   k.d_projection.setZero(2, k.unknowns());
 }
@@ -35,17 +35,17 @@ void vary(const PlaceOnObstacle& place, const Vector3d& moved, Kinematics& k) {
     variation.resize(3, unknowns);
   k.d_gap.resize(unknowns);
   k.d_slip.setZero(2, unknowns);
-  for (Index node = 0; node < k.shape.size(); ++node)
-    for (int c = 0; c < k.components; ++c) {
-      const auto column = node * k.components + c;
-      const Vector3d turn = k.shape[node] * place.curvature.col(c);
+  for (Index node = 0; node < k.stencil.weights.size(); ++node)
+    for (int c = 0; c < k.stencil.components; ++c) {
+      const auto column = node * k.stencil.components + c;
+      const Vector3d turn = k.stencil.weights[node] * place.curvature.col(c);
       const double alpha = place.spin.dot(turn);
       k.d_normal.col(column) = turn;
       k.d_tangent[0].col(column) = alpha * t2 - t1.dot(turn) * n;
       k.d_tangent[1].col(column) = -alpha * t1 - t2.dot(turn) * n;
-      k.d_gap[column] = k.shape[node] * n[c];
+      k.d_gap[column] = k.stencil.weights[node] * n[c];
       for (int a = 0; a < k.parametric_dimension; ++a)
-        k.d_slip(a, column) = k.shape[node] * k.tangents(c, a) +
+        k.d_slip(a, column) = k.stencil.weights[node] * k.tangents(c, a) +
                               moved.dot(k.d_tangent[static_cast<std::size_t>(a)].col(column));
     }
 }
@@ -65,11 +65,10 @@ void evaluate_before(const Obstacle& obstacle, const SlavePoint& point, const Co
   k.normal = place.normal;
   k.tangents << place.tangent, place.normal.cross(place.tangent);
   k.gap = place.gap;
-  k.foot = x - place.gap * place.normal;
-  k.carried = obstacle.way(configuration.start_t, configuration.t);
-  Vector3d moved = -k.carried;
-  for (std::size_t i = 0; i < point.nodes.size(); ++i)
-    moved += point.shape[i] * configuration.increment(point.nodes[i]);
+  k.closest_point = x - place.gap * place.normal;
+  k.obstacle_displacement = obstacle.way(configuration.start_t, configuration.t);
+  const Vector3d moved = k.stencil.sum([&](auto node) { return configuration.increment(node); }) -
+                         k.obstacle_displacement;
   k.slip.setZero();
   for (int a = 0; a < k.parametric_dimension; ++a)
     k.slip[a] = k.tangents.col(a).dot(moved);

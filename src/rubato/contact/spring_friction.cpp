@@ -23,9 +23,9 @@ Vector3d slip_of(const PointEvaluation& point) {
 Vector2d slip_after(const PointEvaluation& point, const domain::DofMap& dofs, const VectorXd& move) {
   const auto& k = *point.kinematics;
   Vector2d slip = point.variables.slip;
-  for (std::size_t node = 0; node < k.nodes.size(); ++node)
-    slip += k.d_slip.middleCols(static_cast<Index>(node) * k.components, k.components) *
-            move.segment(dofs.dof(k.nodes[node], 0), k.components);
+  for (std::size_t node = 0; node < k.stencil.nodes.size(); ++node)
+    slip += k.d_slip.middleCols(static_cast<Index>(node) * k.stencil.components, k.stencil.components) *
+            move.segment(dofs.dof(k.stencil.nodes[node], 0), k.stencil.components);
   return slip;
 }
 

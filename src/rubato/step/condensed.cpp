@@ -172,13 +172,9 @@ void Condensed::collect_forces(const Held& held) {
       if (status == Status::open)
         continue;
       const auto& point = now().points[z][i];
-      const auto& k = *point.kinematics;
-      const Eigen::Vector3d z_force = contact::force_of(law, i, point, status);
-      scratch_.in_contact.push_back({z, i, status, z_force});
-      for (std::size_t node = 0; node < k.nodes.size(); ++node)
-        for (int c = 0; c < k.components; ++c)
-          if (const int at = position[static_cast<std::size_t>(model_.dofs.dof(k.nodes[node], c))]; at >= 0)
-            scratch_.force[at] += k.shape[static_cast<Index>(node)] * z_force[c];
+      const Eigen::Vector3d force = contact::force_of(law, i, point, status);
+      scratch_.in_contact.push_back({z, i, status, force});
+      point.kinematics->stencil.scatter(force, model_.dofs, position, scratch_.force);
     }
   }
 }
@@ -334,18 +330,13 @@ void Condensed::correct_shared_multipliers(const InterfaceNewtonSystem::Change& 
 ContactForce Condensed::contact_force() const {
   ContactForce force(surface_.base.u.size());
   for (const auto& point : scratch_.in_contact) {
-    const auto& k = *now().points[point.zone][point.index].kinematics;
+    const auto& stencil = now().points[point.zone][point.index].kinematics->stencil;
     const auto& settings = model_.zones[point.zone].settings;
-    for (std::size_t node = 0; node < k.nodes.size(); ++node)
-      for (int c = 0; c < k.components; ++c) {
-        const int dof = model_.dofs.dof(k.nodes[node], c);
-        const double on_dof = k.shape[static_cast<Index>(node)] * point.force[c];
-        force.all[dof] += on_dof;
-        if (!settings.history_force)
-          force.forgotten[dof] += on_dof;
-        if (study::is_nodal(settings.method))
-          force.nodal[dof] += on_dof;
-      }
+    stencil.scatter(point.force, model_.dofs, force.all);
+    if (!settings.history_force)
+      stencil.scatter(point.force, model_.dofs, force.forgotten);
+    if (study::is_nodal(settings.method))
+      stencil.scatter(point.force, model_.dofs, force.nodal);
   }
   return force;
 }

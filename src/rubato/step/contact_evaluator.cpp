@@ -279,9 +279,8 @@ std::vector<double> ContactEvaluator::moved_out(std::size_t z, const ContactIter
     if (!(before[i].gap < 0) || iterate.status[z][i] == Status::open || !before[i].normal.isZero(0))
       continue;
     const auto& k = *iterate.points[z][i].kinematics;
-    Eigen::Vector3d way = -k.carried;
-    for (std::size_t node = 0; node < k.nodes.size(); ++node)
-      way += k.shape[static_cast<Eigen::Index>(node)] * configuration.increment(k.nodes[node]);
+    const Eigen::Vector3d way = k.stencil.sum([&](auto node) { return configuration.increment(node); }) -
+                                k.obstacle_displacement;
     moved.resize(before.size(), 0.0);
     moved[i] = k.normal.dot(way);
   }

@@ -31,14 +31,6 @@ constexpr double well_balanced = 1e-3;
 /// Those join first that are pushed in by this part of the deepest.
 constexpr double deep = 0.6;
 
-/// Off its place on the master, with the surface at d.
-Vector3d moved_of(const PredictorPoint& point, const VectorXd& d) {
-  Vector3d moved = Vector3d::Zero();
-  for (const auto& share : point.shares)
-    add_moved(share, d, moved);
-  return moved;
-}
-
 /// F of matrix F + values = 0 among those of a set.
 VectorXd solve_among(std::span<const int> set, const MatrixXd& matrix, const VectorXd& values) {
   const auto size = static_cast<Index>(set.size());
@@ -122,7 +114,7 @@ void settle_rubbing(const MatrixXd& matrix, const VectorXd& slips, const VectorX
 } // namespace
 
 Vector3d measures_of(const PredictorPoint& point, const VectorXd& d) {
-  return point.value + point.frame.transpose() * moved_of(point, d);
+  return point.value + point.frame.transpose() * point.stencil.gather(d);
 }
 
 void add_force(std::span<const PredictorPoint> points, int first, int last, VectorXd& force) {
@@ -132,10 +124,7 @@ void add_force(std::span<const PredictorPoint> points, int first, int last, Vect
     Vector3d in_space = Vector3d::Zero();
     for (int a = first; a <= last; ++a)
       in_space += point.force[a] * point.frame.col(a);
-    for (const auto& share : point.shares)
-      for (std::size_t c = 0; c < 3; ++c)
-        if (const int at = share.positions[c]; at >= 0)
-          force[at] += share.weight * in_space[static_cast<Index>(c)];
+    point.stencil.scatter(in_space, force);
   }
 }
 
@@ -211,7 +200,7 @@ FrictionCones ContactPredictor::cones_of(std::span<PredictorPoint* const> togeth
       for (Index i = 0; i < count; ++i) {
         const auto& seeing = *together[static_cast<std::size_t>(i)];
         cones.matrix.col(k * components_ + a).segment(i * components_, components_) =
-            (seeing.frame.transpose() * moved_of(seeing, moved_)).head(components_);
+            (seeing.frame.transpose() * seeing.stencil.gather(moved_)).head(components_);
       }
     }
     auto diagonal = cones.matrix.diagonal().segment(k * components_, components_);
@@ -313,10 +302,10 @@ bool ContactPredictor::choose_more(std::span<PredictorPoint> points, const Vecto
 /// Moves the surface by a unit force along an axis of the frame of a point.
 void ContactPredictor::push(const PredictorPoint& point, int axis) {
   pushing_.clear();
-  for (const auto& share : point.shares)
+  for (const auto& node : point.stencil.nodes)
     for (std::size_t c = 0; c < 3; ++c)
-      if (const int at = share.positions[c]; at >= 0)
-        pushing_.push_back({at, share.weight * point.frame(static_cast<Index>(c), axis)});
+      if (const int at = node.at[c]; at >= 0)
+        pushing_.push_back({at, node.weight * point.frame(static_cast<Index>(c), axis)});
   moved_.setZero(static_cast<Index>(compliance_.surface().size()));
   compliance_.add(factor_, pushing_, moved_);
 }
@@ -330,7 +319,7 @@ void ContactPredictor::couple_pressing(Pulse& pulse) {
     push(*chosen_[static_cast<std::size_t>(j)], 0);
     for (Index i = 0; i <= j; ++i) {
       const auto& seeing = *chosen_[static_cast<std::size_t>(i)];
-      pressing_(i, j) = pressing_(j, i) = seeing.frame.col(0).dot(moved_of(seeing, moved_));
+      pressing_(i, j) = pressing_(j, i) = seeing.frame.col(0).dot(seeing.stencil.gather(moved_));
     }
   }
 }
@@ -345,7 +334,7 @@ void ContactPredictor::couple_rubbing(Pulse& pulse) {
       push(point, static_cast<int>(1 + b));
       for (Index i = 0; i <= j; ++i) {
         const auto& seeing = *chosen_[sliding_[static_cast<std::size_t>(i)]];
-        const Vector3d moved = moved_of(seeing, moved_);
+        const Vector3d moved = seeing.stencil.gather(moved_);
         for (Index a = 0; a < tangents; ++a)
           rubbing_(i * tangents + a, j * tangents + b) = rubbing_(j * tangents + b, i * tangents + a) =
               seeing.frame.col(1 + a).dot(moved);

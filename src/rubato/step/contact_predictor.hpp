@@ -3,6 +3,7 @@
 /// forces. Without it Newton's method releases one row of points an iteration.
 #pragma once
 
+#include "rubato/contact/stencil.hpp"
 #include "rubato/step/compliance.hpp"
 #include "rubato/step/friction_cones.hpp"
 #include "rubato/step/pulse.hpp"
@@ -16,26 +17,13 @@
 
 namespace rubato::step {
 
-/// What a contact point takes of the displacement of one node.
-struct Share {
-  std::array<int, 3> positions{-1, -1, -1}; ///< on the surface, by component; −1 of those that are held
-  double weight = 0;
-};
-
-/// Adds weight · d, d one a position.
-inline void add_moved(const Share& share, const Eigen::VectorXd& d, Eigen::Vector3d& moved) {
-  for (std::size_t c = 0; c < 3; ++c)
-    if (const int at = share.positions[c]; at >= 0)
-      moved[static_cast<Eigen::Index>(c)] += share.weight * d[at];
-}
-
 /// A point that may touch, in a frame that is held. With e = Σ weight · d, how far the surface moves it off
 /// its place on the master, its gap and slips are `value` + frameᵀ e, and its forces F along them put
 /// −weight · frame F on the surface (internal side).
 struct PredictorPoint {
   std::size_t zone = 0;
   std::size_t index = 0; ///< in the zone's points
-  std::vector<Share> shares;
+  contact::NumberedStencil stencil; ///< on the surface; empty where the point faces nothing
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity(); ///< n, τ₁, τ₂
   Eigen::Vector3d value = Eigen::Vector3d::Zero();     ///< where d = 0 [length]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< pressing ≥ 0, and along the slips [force]

@@ -24,31 +24,16 @@ constexpr double still_open = 0.5;
 
 void set_relations(const Model& model, const Compliance& compliance, const contact::Kinematics& k,
                    const VectorXd& moved, PredictorPoint& guess) {
-  const auto& position = compliance.position_of_dof();
   guess.frame << k.normal, k.tangents;
-  guess.shares.clear();
-  Eigen::Vector3d come = Eigen::Vector3d::Zero();
-  for (std::size_t node = 0; node < k.nodes.size(); ++node) {
-    Share share{.weight = k.shape[static_cast<Index>(node)]};
-    bool free = false;
-    for (int c = 0; c < k.components; ++c) {
-      const int at = position[static_cast<std::size_t>(model.dofs.dof(k.nodes[node], c))];
-      share.positions[static_cast<std::size_t>(c)] = at;
-      free = free || at >= 0;
-    }
-    if (share.weight == 0 || !free)
-      continue;
-    guess.shares.push_back(share);
-    add_moved(share, moved, come);
-  }
+  guess.stencil.take(k.stencil, model.dofs, compliance.position_of_dof());
   guess.gap = k.gap;
   guess.value << k.gap, k.slip;
-  guess.value -= guess.frame.transpose() * come;
+  guess.value -= guess.frame.transpose() * guess.stencil.gather(moved);
 }
 
 /// Nothing faces it.
 void release(PredictorPoint& guess) {
-  guess.shares.clear();
+  guess.stencil.nodes.clear();
   guess.value[0] = std::numeric_limits<double>::infinity();
   guess.force.setZero();
 }
@@ -56,7 +41,7 @@ void release(PredictorPoint& guess) {
 void set_forces(const contact::PointOutcome& outcome, const contact::Kinematics& k, PredictorPoint& guess) {
   guess.force.setZero();
   guess.force[0] = outcome.normal.norm();
-  for (int a = 0; a + 1 < k.components; ++a)
+  for (int a = 0; a + 1 < k.stencil.components; ++a)
     guess.force[1 + a] = outcome.tangential.dot(k.tangents.col(a));
 }
 

@@ -58,7 +58,7 @@ TEST(EvaluationInUsedStorage, GivesWhatAFreshOneGives) {
         ++lost;
         continue;
       }
-      EXPECT_EQ(points[p].kinematics->nodes, fresh[p].kinematics->nodes);
+      EXPECT_EQ(points[p].kinematics->stencil.nodes, fresh[p].kinematics->stencil.nodes);
       EXPECT_EQ(points[p].kinematics->d_gap, fresh[p].kinematics->d_gap);
       EXPECT_EQ(points[p].kinematics->d_slip, fresh[p].kinematics->d_slip);
     }

@@ -111,7 +111,7 @@ TEST_P(SlaveBefore, HasAnOrthonormalFrameAndItsFootOnTheSurface) {
     const auto foot = place_on(obstacle, obstacle.offset(setup_.t), k.foot, k.foot);
     EXPECT_NEAR(foot.gap, 0, 1e-15);
     EXPECT_LT((foot.normal - k.normal).norm(), 1e-14);
-    if (k.components == 2) {
+    if (k.stencil.components == 2) {
       EXPECT_LT((k.tangents.col(1) - Vector3d::UnitZ()).norm(), 1e-15);
     }
   }

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Where a contact point takes its motion from and puts its force: nodes of both sides and their weights.
+#pragma once
+
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace rubato::contact {
+
+struct Stencil {
+  std::vector<mesh::NodeIndex> nodes; ///< slave's, then master's; an obstacle has none
+  Eigen::VectorXd weights;            ///< +N_i on slave nodes, −N_j(ξ̄) on master nodes
+  int components = 3;                 ///< of displacements and forces
+
+  int unknowns() const { return static_cast<int>(nodes.size()) * components; }
+
+  /// Σ weight · value(node): of the slave point relative to the place it faces.
+  template <class Value> Eigen::Vector3d sum(const Value& value) const {
+    Eigen::Vector3d total = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      total += weights[static_cast<Eigen::Index>(i)] * value(nodes[i]);
+    return total;
+  }
+
+  /// The same of values, one a dof.
+  Eigen::Vector3d gather(const Eigen::VectorXd& values, const domain::DofMap& dofs) const {
+    Eigen::Vector3d total = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      total.head(components) +=
+          weights[static_cast<Eigen::Index>(i)] * values.segment(dofs.dof(nodes[i], 0), components);
+    return total;
+  }
+
+  /// Adds weight · force at each node to `values`, one a dof.
+  void scatter(const Eigen::Vector3d& force, const domain::DofMap& dofs, Eigen::VectorXd& values) const {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      values.segment(dofs.dof(nodes[i], 0), components) +=
+          weights[static_cast<Eigen::Index>(i)] * force.head(components);
+  }
+
+  /// The same with dofs numbered anew: `number` tells for each dof its index in `values`, below 0 where it
+  /// has none.
+  void scatter(const Eigen::Vector3d& force, const domain::DofMap& dofs, const std::vector<int>& number,
+               Eigen::VectorXd& values) const {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (int c = 0; c < components; ++c)
+        if (const int at = number[static_cast<std::size_t>(dofs.dof(nodes[i], c))]; at >= 0)
+          values[at] += weights[static_cast<Eigen::Index>(i)] * force[c];
+  }
+};
+
+/// A stencil on dofs that are numbered anew, without nodes that have no weight or no number.
+struct NumberedStencil {
+  struct Node {
+    std::array<int, 3> at{-1, -1, -1}; ///< by component; −1 of those without a number
+    double weight = 0;
+  };
+  std::vector<Node> nodes;
+
+  void take(const Stencil& stencil, const domain::DofMap& dofs, const std::vector<int>& number);
+  /// Σ weight · values
+  Eigen::Vector3d gather(const Eigen::VectorXd& values) const;
+  /// Adds weight · force at each node.
+  void scatter(const Eigen::Vector3d& force, Eigen::VectorXd& values) const;
+};
+
+} // namespace rubato::contact
