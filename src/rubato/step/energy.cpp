@@ -14,10 +14,6 @@ double kinetic_energy(const State& state) {
   return 0.5 * state.motion.v.dot(state.bulk.momentum);
 }
 
-double strain_energy(const State& state) {
-  return 0.5 * state.motion.u.dot(state.bulk.internal);
-}
-
 bool damped(const State& state) {
   return state.bulk.viscous.size() > 0;
 }
@@ -41,7 +37,7 @@ void EnergyRecord::note(double t, const EnergyLedger& ledger) {
 }
 
 EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, const State& start)
-    : model_(&model), scheme_(&scheme) {
+    : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)) {
   ledger_.kinetic = scheme.dynamic ? kinetic_energy(start) : 0;
   ledger_.strain = strain_energy(start);
   ledger_.contact = energy_of_springs(model.zones, start.zones);
@@ -73,8 +69,26 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   ledger_.support_work += obstacles.normal + obstacles.tangential;
   const auto supports = enter_supports(moved, committed, trial);
   ledger_.support_work += supports.work;
-  ledger_.numerical += scheme_dissipation(moved, committed, trial) + supports.work - supports.with_step;
-  ledger_.unbalanced += work_of_equation(moved, committed, trial) - supports.with_step;
+  const auto rigid = rigid_work(moved, committed, trial);
+  ledger_.numerical += scheme_dissipation(moved, committed, trial) -
+                       (scheme_->forces.now - 0.5) * (rigid.now - rigid.before) + supports.work -
+                       supports.with_step;
+  ledger_.unbalanced += work_of_equation(moved, committed, trial) - scheme_->forces.now * rigid.now -
+                        scheme_->forces.before * rigid.before - supports.with_step;
+}
+
+/// ½ d·K u, d the deformation: u without its rigid part.
+double EnergyAccount::strain_energy(const State& state) const {
+  const auto& internal = state.bulk.internal;
+  return 0.5 * (state.motion.u.dot(internal) -
+                rigid_->work(rigid_->resultants(state.motion.u), rigid_->resultants(internal)));
+}
+
+EnergyAccount::RigidWork EnergyAccount::rigid_work(const VectorXd& moved, const State& committed,
+                                                   const State& trial) const {
+  const auto motion = rigid_->resultants(moved);
+  return {rigid_->work(motion, rigid_->resultants(committed.bulk.internal)),
+          rigid_->work(motion, rigid_->resultants(trial.bulk.internal))};
 }
 
 /// In the first step that closes them, in the second that the bodies may rebound in.

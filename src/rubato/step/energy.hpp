@@ -7,11 +7,13 @@
 
 #include "rubato/model/model.hpp"
 #include "rubato/step/overlap.hpp"
+#include "rubato/step/rigid_parts.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -30,7 +32,7 @@ struct EnergyLedger {
   double friction = 0;      ///< dissipated by friction
   double impact = 0;        ///< taken by contact pressures and not stored: > 0 where bodies hit, < 0 gained
   double numerical = 0;     ///< dissipated by the time scheme; < 0 gained
-  double unbalanced = 0;    ///< work of the forces that iterations left unbalanced
+  double unbalanced = 0;    ///< work of the forces that iterations and the rounding of K u left unbalanced
   double start = 0;         ///< kinetic + strain + contact when the run began
 
   double stored() const { return kinetic + strain + contact; }
@@ -71,7 +73,8 @@ public:
   /// Goes on with an account as it was after one step or more.
   EnergyAccount(const model::Model& model, const time::Scheme& scheme, const EnergyLedger& ledger,
                 Overlaps overlaps)
-      : model_(&model), scheme_(&scheme), ledger_(ledger), overlaps_(std::move(overlaps)), closed_(true) {}
+      : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)), ledger_(ledger),
+        overlaps_(std::move(overlaps)), closed_(true) {}
 
   /// Enters the step from `committed` to `trial`.
   void enter(const State& committed, const State& trial);
@@ -92,6 +95,13 @@ private:
   };
   Obstacles work_of_obstacles(const State& committed, const State& trial) const;
   Supports enter_supports(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
+  /// r·f with the rigid part r of a step's motion and the internal forces f at both ends: rounding.
+  struct RigidWork {
+    double before = 0;
+    double now = 0;
+  };
+  RigidWork rigid_work(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
+  double strain_energy(const State& state) const;
   double work_of_equation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double enter_overlaps(const State& committed, const State& trial);
   double dissipation_of_inertia(const Eigen::VectorXd& moved, const State& committed,
@@ -100,6 +110,7 @@ private:
 
   const model::Model* model_;
   const time::Scheme* scheme_;
+  std::shared_ptr<const RigidParts> rigid_; ///< of the model, one for all copies
   EnergyLedger ledger_;
   Overlaps overlaps_;
   bool closed_ = false; ///< the first step is done

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Static runs of bodies that nothing but contact and friction holds.
 #include "rubato/run/failure.hpp"
+#include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -314,6 +315,29 @@ TEST(FreeRing, IsHeldByFrictionOnAPin) {
       const Eigen::Vector3d force = walk.resultants().force;
       EXPECT_NEAR(force.y(), weight, 1e-6 * weight) << cells;
       EXPECT_NEAR(force.x(), 0, 1e-6 * weight) << cells;
+    }
+}
+
+/// In ten steps to one and the same place: K u of a body far off its place has the rounding of |K||u| in it,
+/// whose resultant is not to work on the whole way there.
+TEST(FreeRing, HasALedgerThatClosesInManySteps) {
+  for (const int cells : {47, 48})
+    for (const char* friction : {"0", "0.3"}) {
+      const std::vector<deck::Setting> changes{{"contact.rest.friction", friction},
+                                               {"mesh.generate.0.rectangle.to", "[6.283185307179586, 0.9]"},
+                                               {"time.step", "0.1"}};
+      const auto study = deck::parse_deck(ring_deck(cells, 7.8e4), "deck.yaml", changes).runs.front();
+      Walk walk(model::build_model(study, closed(model::load_mesh(study.mesh))));
+      EnergyAccount account(walk.model, walk.scheme, walk.state);
+      EnergyRecord record;
+      while (!walk.control.finished()) {
+        ASSERT_TRUE(walk.advance()) << cells << " " << friction;
+        account.enter(walk.before, walk.state);
+        record.note(walk.state.t, account.ledger());
+      }
+      EXPECT_GT(record.largest, 1e4);
+      EXPECT_LE(record.largest_balance, 1e-11 * record.largest) << cells << " " << friction;
+      EXPECT_LE(std::abs(account.ledger().unbalanced), 1e-8 * record.largest) << cells << " " << friction;
     }
 }
 
