@@ -82,8 +82,7 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
       dissipated_ += energy;
       continue;
     }
-    const Vector3d relative =
-        step * place_.stencil.gather(velocity, *dofs_) - place_.obstacle_displacement;
+    const Vector3d relative = step * place_.stencil.gather(velocity, *dofs_) - place_.obstacle_displacement;
     const Vector3d slip = in_plane(relative, place_.normal);
     spring.normal = place_.normal;
     spring.slip_on_tangents = place_.tangents.transpose() * slip;

@@ -50,8 +50,8 @@ Kinematics held_between(const Kinematics& a, const Kinematics& b) {
 void measure_in_held_frame(Kinematics& k, const Configuration& configuration) {
   const Vector3d apart =
       k.stencil.sum([&](auto node) { return configuration.position(node); }) - k.closest_point;
-  const Vector3d moved = k.stencil.sum([&](auto node) { return configuration.increment(node); }) -
-                         k.obstacle_displacement;
+  const Vector3d moved =
+      k.stencil.sum([&](auto node) { return configuration.increment(node); }) - k.obstacle_displacement;
   k.gap = k.normal.dot(apart) - k.gap_origin;
   for (int a = 0; a < k.parametric_dimension; ++a)
     k.slip[a] = k.tangents.col(a).dot(moved) - k.slip_origin[a];

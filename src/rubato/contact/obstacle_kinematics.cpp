@@ -67,8 +67,8 @@ void evaluate_before(const Obstacle& obstacle, const SlavePoint& point, const Co
   k.gap = place.gap;
   k.closest_point = x - place.gap * place.normal;
   k.obstacle_displacement = obstacle.way(configuration.start_t, configuration.t);
-  const Vector3d moved = k.stencil.sum([&](auto node) { return configuration.increment(node); }) -
-                         k.obstacle_displacement;
+  const Vector3d moved =
+      k.stencil.sum([&](auto node) { return configuration.increment(node); }) - k.obstacle_displacement;
   k.slip.setZero();
   for (int a = 0; a < k.parametric_dimension; ++a)
     k.slip[a] = k.tangents.col(a).dot(moved);

@@ -3,9 +3,6 @@
 
 namespace rubato::contact {
 
-using Eigen::Vector3d;
-using Eigen::VectorXd;
-
 void NumberedStencil::take(const Stencil& stencil, const domain::DofMap& dofs,
                            const std::vector<int>& number) {
   nodes.clear();
@@ -20,22 +17,6 @@ void NumberedStencil::take(const Stencil& stencil, const domain::DofMap& dofs,
     if (node.weight != 0 && numbered)
       nodes.push_back(node);
   }
-}
-
-Vector3d NumberedStencil::gather(const VectorXd& values) const {
-  Vector3d total = Vector3d::Zero();
-  for (const auto& node : nodes)
-    for (std::size_t c = 0; c < 3; ++c)
-      if (const int at = node.at[c]; at >= 0)
-        total[static_cast<Eigen::Index>(c)] += node.weight * values[at];
-  return total;
-}
-
-void NumberedStencil::scatter(const Vector3d& force, VectorXd& values) const {
-  for (const auto& node : nodes)
-    for (std::size_t c = 0; c < 3; ++c)
-      if (const int at = node.at[c]; at >= 0)
-        values[at] += node.weight * force[static_cast<Eigen::Index>(c)];
 }
 
 } // namespace rubato::contact

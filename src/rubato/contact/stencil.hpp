@@ -65,9 +65,21 @@ struct NumberedStencil {
 
   void take(const Stencil& stencil, const domain::DofMap& dofs, const std::vector<int>& number);
   /// Σ weight · values
-  Eigen::Vector3d gather(const Eigen::VectorXd& values) const;
+  Eigen::Vector3d gather(const Eigen::VectorXd& values) const {
+    Eigen::Vector3d total = Eigen::Vector3d::Zero();
+    for (const auto& node : nodes)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (const int at = node.at[c]; at >= 0)
+          total[static_cast<Eigen::Index>(c)] += node.weight * values[at];
+    return total;
+  }
   /// Adds weight · force at each node.
-  void scatter(const Eigen::Vector3d& force, Eigen::VectorXd& values) const;
+  void scatter(const Eigen::Vector3d& force, Eigen::VectorXd& values) const {
+    for (const auto& node : nodes)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (const int at = node.at[c]; at >= 0)
+          values[at] += node.weight * force[static_cast<Eigen::Index>(c)];
+  }
 };
 
 } // namespace rubato::contact

@@ -304,18 +304,19 @@ bool Condensed::iterate(State& trial, const Held& held, double part) {
 /// `moved`: how far the whole change moves the surface. Open points have no multipliers in the end.
 void Condensed::correct_own_multipliers(const InterfaceNewtonSystem::Change& change, const VectorXd& moved,
                                         double part, State& trial) const {
-  const auto of_point = [&](std::size_t z, std::size_t i) {
-    const int count = model_.zones[z].multipliers_per_node();
+  const auto of_point = [&](std::size_t z, int count, std::size_t i) {
     return trial.zones[z].multipliers.segment(model_.zones[z].points[i].node_position * count, count);
   };
-  for (std::size_t z = 0; z < model_.zones.size(); ++z)
-    for (std::size_t i = 0; model_.zones[z].owns_multipliers() && i < now().status[z].size(); ++i)
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    const int count = model_.zones[z].owns_multipliers() ? model_.zones[z].multipliers_per_node() : 0;
+    for (std::size_t i = 0; count > 0 && i < now().status[z].size(); ++i)
       if (now().status[z][i] == Status::open)
-        of_point(z, i) *= 1 - part;
+        of_point(z, count, i) *= 1 - part;
+  }
   const auto& points = scratch_.points;
   for (const auto& point : points.points())
-    if (model_.zones[point.zone].owns_multipliers())
-      of_point(point.zone, point.index) += part * points.multipliers_of(point, change, moved);
+    if (const int count = point.response.multipliers(); count > 0 && point.shares.empty())
+      of_point(point.zone, count, point.index) += part * points.multipliers_of(point, change, moved);
 }
 
 void Condensed::correct_shared_multipliers(const InterfaceNewtonSystem::Change& change, double part,

@@ -235,7 +235,7 @@ void ContactEvaluator::collect_restless(const Held& held, const ContactIterate& 
       if (now.status[z][i] != before.status[z][i]) {
         ++report.status_changes;
         report.changing_points.push_back({static_cast<int>(z), model_.zones[z].points[i].nodes.front(),
-                                         before.status[z][i], now.status[z][i]});
+                                          before.status[z][i], now.status[z][i]});
       }
 }
 
@@ -279,8 +279,8 @@ std::vector<double> ContactEvaluator::moved_out(std::size_t z, const ContactIter
     if (!(before[i].gap < 0) || iterate.status[z][i] == Status::open || !before[i].normal.isZero(0))
       continue;
     const auto& k = *iterate.points[z][i].kinematics;
-    const Eigen::Vector3d way = k.stencil.sum([&](auto node) { return configuration.increment(node); }) -
-                                k.obstacle_displacement;
+    const Eigen::Vector3d way =
+        k.stencil.sum([&](auto node) { return configuration.increment(node); }) - k.obstacle_displacement;
     moved.resize(before.size(), 0.0);
     moved[i] = k.normal.dot(way);
   }

@@ -22,7 +22,7 @@ namespace rubato::step {
 /// −weight · frame F on the surface (internal side).
 struct PredictorPoint {
   std::size_t zone = 0;
-  std::size_t index = 0; ///< in the zone's points
+  std::size_t index = 0;            ///< in the zone's points
   contact::NumberedStencil stencil; ///< on the surface; empty where the point faces nothing
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity(); ///< n, τ₁, τ₂
   Eigen::Vector3d value = Eigen::Vector3d::Zero();     ///< where d = 0 [length]
@@ -31,7 +31,7 @@ struct PredictorPoint {
   double penalty_compliance = 0;    ///< penetration a unit of force makes: of penalties [length/force]
   double tangential_compliance = 0; ///< the same of friction; 0 where it holds exactly [length/force]
   double friction = 0;              ///< μ
-  double give = 0; ///< of free bodies: what its own surface gives under a unit force [length/force]
+  double give = 0; ///< what its own surface gives under a unit force, where that is asked for [length/force]
 };
 
 /// Gap and slips with the surface at d.

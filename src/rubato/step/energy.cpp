@@ -39,7 +39,7 @@ void EnergyRecord::note(double t, const EnergyLedger& ledger) {
 EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, const State& start)
     : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)) {
   ledger_.kinetic = scheme.dynamic ? kinetic_energy(start) : 0;
-  ledger_.strain = strain_energy(start);
+  ledger_.strain = strain_energy(start, rigid_->resultants(start.bulk.internal));
   ledger_.contact = energy_of_springs(model.zones, start.zones);
   ledger_.start = ledger_.stored();
   if (!scheme.nonsmooth) // a law of velocities leaves overlaps as they are
@@ -51,7 +51,8 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   const auto& now = trial.bulk;
   const VectorXd moved = trial.motion.u - committed.motion.u;
   ledger_.kinetic = scheme_->dynamic ? kinetic_energy(trial) : 0;
-  ledger_.strain = strain_energy(trial);
+  const auto internal = rigid_->resultants(now.internal);
+  ledger_.strain = strain_energy(trial, internal);
   ledger_.external_work += work(moved, committed.external_force, trial.external_force);
   if (damped(trial))
     ledger_.damping += work(moved, before.viscous, now.viscous);
@@ -69,26 +70,20 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   ledger_.support_work += obstacles.normal + obstacles.tangential;
   const auto supports = enter_supports(moved, committed, trial);
   ledger_.support_work += supports.work;
-  const auto rigid = rigid_work(moved, committed, trial);
-  ledger_.numerical += scheme_dissipation(moved, committed, trial) -
-                       (scheme_->forces.now - 0.5) * (rigid.now - rigid.before) + supports.work -
-                       supports.with_step;
-  ledger_.unbalanced += work_of_equation(moved, committed, trial) - scheme_->forces.now * rigid.now -
-                        scheme_->forces.before * rigid.before - supports.with_step;
-}
-
-/// ½ d·K u, d the deformation: u without its rigid part.
-double EnergyAccount::strain_energy(const State& state) const {
-  const auto& internal = state.bulk.internal;
-  return 0.5 * (state.motion.u.dot(internal) -
-                rigid_->work(rigid_->resultants(state.motion.u), rigid_->resultants(internal)));
-}
-
-EnergyAccount::RigidWork EnergyAccount::rigid_work(const VectorXd& moved, const State& committed,
-                                                   const State& trial) const {
   const auto motion = rigid_->resultants(moved);
-  return {rigid_->work(motion, rigid_->resultants(committed.bulk.internal)),
-          rigid_->work(motion, rigid_->resultants(trial.bulk.internal))};
+  const double rigid_before = rigid_->work(motion, rigid_->resultants(before.internal));
+  const double rigid_now = rigid_->work(motion, internal);
+  ledger_.numerical += scheme_dissipation(moved, committed, trial) -
+                       (scheme_->forces.now - 0.5) * (rigid_now - rigid_before) + supports.work -
+                       supports.with_step;
+  ledger_.unbalanced += work_of_equation(moved, committed, trial) - scheme_->forces.now * rigid_now -
+                        scheme_->forces.before * rigid_before - supports.with_step;
+}
+
+/// ½ d·K u, d the deformation: u without its rigid part. `internal`: resultants of K u.
+double EnergyAccount::strain_energy(const State& state, const Eigen::MatrixXd& internal) const {
+  return 0.5 * (state.motion.u.dot(state.bulk.internal) -
+                rigid_->work(rigid_->resultants(state.motion.u), internal));
 }
 
 /// In the first step that closes them, in the second that the bodies may rebound in.

@@ -95,13 +95,7 @@ private:
   };
   Obstacles work_of_obstacles(const State& committed, const State& trial) const;
   Supports enter_supports(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
-  /// r·f with the rigid part r of a step's motion and the internal forces f at both ends: rounding.
-  struct RigidWork {
-    double before = 0;
-    double now = 0;
-  };
-  RigidWork rigid_work(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
-  double strain_energy(const State& state) const;
+  double strain_energy(const State& state, const Eigen::MatrixXd& internal) const;
   double work_of_equation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double enter_overlaps(const State& committed, const State& trial);
   double dissipation_of_inertia(const Eigen::VectorXd& moved, const State& committed,

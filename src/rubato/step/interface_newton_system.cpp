@@ -77,7 +77,8 @@ void InterfaceNewtonSystem::forget() {
 void InterfaceNewtonSystem::clear() {
   count_ = 0;
   forces_ = places_ = 0;
-  shared_.clear();
+  if (std::exchange(sharing_, false))
+    shared_.clear();
 }
 
 contact::FactoredResponse& InterfaceNewtonSystem::add(std::size_t zone, std::size_t index,
@@ -88,6 +89,7 @@ contact::FactoredResponse& InterfaceNewtonSystem::add(std::size_t zone, std::siz
   point.zone = zone;
   point.index = index;
   point.shares.assign(shares.begin(), shares.end());
+  sharing_ = sharing_ || !shares.empty();
   return point.response;
 }
 
@@ -143,6 +145,8 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solve(const 
 
 /// Whether they can be numbered.
 bool InterfaceNewtonSystem::collect_shared() {
+  if (!sharing_)
+    return true;
   for (const auto& point : points())
     if (!point.shares.empty())
       shared_.add_pressed(point.shares, point.response.multiplier_equations());
@@ -414,6 +418,8 @@ InterfaceNewtonSystem::Change InterfaceNewtonSystem::residual(const VectorXd& c,
 
 /// What the shared multipliers leave of their equations and of the points'. `d`: one a place.
 void InterfaceNewtonSystem::add_shared(const Change& change, const VectorXd& d, Change& left) const {
+  if (shared_.size() == 0)
+    return;
   left.shared = shared_.right() - shared_.by_unknown() * change.shared - shared_.by_place() * d;
   for (const auto& point : points()) {
     const auto& r = point.response;

@@ -42,6 +42,7 @@ public:
   /// A point apart that shares its multipliers.
   void add_open(std::span<const MultiplierShare> shares, const contact::PointEquations& equations) {
     shared_.add_open(shares, equations);
+    sharing_ = true;
   }
   std::span<const ActivePoint> points() const { return {points_.data(), count_}; }
 
@@ -98,6 +99,7 @@ private:
   Eigen::Index forces_ = 0; ///< how many δz
   Eigen::Index places_ = 0; ///< how many δξ
   SharedMultipliers shared_;
+  bool sharing_ = false; ///< whether any point does
   ActiveInterfaceCompliance& surface_;
   std::optional<linalg::DenseLu> factors_;
   std::vector<std::pair<std::size_t, std::size_t>> factored_points_; ///< zone and index

@@ -116,13 +116,12 @@ void take_points(const Model& model, const ContactEvaluator& side, const Held& h
       guess.zone = z;
       guess.index = i;
       guess.friction = law.friction;
-      const double give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
-      guess.tangential_compliance = averaged ? averaged_friction_compliance * give : 0;
+      if (averaged || side.system().has_free_bodies)
+        guess.give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
+      guess.tangential_compliance = averaged ? averaged_friction_compliance * guess.give : 0;
       guess.penalty_compliance = soft       ? 1 / (law.coefficients->normal[i] * zone.points[i].weight)
-                                 : averaged ? averaged_compliance * give
-                                            : 0;
-      if (side.system().has_free_bodies)
-        guess.give = give;
+                                 : averaged ? averaged_compliance * guess.give
+                                            : 0.0;
       set_relations(model, compliance, *kinematics, moved, guess);
       set_forces(state.zones[z].outcomes[i], *kinematics, guess);
     }

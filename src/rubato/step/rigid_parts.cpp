@@ -6,6 +6,8 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 
 namespace rubato::step {
 namespace {
@@ -37,11 +39,42 @@ void take_out(const VectorXd& row, MatrixXd& motions) {
   motions = (motions * turned.rightCols(motions.cols() - 1)).eval();
 }
 
+// Of all bodies, a column each: a few operations a node, as each step asks for them.
+
+void add_axial(std::span<const RigidParts::Lever> levers, const VectorXd& x, MatrixXd& sums) {
+  for (const auto& lever : levers)
+    sums(0, lever.body) += x[lever.dof + 1];
+}
+
+void add_plane(std::span<const RigidParts::Lever> levers, const VectorXd& x, MatrixXd& sums) {
+  for (const auto& [body, dof, arm] : levers) {
+    const double* value = x.data() + dof;
+    double* sum = sums.data() + std::ptrdiff_t{3} * body;
+    sum[0] += value[0];
+    sum[1] += value[1];
+    sum[2] += arm[0] * value[1] - arm[1] * value[0];
+  }
+}
+
+void add_solid(std::span<const RigidParts::Lever> levers, const VectorXd& x, MatrixXd& sums) {
+  for (const auto& [body, dof, arm] : levers) {
+    const double* value = x.data() + dof;
+    double* sum = sums.data() + std::ptrdiff_t{6} * body;
+    sum[0] += value[0];
+    sum[1] += value[1];
+    sum[2] += value[2];
+    sum[3] += arm[1] * value[2] - arm[2] * value[1];
+    sum[4] += arm[2] * value[0] - arm[0] * value[2];
+    sum[5] += arm[0] * value[1] - arm[1] * value[0];
+  }
+}
+
 } // namespace
 
 RigidParts::RigidParts(const Model& model)
     : model_(&model), number_(model.mesh, model.bulk), bodies_(static_cast<std::size_t>(number_.count())) {
   place_bodies();
+  collect_levers();
   fit_bodies();
 }
 
@@ -122,26 +155,23 @@ void RigidParts::fit_bodies() {
   }
 }
 
-MatrixXd RigidParts::resultants(const VectorXd& x) const {
-  const int components = model_->dofs.components;
-  const Index modes = mode_count(*model_);
-  MatrixXd sums = MatrixXd::Zero(modes, number_.count());
-  for (const auto node : model_->dofs.nodes) {
-    const int number = number_.of(node);
-    if (number < 0)
-      continue;
-    const auto& body = bodies_[static_cast<std::size_t>(number)];
-    Vector3d value = Vector3d::Zero();
-    value.head(components) = x.segment(model_->dofs.dof(node, 0), components);
-    if (modes == 1) {
-      sums(0, number) += value[1];
-      continue;
+void RigidParts::collect_levers() {
+  for (const auto node : model_->dofs.nodes)
+    if (const int number = number_.of(node); number >= 0) {
+      const auto& body = bodies_[static_cast<std::size_t>(number)];
+      const Vector3d arm = (model_->mesh.points[static_cast<std::size_t>(node)] - body.centre) / body.size;
+      levers_.push_back({number, model_->dofs.dof(node, 0), {arm[0], arm[1], arm[2]}});
     }
-    const Vector3d turn =
-        (model_->mesh.points[static_cast<std::size_t>(node)] - body.centre).cross(value) / body.size;
-    sums.col(number).head(components) += value.head(components);
-    sums.col(number).tail(modes - components) += turn.tail(modes - components);
-  }
+}
+
+MatrixXd RigidParts::resultants(const VectorXd& x) const {
+  MatrixXd sums = MatrixXd::Zero(mode_count(*model_), number_.count());
+  if (sums.rows() == 1)
+    add_axial(levers_, x, sums);
+  else if (sums.rows() == 3)
+    add_plane(levers_, x, sums);
+  else
+    add_solid(levers_, x, sums);
   return sums;
 }
 

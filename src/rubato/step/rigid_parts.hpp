@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <vector>
 
 namespace rubato::step {
@@ -27,6 +28,13 @@ public:
   /// that the stiffness does not resist. [force · length]
   double work(const Eigen::MatrixXd& motion, const Eigen::MatrixXd& force) const;
 
+  /// A node of a body, with its arm from the body's centre over the body's size.
+  struct Lever {
+    int body = 0;
+    int dof = 0; ///< the node's first
+    std::array<double, 3> arm{};
+  };
+
 private:
   struct Body {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -38,12 +46,14 @@ private:
 
   Modes modes_at(mesh::NodeIndex node) const;
   void place_bodies();
+  void collect_levers();
   std::vector<Eigen::MatrixXd> unresisted() const;
   void fit_bodies();
 
   const model::Model* model_;
   model::Bodies number_;
   std::vector<Body> bodies_;
+  std::vector<Lever> levers_;
 };
 
 } // namespace rubato::step
