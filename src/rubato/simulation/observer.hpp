@@ -30,7 +30,8 @@ struct RejectedStep {
 
 /// What is told, and when: while the simulation still stands where the attempt began. When a function throws,
 /// all observers that were told of this attempt, that one included, take back what they have made of it, the
-/// last one first. The simulation stays as it was, and the exception goes on.
+/// last one first. The simulation stays as it was, and the exception goes on. Observers may read
+/// the simulation; they must not change it.
 struct Observer {
   std::function<void(const AcceptedStep&)> accepted = [](const AcceptedStep&) {};
   std::function<void(const RejectedStep&)> rejected = [](const RejectedStep&) {};

@@ -109,14 +109,16 @@ private:
       count(trial.spent);
       return {Verdict::interrupted, trial.attempt, std::move(trial.report), integrator.energy()};
     }
+    StepResult result;
     try {
+      result = {verdict_on(trial), trial.attempt, trial.report, {}};
       tell_all(integrator.state(), trial);
     } catch (...) {
       integrator.go_back();
       throw;
     }
+    // Told; from here on nothing fails.
     count(trial.spent);
-    StepResult result{verdict_on(trial), trial.attempt, trial.report, {}};
     if (result.accepted())
       integrator.accept(std::move(trial));
     else

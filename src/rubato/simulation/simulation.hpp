@@ -25,7 +25,7 @@ namespace rubato::simulation {
 /// listed instant, or to the end of a part where that step was cut. An attempt of an explicit one is all
 /// steps to the next record.
 ///
-/// Only accepted steps change what is read here. Results of contact are in state().zones, a zone of the model
+/// Only accepted steps change state and energy. Results of contact are in state().zones, a zone of the model
 /// each: multipliers [pressure], and of every contact point its status, gap [length] and pressure.
 class Simulation {
 public:

@@ -235,7 +235,7 @@ void ContactEvaluator::collect_restless(const Held& held, const ContactIterate& 
       if (now.status[z][i] != before.status[z][i]) {
         ++report.status_changes;
         report.changing_points.push_back({static_cast<int>(z), model_.zones[z].points[i].nodes.front(),
-                                         before.status[z][i], now.status[z][i]});
+                                          before.status[z][i], now.status[z][i]});
       }
 }
 
