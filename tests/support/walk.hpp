@@ -13,6 +13,7 @@
 
 #include "support/model_of.hpp"
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -22,6 +23,13 @@ namespace rubato::test {
 
 /// Implicit.
 class Walk {
+  /// Stays where it is when the walk moves.
+  struct Told {
+    step::State before;
+    std::vector<step::StepReport> reports;
+  };
+  std::unique_ptr<Told> told_ = std::make_unique<Told>();
+
 public:
   explicit Walk(std::string_view deck, const std::vector<deck::Setting>& changes = {})
       : Walk(model_of(deck, changes)) {}
@@ -32,14 +40,13 @@ public:
         scheme(time::make_scheme(model.study.time)) {
     simulation.observe(
         {.accepted =
-             [this](const simulation::AcceptedStep& step) {
-               before = step.before;
-               reports.push_back(step.report);
+             [told = told_.get()](const simulation::AcceptedStep& step) {
+               told->before = step.before;
+               told->reports.push_back(step.report);
              },
-         .rejected = [this](const simulation::RejectedStep& step) { reports.push_back(step.report); }});
+         .rejected = [told = told_.get()](
+                         const simulation::RejectedStep& step) { told->reports.push_back(step.report); }});
   }
-  Walk(const Walk&) = delete; // the simulation tells this one
-  Walk& operator=(const Walk&) = delete;
 
   /// Steps to the next instant of the list, cutting when it must; false when that doesn't help.
   bool advance() {
@@ -103,9 +110,9 @@ public:
   simulation::Simulation simulation;
   const model::Model& model;
   time::Scheme scheme;
-  step::State before;                    ///< the state before the last accepted one
-  std::vector<step::StepReport> reports; ///< of every attempt
-  std::function<void()> accepted;        ///< called after every accepted step, cut ones too
+  const step::State& before = told_->before;                     ///< the state before the last step
+  const std::vector<step::StepReport>& reports = told_->reports; ///< of every attempt
+  std::function<void()> accepted; ///< called after every accepted step, cut ones too
 };
 
 } // namespace rubato::test

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -16,14 +17,15 @@ namespace {
 
 /// The end of another run goes on only on the same unknowns and contact points.
 const step::State& checked_end(const model::Model& model, const step::State* previous) {
-  if (previous != nullptr && fits(model, *previous))
+  if (previous == nullptr)
+    throw std::invalid_argument("a study that starts from another run needs the end of that run");
+  if (fits(model, *previous))
     return *previous;
   throw InputError(
       {fault_at("time.start.from",
-                fmt::format("run '{}' cannot start from the end of run '{}': {}", model.study.name,
-                            model.study.time.start_run,
-                            previous == nullptr ? "that end was not given"
-                                                : "that one has another mesh or other contact zones"))});
+                fmt::format("run '{}' cannot start from the end of run '{}': that one has another mesh or "
+                            "other contact zones",
+                            model.study.name, model.study.time.start_run))});
 }
 
 step::State first_state(const model::Model& model, const time::Scheme& scheme, const Start& start) {

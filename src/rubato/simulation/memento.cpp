@@ -30,13 +30,13 @@ bool fits(const model::Model& model, const ExplicitProgress& progress) {
 void check_fits(const model::Model& model, const Memento& memento) {
   const auto& name = model.study.name;
   const auto* const motion = std::get_if<ExplicitProgress>(&memento.progress);
-  if (!fits(model, memento.state) || (motion != nullptr && !fits(model, *motion)))
-    throw InputError(fmt::format(
-        "run '{}' cannot go on from a memento that has another mesh or other contact zones", name));
   if ((motion != nullptr) != study::is_explicit(model.study.time.scheme))
     throw InputError(fmt::format(
         "run '{}' cannot go on from a memento of another kind: one run is implicit, the other explicit",
         name));
+  if (!fits(model, memento.state) || (motion != nullptr && !fits(model, *motion)))
+    throw InputError(fmt::format(
+        "run '{}' cannot go on from a memento that has another mesh or other contact zones", name));
 }
 
 } // namespace rubato::simulation

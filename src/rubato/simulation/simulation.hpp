@@ -32,9 +32,10 @@ public:
   /// Builds mesh and model. Throws InputError with every rule that the study breaks, with every fault that
   /// shows against its mesh, and for all that the others throw for.
   explicit Simulation(const study::Study& study, const Start& start = {});
-  /// The model must outlive this. Throws InputError for an end of another run that is missing or does not
-  /// fit, a memento that does not fit, masses that do not allow motion, an explicit step that is not stable,
-  /// `solver: condensed` where the matrix does not allow it, and a matrix too large for the memory.
+  /// The model must outlive this. Throws InputError for an end of another run that does not fit, a memento
+  /// that does not fit, masses that do not allow motion, an explicit step that is not stable, `solver:
+  /// condensed` where the matrix does not allow it, and a matrix too large for the memory;
+  /// std::invalid_argument when the study starts from another run whose end is not given.
   explicit Simulation(const model::Model& model, const Start& start = {});
   /// The same with a model of its own.
   explicit Simulation(model::Model&& model, const Start& start = {});

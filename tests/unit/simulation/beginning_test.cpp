@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Where simulations begin, and what they refuse.
-#include "support/simulated_blocks.hpp"
 #include "support/faults.hpp"
+#include "support/simulated_blocks.hpp"
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace rubato::simulation {
 namespace {
@@ -59,7 +62,7 @@ TEST(ASimulation, StartsFromTheEndOfAnotherRun) {
 
 TEST(ASimulation, RefusesAnEndThatIsNotThereOrOfAnotherMesh) {
   const auto after = run_of(pressed, "after");
-  EXPECT_EQ(path_of_fault(after), "time.start.from");
+  EXPECT_THROW(Simulation{after}, std::invalid_argument);
   const auto finer =
       with(pressed, "lower\n      rectangle: {from: [0, -0.2], to: [1, 0]}\n      divisions: [4, 2]",
            "lower\n      rectangle: {from: [0, -0.2], to: [1, 0]}\n      divisions: [5, 2]");

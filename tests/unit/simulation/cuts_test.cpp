@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Attempts that fail: cut, told of, counted, and given up.
-#include "support/simulated_blocks.hpp"
 #include "support/decks.hpp"
+#include "support/simulated_blocks.hpp"
 #include <cmath>
 #include <stdexcept>
 #include <variant>
@@ -65,8 +65,11 @@ TEST(ACutStep, IsMadeByOneAdvanceInParts) {
   while (!by_attempts.finished())
     by_attempts.attempt();
   Simulation by_steps(cut_beams());
-  for (int steps = 0; !by_steps.finished(); EXPECT_EQ(by_steps.counters().steps, ++steps))
+  int steps = 0;
+  while (!by_steps.finished()) {
     ASSERT_TRUE(by_steps.advance().accepted());
+    EXPECT_EQ(by_steps.counters().steps, ++steps);
+  }
   EXPECT_GT(by_steps.counters().cuts, 0);
   expect_same(by_steps, by_attempts);
 }

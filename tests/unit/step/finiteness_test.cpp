@@ -46,8 +46,9 @@ TEST_F(NotFinite, IsTheMultiplierOfAContactPoint) {
 TEST_F(NotFinite, IsTheLoadBeforeWhatComesOfIt) {
   test::Walk walk(test::two_beams, {{"loads.0.nodal_force.function", "burst"},
                                     {"functions.burst", "{times: [0, 1e-3], values: [0, 1e302]}"}});
-  walk.state().motion.u[0] = nan;
-  EXPECT_EQ(first_not_finite(walk.model, 1e-3, walk.state(), {}),
+  auto spoilt = walk.state();
+  spoilt.motion.u[0] = nan;
+  EXPECT_EQ(first_not_finite(walk.model, 1e-3, spoilt, {}),
             "the load on node " + model::node_label(walk.model.mesh, walk.node_at(1, 0.1)));
 }
 
