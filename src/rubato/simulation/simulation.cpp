@@ -4,8 +4,6 @@
 #include "rubato/simulation/explicit_integrator.hpp"
 #include "rubato/simulation/implicit_integrator.hpp"
 
-#include <ranges>
-#include <span>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -132,8 +130,8 @@ private:
       try {
         tell(observers_[told], before, trial);
       } catch (...) {
-        for (const auto& observer : std::span(observers_).first(told + 1) | std::views::reverse)
-          observer.take_back(before);
+        for (auto any = told + 1; any-- > 0;)
+          observers_[any].take_back(before);
         throw;
       }
     }
