@@ -46,7 +46,7 @@ installed-test:
 	@cmake -G Ninja -S tests/consumer -B $(SCRATCH)/consumer -DCMAKE_PREFIX_PATH=$(abspath $(SCRATCH)/prefix) >> $(SCRATCH).log 2>&1 \
 	  || { cat $(SCRATCH).log; false; }
 	@cmake --build $(SCRATCH)/consumer
-	$(SCRATCH)/consumer/consumer
+	ctest --test-dir $(SCRATCH)/consumer --output-on-failure
 	$(SCRATCH)/prefix/bin/rubato --help > $(SCRATCH).log
 
 debug-test: deps ## the tests under the address and undefined-behaviour sanitizers

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "study.hpp"
 
+#include "rubato/core/processor_time.hpp"
 #include "rubato/linalg/direct_solver.hpp"
 #include "rubato/model/model.hpp"
-#include "rubato/run/loop_parts.hpp"
 #include "rubato/run/time_loop.hpp"
 #include "rubato/step/effective_system.hpp"
 #include "rubato/step/linear_step.hpp"
@@ -22,8 +22,6 @@
 
 namespace rubato::bench {
 namespace {
-
-using run::processor_seconds;
 
 /// C cut into smaller cells, the step in proportion.
 Study refined(int refine, int full_steps) {

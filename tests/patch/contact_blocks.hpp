@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <cmath>
 #include <string>
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -71,7 +71,7 @@ TEST_P(BlockUnderAPlane, TakesAUniformPressure) {
     const auto& points = walk.model.zones.front().points;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (!points[i].excluded) {
-        EXPECT_NEAR(walk.state.zones[0].outcomes[i].pressure, 1e5, 1e5 * 1e-10) << i;
+        EXPECT_NEAR(walk.state().zones[0].outcomes[i].pressure, 1e5, 1e5 * 1e-10) << i;
       }
     for (const auto node : walk.model.zones.front().slave.nodes)
       EXPECT_NEAR(walk.displacement(node, 1), -0.05, 1e-11);

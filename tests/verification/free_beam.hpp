@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 
 #include "support/scratch_folder.hpp"
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -57,15 +57,14 @@ public:
   }
 
   Vibration vibration(const std::string& name) const {
-    test::Walk walk(model::build_model(study(name)));
-    walk.state = step::continued_state(walk.model, walk.scheme, bent_.end, 0);
+    test::Walk walk(model::build_model(study(name)), &bent_.end);
     const auto mode = first_mode(walk.model);
     Vibration result{mode.omega, study(name).time.step, walk.scheme, {}};
-    result.amplitude.push_back(mode.mass_times_shape.dot(walk.state.motion.u));
-    while (!walk.control.finished()) {
+    result.amplitude.push_back(mode.mass_times_shape.dot(walk.state().motion.u));
+    while (!walk.finished()) {
       if (!walk.advance())
         throw std::runtime_error("a linear step failed");
-      result.amplitude.push_back(mode.mass_times_shape.dot(walk.state.motion.u));
+      result.amplitude.push_back(mode.mass_times_shape.dot(walk.state().motion.u));
     }
     return result;
   }

@@ -39,7 +39,8 @@ ordered_json to_json(const model::Model& model, const std::vector<step::Unmet>& 
 
 } // namespace
 
-ordered_json to_json(const model::Model& model, const Attempt& attempt, const step::StepReport& report) {
+ordered_json to_json(const model::Model& model, const simulation::Attempt& attempt,
+                     const step::StepReport& report) {
   ordered_json json; // filled entry by entry: a list of them would be copied twice, in every step
   json["begin"] = attempt.begin;
   json["end"] = attempt.end;

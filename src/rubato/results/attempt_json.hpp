@@ -3,14 +3,15 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
-#include "rubato/results/attempt.hpp"
+#include "rubato/results/failure.hpp"
+#include "rubato/simulation/attempt.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace rubato::results {
 
 /// The object of an attempt in steps.jsonl.
-nlohmann::ordered_json to_json(const model::Model& model, const Attempt& attempt,
+nlohmann::ordered_json to_json(const model::Model& model, const simulation::Attempt& attempt,
                                const step::StepReport& report);
 
 /// The object `failure` of run.json.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <concepts>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace rubato::results {
@@ -166,12 +167,10 @@ private:
   const Hdf5File* file_;
 };
 
-template <class Archive> void exchange(Archive& archive, Ending& spent) {
+template <class Archive> void exchange(Archive& archive, simulation::Counters& spent) {
   archive.whole("spent/steps", spent.steps);
   archive.whole("spent/iterations", spent.iterations);
   archive.whole("spent/cuts", spent.cuts);
-  archive.number("spent/setup_seconds", spent.setup_seconds);
-  archive.number("spent/loop_seconds", spent.loop_seconds);
 }
 
 template <class Archive> void exchange(Archive& archive, step::State& state) {
@@ -242,7 +241,7 @@ template <class Archive> void exchange(Archive& archive, RecorderPosition& posit
   archive.whole("files/unwritten", position.unwritten);
 }
 
-template <class Archive> void exchange(Archive& archive, ExplicitProgress& progress) {
+template <class Archive> void exchange(Archive& archive, simulation::ExplicitProgress& progress) {
   auto& motion = progress.motion;
   archive.number("explicit/limit", progress.limit);
   archive.number("explicit/t", motion.t);
@@ -265,26 +264,36 @@ template <class Archive> void exchange(Archive& archive, ExplicitProgress& progr
   exchange(archive, "explicit/energy/", motion.energy);
 }
 
+template <class Archive> void exchange(Archive& archive, simulation::ImplicitProgress& progress) {
+  exchange(archive, progress.place);
+  exchange(archive, "energy/", progress.energy);
+  archive.parts("energy/overlaps", progress.overlaps);
+  for (std::size_t z = 0; z < progress.overlaps.size(); ++z)
+    archive.numbers(fmt::format("energy/overlaps_{}", z), progress.overlaps[z]);
+}
+
 template <class Archive> void exchange(Archive& archive, Checkpoint& checkpoint) {
+  auto& memento = checkpoint.memento;
   archive.text("study", checkpoint.study);
   archive.whole("mesh", checkpoint.mesh);
   archive.whole("start", checkpoint.start);
-  exchange(archive, checkpoint.spent);
-  exchange(archive, checkpoint.state);
-  exchange(archive, checkpoint.place);
-  exchange(archive, "energy/", checkpoint.energy);
-  archive.parts("energy/overlaps", checkpoint.overlaps);
-  for (std::size_t z = 0; z < checkpoint.overlaps.size(); ++z)
-    archive.numbers(fmt::format("energy/overlaps_{}", z), checkpoint.overlaps[z]);
+  exchange(archive, memento.counters);
+  archive.number("spent/setup_seconds", checkpoint.setup_seconds);
+  archive.number("spent/loop_seconds", checkpoint.loop_seconds);
+  exchange(archive, memento.state);
+  auto* const is_explicit_now = std::get_if<simulation::ExplicitProgress>(&memento.progress);
+  simulation::ImplicitProgress of_explicit; // the file has a place and a ledger in any case
+  of_explicit.place.now = memento.state.t;
+  exchange(archive, is_explicit_now ? of_explicit : std::get<simulation::ImplicitProgress>(memento.progress));
   exchange(archive, checkpoint.record);
   exchange(archive, checkpoint.recorder);
-  bool is_explicit = checkpoint.progress.has_value();
+  bool is_explicit = is_explicit_now != nullptr;
   archive.whole("is_explicit", is_explicit);
   if (!is_explicit)
     return;
-  if (!checkpoint.progress)
-    checkpoint.progress.emplace();
-  exchange(archive, *checkpoint.progress);
+  if (!is_explicit_now)
+    memento.progress = simulation::ExplicitProgress();
+  exchange(archive, std::get<simulation::ExplicitProgress>(memento.progress));
 }
 
 template <class T> std::uint32_t crc_of(std::span<const T> values, std::uint32_t before) {

@@ -7,36 +7,25 @@
 #pragma once
 
 #include "rubato/results/recorder.hpp"
+#include "rubato/simulation/memento.hpp"
 #include "rubato/step/energy.hpp"
-#include "rubato/step/explicit.hpp"
 #include "rubato/step/state.hpp"
-#include "rubato/time/step_control.hpp"
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 namespace rubato::results {
 
-/// What only explicit runs carry.
-struct ExplicitProgress {
-  step::ExplicitMotion::Memory motion;
-  double limit = 0; ///< of the step, which never grows
-};
-
 struct Checkpoint {
-  std::string study;       ///< its echo
-  std::uint32_t mesh = 0;  ///< fingerprint of the mesh
-  std::uint32_t start = 0; ///< fingerprint of the other run's end that this one began with, or 0
-  Ending spent;            ///< so far; status and reason mean nothing
-  step::State state;       ///< of the last step that counts
-  time::StepControl::Place place;
-  step::EnergyLedger energy;
-  step::Overlaps overlaps; ///< of the energy account
+  std::string study;        ///< its echo
+  std::uint32_t mesh = 0;   ///< fingerprint of the mesh
+  std::uint32_t start = 0;  ///< fingerprint of the other run's end that this one began with, or 0
+  double setup_seconds = 0; ///< spent so far, as loop_seconds
+  double loop_seconds = 0;
+  simulation::Memento memento; ///< of explicit runs without the ledger, which its motion tells
   step::EnergyRecord record;
   RecorderPosition recorder;
-  std::optional<ExplicitProgress> progress;
 };
 
 /// Throws WriteError when writing fails; what was there before is still there then.

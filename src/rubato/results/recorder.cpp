@@ -158,12 +158,9 @@ public:
     write_probes(state);
   }
 
-  void step(const step::State& before, const step::State& now, const Attempt& attempt,
+  void step(const step::State& before, const step::State& now, const simulation::Attempt& attempt,
             const step::StepReport& report, bool last) {
-    mark_ = {probes_.bytes(),          steps_.bytes(),       energy_.bytes(),       {},
-             series_.entries().size(), history_.rows.size(), unwritten_.has_value()};
-    for (const auto& table : resultants_)
-      mark_->resultants.push_back(table.bytes());
+    mark();
     ++steps_done_;
     write_probes(now);
     write_resultants(now);
@@ -175,12 +172,14 @@ public:
       unwritten_ = now;
   }
 
-  void failed(const Attempt& attempt, const step::StepReport& report) { write_attempt(attempt, report); }
+  void failed(const simulation::Attempt& attempt, const step::StepReport& report) {
+    mark();
+    write_attempt(attempt, report);
+  }
 
   void energy(double t, const step::EnergyLedger& e) {
     energy_.row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.overlap_work, e.damping,
                            e.contact, e.friction, e.impact, e.numerical, e.unbalanced, e.balance()});
-    mark_.reset();
   }
 
   /// A .vtu file that was written whole stays; the next one of that number takes its place.
@@ -197,7 +196,8 @@ public:
     entries.resize(mark.fields);
     series_ = PvdSeries(folder_ / pvd_file, std::move(entries));
     history_.rows.resize(mark.history);
-    --steps_done_;
+    steps_done_ = mark.steps_done;
+    unwritten_.reset();
     if (mark.unwritten)
       unwritten_ = before;
   }
@@ -239,7 +239,7 @@ private:
   static constexpr const char* mesh_name = "mesh";
   inline static const Ending running{.reason = "the run did not come to its end"};
 
-  /// How far the files had come when a step began.
+  /// How far the files had come before the last attempt was written.
   struct Mark {
     std::uintmax_t probes = 0;
     std::uintmax_t attempts = 0;
@@ -247,8 +247,16 @@ private:
     std::vector<std::uintmax_t> resultants;
     std::size_t fields = 0;
     std::size_t history = 0;
+    int steps_done = 0;
     bool unwritten = false;
   };
+
+  void mark() {
+    mark_ = {probes_.bytes(),          steps_.bytes(),       energy_.bytes(), {},
+             series_.entries().size(), history_.rows.size(), steps_done_,     unwritten_.has_value()};
+    for (const auto& table : resultants_)
+      mark_->resultants.push_back(table.bytes());
+  }
 
   static std::vector<PvdSeries::Entry> series_of(const RecorderPosition& position) {
     std::vector<PvdSeries::Entry> entries;
@@ -367,7 +375,7 @@ private:
     }
   }
 
-  void write_attempt(const Attempt& attempt, const step::StepReport& report) {
+  void write_attempt(const simulation::Attempt& attempt, const step::StepReport& report) {
     steps_.add(to_json(model_, attempt, report).dump());
   }
 
@@ -409,7 +417,7 @@ private:
   Table history_;
   std::optional<step::State> unwritten_; // the last step, while it has no fields
   std::string med_copy_;     // by which the last checkpoint knows fields.med as it is now, or empty
-  std::optional<Mark> mark_; // where the step began that is being written
+  std::optional<Mark> mark_; // before the attempt that was written last
   int steps_done_ = 0;
   std::size_t factor_bytes_ = 0;
 };
@@ -429,7 +437,7 @@ void Recorder::needs_memory(std::size_t bytes) {
 void Recorder::start(const step::State& state) {
   impl_->start(state);
 }
-void Recorder::step(const step::State& before, const step::State& now, const Attempt& attempt,
+void Recorder::step(const step::State& before, const step::State& now, const simulation::Attempt& attempt,
                     const step::StepReport& report, bool last) {
   impl_->step(before, now, attempt, report, last);
 }
@@ -439,7 +447,7 @@ void Recorder::energy(double t, const step::EnergyLedger& ledger) {
 void Recorder::take_back(const step::State& before) {
   impl_->take_back(before);
 }
-void Recorder::failed(const Attempt& attempt, const step::StepReport& report) {
+void Recorder::failed(const simulation::Attempt& attempt, const step::StepReport& report) {
   impl_->failed(attempt, report);
 }
 RecorderPosition Recorder::position() {

@@ -13,10 +13,11 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
-#include "rubato/results/attempt.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/csv.hpp"
+#include "rubato/results/failure.hpp"
 #include "rubato/results/run_status.hpp"
+#include "rubato/simulation/attempt.hpp"
 #include "rubato/step/energy.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
@@ -75,13 +76,13 @@ public:
   void needs_memory(std::size_t bytes);
   void start(const step::State& state);
   /// `last` tells whether this is the run's last instant.
-  void step(const step::State& before, const step::State& now, const Attempt& attempt,
+  void step(const step::State& before, const step::State& now, const simulation::Attempt& attempt,
             const step::StepReport& report, bool last);
-  /// Ends what is written of a step.
   void energy(double t, const step::EnergyLedger& ledger);
-  /// Takes back what was written of a step that could not be written whole. `before`: its start.
+  /// Takes back what was written of the last attempt, whole or not: by step() and energy(), or by failed().
+  /// `before`: its start.
   void take_back(const step::State& before);
-  void failed(const Attempt& attempt, const step::StepReport& report);
+  void failed(const simulation::Attempt& attempt, const step::StepReport& report);
   /// For a checkpoint. fields.med is copied for it before it grows again.
   RecorderPosition position();
   /// Evaluates the checks and writes run.json. Of a run that stopped early the last instant reached gets its

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
-#include "rubato/results/recorder.hpp"
+#include "rubato/results/failure.hpp"
 #include "rubato/time/scheme.hpp"
 
 #include <string>

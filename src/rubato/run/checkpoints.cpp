@@ -42,31 +42,31 @@ std::optional<results::Checkpoint> find_checkpoint(const study::Study& study, co
     refuse(file, "its mesh had other nodes, cells or groups");
   if (checkpoint.start != course.start)
     refuse(file, fmt::format("it began with another end of run '{}'", study.time.start_run));
-  if (checkpoint.state.t > study.time.end + same_end * (study.time.end - study.time.begin))
+  if (checkpoint.memento.state.t > study.time.end + same_end * (study.time.end - study.time.begin))
     throw InputError({fault_at(
         "time.end", fmt::format("time.end: found {:g}, but the checkpoint stands at t = {:g} already",
-                                study.time.end, checkpoint.state.t))});
+                                study.time.end, checkpoint.memento.state.t))});
   return checkpoint;
 }
 
 std::optional<RunResult> finished_run(const study::Study& study, const RunContext& course) {
-  if (!course.from || !reaches_end(study.time, course.from->state.t) ||
+  if (!course.from || !reaches_end(study.time, course.from->memento.state.t) ||
       !std::filesystem::exists(course.folder / results::summary_file))
     return std::nullopt;
   const auto stored = results::read_stored_run(course.folder);
   if (stored.status != Status::complete)
     return std::nullopt;
-  const auto& spent = course.from->spent;
+  const auto& spent = course.from->memento.counters;
   RunResult result;
   result.steps = spent.steps;
   result.iterations = spent.iterations;
   result.cuts = spent.cuts;
   result.kept = true;
-  result.setup_seconds = spent.setup_seconds;
-  result.loop_seconds = spent.loop_seconds;
+  result.setup_seconds = course.from->setup_seconds;
+  result.loop_seconds = course.from->loop_seconds;
   result.checks = results::evaluate_checks(study.checks, stored.probes, course.folder);
   result.energy = course.from->record;
-  result.end = course.from->state;
+  result.end = course.from->memento.state;
   return result;
 }
 
@@ -83,7 +83,8 @@ std::optional<RunResult> unchanged_run(const study::Study& study, RunContext& co
 }
 
 CheckpointWriter::CheckpointWriter(const study::Study& study, const RunContext& course, const Watch& watch)
-    : settings_(study.checkpoint), course_(course), watch_(watch), study_(study::to_json(study)) {}
+    : settings_(study.checkpoint), course_(course), watch_(watch), study_(study::to_json(study)),
+      is_explicit_(study::is_explicit(study.time.scheme)) {}
 
 bool CheckpointWriter::is_due(int count, double t, double step) const {
   const double near = part_of_step * step;

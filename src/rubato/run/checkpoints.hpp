@@ -46,6 +46,9 @@ public:
   /// for a checkpoint, so that results don't depend on it.
   bool is_due(int count, double t, double step) const;
   bool keeps_end() const { return settings_.last; }
+  /// Whether the state before a step that could not be made is one to keep. Explicit motion has grown beyond
+  /// bounds long before that shows: nothing good comes of going on from there.
+  bool keeps_failure() const { return settings_.last && !is_explicit_; }
 
   /// Writes a checkpoint, completed with what tells runs apart. When that fails whoever watches is warned,
   /// and the run goes on: the former one is still there. Tells whether there is one to go on from.
@@ -56,6 +59,7 @@ private:
   const RunContext& course_;
   const Watch& watch_;
   std::string study_; ///< its echo
+  bool is_explicit_;
 };
 
 } // namespace rubato::run

@@ -3,11 +3,15 @@
 
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/run/advice.hpp"
+#include "rubato/step/finiteness.hpp"
+#include "rubato/time/scheme.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace rubato::run {
 namespace {
@@ -122,9 +126,29 @@ std::string sentence(const model::Model& model, const step::StepReport& report, 
   return "";
 }
 
+std::string explain_growth(const results::Failure& failure) {
+  return fmt::format("displacements grew beyond all bounds between t = {:g} and {:g}; the first that is not "
+                     "finite: {}",
+                     failure.begin, failure.end, failure.not_finite);
+}
+
 } // namespace
 
+results::Failure failure_of(const model::Model& model, const simulation::RejectedStep& step) {
+  const auto& attempt = step.attempt;
+  const auto& time = model.study.time;
+  results::Failure failure{attempt.begin, attempt.end, attempt.cut_level, step.report, {}, {}};
+  failure.advice = study::is_explicit(time.scheme)
+                       ? std::vector<std::string>{"a shorter time.step", "a smaller time.safety"}
+                       : advice(model, time::make_scheme(time), failure);
+  if (step.report.outcome == step::Outcome::not_finite)
+    failure.not_finite = step::first_not_finite(model, attempt.end, step.reached, step.report);
+  return failure;
+}
+
 std::string explain(const model::Model& model, const results::Failure& failure) {
+  if (study::is_explicit(model.study.time.scheme))
+    return explain_growth(failure);
   const auto& report = failure.report;
   auto text = fmt::format("no convergence from t = {:g} to {:g} ({}, {} iterations)", failure.begin,
                           failure.end, step::to_string(report.outcome), report.iterations);

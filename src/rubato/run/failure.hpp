@@ -3,11 +3,15 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
-#include "rubato/results/recorder.hpp"
+#include "rubato/results/failure.hpp"
+#include "rubato/simulation/observer.hpp"
 
 #include <string>
 
 namespace rubato::run {
+
+/// What is kept of an attempt that no cut is left of, with what may help.
+results::Failure failure_of(const model::Model& model, const simulation::RejectedStep& step);
 
 /// Where, by which criteria and at which nodes and contact points a step failed, and what may help: a
 /// sentence.

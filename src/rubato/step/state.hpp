@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <vector>
 
 namespace rubato::step {
@@ -35,5 +36,14 @@ struct State {
   /// has moved them out along the normal they press along; 0 of others. One a contact point. [length]
   std::vector<std::vector<double>> moved_out;
 };
+
+/// Of all zones.
+inline int points_in_contact(const State& state) {
+  int count = 0;
+  for (const auto& zone : state.zones)
+    count += static_cast<int>(
+        std::ranges::count_if(zone.status, [](auto status) { return status != contact::Status::open; }));
+  return count;
+}
 
 } // namespace rubato::step

@@ -56,6 +56,7 @@ public:
   void go_on(const Place& place);
 
   void accept();
+  bool can_cut() const { return level() < levels_; }
   /// Cuts the step; false when the levels are used up.
   bool cut();
 

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/decks.hpp"
+#include "support/model_of.hpp"
 #include "two_faces.hpp"
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -28,14 +28,14 @@ VectorXd sliding(const model::Model& model, double t) {
   return u;
 }
 
-const test::Walk& beams() {
-  static const test::Walk walk(test::two_beams,
-                               {{"mesh.generate.0.cells", "quad9"}, {"mesh.generate.1.cells", "quad9"}});
-  return walk;
+const model::Model& beams() {
+  static const auto model = test::model_of(
+      test::two_beams, {{"mesh.generate.0.cells", "quad9"}, {"mesh.generate.1.cells", "quad9"}});
+  return model;
 }
 
 TEST(EvaluationInUsedStorage, GivesWhatAFreshOneGives) {
-  const auto& model = beams().model;
+  const auto& model = beams();
   const auto& zone = model.zones.front();
   const VectorXd multipliers = VectorXd::LinSpaced(zone.multiplier_count(), 0, 1);
   const VectorXd start = sliding(model, 0);
@@ -67,7 +67,7 @@ TEST(EvaluationInUsedStorage, GivesWhatAFreshOneGives) {
 }
 
 TEST(EvaluationInUsedStorage, TakesSomePointsAlong) {
-  const auto& model = beams().model;
+  const auto& model = beams();
   const auto& zone = model.zones.front();
   const VectorXd multipliers = VectorXd::Zero(zone.multiplier_count());
   const VectorXd start = sliding(model, 0);
@@ -94,7 +94,7 @@ TEST(EvaluationInUsedStorage, TakesSomePointsAlong) {
 }
 
 TEST(EvaluationInUsedStorage, StaysInIt) {
-  const auto& model = beams().model;
+  const auto& model = beams();
   const auto& zone = model.zones.front();
   const VectorXd multipliers = VectorXd::Zero(zone.multiplier_count());
   NeighbourList neighbours(zone);
@@ -121,7 +121,7 @@ TEST(EvaluationInUsedStorage, StaysInIt) {
 }
 
 TEST(HeldFrames, MeasureTheSameInUsedStorage) {
-  const auto& model = beams().model;
+  const auto& model = beams();
   const auto& zone = model.zones.front();
   const VectorXd multipliers = VectorXd::Zero(zone.multiplier_count());
   const VectorXd start = sliding(model, 0);
@@ -142,7 +142,7 @@ TEST(HeldFrames, MeasureTheSameInUsedStorage) {
 
 /// Undeformed, nodes stand opposite nodes: the faces around one are equally good, and the first is to win.
 TEST(PairAround, DoesNotDependOnTheGuess) {
-  const auto& model = beams().model;
+  const auto& model = beams();
   const auto& zone = model.zones.front();
   for (const double t : {0.0, 0.05, 0.4, 1.0}) {
     const VectorXd u = sliding(model, t);
@@ -168,11 +168,11 @@ TEST(PairAround, DoesNotDependOnTheGuess) {
 
 /// Both faces see such a point beside their common node, at the same distance but for rounding.
 TEST(PairAround, TakesTheFirstFaceAboveAKink) {
-  const test::Walk straight(test::two_beams);
-  const auto& zone = straight.model.zones.front();
+  const auto straight = test::model_of(test::two_beams);
+  const auto& zone = straight.zones.front();
   std::vector<Eigen::Vector3d> flat;
   for (const auto node : zone.master.nodes)
-    flat.push_back(straight.model.mesh.points[static_cast<std::size_t>(node)]);
+    flat.push_back(straight.mesh.points[static_cast<std::size_t>(node)]);
   const std::size_t kink = flat.size() / 2;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(-1, 1);

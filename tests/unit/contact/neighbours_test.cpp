@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/model_of.hpp"
 #include <cmath>
 
 namespace rubato::contact {
@@ -24,9 +24,8 @@ Eigen::VectorXd sliding(const model::Model& model, double t) {
 
 TEST(NeighbourList, FindsThePairsOfAFullSearchWhileBodiesSlide) {
   for (const auto* cells : {"quad4", "quad9"}) {
-    const test::Walk walk(test::two_beams,
-                          {{"mesh.generate.0.cells", cells}, {"mesh.generate.1.cells", cells}});
-    const auto& model = walk.model;
+    const auto model =
+        test::model_of(test::two_beams, {{"mesh.generate.0.cells", cells}, {"mesh.generate.1.cells", cells}});
     const auto& zone = model.zones.front();
     NeighbourList list(zone);
     constexpr int steps = 400;
@@ -49,8 +48,7 @@ TEST(NeighbourList, FindsThePairsOfAFullSearchWhileBodiesSlide) {
 }
 
 TEST(NeighbourList, SearchesNoMoreWhenTheBodiesMoveTogether) {
-  const test::Walk walk(test::two_beams);
-  const auto& model = walk.model;
+  const auto model = test::model_of(test::two_beams);
   NeighbourList list(model.zones.front());
   for (const double shift : {0.0, 1.0, 50.0}) {
     const Eigen::VectorXd u = Eigen::VectorXd::Constant(model.dofs.dof_count, shift);
@@ -63,10 +61,10 @@ TEST(NeighbourList, SearchesNoMoreWhenTheBodiesMoveTogether) {
 class NodesOnNodes : public testing::Test {
 protected:
   void shift(double in_edges) {
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(walk_.model.dofs.dof_count);
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(model_.dofs.dof_count);
     for (const auto node : zone_.master.nodes)
-      u[walk_.model.dofs.dof(node, 0)] = in_edges * zone_.edge();
-    const Configuration configuration{&walk_.model.mesh, &walk_.model.dofs, &u, &u};
+      u[model_.dofs.dof(node, 0)] = in_edges * zone_.edge();
+    const Configuration configuration{&model_.mesh, &model_.dofs, &u, &u};
     list_.update(configuration);
     searched_ = find_pairs(zone_, configuration);
   }
@@ -78,8 +76,8 @@ protected:
     return count;
   }
 
-  const test::Walk walk_{test::two_beams};
-  const Zone& zone_ = walk_.model.zones.front();
+  const model::Model model_ = test::model_of(test::two_beams);
+  const Zone& zone_ = model_.zones.front();
   NeighbourList list_{zone_};
   std::vector<Pair> searched_;
 };

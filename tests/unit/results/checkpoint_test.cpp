@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <variant>
 
 namespace rubato::results {
 namespace {
@@ -24,19 +25,22 @@ Checkpoint sample() {
   c.study = "{\"title\": \"ß\"}";
   c.mesh = 0xdeadbeef;
   c.start = 7;
-  c.spent = {.setup_seconds = 0.1, .loop_seconds = 1.0 / 3, .steps = 5, .iterations = 17, .cuts = 2};
-  c.state.t = 0.3;
-  c.state.motion = {VectorXd::Constant(3, -0.0), VectorXd::Constant(3, tiny), VectorXd::LinSpaced(3, 1, 2)};
-  c.state.residual_force = VectorXd::Constant(3, 0.1);
-  c.state.force_scale = 12;
-  c.state.zones.resize(2);
-  c.state.zones[1].multipliers = VectorXd::Constant(2, 1e300);
-  c.state.zones[1].status = {contact::Status::open, contact::Status::slip};
-  c.state.zones[1].outcomes = {{.gap = INFINITY}, {-1e-9, {1, 2}, 3, Vector3d(4, 5, 6), Vector3d(7, 8, 9)}};
-  c.place = {0.3, {{0.4, 1}, {0.35, 2}}, false};
-  c.energy.numerical = -4;
-  c.energy.overlap_work = 6;
-  c.overlaps = {{}, {0.5, 0}};
+  c.setup_seconds = 0.1;
+  c.loop_seconds = 1.0 / 3;
+  c.memento.counters = {.steps = 5, .iterations = 17, .cuts = 2};
+  auto& state = c.memento.state;
+  state.t = 0.3;
+  state.motion = {VectorXd::Constant(3, -0.0), VectorXd::Constant(3, tiny), VectorXd::LinSpaced(3, 1, 2)};
+  state.residual_force = VectorXd::Constant(3, 0.1);
+  state.force_scale = 12;
+  state.zones.resize(2);
+  state.zones[1].multipliers = VectorXd::Constant(2, 1e300);
+  state.zones[1].status = {contact::Status::open, contact::Status::slip};
+  state.zones[1].outcomes = {{.gap = INFINITY}, {-1e-9, {1, 2}, 3, Vector3d(4, 5, 6), Vector3d(7, 8, 9)}};
+  simulation::ImplicitProgress progress{{0.3, {{0.4, 1}, {0.35, 2}}, false}, {}, {{}, {0.5, 0}}};
+  progress.energy.numerical = -4;
+  progress.energy.overlap_work = 6;
+  c.memento.progress = progress;
   c.record.gained_at = 0.2;
   c.recorder.resultants = {10, 20};
   c.recorder.field_times = {0.1};
@@ -52,48 +56,50 @@ TEST(CheckpointFile, GivesBackWhatWasWritten) {
   const auto read = read_checkpoint(folder / "a.h5");
   EXPECT_EQ(read.study, written.study);
   EXPECT_EQ(read.mesh, written.mesh);
-  EXPECT_EQ(read.spent.iterations, 17);
-  EXPECT_EQ(read.spent.loop_seconds, 1.0 / 3);
-  EXPECT_EQ(read.state.motion.u, written.state.motion.u);
-  EXPECT_TRUE(std::signbit(read.state.motion.u[0]));
-  EXPECT_EQ(read.state.motion.v, written.state.motion.v);
-  EXPECT_EQ(read.state.contact_force.size(), 0);
-  EXPECT_EQ(read.state.zones, written.state.zones);
-  EXPECT_EQ(read.place.ends, written.place.ends);
-  EXPECT_FALSE(read.place.finished);
-  EXPECT_EQ(read.energy.numerical, -4);
-  EXPECT_EQ(read.energy.overlap_work, 6);
-  EXPECT_EQ(read.overlaps, written.overlaps);
+  EXPECT_EQ(read.memento.counters, written.memento.counters);
+  EXPECT_EQ(read.loop_seconds, 1.0 / 3);
+  EXPECT_EQ(read.memento.state.motion.u, written.memento.state.motion.u);
+  EXPECT_TRUE(std::signbit(read.memento.state.motion.u[0]));
+  EXPECT_EQ(read.memento.state.motion.v, written.memento.state.motion.v);
+  EXPECT_EQ(read.memento.state.contact_force.size(), 0);
+  EXPECT_EQ(read.memento.state.zones, written.memento.state.zones);
+  const auto& progress = std::get<simulation::ImplicitProgress>(read.memento.progress);
+  const auto& expected = std::get<simulation::ImplicitProgress>(written.memento.progress);
+  EXPECT_EQ(progress.place.ends, expected.place.ends);
+  EXPECT_FALSE(progress.place.finished);
+  EXPECT_EQ(progress.energy.numerical, -4);
+  EXPECT_EQ(progress.energy.overlap_work, 6);
+  EXPECT_EQ(progress.overlaps, expected.overlaps);
   EXPECT_EQ(read.record.gained_at, 0.2);
   EXPECT_EQ(read.recorder.resultants, written.recorder.resultants);
   EXPECT_EQ(read.recorder.field_files, written.recorder.field_files);
   EXPECT_EQ(read.recorder.med_copy, "");
   EXPECT_TRUE(read.recorder.unwritten);
-  EXPECT_FALSE(read.progress);
 }
 
 TEST(CheckpointFile, HoldsTheSpringsOfExplicitRuns) {
   const test::ScratchFolder folder;
   auto written = sample();
-  written.progress.emplace();
-  written.progress->limit = 1e-6;
-  written.progress->motion.steps = 1'000'000'000'000;
-  written.progress->motion.zones.resize(1);
-  written.progress->motion.zones[0].springs = {{contact::Status::stick,
-                                                false,
-                                                -1,
-                                                2,
-                                                3,
-                                                4,
-                                                Vector3d(5, 6, 7),
-                                                Vector3d(8, 9, 10),
-                                                Vector3d(0, 1, 0),
-                                                {11, 12}}};
+  simulation::ExplicitProgress progress;
+  progress.limit = 1e-6;
+  progress.motion.steps = 1'000'000'000'000;
+  progress.motion.zones.resize(1);
+  progress.motion.zones[0].springs = {{contact::Status::stick,
+                                       false,
+                                       -1,
+                                       2,
+                                       3,
+                                       4,
+                                       Vector3d(5, 6, 7),
+                                       Vector3d(8, 9, 10),
+                                       Vector3d(0, 1, 0),
+                                       {11, 12}}};
+  written.memento.progress = progress;
   write_checkpoint(folder / "a.h5", written);
   const auto read = read_checkpoint(folder / "a.h5");
-  ASSERT_TRUE(read.progress);
-  EXPECT_EQ(read.progress->motion.steps, 1'000'000'000'000);
-  const auto& spring = read.progress->motion.zones.at(0).springs.at(0);
+  const auto& motion = std::get<simulation::ExplicitProgress>(read.memento.progress).motion;
+  EXPECT_EQ(motion.steps, 1'000'000'000'000);
+  const auto& spring = motion.zones.at(0).springs.at(0);
   EXPECT_EQ(spring.status, contact::Status::stick);
   EXPECT_FALSE(spring.paired);
   EXPECT_EQ(spring.tangential_stiffness, 4);

@@ -114,7 +114,8 @@ TEST_F(ContinuedRun, HasACheckpointFromTheFirstStepAtOrAfterItsInstant) {
     const auto study =
         deck_of(test::two_blocks + fmt::format("checkpoint: {{at: [{}], last: false}}\n", at)).runs[0];
     ASSERT_EQ(run(study).status, Status::complete);
-    EXPECT_EQ(results::read_checkpoint(folder_ / study.name / results::checkpoint_file).state.t, kept) << at;
+    EXPECT_EQ(results::read_checkpoint(folder_ / study.name / results::checkpoint_file).memento.state.t, kept)
+        << at;
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // When a run warns of energy that comes from nowhere.
-#include "rubato/run/loop_parts.hpp"
+#include "rubato/run/energy_watch.hpp"
 
 #include <gtest/gtest.h>
 

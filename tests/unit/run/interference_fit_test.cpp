@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Interference fits: bodies that overlap when the run begins, and the energy that the overlap gives them.
-#include "rubato/run/loop_parts.hpp"
+#include "rubato/run/energy_watch.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>
 
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <cmath>
 #include <string>
 #include <tuple>
@@ -45,14 +45,14 @@ std::vector<Setting> together(std::vector<Setting> settings, const std::vector<S
 /// A run with its ledger, and what it would be warned of.
 struct FittedRun {
   explicit FittedRun(const std::string& deck, const std::vector<Setting>& changes) : walk(deck, changes) {
-    EnergyAccount account(walk.model, walk.scheme, walk.state);
+    EnergyAccount account(walk.model, walk.scheme, walk.state());
     Watch watch;
     watch.warn = [this](const std::string& text) { warning += text; };
     const std::string name = "fit";
     EnergyWatch energy(name, watch, {});
     walk.accepted = [&] {
-      account.enter(walk.before, walk.state);
-      energy.note(walk.state.t, account.ledger());
+      account.enter(walk.before, walk.state());
+      energy.note(walk.state().t, account.ledger());
       EXPECT_LE(std::abs(account.ledger().balance()), 1e-10 * account.ledger().largest());
     };
     converged = walk.to_end();
@@ -137,13 +137,13 @@ TEST(AnInterferenceFit, GivesTheSameOnQuadraticFacesAndOnAnObstacle) {
 /// In motion the pulse that closes the overlap also throws the blocks apart, in the second step.
 TEST(AnInterferenceFit, IsGoneOnWithAfterAnyStep) {
   test::Walk walk(fit, together(quick, {{"time.scheme", "hht"}, {"time.alpha", "-0.3"}}));
-  EnergyAccount whole(walk.model, walk.scheme, walk.state);
+  EnergyAccount whole(walk.model, walk.scheme, walk.state());
   EnergyAccount parts = whole;
   double after_one = 0;
   for (int step = 1; step <= 4; ++step) {
     ASSERT_TRUE(walk.advance());
-    whole.enter(walk.before, walk.state);
-    parts.enter(walk.before, walk.state);
+    whole.enter(walk.before, walk.state());
+    parts.enter(walk.before, walk.state());
     parts = EnergyAccount(walk.model, walk.scheme, parts.ledger(), parts.overlaps());
     EXPECT_EQ(parts.ledger().overlap_work, whole.ledger().overlap_work) << "step " << step;
     EXPECT_EQ(whole.overlaps().empty(), step > 1);
@@ -166,9 +166,9 @@ TEST(AnInterferenceFit, DoesNotHideAGain) {
   test::Walk walk(fit);
   ASSERT_TRUE(walk.advance());
   EnergyAccount account(walk.model, walk.scheme, walk.before);
-  account.enter(walk.before, walk.state);
+  account.enter(walk.before, walk.state());
   auto closed = walk.before;
-  closed.zones = walk.state.zones;
+  closed.zones = walk.state().zones;
   for (auto& zone : closed.zones)
     for (auto& outcome : zone.outcomes)
       outcome.gap = 0;
@@ -179,7 +179,7 @@ TEST(AnInterferenceFit, DoesNotHideAGain) {
   EnergyWatch energy(name, watch, {});
   energy.note(1, account.ledger());
   const double given = account.ledger().overlap_work;
-  account.enter(closed, walk.state); // once more
+  account.enter(closed, walk.state()); // once more
   energy.note(2, account.ledger());
   energy.tell();
   EXPECT_EQ(account.ledger().overlap_work, given);

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -83,7 +83,7 @@ Hertz fitted(const Walk& walk) {
 }
 
 double field_at(const Walk& walk, const std::string& name, mesh::NodeIndex node) {
-  for (const auto& field : results::nodal_fields(walk.model, walk.state))
+  for (const auto& field : results::nodal_fields(walk.model, walk.state()))
     if (field.name == name)
       return field.values[static_cast<std::size_t>(node)];
   return NAN;

@@ -2,8 +2,8 @@
 /// What the state carries of K u, M v and M a instead of computing them again.
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <string>
 
 namespace rubato::step {
@@ -18,8 +18,8 @@ TEST_P(CarriedBulkForces, StayThoseOfTheMotionOverManySteps) {
                                     {"time.alpha", scheme == "generalized_alpha" ? "~" : "-0.3"}});
   ASSERT_TRUE(walk.to_end());
   ASSERT_GE(walk.reports.size(), 100U);
-  const auto fresh = bulk_forces(walk.model, walk.state.motion);
-  const auto& carried = walk.state.bulk;
+  const auto fresh = bulk_forces(walk.model, walk.state().motion);
+  const auto& carried = walk.state().bulk;
   EXPECT_LE((carried.internal - fresh.internal).norm(), 1e-13 * fresh.internal.norm());
   EXPECT_LE((carried.momentum - fresh.momentum).norm(), 1e-10 * fresh.momentum.norm());
   EXPECT_LE((carried.inertia - fresh.inertia).norm(), 1e-10 * fresh.inertia.norm());

@@ -2,8 +2,8 @@
 /// Which points are in contact: those that must be, and no others.
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 
 namespace rubato::step {
 namespace {
@@ -61,14 +61,14 @@ TEST(AGap, OpensWhenTheBodyIsPulled) {
 
 TEST(ExcludedNodes, NeverTouch) {
   Walk walk(test::two_beams);
-  while (!walk.control.finished()) {
+  while (!walk.finished()) {
     ASSERT_TRUE(walk.advance());
     const auto& zone = walk.model.zones.front();
     int excluded = 0;
     for (std::size_t i = 0; i < zone.points.size(); ++i)
       if (zone.points[i].excluded) {
         ++excluded;
-        EXPECT_EQ(walk.state.zones.front().status[i], Status::open);
+        EXPECT_EQ(walk.state().zones.front().status[i], Status::open);
       }
     EXPECT_EQ(excluded, 1);
     for (std::size_t i = 0; i < walk.slave_count(); ++i)
@@ -108,8 +108,8 @@ TEST(SeveralZones, EachCarryTheLoad) {
 TEST(QuadraticFaces, AreInContactAtCornersAndMiddles) {
   Walk walk(test::two_beams, {{"mesh.generate.0.cells", "quad9"}, {"mesh.generate.1.cells", "quad9"}});
   EXPECT_EQ(walk.slave_count(), 41u);
-  while (!walk.control.finished())
-    ASSERT_TRUE(walk.advance()) << "t = " << walk.state.t;
+  while (!walk.finished())
+    ASSERT_TRUE(walk.advance()) << "t = " << walk.state().t;
   EXPECT_GT(walk.resultants().in_contact, 0);
   EXPECT_LT(walk.displacement(walk.node_at(1, 0.1), 1), 0);
 }

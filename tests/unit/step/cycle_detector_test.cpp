@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <optional>
 
@@ -71,14 +71,15 @@ TEST(Cycles, EndAnAttemptAndNameTheirPoints) {
 
 /// A step of that length from where the last one ended.
 template <class Solver> StepReport attempt(test::Walk& walk, double length) {
-  const double t = walk.state.t + length;
+  const double t = walk.state().t + length;
   auto system = make_effective_system(walk.model, walk.scheme, length);
-  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
+  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {.start = Start::last_step});
   Pulse pulse;
-  Solver solver(walk.model, walk.scheme, system, walk.state, t, side, pulse);
-  auto trial = predict(walk.model, walk.scheme, system, walk.state, t);
+  Solver solver(walk.model, walk.scheme, system, walk.state(), t, side, pulse);
+  auto trial = predict(walk.model, walk.scheme, system, walk.state(), t);
   return solve_levels(
-      walk.model, side, [&](State& to, const Held& held) { return solver.run(to, held); }, walk.state, trial);
+      walk.model, side, [&](State& to, const Held& held) { return solver.run(to, held); }, walk.state(),
+      trial);
 }
 
 /// The length of a step that goes round from where the walk is.

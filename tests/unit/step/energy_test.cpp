@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "decks.hpp"
-#include "walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <cmath>
 #include <random>
 #include <string>
@@ -156,10 +156,10 @@ double lost_part(std::vector<deck::Setting> changes, double& numerical_part) {
   changes.push_back({"loads", "[{gravity: {y: -2}}]"});
   changes.push_back({"time.end", "10"});
   test::Walk walk(block, changes);
-  EnergyAccount account(walk.model, walk.scheme, walk.state);
-  while (!walk.control.finished()) {
+  EnergyAccount account(walk.model, walk.scheme, walk.state());
+  while (!walk.finished()) {
     EXPECT_TRUE(walk.advance());
-    account.enter(walk.before, walk.state);
+    account.enter(walk.before, walk.state());
   }
   const auto& ledger = account.ledger();
   EXPECT_LE(std::abs(ledger.balance()), 1e-11 * ledger.largest());
@@ -182,11 +182,11 @@ TEST(NumericalDissipation, IsAllThatVibrationsLoseInSchemesThatDamp) {
 
 TEST(EnergyOfContact, OfPenaltySpringsIsWhatTheyTookUp) {
   test::Walk walk(test::two_beams, {{"contact.interface.method", "penalty"}});
-  EnergyAccount account(walk.model, walk.scheme, walk.state);
+  EnergyAccount account(walk.model, walk.scheme, walk.state());
   double largest = 0;
-  while (!walk.control.finished()) {
+  while (!walk.finished()) {
     ASSERT_TRUE(walk.advance());
-    account.enter(walk.before, walk.state);
+    account.enter(walk.before, walk.state());
     largest = std::max(largest, account.ledger().contact);
     EXPECT_LE(std::abs(account.ledger().balance()), 1e-10 * account.ledger().largest());
   }

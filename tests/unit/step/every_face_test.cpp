@@ -2,7 +2,7 @@
 /// Exact contact on every slave face: quadratic ones, whose points share multipliers, converge as others do.
 #include <gtest/gtest.h>
 
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -44,7 +44,7 @@ int iterations_of(const Walk& walk) {
 /// Of points in contact, in edges of the master.
 double largest_overlap(const Walk& walk) {
   double largest = 0;
-  const auto& zone = walk.state.zones.front();
+  const auto& zone = walk.state().zones.front();
   for (std::size_t i = 0; i < zone.status.size(); ++i)
     if (zone.status[i] != contact::Status::open)
       largest = std::max(largest, std::abs(zone.outcomes[i].gap));

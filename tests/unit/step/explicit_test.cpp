@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
+#include "support/decks.hpp"
 #include <cmath>
 #include <numbers>
 #include <string>

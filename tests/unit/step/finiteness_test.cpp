@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <limits>
 
 namespace rubato::step {
@@ -20,7 +20,7 @@ protected:
   int dof_at(double x, double y) const { return walk_.model.dofs.dof(walk_.node_at(x, y), 1); }
 
   test::Walk walk_{test::two_beams};
-  State state_ = walk_.state;
+  State state_ = walk_.state();
   StepReport report_;
 };
 
@@ -46,8 +46,9 @@ TEST_F(NotFinite, IsTheMultiplierOfAContactPoint) {
 TEST_F(NotFinite, IsTheLoadBeforeWhatComesOfIt) {
   test::Walk walk(test::two_beams, {{"loads.0.nodal_force.function", "burst"},
                                     {"functions.burst", "{times: [0, 1e-3], values: [0, 1e302]}"}});
-  walk.state.motion.u[0] = nan;
-  EXPECT_EQ(first_not_finite(walk.model, 1e-3, walk.state, {}),
+  auto spoilt = walk.state();
+  spoilt.motion.u[0] = nan;
+  EXPECT_EQ(first_not_finite(walk.model, 1e-3, spoilt, {}),
             "the load on node " + model::node_label(walk.model.mesh, walk.node_at(1, 0.1)));
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/two_blocks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -63,7 +63,7 @@ void expect_held(const Walk& walk, const Eigen::Vector3d& load, double stays_wit
   const auto carried = walk.resultants();
   const Eigen::Vector3d force = carried.force;
   EXPECT_LE((force + load).norm(), 1e-7 * load.norm()) << force.transpose();
-  EXPECT_LE(walk.state.motion.u.lpNorm<Eigen::Infinity>(), stays_within);
+  EXPECT_LE(walk.state().motion.u.lpNorm<Eigen::Infinity>(), stays_within);
 }
 
 struct Block {
@@ -178,7 +178,7 @@ TEST(FreeBlock, IsTheSameByTheWholeSystem) {
   ASSERT_TRUE(whole.to_end());
   // Gaps count as closed at 1e-9 of an edge.
   const double allowed = 1e-9 * condensed.model.zones.front().edge();
-  EXPECT_LE((condensed.state.motion.u - whole.state.motion.u).lpNorm<Eigen::Infinity>(), allowed);
+  EXPECT_LE((condensed.state().motion.u - whole.state().motion.u).lpNorm<Eigen::Infinity>(), allowed);
 }
 
 constexpr double gap = 0.05;

@@ -2,8 +2,8 @@
 /// A block on a plane: forces that statics give without any mechanics of bodies.
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -21,7 +21,7 @@ constexpr double mu = 0.3;
 double push(const Walk& walk) {
   double sum = 0;
   for (const auto node : mesh::nodes_named(walk.model.mesh, "top"))
-    sum += walk.state.reaction[walk.model.dofs.dof(node, 0)];
+    sum += walk.state().reaction[walk.model.dofs.dof(node, 0)];
   return sum;
 }
 
@@ -64,7 +64,7 @@ TEST(BlockOnAPlane, CarriesItsWeightThroughGaussPoints) {
   EXPECT_NEAR(push(walk), 0, 1e-4 * weight);
   double carried = 0;
   for (const auto node : mesh::nodes_named(walk.model.mesh, "ground"))
-    carried += walk.state.reaction[walk.model.dofs.dof(node, 1)];
+    carried += walk.state().reaction[walk.model.dofs.dof(node, 1)];
   EXPECT_NEAR(carried, weight, 1e-6 * weight);
 }
 
@@ -75,8 +75,8 @@ TEST_P(LargeSliding, KeepsTheForcesOverManyMasterFaces) {
   Walk walk(test::block_on_plane,
             {{"supports.1.x.value", "2"}, {"time.step", "0.05"}, {"contact.foot.friction", GetParam()}});
   const double friction = std::stod(GetParam());
-  while (!walk.control.finished()) {
-    ASSERT_TRUE(walk.advance()) << "t = " << walk.state.t;
+  while (!walk.finished()) {
+    ASSERT_TRUE(walk.advance()) << "t = " << walk.state().t;
     const auto foot = walk.resultants();
     EXPECT_NEAR(foot.force[1], weight, 1e-8 * weight);
     EXPECT_NEAR(foot.force[0], -friction * weight, 1e-4 * weight);
@@ -99,9 +99,9 @@ Imbalance imbalance(const Walk& walk) {
   double moment = 0, scale = 0;
   for (const auto node : walk.model.dofs.nodes) {
     const auto dof = walk.model.dofs.dof(node, 0);
-    const Eigen::Vector2d f = walk.state.contact_force.segment<2>(dof);
+    const Eigen::Vector2d f = walk.state().contact_force.segment<2>(dof);
     const Eigen::Vector2d x = walk.model.mesh.points[static_cast<std::size_t>(node)].head<2>() +
-                              walk.state.motion.u.segment<2>(dof);
+                              walk.state().motion.u.segment<2>(dof);
     sum += f;
     moment += x[0] * f[1] - x[1] * f[0];
     scale += f.norm();
@@ -111,7 +111,7 @@ Imbalance imbalance(const Walk& walk) {
 
 TEST(ContactForces, OfTheTwoSidesBalanceInForceAndMoment) {
   Walk walk(test::block_on_plane, {{"supports.1.x.value", "1"}, {"time.step", "0.1"}});
-  while (!walk.control.finished()) {
+  while (!walk.finished()) {
     ASSERT_TRUE(walk.advance());
     EXPECT_LT(imbalance(walk).force, 1e-14);
     EXPECT_LT(imbalance(walk).moment, 1e-12);
@@ -122,7 +122,7 @@ TEST(ContactForces, OfTheTwoSidesBalanceInForceAndMoment) {
 /// distance between them, at most half a face.
 TEST(ContactForces, BalanceInForceAlwaysAndInMomentButForPointsBesideTheMastersEnd) {
   Walk walk(test::two_beams);
-  while (!walk.control.finished()) {
+  while (!walk.finished()) {
     ASSERT_TRUE(walk.advance());
     EXPECT_LT(imbalance(walk).force, 1e-14);
     EXPECT_LT(imbalance(walk).moment, 0.05 / 2);

@@ -2,7 +2,7 @@
 /// Slave nodes on the edges of master faces, and forces that are small against what rounding makes of them.
 #include <gtest/gtest.h>
 
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <string>
 

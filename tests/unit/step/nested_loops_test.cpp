@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <string>
 
@@ -30,7 +30,7 @@ std::string loop(const std::string& tolerance) {
 Eigen::VectorXd end_of(const Changes& changes) {
   Walk walk(test::two_beams, with(changes));
   EXPECT_TRUE(walk.to_end());
-  return walk.state.motion.u;
+  return walk.state().motion.u;
 }
 
 double apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
@@ -88,7 +88,7 @@ TEST(Penalties, ComeCloserToTheExactAnswerAsTheyGrow) {
 
 TEST(TheGeometryLoop, TakesTwoRoundsAtLeastAndIsReported) {
   Walk walk(test::two_beams, with({{"contact.interface.iterate", "{geometry: fixed_point}"}}));
-  while (!walk.control.finished()) {
+  while (!walk.finished()) {
     ASSERT_TRUE(walk.advance());
     const auto& rounds = walk.reports.back().rounds;
     ASSERT_GE(rounds.size(), 2U);
@@ -120,14 +120,15 @@ const Changes single_status_round{{"contact.interface.iterate", "{status: {by: f
 
 TEST(ALoopOfTheStatusThatDoesNotSettle, SaysSo) {
   Walk walk(test::two_beams, with(single_status_round));
-  auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
-  const double t = walk.control.target();
-  State trial = predict(walk.model, walk.scheme, system, walk.state, t);
-  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state, {});
+  auto system = make_effective_system(walk.model, walk.scheme, walk.length());
+  const double t = walk.target();
+  State trial = predict(walk.model, walk.scheme, system, walk.state(), t);
+  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {});
   Pulse pulse;
-  Newton newton(walk.model, walk.scheme, system, walk.state, t, side, pulse);
+  Newton newton(walk.model, walk.scheme, system, walk.state(), t, side, pulse);
   const auto report = solve_levels(
-      walk.model, side, [&](State& to, const Held& held) { return newton.run(to, held); }, walk.state, trial);
+      walk.model, side, [&](State& to, const Held& held) { return newton.run(to, held); }, walk.state(),
+      trial);
   EXPECT_EQ(report.outcome, Outcome::status_unsettled);
 }
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ std::vector<double> tip_history(const Changes& changes) {
   Walk walk(test::two_beams, changes);
   const auto tip = walk.node_at(1, 0.1);
   std::vector<double> history;
-  while (!walk.control.finished()) {
+  while (!walk.finished()) {
     if (!walk.advance())
       return {};
     history.push_back(walk.displacement(tip, 1));
@@ -51,12 +51,12 @@ std::vector<double> residuals_by_iteration(const Changes& changes) {
     auto all = changes;
     all.push_back({"newton.max_iterations", std::to_string(iterations)});
     Walk walk(test::two_beams, all);
-    auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
-    const double t = walk.control.target();
-    State trial = predict(walk.model, walk.scheme, system, walk.state, t);
-    const ContactEvaluator side(walk.model, walk.scheme, system, walk.state, {.start = Start::last_step});
+    auto system = make_effective_system(walk.model, walk.scheme, walk.length());
+    const double t = walk.target();
+    State trial = predict(walk.model, walk.scheme, system, walk.state(), t);
+    const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {.start = Start::last_step});
     Pulse pulse;
-    Newton newton(walk.model, walk.scheme, system, walk.state, t, side, pulse);
+    Newton newton(walk.model, walk.scheme, system, walk.state(), t, side, pulse);
     const auto report = newton.run(trial, Held(walk.model.zones.size()));
     residuals.push_back(report.residual);
     if (report.converged())

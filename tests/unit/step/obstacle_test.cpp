@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "walk.hpp"
+#include "support/walk.hpp"
 #include <cmath>
 #include <string>
 #include <vector>
@@ -55,35 +55,23 @@ struct Steps {
   EnergyLedger energy;
   double worst_balance = 0;
   int iterations = 0;
-  int cuts = 0;
 };
 
 Steps steps_of(const std::string& deck, const Changes& changes) {
   Walk walk(deck, changes);
   Steps steps;
-  EnergyAccount account(walk.model, walk.scheme, walk.state);
-  while (!walk.control.finished()) {
-    auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
-    State trial;
-    const auto report = advance(walk.model, walk.scheme, system, walk.state, walk.control.target(), trial);
-    steps.iterations += report.iterations;
-    if (!report.converged() && !walk.control.cut()) {
-      ADD_FAILURE() << to_string(report.outcome) << " at " << walk.control.target();
+  walk.accepted = [&] {
+    steps.worst_balance = std::max(steps.worst_balance, std::abs(walk.simulation.energy().balance()));
+  };
+  while (!walk.finished()) {
+    if (!walk.advance()) {
+      ADD_FAILURE() << to_string(walk.reports.back().outcome) << " at " << walk.target();
       break;
     }
-    if (!report.converged())
-      continue;
-    const bool listed = walk.control.target_is_listed();
-    walk.control.accept();
-    account.enter(walk.state, trial);
-    walk.state = std::move(trial);
-    steps.worst_balance = std::max(steps.worst_balance, std::abs(account.ledger().balance()));
-    if (listed)
-      steps.u.push_back(walk.state.motion.u);
-    else
-      ++steps.cuts;
+    steps.u.push_back(walk.state().motion.u);
   }
-  steps.energy = account.ledger();
+  steps.energy = walk.simulation.energy();
+  steps.iterations = walk.simulation.counters().iterations;
   return steps;
 }
 
@@ -202,7 +190,7 @@ TEST(RisingPlane, ThrowsABlockBackWithItsRestitution) {
                            {foot + "obstacle.move", "{x: ~, y: {value: 1, function: ramp}}"}});
     ASSERT_TRUE(walk.to_end());
     for (const auto node : walk.model.zones.front().slave.nodes)
-      EXPECT_NEAR(walk.state.motion.v[walk.model.dofs.dof(node, 1)], 1 + std::stod(restitution), 1e-9);
+      EXPECT_NEAR(walk.state().motion.v[walk.model.dofs.dof(node, 1)], 1 + std::stod(restitution), 1e-9);
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "decks.hpp"
-#include "walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <cmath>
 
 namespace rubato::step {
@@ -47,9 +47,9 @@ protected:
 
   test::Walk walk_{test::two_beams};
   const model::Model& model_ = walk_.model;
-  State state_ = walk_.state;
+  State state_ = walk_.state();
   EffectiveSystem system_ = make_effective_system(model_, walk_.scheme, 1e-3);
-  ContactEvaluator side_{model_, walk_.scheme, system_, walk_.state, {}};
+  ContactEvaluator side_{model_, walk_.scheme, system_, walk_.state(), {}};
   Held held_ = Held(1);
   ContactIterate contact_;
   VectorXd at_rest_ = VectorXd::Zero(static_cast<Eigen::Index>(system_.compliance->surface().size()));

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <random>
 
 namespace rubato::step {
@@ -88,8 +88,8 @@ TEST(ProjectedConjugateGradients, MoveTheBeamsAsTheActiveSetDoes) {
   const auto exact = walk("nodal_lagrange");
   const auto gradients = walk("nodal_pcg");
   EXPECT_GT(exact.resultants().in_contact, 0);
-  EXPECT_LT((exact.state.motion.u - gradients.state.motion.u).lpNorm<Eigen::Infinity>(),
-            1e-8 * exact.state.motion.u.lpNorm<Eigen::Infinity>());
+  EXPECT_LT((exact.state().motion.u - gradients.state().motion.u).lpNorm<Eigen::Infinity>(),
+            1e-8 * exact.state().motion.u.lpNorm<Eigen::Infinity>());
 }
 
 } // namespace

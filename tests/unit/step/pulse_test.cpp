@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <cmath>
 
 namespace rubato::step {
@@ -58,19 +58,19 @@ class InterruptedStep : public testing::TestWithParam<Way> {
 protected:
   InterruptedStep() : walk_(test::two_beams, GetParam().settings) {
     EXPECT_TRUE(walk_.advance()); // the beams touch
-    walk_.system.emplace(make_effective_system(walk_.model, walk_.scheme, walk_.control.length()));
+    system_.emplace(make_effective_system(walk_.model, walk_.scheme, walk_.length()));
   }
 
   StepReport step(State& trial, const GoesOn& goes_on = {}) {
-    return advance(walk_.model, walk_.scheme, *walk_.system, walk_.state, walk_.control.target(), trial,
-                   goes_on);
+    return advance(walk_.model, walk_.scheme, *system_, walk_.state(), walk_.target(), trial, goes_on);
   }
 
   Walk walk_;
+  std::optional<EffectiveSystem> system_;
 };
 
 TEST_P(InterruptedStep, LeavesNothingBehindWhereverItIs) {
-  const State before = walk_.state;
+  const State before = walk_.state();
   State whole;
   int beats = 0;
   const auto report = step(whole, [&](const Beat&) { return ++beats > 0; });
@@ -84,9 +84,9 @@ TEST_P(InterruptedStep, LeavesNothingBehindWhereverItIs) {
     EXPECT_EQ(asked, last) << "went on after it was to end";
     EXPECT_FALSE(interrupted.failed());
   }
-  EXPECT_EQ(walk_.state.motion.u, before.motion.u);
-  EXPECT_EQ(walk_.state.zones.front().multipliers, before.zones.front().multipliers);
-  EXPECT_EQ(walk_.state.zones.front().status, before.zones.front().status);
+  EXPECT_EQ(walk_.state().motion.u, before.motion.u);
+  EXPECT_EQ(walk_.state().zones.front().multipliers, before.zones.front().multipliers);
+  EXPECT_EQ(walk_.state().zones.front().status, before.zones.front().status);
   State again;
   ASSERT_TRUE(step(again).converged());
   EXPECT_EQ(again.motion.u, whole.motion.u) << "the step is another one after it was interrupted";
@@ -125,15 +125,15 @@ INSTANTIATE_TEST_SUITE_P(
 /// Failing attempts are made again in other ways; an interrupted one is not.
 TEST(InterruptedAttempt, IsNotRepeated) {
   Walk walk(test::two_beams, {{"newton", "{max_iterations: 1, residual: 1e-300}"}});
-  auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
+  auto system = make_effective_system(walk.model, walk.scheme, walk.length());
   int beats = 0;
   State trial;
   const auto count = [&](const Beat&) { return ++beats > 0; };
-  EXPECT_TRUE(advance(walk.model, walk.scheme, system, walk.state, 1e-3, trial, count).failed());
+  EXPECT_TRUE(advance(walk.model, walk.scheme, system, walk.state(), 1e-3, trial, count).failed());
   const int all = beats;
   beats = 0;
   const auto stop = [&](const Beat&) { return ++beats < 2; };
-  const auto report = advance(walk.model, walk.scheme, system, walk.state, 1e-3, trial, stop);
+  const auto report = advance(walk.model, walk.scheme, system, walk.state(), 1e-3, trial, stop);
   EXPECT_EQ(report.outcome, Outcome::interrupted);
   EXPECT_EQ(beats, 2);
   EXPECT_GT(all, 2);

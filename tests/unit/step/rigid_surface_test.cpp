@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/faults.hpp"
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <array>
 #include <string>
 #include <vector>
@@ -94,8 +94,8 @@ study::Study before_plane(const std::string& deck, const std::string& time) {
 
 /// The block's nodes are the first of both meshes.
 void expect_same_motion(const Walk& table, const Walk& plane) {
-  const auto& here = table.state.motion.u;
-  const auto& there = plane.state.motion.u;
+  const auto& here = table.state().motion.u;
+  const auto& there = plane.state().motion.u;
   ASSERT_GE(here.size(), there.size());
   EXPECT_LE((here.head(there.size()) - there).lpNorm<Eigen::Infinity>(), 1e-9);
   EXPECT_GT(there.lpNorm<Eigen::Infinity>(), 0.01);

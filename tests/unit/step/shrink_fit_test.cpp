@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/step/walk.hpp"
+#include "support/walk.hpp"
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -110,8 +110,8 @@ TEST(AShrinkFit, GainsNothingInTheLedger) {
                                    {"contact.fit.method", method},
                                    {"contact.fit.friction", friction}},
                                   1));
-        EnergyAccount account(walk.model, walk.scheme, walk.state);
-        walk.accepted = [&] { account.enter(walk.before, walk.state); };
+        EnergyAccount account(walk.model, walk.scheme, walk.state());
+        walk.accepted = [&] { account.enter(walk.before, walk.state()); };
         ASSERT_TRUE(walk.to_end()) << method;
         const auto& ledger = account.ledger();
         EXPECT_GT(ledger.overlap_work, 0.9 * ledger.stored()) << method;

@@ -5,8 +5,8 @@
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <cmath>
 #include <string>
 
@@ -41,12 +41,12 @@ TEST(FirstStep, TakesTheStartAsUnloadedWhenAskedTo) {
 TEST(InitialState, HasTheAccelerationOfItsLoad) {
   const Walk walk(test::two_beams);
   const auto& model = walk.model;
-  const Eigen::VectorXd balance = model.mass * walk.state.motion.a - model::external_force(model, 0);
+  const Eigen::VectorXd balance = model.mass * walk.state().motion.a - model::external_force(model, 0);
   const double load = 1e7;
   for (const auto dof : model.free_dofs)
     EXPECT_NEAR(balance[dof], 0, 1e-9 * load);
   for (const auto& constraint : model.constraints)
-    EXPECT_EQ(walk.state.motion.a[constraint.dof], 0);
+    EXPECT_EQ(walk.state().motion.a[constraint.dof], 0);
 }
 
 /// One square between springs, of mass 2 and stiffness 8 in all, that cannot deform along x: an oscillator.
@@ -65,15 +65,15 @@ TEST(InitialMotion, HasTheAccelerationOfItsSpringsAndItsDamping) {
   const Walk walk(slider);
   for (const auto node : walk.model.dofs.nodes) {
     const auto dof = walk.model.dofs.dof(node, 0);
-    EXPECT_EQ(walk.state.motion.u[dof], 0.5);
-    EXPECT_EQ(walk.state.motion.v[dof], 3);
-    EXPECT_NEAR(walk.state.motion.a[dof], -(0.25 * 3 + 4 * 0.5), 1e-12);
+    EXPECT_EQ(walk.state().motion.u[dof], 0.5);
+    EXPECT_EQ(walk.state().motion.v[dof], 3);
+    EXPECT_NEAR(walk.state().motion.a[dof], -(0.25 * 3 + 4 * 0.5), 1e-12);
   }
 }
 
 TEST(InitialMotion, SwingsAsTheOscillatorItIs) {
   Walk walk(slider, {{"materials.stone.rayleigh", ""}});
-  EnergyAccount account(walk.model, walk.scheme, walk.state);
+  EnergyAccount account(walk.model, walk.scheme, walk.state());
   EXPECT_NEAR(account.ledger().start, 0.5 * 2 * 9 + 0.5 * 8 * 0.25, 1e-12);
   ASSERT_TRUE(walk.to_end());
   const double t = 1;
@@ -83,8 +83,8 @@ TEST(InitialMotion, SwingsAsTheOscillatorItIs) {
 TEST(InitialMotion, LeavesWhatSupportsImposeToThem) {
   const Walk walk(slider, {{"supports", "[{on: body, y: 0.1}]"}});
   for (const auto node : walk.model.dofs.nodes) {
-    EXPECT_EQ(walk.state.motion.u[walk.model.dofs.dof(node, 1)], 0.1);
-    EXPECT_EQ(walk.state.motion.v[walk.model.dofs.dof(node, 1)], 0);
+    EXPECT_EQ(walk.state().motion.u[walk.model.dofs.dof(node, 1)], 0.1);
+    EXPECT_EQ(walk.state().motion.v[walk.model.dofs.dof(node, 1)], 0);
   }
 }
 
@@ -93,10 +93,10 @@ TEST(StaticSteps, FindTheEquilibriumInOneSolveWhenNothingTouches) {
   ASSERT_TRUE(walk.to_end());
   EXPECT_EQ(walk.reports.back().iterations, 1);
   const Eigen::VectorXd residual_force =
-      walk.model.stiffness * walk.state.motion.u - model::external_force(walk.model, 1);
+      walk.model.stiffness * walk.state().motion.u - model::external_force(walk.model, 1);
   for (const auto dof : walk.model.free_dofs)
     EXPECT_NEAR(residual_force[dof], 0, 1e-9 * 1e7);
-  EXPECT_EQ(walk.state.motion.v.norm(), 0);
+  EXPECT_EQ(walk.state().motion.v.norm(), 0);
 }
 
 /// A beam bent, let go: no load, so it starts with K u as its unbalance and not from rest.
@@ -104,9 +104,9 @@ TEST(ContinuedState, KeepsTheShapeAndTakesItsAccelerationFromTheNewBalance) {
   Walk bent(test::two_beams, and_static({{"contact", "~"}}));
   ASSERT_TRUE(bent.to_end());
   Walk released(test::two_beams, {{"contact", "~"}, {"loads", "~"}});
-  const auto state = continued_state(released.model, released.scheme, bent.state, 0);
+  const auto state = continued_state(released.model, released.scheme, bent.state(), 0);
   EXPECT_EQ(state.t, 0);
-  EXPECT_EQ(state.motion.u, bent.state.motion.u);
+  EXPECT_EQ(state.motion.u, bent.state().motion.u);
   const Eigen::VectorXd balance =
       released.model.mass * state.motion.a + released.model.stiffness * state.motion.u;
   for (const auto dof : released.model.free_dofs)
@@ -120,7 +120,7 @@ TEST(ContinuedState, OfAnEquilibriumStaysAtRestWithItsContactForces) {
   ASSERT_TRUE(pressed.to_end());
   ASSERT_GT(pressed.resultants().in_contact, 0);
   Walk held(test::two_beams, gentle);
-  held.state = continued_state(held.model, held.scheme, pressed.state, 0);
+  held.stand_at(continued_state(held.model, held.scheme, pressed.state(), 0));
   const auto tip = held.node_at(1, 0.1);
   const double deflection = held.displacement(tip, 1);
   ASSERT_TRUE(held.to_end());

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/step/decks.hpp"
-#include "unit/step/walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 
 namespace rubato::step {
 namespace {
@@ -15,8 +15,9 @@ class Spoilt : public testing::Test {
 protected:
   Spoilt() : walk_(test::block_on_plane), held_(walk_.model.zones.size()) {
     EXPECT_TRUE(walk_.advance());
-    side_.emplace(walk_.model, walk_.scheme, *walk_.system, walk_.state, RetrySettings{});
-    before_ = side_->at(walk_.state, held_);
+    system_.emplace(make_effective_system(walk_.model, walk_.scheme, walk_.length()));
+    side_.emplace(walk_.model, walk_.scheme, *system_, walk_.state(), RetrySettings{});
+    before_ = side_->at(walk_.state(), held_);
     now_ = before_;
     while (now_.status[0][point_] == contact::Status::open)
       ++point_;
@@ -35,6 +36,7 @@ protected:
   bool settled() const { return side_->settled(held_, before_, now_); }
 
   test::Walk walk_;
+  std::optional<EffectiveSystem> system_;
   Held held_;
   std::optional<ContactEvaluator> side_;
   ContactIterate before_, now_;
@@ -95,10 +97,10 @@ TEST_F(Spoilt, APointThatLostItsMasterFaceIsNamed) {
 /// All points are in contact before the first step, those that nothing faces too: none of these is lost.
 TEST(APointThatNothingEverFaced, IsNotLost) {
   test::Walk walk(test::block_on_plane, {{"mesh.generate.1.rectangle.from", "[0.4, -1]"}});
-  auto system = make_effective_system(walk.model, walk.scheme, walk.control.length());
-  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state, {});
+  auto system = make_effective_system(walk.model, walk.scheme, walk.length());
+  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {});
   const Held held(walk.model.zones.size());
-  const auto now = side.at(walk.state, held);
+  const auto now = side.at(walk.state(), held);
   EXPECT_FALSE(now.points[0].front().kinematics && now.points[0].back().kinematics);
   StepReport report;
   side.name_unmet(held, nullptr, now, report);

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "decks.hpp"
-#include "walk.hpp"
+#include "support/decks.hpp"
+#include "support/walk.hpp"
 #include <cmath>
 #include <string>
 #include <vector>
@@ -120,11 +120,11 @@ struct RunContext {
 
 RunContext course_of(const Changes& changes) {
   test::Walk walk(test::two_beams, changes);
-  EnergyAccount account(walk.model, walk.scheme, walk.state);
+  EnergyAccount account(walk.model, walk.scheme, walk.state());
   RunContext course;
   walk.accepted = [&] {
     const auto before = account.ledger();
-    account.enter(walk.before, walk.state);
+    account.enter(walk.before, walk.state());
     const auto& now = account.ledger();
     course.least_impact = std::min(course.least_impact, now.impact - before.impact);
     course.least_friction = std::min(course.least_friction, now.friction - before.friction);
@@ -133,7 +133,7 @@ RunContext course_of(const Changes& changes) {
   };
   EXPECT_TRUE(walk.to_end());
   course.end = account.ledger();
-  course.u = walk.state.motion.u;
+  course.u = walk.state().motion.u;
   return course;
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/run/loop_parts.hpp"
-
-#include "rubato/results/run_folder.hpp"
+#include "rubato/run/energy_watch.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace rubato::run {
@@ -35,13 +34,6 @@ std::string causes_of(const step::EnergyLedger& ledger) {
 }
 
 } // namespace
-
-void take_folder(RunContext& course, const std::string& run, const Watch& watch) {
-  course.claim.make();
-  if (results::holds_run(course.folder))
-    watch.say(fmt::format("{}: the former results in {} move into {}", run, course.folder.string(),
-                          (course.folder / results::former_folder).string()));
-}
 
 void EnergyWatch::note(double t, const step::EnergyLedger& ledger) {
   record_.note(t, ledger);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What is kept of attempts at steps.
+/// What is kept of an attempt that ended a run.
 #pragma once
 
 #include "rubato/step/report.hpp"
@@ -8,15 +8,6 @@
 #include <vector>
 
 namespace rubato::results {
-
-/// One attempt at a step.
-struct Attempt {
-  double begin = 0;
-  double end = 0;
-  int cut_level = 0;
-  bool accepted = false;
-  double seconds = 0; ///< processor time
-};
 
 /// The attempt that no step led on from.
 struct Failure {

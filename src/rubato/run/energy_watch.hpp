@@ -1,32 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What every time loop counts by.
+/// What is said of a run's energy.
 #pragma once
 
-#include "rubato/run/checkpoints.hpp"
 #include "rubato/run/time_loop.hpp"
 #include "rubato/step/energy.hpp"
-#include "rubato/step/state.hpp"
 
-#include <algorithm>
-#include <ctime>
 #include <string>
 
 namespace rubato::run {
-
-inline double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-inline int points_in_contact(const step::State& state) {
-  int count = 0;
-  for (const auto& zone : state.zones)
-    count += static_cast<int>(
-        std::ranges::count_if(zone.status, [](auto status) { return status != contact::Status::open; }));
-  return count;
-}
-
-/// Makes the folder of a run that begins anew, and says where former results in it go.
-void take_folder(RunContext& course, const std::string& run, const Watch& watch);
 
 /// Follows the ledger of a run: says when energy is gained and not given up again, and at the end how well
 /// the ledger closes. docs/theory/energy.md has the numbers behind what is worth a warning.

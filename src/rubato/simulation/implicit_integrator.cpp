@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/simulation/implicit_integrator.hpp"
+
+#include "rubato/core/error.hpp"
+#include "rubato/core/processor_time.hpp"
+#include "rubato/step/advance.hpp"
+#include "rubato/step/start.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+namespace rubato::simulation {
+namespace {
+
+/// The end of another run goes on only on the same unknowns and contact points.
+const step::State& checked_end(const model::Model& model, const step::State* previous) {
+  if (previous == nullptr)
+    throw std::invalid_argument("a study that starts from another run needs the end of that run");
+  if (fits(model, *previous))
+    return *previous;
+  throw InputError(
+      {fault_at("time.start.from",
+                fmt::format("run '{}' cannot start from the end of run '{}': that one has another mesh or "
+                            "other contact zones",
+                            model.study.name, model.study.time.start_run))});
+}
+
+step::State first_state(const model::Model& model, const time::Scheme& scheme, const Start& start) {
+  if (start.memento != nullptr)
+    return start.memento->state;
+  const auto& settings = model.study.time;
+  if (settings.start == study::StartKind::from_run)
+    return step::continued_state(model, scheme, checked_end(model, start.previous), settings.begin);
+  return step::initial_state(model, scheme, settings.begin,
+                             settings.start != study::StartKind::at_rest_unloaded);
+}
+
+} // namespace
+
+ImplicitIntegrator::ImplicitIntegrator(const model::Model& model, const Start& start)
+    : model_(model), scheme_(time::make_scheme(model.study.time)),
+      systems_(model, scheme_, start.tell_memory), state_(first_state(model, scheme_, start)),
+      control_(model.study.time, state_.t), account_(model, scheme_, state_), next_account_(account_),
+      end_(time::instants_of(model.study.time).back()) {
+  if (start.memento != nullptr)
+    restore(*start.memento);
+  if (!finished())
+    prepare();
+}
+
+void ImplicitIntegrator::prepare() {
+  const auto& system = systems_.of(control_.length());
+  if (model_.study.solver == study::Solver::condensed && !system.compliance)
+    throw InputError("solver: found condensed, but the effective matrix is not positive definite without "
+                     "contact; expected auto or full");
+  method_ = fmt::format("solver {}", step::solver_of(model_, system));
+}
+
+Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
+  const double start = processor_seconds();
+  Trial trial;
+  trial.attempt = next();
+  step::GoesOn asked;
+  if (goes_on)
+    asked = [&](const step::Beat& beat) { return goes_on({trial.attempt, beat}); };
+  trial.report = step::advance(model_, scheme_, systems_.of(control_.length()), state_, trial.attempt.end,
+                               trial.state, asked);
+  if (trial.report.outcome == step::Outcome::interrupted)
+    return trial;
+  trial.attempt.accepted = trial.report.converged();
+  trial.attempt.seconds = processor_seconds() - start;
+  trial.spent.iterations = trial.report.iterations;
+  if (trial.attempt.accepted) {
+    trial.attempt.steps = trial.spent.steps = 1;
+    trial.last = trial.attempt.end == end_;
+    next_account_ = account_;
+    next_account_.enter(state_, trial.state);
+    trial.energy = next_account_.ledger();
+  } else {
+    trial.final = !control_.can_cut();
+    trial.spent.cuts = trial.final ? 0 : 1;
+  }
+  return trial;
+}
+
+void ImplicitIntegrator::accept(Trial trial) {
+  control_.accept();
+  std::swap(account_, next_account_);
+  state_ = std::move(trial.state);
+}
+
+void ImplicitIntegrator::reject(const Trial& trial) {
+  if (!trial.final)
+    control_.cut();
+}
+
+void ImplicitIntegrator::restore(const Memento& memento) {
+  const auto& progress = std::get<ImplicitProgress>(memento.progress);
+  auto state = memento.state;
+  time::StepControl control(model_.study.time, state.t);
+  control.go_on(progress.place);
+  step::EnergyAccount account(model_, scheme_, progress.energy, progress.overlaps);
+  // Copied; from here on nothing fails.
+  state_ = std::move(state);
+  control_ = std::move(control);
+  account_ = std::move(account);
+}
+
+} // namespace rubato::simulation
