@@ -22,10 +22,10 @@ int list() {
   for (const auto& scheme : time::all_schemes())
     fmt::print("  {:<31} {:<36} {}\n", scheme.name, scheme.code_aster, scheme.summary);
   fmt::print("\nContact methods (contact.ZONE.method)\n");
-  for (const auto& method : contact::all_methods())
+  for (const auto& method : study::contact_methods)
     fmt::print("  {:<31} {:<36} {}\n", method.name, method.code_aster, method.summary);
   fmt::print("\nFriction methods (contact.ZONE.friction_method)\n");
-  for (const auto& method : contact::all_friction_methods())
+  for (const auto& method : study::friction_methods)
     fmt::print("  {:<31} {:<36} {}\n", method.name, method.code_aster, method.summary);
   fmt::print("\nNested levels (contact.ZONE.iterate: geometry, friction, status)\n");
   for (const auto& [name, code_aster, summary] :

@@ -16,23 +16,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The slip at which friction saturates, in lengths of the zone's edge, when c_t is chosen by itself.
-constexpr double saturation_slip = 2e-3;
 /// Penetration, in lengths of the zone's edge, below which an open point stays open: rounding makes
 /// that much.
 constexpr double closing_gap = 1e-11;
-
-/// Where gaps close only on average over a face, single points keep small gaps of either sign. An
-/// augmentation as stiff as the body would answer each of them with a pressure of its own and make statuses
-/// flicker.
-constexpr double averaged_share = 1;
-
-/// Penalties in units of the automatic augmentation.
-constexpr double normal_stiffening = 10;
-constexpr double tangential_stiffening = 10;
-/// A spring of friction in units of what the node resists. Stiffer than this, points that slip look as if
-/// they stuck in every other iteration.
-constexpr double spring_share = 0.1;
 
 /// Gap, in lengths of the zone's edge, below which a point touches at the start of a step.
 constexpr double touching_gap = 1e-9;
@@ -210,21 +196,16 @@ ContactSystem::ContactSystem(Index dofs, Index multipliers)
 
 ZoneCoefficients automatic_coefficients(const Zone& zone, const domain::DofMap& dofs,
                                         const Eigen::Ref<const VectorXd>& diagonal) {
-  using study::FrictionMethod;
   const auto& settings = zone.settings;
+  const auto& normal = normal_law(settings.method);
+  const auto& friction = friction_law(settings.friction_method);
   ZoneCoefficients coefficients;
   for (const auto& point : zone.points) {
-    const double share = point.node_position >= 0 ? 1.0 : averaged_share;
     const double stiffness = resistance(point, dofs, diagonal) / std::abs(point.weight);
-    const double normal = (study::is_exact(settings.method) ? share : normal_stiffening) * stiffness;
-    double tangential = 1 / (saturation_slip * zone.edge());
-    if (settings.friction_method == FrictionMethod::penalty)
-      tangential *= tangential_stiffening;
-    else if (settings.friction_method == FrictionMethod::nodal_penalty)
-      tangential = spring_share * stiffness;
     coefficients.resistance.push_back(stiffness);
-    coefficients.normal.push_back(settings.normal_coefficient.value_or(normal));
-    coefficients.tangential.push_back(settings.tangential_coefficient.value_or(tangential));
+    coefficients.normal.push_back(settings.normal_coefficient.value_or(normal.multiple * stiffness));
+    coefficients.tangential.push_back(
+        settings.tangential_coefficient.value_or(friction.coefficient(stiffness, zone.edge())));
   }
   return coefficients;
 }

@@ -8,7 +8,6 @@ namespace rubato::contact {
 namespace {
 
 using Eigen::Matrix2d;
-using Eigen::RowVectorXd;
 using Eigen::Vector2d;
 using study::ContactMethod;
 using study::FrictionMethod;
@@ -18,7 +17,13 @@ constexpr int slip = 1;
 constexpr int pressure = 3;
 constexpr int semi = 4;
 
-using Row = Eigen::Matrix<double, 1, 6>;
+/// The slip at which friction saturates, in lengths of the zone's edge, when c_t is chosen by itself.
+constexpr double saturation_slip = 2e-3;
+/// Penalties in units of the augmentation that is chosen by itself.
+constexpr double stiffening = 10;
+/// A spring of friction in units of what the node resists. Stiffer than this, points that slip look as if
+/// they stuck in every other iteration.
+constexpr double spring_share = 0.1;
 
 /// Springs begin where a point counts as closed: a force that jumped there would leave no status that agrees
 /// with its own gap.
@@ -26,37 +31,41 @@ double force_of_spring(const PointState& point, const PointLaw& law) {
   return -law.normal * (point.gap + law.gap_tolerance);
 }
 
-/// P with its derivatives, zero while it is held.
-struct Threshold {
-  double value = 0;
-  Row derivative = Row::Zero();
-};
-
-Threshold threshold_of(const PointState& point, const PointLaw& law) {
-  Threshold threshold;
-  if (law.held_threshold) {
-    threshold.value = *law.held_threshold;
-  } else if (study::is_exact(law.method)) {
-    threshold.value = point.pressure;
-    threshold.derivative[pressure] = 1;
-  } else {
-    threshold.value = force_of_spring(point, law);
-    threshold.derivative[gap] = -law.normal;
-  }
-  return threshold;
+FrictionPressure pressure_of_multiplier(const PointState& point, const PointLaw& /*law*/) {
+  FrictionPressure result;
+  result.value = point.pressure;
+  result.derivative[pressure] = 1;
+  return result;
 }
 
-/// What friction compares with its limit, so that it sticks while the length is at most one.
-Vector2d relative_friction(const PointState& point, const PointLaw& law) {
-  switch (law.friction_method) {
-  case FrictionMethod::augmented_lagrangian:
-    return point.semi + law.tangential * point.slip;
-  case FrictionMethod::penalty:
-    return law.tangential * point.slip;
-  case FrictionMethod::nodal_penalty:
-    break;
-  }
+FrictionPressure pressure_of_spring(const PointState& point, const PointLaw& law) {
+  FrictionPressure result;
+  result.value = force_of_spring(point, law);
+  result.derivative[gap] = -law.normal;
+  return result;
+}
+
+/// P with its derivatives, zero while it is held.
+FrictionPressure threshold_of(const PointState& point, const PointLaw& law) {
+  if (law.held_threshold)
+    return {.value = *law.held_threshold};
+  return normal_law(law.method).friction_pressure(point, law);
+}
+
+Vector2d relative_to_multiplier(const PointState& point, const PointLaw& law) {
+  return point.semi + law.tangential * point.slip;
+}
+
+Vector2d relative_to_saturation(const PointState& point, const PointLaw& law) {
+  return law.tangential * point.slip;
+}
+
+Vector2d relative_to_limit(const PointState& point, const PointLaw& law) {
   return law.tangential / (law.friction * threshold_of(point, law).value) * point.slip;
+}
+
+Vector2d relative_friction(const PointState& point, const PointLaw& law) {
+  return friction_law(law.friction_method).relative_friction(point, law);
 }
 
 /// Λ = 0
@@ -70,16 +79,24 @@ void open_contact(const PointState& point, const PointLaw& law, PointResponse& r
   response.d_equations(0, pressure) = -1 / law.normal;
 }
 
-void close_contact(const PointState& point, const PointLaw& law, PointResponse& response) {
-  const double stiffness = law.method == ContactMethod::nodal_pcg ? 0.0 : law.normal;
-  response.traction[0] = study::is_exact(law.method) ? -stiffness * point.gap : force_of_spring(point, law);
-  response.d_traction(0, gap) = -stiffness;
-  if (!study::is_exact(law.method))
-    return;
-  response.traction[0] += point.pressure;
+/// T_n = λ and g = 0
+void close_by_multiplier(const PointState& point, const PointLaw& /*law*/, PointResponse& response) {
+  response.traction[0] = point.pressure;
   response.d_traction(0, pressure) = 1;
   response.equations[0] = -point.gap;
   response.d_equations(0, gap) = -1;
+}
+
+/// T_n = λ − c g and g = 0
+void close_by_augmentation(const PointState& point, const PointLaw& law, PointResponse& response) {
+  close_by_multiplier(point, law, response);
+  response.traction[0] = -law.normal * point.gap + point.pressure;
+  response.d_traction(0, gap) = -law.normal;
+}
+
+void close_by_spring(const PointState& point, const PointLaw& law, PointResponse& response) {
+  response.traction[0] = force_of_spring(point, law);
+  response.d_traction(0, gap) = -law.normal;
 }
 
 /// v/|v| and its derivative.
@@ -111,29 +128,38 @@ void rub_by_spring(const PointState& point, Status status, const PointLaw& law, 
   response.d_traction.block<2, 2>(1, slip) -= law.friction * threshold.value * along.derivative;
 }
 
-/// −μ P ρ; with semi-multipliers also the equation Λ = ρ, which in stick is c_t Δs = 0.
-void rub_by_saturation(const PointState& point, Status status, const PointLaw& law, PointResponse& response) {
-  const bool multipliers = law.friction_method == FrictionMethod::augmented_lagrangian;
+/// −μ P ρ with ρ = `relative` in stick and its direction in slip, and what ρ is made of.
+struct Saturation {
+  double limit;
+  Vector2d rho;
+  Matrix2d d_rho = Matrix2d::Identity(); ///< by `relative`
+};
+
+Saturation saturate(const PointState& point, Status status, const PointLaw& law, PointResponse& response) {
   const auto threshold = threshold_of(point, law);
-  Vector2d rho = relative_friction(point, law);
-  Matrix2d d_rho = Matrix2d::Identity();
+  Saturation result{law.friction * threshold.value, relative_friction(point, law)};
   if (status == Status::slip) {
-    const Direction along(rho);
-    rho = along.unit;
-    d_rho = along.derivative;
+    const Direction along(result.rho);
+    result.rho = along.unit;
+    result.d_rho = along.derivative;
   }
-  const double limit = law.friction * threshold.value;
-  response.traction.tail<2>() = -limit * rho;
-  if (!multipliers)
-    response.kept_friction = shrinking(rho);
-  response.d_traction.bottomRows<2>() = -law.friction * rho * threshold.derivative;
-  response.d_traction.block<2, 2>(1, slip) -= limit * law.tangential * d_rho;
-  if (!multipliers)
-    return;
-  response.d_traction.block<2, 2>(1, semi) -= limit * d_rho;
-  response.equations.tail<2>() = point.semi - rho;
-  response.d_equations.block<2, 2>(1, semi) = Matrix2d::Identity() - d_rho;
-  response.d_equations.block<2, 2>(1, slip) = -law.tangential * d_rho;
+  response.traction.tail<2>() = -result.limit * result.rho;
+  response.d_traction.bottomRows<2>() = -law.friction * result.rho * threshold.derivative;
+  response.d_traction.block<2, 2>(1, slip) -= result.limit * law.tangential * result.d_rho;
+  return result;
+}
+
+void rub_by_saturation(const PointState& point, Status status, const PointLaw& law, PointResponse& response) {
+  response.kept_friction = shrinking(saturate(point, status, law, response).rho);
+}
+
+/// With semi-multipliers also the equation Λ = ρ, which in stick is c_t Δs = 0.
+void rub_by_multiplier(const PointState& point, Status status, const PointLaw& law, PointResponse& response) {
+  const auto saturation = saturate(point, status, law, response);
+  response.d_traction.block<2, 2>(1, semi) -= saturation.limit * saturation.d_rho;
+  response.equations.tail<2>() = point.semi - saturation.rho;
+  response.d_equations.block<2, 2>(1, semi) = Matrix2d::Identity() - saturation.d_rho;
+  response.d_equations.block<2, 2>(1, slip) = -law.tangential * saturation.d_rho;
 }
 
 bool rubs(const PointState& point, Status status, const PointLaw& law) {
@@ -141,17 +167,68 @@ bool rubs(const PointState& point, Status status, const PointLaw& law) {
          (status == Status::stick || relative_friction(point, law).norm() > 0);
 }
 
-/// T_n of a point that closes is to be more than what rounding of its gap makes. Conjugate gradients find
-/// forces that are positive or zero.
-bool touches(const PointState& point, const PointLaw& law) {
-  if (law.method == ContactMethod::nodal_pcg)
-    return point.pressure > 0;
-  const double pushed = force_of_spring(point, law);
-  if (!study::is_exact(law.method))
-    return pushed > 0;
-  const double held = -law.normal * point.gap;
-  return point.pressure > 0 ? point.pressure + held > 0 : point.pressure + pushed > 0;
+// T_n of a point that closes is to be more than what rounding of its gap makes.
+
+/// Conjugate gradients find forces that are positive or zero.
+bool has_force(const PointState& point, const PointLaw& /*law*/) {
+  return point.pressure > 0;
 }
+
+bool compresses_spring(const PointState& point, const PointLaw& law) {
+  return force_of_spring(point, law) > 0;
+}
+
+bool presses(const PointState& point, const PointLaw& law) {
+  const double pushed = point.pressure > 0 ? -law.normal * point.gap : force_of_spring(point, law);
+  return point.pressure + pushed > 0;
+}
+
+/// A point that has just closed has no friction yet (Λ = 0). Pulled back over the slip that it comes with, it
+/// would need more than its limit: c_t, which knows nothing of pressures, may call that sticking, and the
+/// pull opens points beside it.
+bool comes_sliding(const PointState& point, const PointLaw& law) {
+  return point.semi.isZero(0) &&
+         law.resistance * point.slip.norm() > law.friction * threshold_of(point, law).value;
+}
+
+bool never(const PointState& /*point*/, const PointLaw& /*law*/) {
+  return false;
+}
+
+double automatic_augmentation(double /*resistance*/, double edge) {
+  return 1 / (saturation_slip * edge);
+}
+double automatic_penalty(double resistance, double edge) {
+  return stiffening * automatic_augmentation(resistance, edge);
+}
+double automatic_spring(double resistance, double /*edge*/) {
+  return spring_share * resistance;
+}
+
+double no_stiffness(const PointState& /*point*/, const PointLaw& /*law*/) {
+  return 0;
+}
+double saturation_stiffness(const PointState& point, const PointLaw& law) {
+  return law.friction * law.tangential * friction_pressure(point, law);
+}
+
+/// In the order of the methods.
+constexpr std::array<NormalLaw, 5> normal_laws{{
+    {ContactMethod::augmented_lagrangian, 1, &presses, &close_by_augmentation, &pressure_of_multiplier},
+    {ContactMethod::penalty, stiffening, &compresses_spring, &close_by_spring, &pressure_of_spring},
+    {ContactMethod::nodal_lagrange, 1, &presses, &close_by_augmentation, &pressure_of_multiplier},
+    {ContactMethod::nodal_penalty, stiffening, &compresses_spring, &close_by_spring, &pressure_of_spring},
+    {ContactMethod::nodal_pcg, 1, &has_force, &close_by_multiplier, &pressure_of_multiplier},
+}};
+
+constexpr std::array<FrictionLaw, 3> friction_laws{{
+    {FrictionMethod::augmented_lagrangian, &automatic_augmentation, &relative_to_multiplier, &comes_sliding,
+     &rub_by_multiplier, &no_stiffness},
+    {FrictionMethod::penalty, &automatic_penalty, &relative_to_saturation, &never, &rub_by_saturation,
+     &saturation_stiffness},
+    {FrictionMethod::nodal_penalty, &automatic_spring, &relative_to_limit, &never, &rub_by_spring,
+     &no_stiffness},
+}};
 
 } // namespace
 
@@ -167,23 +244,20 @@ std::string_view to_string(Status status) {
   return "";
 }
 
-namespace {
-
-/// A point that has just closed has no friction yet (Λ = 0). Pulled back over the slip that it comes with, it
-/// would need more than its limit: c_t, which knows nothing of pressures, may call that sticking, and the
-/// pull opens points beside it.
-bool comes_sliding(const PointState& point, const PointLaw& law) {
-  return law.friction_method == FrictionMethod::augmented_lagrangian && point.semi.isZero(0) &&
-         law.resistance * point.slip.norm() > law.friction * threshold_of(point, law).value;
+const NormalLaw& normal_law(ContactMethod method) {
+  return normal_laws[static_cast<std::size_t>(method)];
 }
 
-} // namespace
+const FrictionLaw& friction_law(FrictionMethod method) {
+  return friction_laws[static_cast<std::size_t>(method)];
+}
 
 Status wanted_status(const PointState& point, const PointLaw& law) {
-  if (!touches(point, law))
+  if (!normal_law(law.method).touches(point, law))
     return Status::open;
   const bool sticks = law.friction > 0 && threshold_of(point, law).value > 0 &&
-                      relative_friction(point, law).norm() <= 1 && !comes_sliding(point, law);
+                      relative_friction(point, law).norm() <= 1 &&
+                      !friction_law(law.friction_method).comes_sliding(point, law);
   return sticks ? Status::stick : Status::slip;
 }
 
@@ -192,41 +266,16 @@ PointResponse respond(const PointState& point, Status status, const PointLaw& la
   if (status == Status::open)
     open_contact(point, law, response);
   else
-    close_contact(point, law, response);
-  if (!rubs(point, status, law))
-    free_semi_multipliers(point, response);
-  else if (law.friction_method == FrictionMethod::nodal_penalty)
-    rub_by_spring(point, status, law, response);
+    normal_law(law.method).close(point, law, response);
+  if (rubs(point, status, law))
+    friction_law(law.friction_method).rub(point, status, law, response);
   else
-    rub_by_saturation(point, status, law, response);
+    free_semi_multipliers(point, response);
   return response;
 }
 
 double friction_pressure(const PointState& point, const PointLaw& law) {
   return std::max(0.0, threshold_of(point, law).value);
-}
-
-std::span<const MethodEntry> all_methods() {
-  static constexpr std::array<MethodEntry, 5> entries{{
-      {"augmented_lagrangian", "CONTINUE, ALGO_CONT='STANDARD'",
-       "exact contact by pressures on the slave side"},
-      {"penalty", "CONTINUE, ALGO_CONT='PENALISATION'", "pressure grows with penetration"},
-      {"nodal_lagrange", "DISCRETE, ALGO_CONT='LAGRANGIEN'", "exact contact by one force a slave node"},
-      {"nodal_penalty", "DISCRETE, ALGO_CONT='PENALISATION'", "a slave node's force grows with penetration"},
-      {"nodal_pcg", "DISCRETE, ALGO_CONT='GCP'",
-       "nodal_lagrange without friction by projected conjugate gradients"},
-  }};
-  return entries;
-}
-
-std::span<const MethodEntry> all_friction_methods() {
-  static constexpr std::array<MethodEntry, 3> entries{{
-      {"augmented_lagrangian", "CONTINUE, ALGO_FROT='STANDARD'", "exact stick and slip by multipliers"},
-      {"penalty", "CONTINUE, ALGO_FROT='PENALISATION'", "friction grows with slip up to Coulomb's limit"},
-      {"nodal_penalty", "DISCRETE, ALGO_FROT='PENALISATION'",
-       "a slave node's spring since the start of the step, up to Coulomb's limit"},
-  }};
-  return entries;
 }
 
 } // namespace rubato::contact

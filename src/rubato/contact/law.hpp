@@ -17,7 +17,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 
 namespace rubato::contact {
@@ -76,14 +75,40 @@ PointResponse respond(const PointState& point, Status status, const PointLaw& la
 /// P, the pressure that friction is measured by, at a point in contact; never negative.
 double friction_pressure(const PointState& point, const PointLaw& law);
 
-struct MethodEntry {
-  std::string_view name;
-  std::string_view code_aster;
-  std::string_view summary;
+/// The pressure that friction is measured by, and its derivatives with respect to the six variables.
+struct FrictionPressure {
+  double value = 0;
+  Eigen::Matrix<double, 1, 6> derivative = Eigen::Matrix<double, 1, 6>::Zero();
 };
-/// Every way to enforce contact there is, for `rubato list` and the guide.
-std::span<const MethodEntry> all_methods();
-/// Every way to enforce friction there is.
-std::span<const MethodEntry> all_friction_methods();
+
+/// What sets the normal parts apart: a row each.
+struct NormalLaw {
+  study::ContactMethod method;
+  double multiple; ///< c or k that is chosen by itself, in units of what the slave side resists
+  /// Whether the variables call for contact: T_n > 0.
+  bool (*touches)(const PointState&, const PointLaw&);
+  /// Traction and equation in contact.
+  void (*close)(const PointState&, const PointLaw&, PointResponse&);
+  FrictionPressure (*friction_pressure)(const PointState&, const PointLaw&);
+};
+
+/// What sets the tangential parts apart: a row each.
+struct FrictionLaw {
+  study::FrictionMethod method;
+  /// c_t, k_t or E that is chosen by itself, given what the slave side resists [pressure/length] and the
+  /// zone's edge [length].
+  double (*coefficient)(double resistance, double edge);
+  /// What friction compares with its limit: it sticks while the length is at most one.
+  Eigen::Vector2d (*relative_friction)(const PointState&, const PointLaw&);
+  /// Whether a point that friction has not held before slips whatever its relative friction.
+  bool (*comes_sliding)(const PointState&, const PointLaw&);
+  /// Traction and equations of a point that sticks or slips with some pressure.
+  void (*rub)(const PointState&, Status, const PointLaw&, PointResponse&);
+  /// Stiffness of a spring that the pressure makes, while it sticks [pressure/length].
+  double (*stiffness)(const PointState&, const PointLaw&);
+};
+
+const NormalLaw& normal_law(study::ContactMethod method);
+const FrictionLaw& friction_law(study::FrictionMethod method);
 
 } // namespace rubato::contact

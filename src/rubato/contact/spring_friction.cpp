@@ -53,11 +53,6 @@ struct Passage {
 
 } // namespace
 
-bool rubs_by_springs(const Zone& zone) {
-  return zone.settings.friction > 0 &&
-         zone.settings.friction_method != study::FrictionMethod::augmented_lagrangian;
-}
-
 void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const IterateOfZone& now,
                       const domain::DofMap& dofs, const VectorXd& move, std::span<Status> status) {
   for (std::size_t i = 0; i < status.size(); ++i) {
@@ -78,14 +73,12 @@ void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const Ite
 std::vector<double> friction_stiffness(const ZoneLaw& law, std::span<const PointEvaluation> points,
                                        std::span<const Status> status) {
   std::vector<double> stiffness(points.size(), 0.0);
-  if (law.zone->settings.friction_method != study::FrictionMethod::penalty)
-    return stiffness;
+  const auto& friction = friction_law(law.zone->settings.friction_method);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (status[i] == Status::open)
       continue;
-    const auto point = law.of_point(i);
-    stiffness[i] = std::abs(law.zone->points[i].weight) * point.friction * point.tangential *
-                   friction_pressure(points[i].variables, point);
+    stiffness[i] =
+        std::abs(law.zone->points[i].weight) * friction.stiffness(points[i].variables, law.of_point(i));
   }
   return stiffness;
 }

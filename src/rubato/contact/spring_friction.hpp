@@ -22,8 +22,6 @@ struct IterateOfZone {
   std::span<const Status> status;
 };
 
-bool rubs_by_springs(const Zone& zone);
-
 /// Of points that slip now and were in contact in the iterate before, makes those stick
 /// - that had no pressure there to rub with, when their friction can pull them back over the slip that they
 ///   have come by meanwhile;

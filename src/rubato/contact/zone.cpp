@@ -163,8 +163,8 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const study::Contact
   std::map<NodeIndex, std::size_t> point_of_node;
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     const auto& face = slave.faces[f];
-    const auto rule = study::is_nodal(settings.method) ? node_rule(face.type)
-                                                       : contact_rule(face.type, settings.gauss_points);
+    const auto rule = study::entry_of(settings.method).nodal ? node_rule(face.type)
+                                                             : contact_rule(face.type, settings.gauss_points);
     for (const auto& at : rule) {
       std::size_t index = points.size();
       if (at.node >= 0) {
@@ -201,7 +201,7 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
   zone.master = std::move(master);
   zone.slave = std::move(slave);
   for (auto& point : zone.points)
-    point.weight = study::is_nodal(settings.method) ? 1.0 : point.area;
+    point.weight = zone.is_nodal() ? 1.0 : point.area;
   if (settings.normal != study::ContactNormal::master)
     for (auto& point : zone.points)
       add_turning_nodes(zone.slave, point);

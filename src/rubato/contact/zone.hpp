@@ -6,6 +6,7 @@
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/contact/surface.hpp"
 #include "rubato/domain/dof_map.hpp"
+#include "rubato/study/contact_methods.hpp"
 #include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
@@ -63,6 +64,8 @@ struct Zone {
   /// Which of λ, Λ₁, Λ₂ (0, 1, 2) are unknowns of a slave node, in their order there.
   std::span<const int> multiplier_variables() const;
   int multipliers_per_node() const { return static_cast<int>(multiplier_variables().size()); }
+  /// Whether it has one relation a slave node, without regard to areas.
+  bool is_nodal() const { return study::entry_of(settings.method).nodal; }
   /// Whether there are multipliers, each with one point.
   bool owns_multipliers() const { return points_own_multipliers && multipliers_per_node() > 0; }
   /// Whether there are multipliers that several points interpolate.
@@ -72,9 +75,8 @@ struct Zone {
 
 inline std::span<const int> Zone::multiplier_variables() const {
   static constexpr std::array variables{0, 1, 2};
-  const bool tangential =
-      settings.friction > 0 && settings.friction_method == study::FrictionMethod::augmented_lagrangian;
-  const std::size_t first = study::is_exact(settings.method) ? 0 : 1;
+  const bool tangential = settings.friction > 0 && study::entry_of(settings.friction_method).exact;
+  const std::size_t first = study::entry_of(settings.method).exact ? 0 : 1;
   const std::size_t last = tangential ? static_cast<std::size_t>(space_dimension) : 1;
   return std::span(variables).subspan(first, last - first);
 }

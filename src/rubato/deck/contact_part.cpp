@@ -89,7 +89,7 @@ study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
   read_master(map, context, zone);
   read_name(map.require("slave"), zone.slave);
   read(map.find("method"), zone.method, study::contact_method_words);
-  if (study::is_nodal(zone.method))
+  if (study::entry_of(zone.method).nodal)
     zone.geometry.by = study::Iteration::fixed_point;
   read_friction(map, zone);
   read_normals(map, zone);

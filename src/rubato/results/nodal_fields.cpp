@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/nodal_fields.hpp"
 
+#include "rubato/contact/nodal_pressure.hpp"
 #include "rubato/domain/recovery.hpp"
 
 #include <algorithm>
@@ -38,29 +39,10 @@ mesh::NodeIndex node_of(const contact::SlavePoint& point) {
   return point.nodes[static_cast<std::size_t>(largest - point.shape.begin())];
 }
 
-/// Pressure of the nodes: where they have multipliers their own, else the mean of the points around.
 void put_pressure(const contact::Zone& zone, const contact::ZoneState& state, std::vector<double>& values) {
-  const auto variables = zone.multiplier_variables();
-  const bool own = !variables.empty() && variables.front() == 0 && !study::is_nodal(zone.settings.method);
-  VectorXd pressure = VectorXd::Zero(static_cast<Index>(zone.slave.nodes.size()));
-  VectorXd share = VectorXd::Zero(pressure.size());
-  for (Index i = 0; own && i < pressure.size(); ++i)
-    pressure[i] = state.multipliers[i * zone.multipliers_per_node()];
-  for (const auto& point : zone.points)
-    if (own && point.axis_pressure)
-      pressure[point.node_position] =
-          state.outcomes[static_cast<std::size_t>(&point - zone.points.data())].pressure;
-  for (std::size_t i = 0; !own && i < zone.points.size(); ++i) {
-    const auto& point = zone.points[i];
-    for (std::size_t j = 0; j < point.multipliers.size(); ++j) {
-      const double part = point.area * std::abs(point.multiplier_shape[j]);
-      pressure[point.multipliers[j]] += part * state.outcomes[i].pressure;
-      share[point.multipliers[j]] += part;
-    }
-  }
-  for (Index i = 0; i < pressure.size(); ++i)
-    values[static_cast<std::size_t>(zone.slave.nodes[static_cast<std::size_t>(i)])] =
-        share[i] > 0 ? pressure[i] / share[i] : pressure[i];
+  const auto pressure = contact::nodal_pressure(zone, state);
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    values[static_cast<std::size_t>(zone.slave.nodes[i])] = pressure[i];
 }
 
 void add_contact_fields(const Model& model, const step::State& now, std::vector<OwnedField>& fields) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/advice.hpp"
 
+#include "rubato/contact/springs.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"
@@ -83,16 +84,15 @@ void on_loop(const contact::Zone& zone, study::Level study::ContactZone::*level,
 
 /// Springs in the place of exact gaps.
 void on_gap(const contact::Zone& zone, Advice& advice) {
-  using enum study::ContactMethod;
-  const auto method = study::is_nodal(zone.settings.method) ? nodal_penalty : penalty;
-  advice.add(fmt::format("{}: {}, whose gaps need not close", key_of(zone, "method"),
-                         study::word_of(study::contact_method_words, method)),
-             zone, [&](study::ContactZone& changed) {
-               changed.method = method;
-               changed.friction_method = study::usual_friction_method(method);
-               changed.normal_coefficient.reset();
-               changed.tangential_coefficient.reset();
-             });
+  const auto method = study::entry_of(zone.settings.method).softer;
+  advice.add(
+      fmt::format("{}: {}, whose gaps need not close", key_of(zone, "method"), study::entry_of(method).name),
+      zone, [&](study::ContactZone& changed) {
+        changed.method = method;
+        changed.friction_method = study::usual_friction_method(method);
+        changed.normal_coefficient.reset();
+        changed.tangential_coefficient.reset();
+      });
 }
 
 void on_projection(const contact::Zone& zone, Advice& advice) {
@@ -127,22 +127,20 @@ void on_singular(const model::Model& model, Advice& advice) {
   if (!loose.empty())
     return;
   for (const auto& zone : model.zones)
-    if (study::is_exact(zone.settings.method))
+    if (contact::closes_gaps(zone))
       advice.add(fmt::format("{}: the slave nodes that supports hold", key_of(zone, "exclude_nodes")));
 }
 
 /// Coefficients that the user has chosen and that are part of the answer.
 void on_coefficients(const contact::Zone& zone, Advice& advice) {
   const auto& settings = zone.settings;
-  const bool springs =
-      settings.friction > 0 && settings.friction_method != study::FrictionMethod::augmented_lagrangian;
   const auto smaller = [&](const char* name, double now) {
     advice.add(fmt::format("a smaller {} than {:g}, or none",
                            key_of(zone, std::string("coefficients.") + name), now));
   };
-  if (springs && settings.tangential_coefficient)
+  if (contact::rubs_by_springs(zone) && settings.tangential_coefficient)
     smaller("tangential", *settings.tangential_coefficient);
-  if (!study::is_exact(settings.method) && settings.normal_coefficient)
+  if (!contact::closes_gaps(zone) && settings.normal_coefficient)
     smaller("normal", *settings.normal_coefficient);
 }
 
@@ -225,9 +223,7 @@ void on_place(const model::Model& model, const step::StepReport& report, Advice&
 } // namespace
 
 bool feeds_on_contact(const model::Model& model, const time::Scheme& scheme) {
-  return time::is_undamped(scheme) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
-           return study::is_exact(zone.settings.method);
-         });
+  return time::is_undamped(scheme) && std::ranges::any_of(model.zones, contact::closes_gaps);
 }
 
 std::vector<std::string> advice(const model::Model& model, const time::Scheme& scheme,

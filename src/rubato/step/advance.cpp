@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/advance.hpp"
 
+#include "rubato/contact/springs.hpp"
 #include "rubato/step/condensed.hpp"
 #include "rubato/step/nested_loops.hpp"
 #include "rubato/step/newton.hpp"
@@ -49,13 +50,7 @@ public:
   }
 
   /// Without one, every attempt is the same.
-  bool has_augmentation() const {
-    return std::ranges::any_of(model_.zones, [](const contact::Zone& zone) {
-      return study::is_exact(zone.settings.method) ||
-             (zone.settings.friction > 0 &&
-              zone.settings.friction_method == study::FrictionMethod::augmented_lagrangian);
-    });
-  }
+  bool has_augmentation() const { return std::ranges::any_of(model_.zones, contact::has_augmentation); }
 
   /// Points on the border of two faces may never settle on one of them while everything moves at once.
   StepReport loop_geometry(State& trial) {

@@ -2,6 +2,7 @@
 #include "rubato/step/condensed.hpp"
 
 #include "rubato/step/cycle_detector.hpp"
+#include "rubato/step/projected_cg.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,10 +44,7 @@ void CondensedScratch::forget() {
 }
 
 bool can_condense(const Model& model, const EffectiveSystem& system) {
-  return system.compliance && !model.zones.empty() &&
-         std::ranges::none_of(model.zones, [](const contact::Zone& zone) {
-           return zone.settings.method == study::ContactMethod::nodal_pcg;
-         });
+  return system.compliance && !model.zones.empty() && !finds_forces(model);
 }
 
 std::optional<Start> other_start(const Model& model, const EffectiveSystem& system) {
@@ -332,12 +330,8 @@ ContactForce Condensed::contact_force() const {
   ContactForce force(surface_.base.u.size());
   for (const auto& point : scratch_.in_contact) {
     const auto& stencil = now().points[point.zone][point.index].kinematics->stencil;
-    const auto& settings = model_.zones[point.zone].settings;
-    stencil.scatter(point.force, model_.dofs, force.all);
-    if (!settings.history_force)
-      stencil.scatter(point.force, model_.dofs, force.forgotten);
-    if (study::is_nodal(settings.method))
-      stencil.scatter(point.force, model_.dofs, force.nodal);
+    force.for_zone(model_.zones[point.zone],
+                   [&](VectorXd& part) { stencil.scatter(point.force, model_.dofs, part); });
   }
   return force;
 }

@@ -2,6 +2,7 @@
 #include "rubato/step/contact_evaluator.hpp"
 
 #include "rubato/contact/spring_friction.hpp"
+#include "rubato/contact/springs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,16 +23,6 @@ constexpr double closed_gap = 1e-9;
 
 /// Penetration in edges beyond which a projection may be on any face.
 constexpr double deep_in_edges = 0.5;
-
-/// Augmentations may be anything; penalties are the user's.
-void vary(const contact::Zone& zone, const RetrySettings& variant, contact::ZoneCoefficients& coefficients) {
-  if (study::is_exact(zone.settings.method))
-    for (auto& normal : coefficients.normal)
-      normal *= variant.normal_multiple;
-  if (zone.settings.friction_method == study::FrictionMethod::augmented_lagrangian)
-    for (auto& tangential : coefficients.tangential)
-      tangential *= variant.tangential_multiple;
-}
 
 /// A point on the border of two faces may belong to either; its place is the same.
 double move_on_master(const contact::Pair& here, const contact::Pair& there) {
@@ -87,7 +78,8 @@ ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& schem
                                    const State& committed, const RetrySettings& variant)
     : model_(model), system_(system), committed_(committed), variant_(variant), coefficients_(system.zones) {
   for (std::size_t z = 0; z < coefficients_.size(); ++z)
-    vary(model.zones[z], variant, coefficients_[z]);
+    contact::scale_augmentations(model.zones[z], variant.normal_multiple, variant.tangential_multiple,
+                                 coefficients_[z]);
   if (!scheme.nonsmooth)
     return;
   const contact::Configuration start{&model.mesh,         &model.dofs, &committed.motion.u,
@@ -321,7 +313,7 @@ std::optional<Unmet> ContactEvaluator::open_gap(const Held& held, const ContactI
   std::optional<Unmet> worst;
   for (std::size_t z = 0; z < now.points.size(); ++z) {
     const auto& zone = model_.zones[z];
-    if (!study::is_exact(zone.settings.method))
+    if (!contact::closes_gaps(zone))
       continue;
     const double allowed = closed_gap * zone.edge();
     const auto check = [&](double gap, mesh::NodeIndex node) {

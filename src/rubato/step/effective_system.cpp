@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/effective_system.hpp"
 
+#include "rubato/contact/springs.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/step/linear_step.hpp"
@@ -104,32 +105,19 @@ double add_weak_springs(const Model& model, EffectiveSystem& system) {
   return all;
 }
 
-/// A free body that lies on few points moves by more than the elastic displacements before it comes to rest:
-/// augmentations of the stiffness of the body would open points that press for gaps that are traces of that.
-void soften_augmentation(const contact::Zone& zone, double weak, contact::ZoneCoefficients& coefficients) {
-  if (!study::is_exact(zone.settings.method) || zone.settings.normal_coefficient)
-    return;
-  for (std::size_t i = 0; i < zone.points.size(); ++i)
-    coefficients.normal[i] =
-        std::min(coefficients.normal[i], augmented_by * weak / std::abs(zone.points[i].weight));
-}
-
-bool has_springs(const contact::Zone& zone) {
-  return !study::is_exact(zone.settings.method) ||
-         zone.settings.friction_method == study::FrictionMethod::nodal_penalty;
-}
-
 /// What only leads to the answer follows the step at hand. Springs are part of the model: stiffer ones in a
-/// step that is cut would throw bodies apart that the former ones had let in.
+/// step that is cut would throw bodies apart that the former ones had let in. A free body that lies on few
+/// points moves by more than the elastic displacements before it comes to rest: augmentations of the
+/// stiffness of the body would open points that press for gaps that are traces of that.
 contact::ZoneCoefficients coefficients_of(const contact::Zone& zone, const Model& model,
-                                          const time::Scheme& scheme, const Eigen::VectorXd& diagonal) {
+                                          const time::Scheme& scheme, const Eigen::VectorXd& diagonal,
+                                          double weak) {
   auto coefficients = contact::automatic_coefficients(zone, model.dofs, diagonal);
-  if (!has_springs(zone))
-    return coefficients;
-  auto usual = contact::automatic_coefficients(zone, model.dofs, usual_diagonal(model, scheme));
-  if (!study::is_exact(zone.settings.method))
-    return usual;
-  coefficients.tangential = std::move(usual.tangential);
+  contact::keep_springs(
+      zone, [&] { return contact::automatic_coefficients(zone, model.dofs, usual_diagonal(model, scheme)); },
+      coefficients);
+  if (weak > 0)
+    contact::limit_augmentations(zone, augmented_by * weak, coefficients);
   return coefficients;
 }
 
@@ -154,9 +142,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   system.matrix = model::free_part(model, full);
   const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);
   for (const auto& zone : model.zones) {
-    system.zones.push_back(coefficients_of(zone, model, scheme, system.diagonal));
-    if (system.has_free_bodies)
-      soften_augmentation(zone, weak, system.zones.back());
+    system.zones.push_back(coefficients_of(zone, model, scheme, system.diagonal, weak));
     system.neighbours.emplace_back(zone);
   }
   if (model.study.solver != study::Solver::full)

@@ -2,6 +2,8 @@
 // Notation of docs/theory/energy.md: [x] = x₁ − x₀, {x} = (x₀ + x₁)/2.
 #include "rubato/step/energy.hpp"
 
+#include "rubato/contact/springs.hpp"
+
 #include <utility>
 
 namespace rubato::step {
@@ -204,10 +206,7 @@ double EnergyAccount::dissipation_of_inertia(const VectorXd& moved, const State&
 double energy_of_springs(std::span<const contact::Zone> zones, std::span<const contact::ZoneState> states) {
   double sum = 0;
   for (std::size_t z = 0; z < states.size(); ++z)
-    if (!study::is_exact(zones[z].settings.method))
-      for (const auto& outcome : states[z].outcomes)
-        if (outcome.gap < 0)
-          sum -= 0.5 * outcome.gap * outcome.normal.norm();
+    sum += contact::stored_energy(zones[z], states[z]);
   return sum;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/equilibrium.hpp"
 
+#include "rubato/contact/springs.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,17 +34,6 @@ VectorXd history_forces(const time::Scheme& scheme, const State& committed) {
   return history;
 }
 
-/// Of a point's springs that the deck or the effective matrix gives, normal and of friction.
-double stiffness_of_springs(const contact::Zone& zone, const contact::ZoneCoefficients& coefficients,
-                            std::size_t point) {
-  double stiffness = 0;
-  if (!study::is_exact(zone.settings.method))
-    stiffness = std::abs(zone.points[point].weight) * coefficients.normal[point];
-  if (zone.settings.friction > 0 && zone.settings.friction_method == study::FrictionMethod::nodal_penalty)
-    stiffness = std::max(stiffness, coefficients.tangential[point]);
-  return stiffness;
-}
-
 /// Adds the springs of a zone's points to the dofs of their nodes, and the stiffest to those of the master.
 template <class SpringOf>
 void add_springs(const Model& model, const contact::Zone& zone, const SpringOf& spring_of,
@@ -70,7 +61,7 @@ ContactStiffness contact_stiffness(const Model& model, const EffectiveSystem& sy
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
     add_springs(
-        model, zone, [&](std::size_t i) { return stiffness_of_springs(zone, system.zones[z], i); },
+        model, zone, [&](std::size_t i) { return contact::spring_stiffness(zone, system.zones[z], i); },
         stiffness.by_place);
     add_springs(
         model, zone, [&](std::size_t i) { return friction[z][i]; }, stiffness.by_move);

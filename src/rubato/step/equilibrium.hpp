@@ -21,6 +21,14 @@ struct ContactForce {
   Eigen::VectorXd forgotten; ///< the part that the next step's history has nothing of
 
   explicit ContactForce(Eigen::Index dofs);
+  /// Calls `add` with each of the vectors that forces of a zone stand in.
+  template <class Add> void for_zone(const contact::Zone& zone, const Add& add) {
+    add(all);
+    if (!zone.settings.history_force)
+      add(forgotten);
+    if (zone.is_nodal())
+      add(nodal);
+  }
 };
 
 /// What forces at each dof follow the surfaces by, at most. On a master every spring of its zone counts as

@@ -14,10 +14,6 @@ namespace {
 using Eigen::VectorXd;
 using model::Model;
 
-bool by_projected_cg(const Model& model) {
-  return !model.zones.empty() && model.zones.front().settings.method == study::ContactMethod::nodal_pcg;
-}
-
 } // namespace
 
 Newton::Newton(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
@@ -88,14 +84,10 @@ void Newton::evaluate_contact(const State& trial, const Held& held, int iteratio
 }
 
 void Newton::add_zone(std::size_t z, const Held& held) {
-  const auto& settings = model_.zones[z].settings;
   const VectorXd before = contact_.force;
   contact::add_contributions(side_.law_of(z, held), now_.points[z], now_.status[z], model_.dofs,
                              model_.multiplier_offsets[z], contact_);
-  if (!settings.history_force)
-    force_.forgotten += contact_.force - before;
-  if (study::is_nodal(settings.method))
-    force_.nodal += contact_.force - before;
+  force_.for_zone(model_.zones[z], [&](VectorXd& part) { part += contact_.force - before; });
 }
 
 bool Newton::settled(const State& trial, const Held& held) {
@@ -120,7 +112,7 @@ bool Newton::solve_and_correct(double part, State& trial) {
   const LinearProblem problem{model_, system_.matrix, scheme_.contact_weight(), contact_,
                               equilibrium_.residual()};
   std::optional<LinearSolution> solution;
-  if (by_projected_cg(model_))
+  if (finds_forces(model_))
     solution = solve_projected_cg(problem, system_.compliance.get(), now_.points, trial.zones, pulse_);
   else
     solution = solve_full(problem);

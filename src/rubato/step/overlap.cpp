@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/overlap.hpp"
 
+#include "rubato/contact/springs.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,7 @@ double moved_out(const State& trial, std::size_t zone, std::size_t point) {
 /// The way that the force of an overlap acts over, and what its spring keeps.
 double closed_part(const contact::Zone& zone, double overlap, double moved_out,
                    const contact::PointOutcome& outcome) {
-  const double kept = study::is_exact(zone.settings.method) ? 0.0 : std::max(0.0, -outcome.gap);
+  const double kept = std::max(0.0, contact::rest_gap(zone, outcome) - outcome.gap);
   return std::clamp(moved_out + kept, 0.0, most_turned * overlap);
 }
 
@@ -30,7 +32,7 @@ double opening(const contact::Zone& zone, const contact::PointOutcome& before,
                const contact::PointOutcome& now) {
   if (!std::isfinite(now.gap))
     return 0;
-  return std::max(0.0, study::is_exact(zone.settings.method) ? now.gap - before.gap : now.gap);
+  return std::max(0.0, now.gap - contact::rest_gap(zone, before));
 }
 
 } // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/predictor_points.hpp"
 
+#include "rubato/contact/springs.hpp"
+#include "rubato/study/contact_methods.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -48,7 +51,7 @@ void set_forces(const contact::PointOutcome& outcome, const contact::Kinematics&
 /// Which of their points stick and which slip is often not unique: the last step's statuses are the better
 /// start then, and the one that other codes take.
 bool has_friction_springs(const contact::Zone& zone) {
-  return zone.settings.friction > 0 && zone.settings.friction_method == study::FrictionMethod::nodal_penalty;
+  return zone.settings.friction > 0 && study::entry_of(zone.settings.friction_method).nodal;
 }
 
 double friction_limit(const PredictorPoint& guess) {
@@ -104,7 +107,6 @@ void take_points(const Model& model, const ContactEvaluator& side, const Held& h
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
     const auto law = side.law_of(z, held);
-    const bool soft = !study::is_exact(zone.settings.method);
     const bool averaged = !zone.points_own_multipliers;
     for (std::size_t i = 0; held[z].status.empty() && i < zone.points.size(); ++i) {
       const auto& kinematics = contact.points[z][i].kinematics;
@@ -119,9 +121,9 @@ void take_points(const Model& model, const ContactEvaluator& side, const Held& h
       if (averaged || side.system().has_free_bodies)
         guess.give = 1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       guess.tangential_compliance = averaged ? averaged_friction_compliance * guess.give : 0;
-      guess.penalty_compliance = soft       ? 1 / (law.coefficients->normal[i] * zone.points[i].weight)
-                                 : averaged ? averaged_compliance * guess.give
-                                            : 0.0;
+      guess.penalty_compliance = contact::penetration_compliance(zone, *law.coefficients, i);
+      if (averaged && contact::closes_gaps(zone))
+        guess.penalty_compliance = averaged_compliance * guess.give;
       set_relations(model, compliance, *kinematics, moved, guess);
       set_forces(state.zones[z].outcomes[i], *kinematics, guess);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/projected_cg.hpp"
 
+#include "rubato/study/contact_methods.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -176,6 +178,10 @@ Relations relations_of(const LinearProblem& problem,
 
 std::optional<VectorXd> minimise_over_nonnegative(const BoundedProblem& problem, VectorXd start) {
   return Minimisation(problem, std::move(start)).run();
+}
+
+bool finds_forces(const model::Model& model) {
+  return !model.zones.empty() && study::entry_of(model.zones.front().settings.method).finds_forces;
 }
 
 std::optional<LinearSolution>

@@ -30,6 +30,9 @@ struct BoundedProblem {
 std::optional<Eigen::VectorXd> minimise_over_nonnegative(const BoundedProblem& problem,
                                                          Eigen::VectorXd start);
 
+/// Whether contact is by a method that solves for its forces by itself: all zones then have it.
+bool finds_forces(const model::Model& model);
+
 /// The motion and change of nodal forces of one linear contact problem, all zones of which are nodal_pcg.
 /// Nothing comes back without a compliance, when the iterations do not suffice, or when the pulse has
 /// stopped.

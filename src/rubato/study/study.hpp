@@ -183,24 +183,6 @@ struct ContactZone {
   bool operator==(const ContactZone&) const = default;
 };
 
-/// Whether gaps close exactly, by a multiplier λ of their own.
-constexpr bool is_exact(ContactMethod method) {
-  return method != ContactMethod::penalty && method != ContactMethod::nodal_penalty;
-}
-
-/// One relation a slave node, without regard to areas.
-constexpr bool is_nodal(ContactMethod method) {
-  return method == ContactMethod::nodal_lagrange || method == ContactMethod::nodal_penalty ||
-         method == ContactMethod::nodal_pcg;
-}
-
-/// The friction method that goes with a contact method where none is asked for.
-constexpr FrictionMethod usual_friction_method(ContactMethod method) {
-  if (is_nodal(method))
-    return FrictionMethod::nodal_penalty;
-  return method == ContactMethod::penalty ? FrictionMethod::penalty : FrictionMethod::augmented_lagrangian;
-}
-
 // ---- time and solver
 // ---------------------------------------------------------------------------------------
 

@@ -3,6 +3,7 @@
 /// yet computed by the solver: enabling it is its row here, nothing else.
 #pragma once
 
+#include "rubato/study/contact_methods.hpp"
 #include "rubato/study/study.hpp"
 
 #include <array>
@@ -38,17 +39,15 @@ inline constexpr std::array<Word<LoadKind>, 5> load_words{{{"nodal_force", LoadK
                                                            {"pressure", LoadKind::pressure},
                                                            {"gravity", LoadKind::gravity}}};
 
-inline constexpr std::array<Word<ContactMethod>, 5> contact_method_words{
-    {{"augmented_lagrangian", ContactMethod::augmented_lagrangian},
-     {"penalty", ContactMethod::penalty},
-     {"nodal_lagrange", ContactMethod::nodal_lagrange},
-     {"nodal_penalty", ContactMethod::nodal_penalty},
-     {"nodal_pcg", ContactMethod::nodal_pcg}}};
-
-inline constexpr std::array<Word<FrictionMethod>, 3> friction_method_words{
-    {{"augmented_lagrangian", FrictionMethod::augmented_lagrangian},
-     {"penalty", FrictionMethod::penalty},
-     {"nodal_penalty", FrictionMethod::nodal_penalty}}};
+/// The words of a table of methods.
+template <class Entry, std::size_t N> constexpr auto words_of(const std::array<Entry, N>& entries) {
+  std::array<Word<decltype(Entry::method)>, N> words{};
+  for (std::size_t i = 0; i < N; ++i)
+    words[i] = {entries[i].name, entries[i].method};
+  return words;
+}
+inline constexpr auto contact_method_words = words_of(contact_methods);
+inline constexpr auto friction_method_words = words_of(friction_methods);
 
 inline constexpr std::array<Word<ContactNormal>, 3> contact_normal_words{
     {{"master", ContactNormal::master},

@@ -151,7 +151,7 @@ TEST_P(LawTangent, IsTheDerivativeOfTheLaw) {
   std::uniform_real_distribution<double> number(-1, 1);
   for (int trial = 0; trial < 50; ++trial) {
     Eigen::Matrix<double, 6, 1> v = Eigen::Matrix<double, 6, 1>::NullaryExpr([&] { return number(random); });
-    v[0] = is_exact(law.method) ? v[0] : -0.5 + 0.4 * v[0];
+    v[0] = study::entry_of(law.method).exact ? v[0] : -0.5 + 0.4 * v[0];
     v[3] = 2 + number(random);
     const auto at = respond(from(v), status, law);
     for (int i = 0; i < 6; ++i) {

@@ -96,7 +96,7 @@ TEST_P(InterferenceFit, GivesHalfItsPressureOverTheOverlap) {
   EXPECT_NEAR(ledger.stored(), given, 1e-6 * given);
   EXPECT_NEAR(ledger.impact, 0, 1e-9 * given);
   EXPECT_EQ(run.warning, "");
-  const bool springs = !study::is_exact(run.walk.model.zones[0].settings.method);
+  const bool springs = !study::entry_of(run.walk.model.zones[0].settings.method).exact;
   EXPECT_EQ(ledger.contact > 0, springs);
   if (!springs) {
     EXPECT_NEAR(given, 0.5 * (young * overlap / 2) * overlap, 1e-6 * given);

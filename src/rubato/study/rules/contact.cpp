@@ -12,26 +12,12 @@ namespace {
 
 constexpr int most_loops = 10'000;
 
-std::string_view word(ContactMethod method) {
-  return word_of(contact_method_words, method);
-}
-
-/// What a contact method goes with.
-std::span<const FrictionMethod> friction_methods_of(ContactMethod method) {
-  using enum FrictionMethod;
-  static constexpr std::array exact{augmented_lagrangian, penalty};
-  static constexpr std::array soft{penalty, augmented_lagrangian};
-  static constexpr std::array nodal{nodal_penalty};
-  if (is_nodal(method))
-    return nodal;
-  return method == ContactMethod::penalty ? std::span<const FrictionMethod>(soft) : exact;
-}
-
 /// Each broken rule of one zone.
 class ZoneRules {
 public:
   ZoneRules(Rules& rules, const ContactZone& zone)
-      : rules_(rules), zone_(zone), path_("contact." + zone.name) {}
+      : rules_(rules), zone_(zone), method_(entry_of(zone.method)),
+        friction_method_(entry_of(zone.friction_method)), path_("contact." + zone.name) {}
 
   void check() {
     check_surfaces();
@@ -68,34 +54,32 @@ private:
   void check_friction() {
     rules_.number(at("friction"), zone_.friction, at_least(0));
     rules_.number(at("restitution"), zone_.restitution, from_to(0, 1));
-    if (zone_.method == ContactMethod::nodal_pcg && zone_.friction > 0)
+    if (method_.finds_forces && zone_.friction > 0)
       rules_.broken({at("friction"), at("method")},
-                    fmt::format("found {}, nodal_pcg is without friction, expected 0 or the method "
-                                "nodal_lagrange",
-                                zone_.friction));
-    const auto allowed = friction_methods_of(zone_.method);
-    if (std::ranges::find(allowed, zone_.friction_method) == allowed.end())
+                    fmt::format("found {}, {} is without friction, expected 0 or the method nodal_lagrange",
+                                zone_.friction, method_.name));
+    if (std::ranges::find(method_.friction, zone_.friction_method) == method_.friction.end())
       rules_.broken({at("friction_method"), at("method")},
-                    fmt::format("found {} with the contact method {}, expected {}",
-                                word_of(friction_method_words, zone_.friction_method), word(zone_.method),
-                                either(allowed)));
+                    fmt::format("found {} with the contact method {}, expected {}", friction_method_.name,
+                                method_.name, either(method_.friction)));
   }
 
   static std::string either(std::span<const FrictionMethod> methods) {
     std::string text;
-    for (const auto method : methods)
-      text += fmt::format("{}{}", text.empty() ? "" : " or ", word_of(friction_method_words, method));
+    for (std::size_t i = 0; i < methods.size(); ++i)
+      if (i == 0 || methods[i] != methods[i - 1])
+        text += fmt::format("{}{}", text.empty() ? "" : " or ", entry_of(methods[i]).name);
     return text;
   }
 
   void check_integration() {
     if (zone_.gauss_points != 0)
       rules_.whole_number(at("integration.gauss"), zone_.gauss_points, from_to(1, most_gauss_points));
-    if (is_nodal(zone_.method) && zone_.gauss_points > 0)
+    if (method_.nodal && zone_.gauss_points > 0)
       rules_.broken({at("integration"), at("method")},
                     fmt::format("{} has one relation a node, expected nodes; augmented_lagrangian and "
                                 "penalty take Gauss points",
-                                word(zone_.method)));
+                                method_.name));
   }
 
   void check_coefficients() {
@@ -109,13 +93,12 @@ private:
     check_level(zone_.geometry, "iterate.geometry", true);
     check_level(zone_.threshold, "iterate.friction", true);
     check_level(zone_.status, "iterate.status", false);
-    if (is_nodal(zone_.method) && zone_.geometry.by == Iteration::newton)
-      rules_.broken(
-          {at("iterate.geometry"), at("method")},
-          fmt::format("{} holds its relations during a loop, expected fixed_point", word(zone_.method)));
-    if (zone_.method == ContactMethod::nodal_pcg && zone_.status.by == Iteration::fixed_point)
+    if (method_.nodal && zone_.geometry.by == Iteration::newton)
+      rules_.broken({at("iterate.geometry"), at("method")},
+                    fmt::format("{} holds its relations during a loop, expected fixed_point", method_.name));
+    if (method_.finds_forces && zone_.status.by == Iteration::fixed_point)
       rules_.broken({at("iterate.status"), at("method")},
-                    "nodal_pcg finds the points that touch by itself, expected newton");
+                    fmt::format("{} finds the points that touch by itself, expected newton", method_.name));
   }
 
   void check_level(const Level& level, std::string_view key, bool has_tolerance) {
@@ -136,12 +119,11 @@ private:
 
   /// Explicit steps solve nothing, multipliers least of all.
   void check_explicit(const TimeStepping& time) {
-    if (zone_.method != ContactMethod::penalty || zone_.friction_method != FrictionMethod::penalty)
+    if (!method_.explicit_steps || !friction_method_.explicit_steps)
       rules_.broken({path_, at("method"), at("friction_method"), "time.scheme"},
                     fmt::format("found the method {} with friction by {}, but the scheme {} has forces only, "
                                 "expected penalty for both",
-                                word(zone_.method), word_of(friction_method_words, zone_.friction_method),
-                                word_of(scheme_words, time.scheme)));
+                                method_.name, friction_method_.name, word_of(scheme_words, time.scheme)));
   }
 
   /// Velocities that jump ask for impulses, which springs have none of; and only they know of restitution.
@@ -156,33 +138,32 @@ private:
       rules_.broken({path_, at("restitution"), "time.contact_mass", "time.scheme"},
                     "found a restitution, but redistributed contact mass leaves nothing that could bounce, "
                     "expected contact_mass: consistent or no restitution");
-    const bool springs =
-        zone_.method == ContactMethod::penalty || zone_.method == ContactMethod::nodal_penalty ||
-        (zone_.friction > 0 && zone_.friction_method != FrictionMethod::augmented_lagrangian);
+    const bool springs = !method_.impulses || (zone_.friction > 0 && !friction_method_.exact);
     if (jumps && springs)
       rules_.broken({path_, at("method"), at("friction_method"), at("friction"), "time.scheme"},
                     fmt::format("found the method {} with friction by {}, but the scheme {} stops bodies by "
                                 "impulses, expected augmented_lagrangian for both",
-                                word(zone_.method), word_of(friction_method_words, zone_.friction_method),
-                                word_of(scheme_words, time.scheme)));
+                                method_.name, friction_method_.name, word_of(scheme_words, time.scheme)));
   }
 
   Rules& rules_;
   const ContactZone& zone_;
+  const ContactMethodEntry& method_;
+  const FrictionMethodEntry& friction_method_;
   std::string path_;
 };
 
 /// All zones are solved together by conjugate gradients, or none.
 void check_methods_together(Rules& rules) {
   const auto& zones = rules.study.contact;
-  if (std::ranges::none_of(zones, is_by_cg) || std::ranges::all_of(zones, is_by_cg))
+  if (std::ranges::none_of(zones, finds_forces) || std::ranges::all_of(zones, finds_forces))
     return;
-  const auto other = std::ranges::find_if_not(zones, is_by_cg);
+  const auto other = std::ranges::find_if_not(zones, finds_forces);
   const auto path = "contact." + other->name;
   rules.broken({path, path + ".method"},
                fmt::format("found the method {} beside nodal_pcg, which solves for all zones together, "
                            "expected nodal_pcg in every zone or in none",
-                           word(other->method)));
+                           entry_of(other->method).name));
 }
 
 } // namespace

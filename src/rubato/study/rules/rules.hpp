@@ -54,9 +54,9 @@ private:
   Judgement judgement_;
 };
 
-/// Whether projected conjugate gradients solve for the zone.
-constexpr bool is_by_cg(const ContactZone& zone) {
-  return zone.method == ContactMethod::nodal_pcg;
+/// Whether the zone's method solves for its forces by itself, as conjugate gradients do.
+constexpr bool finds_forces(const ContactZone& zone) {
+  return entry_of(zone.method).finds_forces;
 }
 
 void check_mesh(Rules& rules);

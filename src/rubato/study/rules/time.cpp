@@ -136,7 +136,7 @@ void check_solution(Rules& rules) {
   if (is_explicit(study.time.scheme) && study.solver != Solver::automatic)
     rules.broken({"solver", "time.scheme"}, fmt::format("the scheme {} solves no system, expected auto",
                                                         word_of(scheme_words, study.time.scheme)));
-  if (study.solver == Solver::full && std::ranges::any_of(study.contact, is_by_cg))
+  if (study.solver == Solver::full && std::ranges::any_of(study.contact, finds_forces))
     rules.broken({"solver"},
                  "found full, but nodal_pcg works on the factored bulk, expected auto or condensed");
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What springs and augmentations a zone's methods have. Springs are part of the model: they give way, hold
+/// energy, and their stiffness shows in the answer. Augmentations only lead to it.
+#pragma once
+
+#include "rubato/contact/enforcement.hpp"
+
+#include <functional>
+
+namespace rubato::contact {
+
+/// Whether gaps close exactly, so that no normal spring stands in the answer.
+bool closes_gaps(const Zone& zone);
+/// Whether friction is by springs.
+bool rubs_by_springs(const Zone& zone);
+/// Whether coefficients of the zone only lead to the answer.
+bool has_augmentation(const Zone& zone);
+
+/// How far a unit of force pushes the point in, by its normal spring; 0 where gaps close. [length/force]
+double penetration_compliance(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point);
+
+/// The stiffest spring of a point whose stiffness does not depend on the pressure, normal or of friction; 0
+/// where it has none. [force/length]
+double spring_stiffness(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point);
+
+/// The gap at which a point presses no more: that of a spring is 0, any other one's is what it is at.
+double rest_gap(const Zone& zone, const PointOutcome& outcome);
+
+/// What the normal springs of a zone hold, ½ N ⟨−g⟩ each [force · length].
+double stored_energy(const Zone& zone, const ZoneState& state);
+
+/// Multiplies augmentations; springs stay.
+void scale_augmentations(const Zone& zone, double normal, double tangential, ZoneCoefficients& coefficients);
+
+/// Takes augmentations that the deck does not give to at most `most` over the point's weight [force/length].
+void limit_augmentations(const Zone& zone, double most, ZoneCoefficients& coefficients);
+
+/// Replaces coefficients of springs, and those that belong to them, by those that `make` gives.
+void keep_springs(const Zone& zone, const std::function<ZoneCoefficients()>& make,
+                  ZoneCoefficients& coefficients);
+
+} // namespace rubato::contact

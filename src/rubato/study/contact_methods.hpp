@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What sets the methods of contact and friction apart: a row each. Rules, deck and solver ask the rows.
+#pragma once
+
+#include "rubato/study/study.hpp"
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace rubato::study {
+
+/// Multipliers that a method adds to a slave node, and how its forces are measured.
+struct ContactMethodEntry {
+  ContactMethod method;
+  std::string_view name;
+  std::string_view code_aster;
+  std::string_view summary;
+  bool exact;           ///< gaps close exactly, by a multiplier λ; else its springs are part of the answer
+  bool nodal;           ///< one relation a slave node without regard to areas, held while Newton iterates
+  bool finds_forces;    ///< solves for its forces by itself, without friction: Newton gets them as they are
+  bool explicit_steps;  ///< forces follow from the motion alone
+  bool impulses;        ///< forces may be impulses
+  ContactMethod softer; ///< the one whose gaps need not close
+  std::array<FrictionMethod, 2> friction; ///< the methods it goes with, the usual one first
+};
+
+struct FrictionMethodEntry {
+  FrictionMethod method;
+  std::string_view name;
+  std::string_view code_aster;
+  std::string_view summary;
+  bool exact;          ///< sticks exactly, by semi-multipliers Λ; else its springs are part of the answer
+  bool nodal;          ///< a spring a slave node that the pressure does not change
+  bool explicit_steps; ///< forces follow from the motion alone
+};
+
+inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
+    {.method = ContactMethod::augmented_lagrangian,
+     .name = "augmented_lagrangian",
+     .code_aster = "CONTINUE, ALGO_CONT='STANDARD'",
+     .summary = "exact contact by pressures on the slave side",
+     .exact = true,
+     .nodal = false,
+     .finds_forces = false,
+     .explicit_steps = false,
+     .impulses = true,
+     .softer = ContactMethod::penalty,
+     .friction = {FrictionMethod::augmented_lagrangian, FrictionMethod::penalty}},
+    {.method = ContactMethod::penalty,
+     .name = "penalty",
+     .code_aster = "CONTINUE, ALGO_CONT='PENALISATION'",
+     .summary = "pressure grows with penetration",
+     .exact = false,
+     .nodal = false,
+     .finds_forces = false,
+     .explicit_steps = true,
+     .impulses = false,
+     .softer = ContactMethod::penalty,
+     .friction = {FrictionMethod::penalty, FrictionMethod::augmented_lagrangian}},
+    {.method = ContactMethod::nodal_lagrange,
+     .name = "nodal_lagrange",
+     .code_aster = "DISCRETE, ALGO_CONT='LAGRANGIEN'",
+     .summary = "exact contact by one force a slave node",
+     .exact = true,
+     .nodal = true,
+     .finds_forces = false,
+     .explicit_steps = false,
+     .impulses = true,
+     .softer = ContactMethod::nodal_penalty,
+     .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty}},
+    {.method = ContactMethod::nodal_penalty,
+     .name = "nodal_penalty",
+     .code_aster = "DISCRETE, ALGO_CONT='PENALISATION'",
+     .summary = "a slave node's force grows with penetration",
+     .exact = false,
+     .nodal = true,
+     .finds_forces = false,
+     .explicit_steps = false,
+     .impulses = false,
+     .softer = ContactMethod::nodal_penalty,
+     .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty}},
+    {.method = ContactMethod::nodal_pcg,
+     .name = "nodal_pcg",
+     .code_aster = "DISCRETE, ALGO_CONT='GCP'",
+     .summary = "nodal_lagrange without friction by projected conjugate gradients",
+     .exact = true,
+     .nodal = true,
+     .finds_forces = true,
+     .explicit_steps = false,
+     .impulses = true,
+     .softer = ContactMethod::nodal_penalty,
+     .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty}},
+}};
+
+inline constexpr std::array<FrictionMethodEntry, 3> friction_methods{{
+    {.method = FrictionMethod::augmented_lagrangian,
+     .name = "augmented_lagrangian",
+     .code_aster = "CONTINUE, ALGO_FROT='STANDARD'",
+     .summary = "exact stick and slip by multipliers",
+     .exact = true,
+     .nodal = false,
+     .explicit_steps = false},
+    {.method = FrictionMethod::penalty,
+     .name = "penalty",
+     .code_aster = "CONTINUE, ALGO_FROT='PENALISATION'",
+     .summary = "friction grows with slip up to Coulomb's limit",
+     .exact = false,
+     .nodal = false,
+     .explicit_steps = true},
+    {.method = FrictionMethod::nodal_penalty,
+     .name = "nodal_penalty",
+     .code_aster = "DISCRETE, ALGO_FROT='PENALISATION'",
+     .summary = "a slave node's spring since the start of the step, up to Coulomb's limit",
+     .exact = false,
+     .nodal = true,
+     .explicit_steps = false},
+}};
+
+/// Rows stand in the order of the methods.
+constexpr const ContactMethodEntry& entry_of(ContactMethod method) {
+  return contact_methods[static_cast<std::size_t>(method)];
+}
+constexpr const FrictionMethodEntry& entry_of(FrictionMethod method) {
+  return friction_methods[static_cast<std::size_t>(method)];
+}
+
+/// The friction method that goes with a contact method where none is asked for.
+constexpr FrictionMethod usual_friction_method(ContactMethod method) {
+  return entry_of(method).friction.front();
+}
+
+} // namespace rubato::study
