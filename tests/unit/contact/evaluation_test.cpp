@@ -104,7 +104,8 @@ TEST(EvaluationInUsedStorage, StaysInIt) {
     for (const auto& point : points)
       if (const auto& k = point.kinematics)
         for (const void* place :
-             {static_cast<const void*>(k->nodes.data()), static_cast<const void*>(k->shape.data()),
+             {static_cast<const void*>(k->stencil.nodes.data()),
+              static_cast<const void*>(k->stencil.weights.data()),
               static_cast<const void*>(k->d_normal.data()), static_cast<const void*>(k->d_gap.data())})
           all.push_back(place);
     return all;

@@ -75,10 +75,10 @@ TEST_P(ExplicitPenaltyOn, MeasuresGapsAsTheImplicitMethodsDo) {
       friction *= limit / friction.norm();
     stored += faces_.zone.points[i].weight * (pressure * pressure + friction.squaredNorm()) / (2 * k_n);
     const Eigen::Vector3d traction = pressure * k->normal + k->tangents * friction;
-    for (Eigen::Index n = 0; n < k->shape.size(); ++n)
-      for (int a = 0; a < k->components; ++a)
-        expected[k->nodes[static_cast<std::size_t>(n)] * k->components + a] -=
-            faces_.zone.points[i].weight * k->shape[n] * traction[a];
+    for (Eigen::Index n = 0; n < k->stencil.weights.size(); ++n)
+      for (int a = 0; a < k->stencil.components; ++a)
+        expected[k->stencil.nodes[static_cast<std::size_t>(n)] * k->stencil.components + a] -=
+            faces_.zone.points[i].weight * k->stencil.weights[n] * traction[a];
   }
   ASSERT_GT(touching, 0);
   EXPECT_LT((force - expected).norm(), 1e-12 * expected.norm());
@@ -99,10 +99,11 @@ TEST_P(ExplicitPenaltyOn, BoundsItsOwnFrequency) {
   const auto points = evaluate(faces_.zone, VectorXd::Zero(faces_.zone.multiplier_count()), configuration);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (const auto& k = points[i].kinematics)
-      for (int a = 0; a < k->components; ++a) {
+      for (int a = 0; a < k->stencil.components; ++a) {
         VectorXd b = VectorXd::Zero(inverse_mass.size());
-        for (Eigen::Index n = 0; n < k->shape.size(); ++n)
-          b[k->nodes[static_cast<std::size_t>(n)] * k->components + a] += k->shape[n];
+        for (Eigen::Index n = 0; n < k->stencil.weights.size(); ++n)
+          b[k->stencil.nodes[static_cast<std::size_t>(n)] * k->stencil.components + a] +=
+              k->stencil.weights[n];
         stiffness += faces_.zone.points[i].weight * k_n * b * b.transpose();
       }
   const MatrixXd root = inverse_mass.cwiseSqrt().asDiagonal();

@@ -80,8 +80,8 @@ TEST_P(ContactTangent, MeasuresWithoutDerivativesAreTheSame) {
         contact::evaluate_kinematics(setup.zone, setup.zone.points[p], pairs[p], configuration);
     contact::Kinematics measured;
     contact::measure_kinematics(setup.zone, setup.zone.points[p], pairs[p], configuration, measured);
-    EXPECT_EQ(measured.nodes, whole.nodes);
-    EXPECT_EQ(measured.shape, whole.shape);
+    EXPECT_EQ(measured.stencil.nodes, whole.stencil.nodes);
+    EXPECT_EQ(measured.stencil.weights, whole.stencil.weights);
     EXPECT_EQ(measured.gap, whole.gap);
     EXPECT_EQ(measured.slip, whole.slip);
     EXPECT_EQ(measured.normal, whole.normal);
@@ -98,9 +98,9 @@ TEST_P(ContactTangent, KinematicsVaryAsTheySay) {
       continue;
     const auto& point = setup.zone.points[p];
     const auto at = contact::evaluate_kinematics(setup.zone, point, pairs[p], configuration);
-    for (std::size_t node = 0; node < at.nodes.size(); ++node)
-      for (int i = 0; i < at.components; ++i) {
-        const auto dof = setup.dofs.dof(at.nodes[node], i);
+    for (std::size_t node = 0; node < at.stencil.nodes.size(); ++node)
+      for (int i = 0; i < at.stencil.components; ++i) {
+        const auto dof = setup.dofs.dof(at.stencil.nodes[node], i);
         const VectorXd forward = moved(setup.u, dof, h);
         const VectorXd backward = moved(setup.u, dof, -h);
         const auto plus_configuration = setup.configuration(forward);
@@ -109,7 +109,7 @@ TEST_P(ContactTangent, KinematicsVaryAsTheySay) {
             setup.zone, point, contact::find_pairs(setup.zone, plus_configuration)[p], plus_configuration);
         const auto minus = contact::evaluate_kinematics(
             setup.zone, point, contact::find_pairs(setup.zone, minus_configuration)[p], minus_configuration);
-        const auto column = static_cast<Eigen::Index>(node) * at.components + i;
+        const auto column = static_cast<Eigen::Index>(node) * at.stencil.components + i;
         EXPECT_NEAR((plus.gap - minus.gap) / (2 * h), at.d_gap[column], 2e-7);
         EXPECT_LT(((plus.normal - minus.normal) / (2 * h) - at.d_normal.col(column)).norm(), 2e-7);
         EXPECT_LT(((plus.slip - minus.slip) / (2 * h) - at.d_slip.col(column)).norm(), 2e-7);
@@ -177,16 +177,16 @@ TEST_P(ContactTangent, ToAFrameBetweenTwoOthersIsTheirMean) {
     EXPECT_NEAR(between.normal.norm(), 1, 1e-14);
     EXPECT_NEAR(between.normal.dot(a.normal), between.normal.dot(b.normal), 1e-14);
     EXPECT_NEAR(between.tangents.col(0).dot(between.normal), 0, 1e-14);
-    EXPECT_NEAR(between.shape.sum(), 0, 1e-14);
+    EXPECT_NEAR(between.stencil.weights.sum(), 0, 1e-14);
     contact::measure_in_held_frame(between, configuration);
     const double gap = between.gap;
     const VectorXd step = VectorXd::Random(setup.u.size());
     const VectorXd moved = setup.u + step;
     double change = 0;
-    for (std::size_t node = 0; node < between.nodes.size(); ++node)
+    for (std::size_t node = 0; node < between.stencil.nodes.size(); ++node)
       for (int c = 0; c < between.components; ++c)
         change += between.d_gap[static_cast<Eigen::Index>(node) * between.components + c] *
-                  step[setup.dofs.dof(between.nodes[node], c)];
+                  step[setup.dofs.dof(between.stencil.nodes[node], c)];
     contact::measure_in_held_frame(between, setup.configuration(moved));
     EXPECT_NEAR(between.gap, gap + change, 1e-13);
   }

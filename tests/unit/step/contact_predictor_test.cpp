@@ -80,7 +80,7 @@ protected:
       point.index = static_cast<std::size_t>(i);
       const auto& at = compliance_.position_of_dof();
       const auto first = static_cast<std::size_t>(9 * i);
-      point.shares = {{.positions = {at[first], at[first + 1], at[first + 2]}, .weight = 1}};
+      point.stencil.nodes = {{.at = {at[first], at[first + 1], at[first + 2]}, .weight = 1}};
       point.frame << 0, 1, 0, 0, 0, 1, 1, 0, 0;
       point.value << (i % 3 == 0 ? 0.5 : -1.0 - i), 0.2 * i, -0.1;
       point.value *= unit();
@@ -106,16 +106,16 @@ protected:
     VectorXd force = VectorXd::Zero(matrix_.rows());
     for (const auto& point : points_)
       for (int c = 0; c < 3; ++c)
-        force[point.shares.front().positions[static_cast<std::size_t>(c)]] += (point.frame * point.force)[c];
+        force[point.stencil.nodes.front().at[static_cast<std::size_t>(c)]] += (point.frame * point.force)[c];
     VectorXd d = VectorXd::Zero(matrix_.rows());
     compliance_.add(1, force, d);
     return d;
   }
 
   Eigen::Vector3d measures(const PredictorPoint& point, const VectorXd& d) const {
-    Eigen::Vector3d e = Eigen::Vector3d::Zero();
-    for (const auto& share : point.shares)
-      add_moved(share, d, e);
+    Eigen::Vector3d e;
+    for (int c = 0; c < 3; ++c)
+      e[c] = d[point.stencil.nodes.front().at[static_cast<std::size_t>(c)]];
     return point.value + point.frame.transpose() * e;
   }
 

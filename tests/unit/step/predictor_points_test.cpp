@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 PredictorPoint point_with(std::size_t index, double gap, double force) {
   PredictorPoint point;
   point.index = index;
-  point.shares = {{.positions = {static_cast<int>(index), -1, -1}, .weight = 1}};
+  point.stencil.nodes = {{.at = {static_cast<int>(index), -1, -1}, .weight = 1}};
   point.gap = gap;
   point.value[0] = gap;
   point.force[0] = force;
