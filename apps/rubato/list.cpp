@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/reference_cell.hpp"
-#include "rubato/contact/law.hpp"
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/study/contact_methods.hpp"
 #include "rubato/time/scheme.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Runs that go well, fail a check, or do not converge: exit codes and what is left in the folder.
+#include "rubato/core/tolerances.hpp"
 #include "rubato/results/csv.hpp"
 
 #include <gtest/gtest.h>
@@ -60,6 +61,14 @@ TEST_F(Run, SaysWhatItsFactorNeedsBeforeTheFirstStep) {
   ASSERT_NE(told, std::string::npos) << outcome.err;
   EXPECT_LT(told, outcome.err.find("run: solver "));
   EXPECT_GT(summary(folder_ / "out/run").at("factor_bytes"), 0);
+}
+
+TEST_F(Run, EchoesWhatDecidesWhenAStepEnds) {
+  ASSERT_EQ(run(two_blocks).exit_code, 0);
+  const auto echoed = summary(folder_ / "out/run").at("tolerances");
+  EXPECT_EQ(echoed.size(), named_tolerances.size());
+  for (const auto& entry : named_tolerances)
+    EXPECT_EQ(echoed.at(std::string(entry.name)), tolerances.*entry.value) << entry.name;
 }
 
 TEST_F(Run, WritesInstantsAsTheyWereMeant) {

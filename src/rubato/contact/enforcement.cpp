@@ -4,6 +4,7 @@
 #include "rubato/contact/factored_response.hpp"
 #include "rubato/contact/held_frame.hpp"
 #include "rubato/contact/spring_friction.hpp"
+#include "rubato/core/tolerances.hpp"
 
 #include <cmath>
 #include <limits>
@@ -15,13 +16,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-/// Penetration, in lengths of the zone's edge, below which an open point stays open: rounding makes
-/// that much.
-constexpr double closing_gap = 1e-11;
-
-/// Gap, in lengths of the zone's edge, below which a point touches at the start of a step.
-constexpr double touching_gap = 1e-9;
 
 class ZoneAssembler {
 public:
@@ -278,7 +272,7 @@ std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Co
       continue;
     const auto& k = *points[i].kinematics;
     const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - way / law.step;
-    const bool stands = k.gap <= standing[i] + touching_gap * zone.edge();
+    const bool stands = k.gap <= standing[i] + tolerances.touching_gap * zone.edge();
     const bool arrives = k.gap + law.step / 2 * k.normal.dot(relative) <= 0;
     if (!stands)
       standing[i] = arrives ? k.gap : 0.0;
@@ -298,7 +292,7 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
                friction,
                coefficients->normal[index],
                coefficients->tangential[index],
-               closing_gap * zone->edge(),
+               tolerances.closing_gap * zone->edge(),
                zone->space_dimension - 1,
                std::nullopt};
   if (!held_thresholds.empty())

@@ -2,6 +2,7 @@
 #include "rubato/contact/explicit_penalty.hpp"
 
 #include "rubato/contact/kinematics.hpp"
+#include "rubato/core/tolerances.hpp"
 
 #include <Eigen/Geometry>
 
@@ -14,10 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-/// Square of the springs' frequency over the bulk's highest: with matching surfaces they shorten the stable
-/// step by a sixth.
-constexpr double share_of_eigenvalue = 0.1;
 
 std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
@@ -52,7 +49,7 @@ std::vector<double> penalty_stiffness(const Zone& zone, const domain::DofMap& do
     for (std::size_t i = 0; i < point.nodes.size(); ++i)
       slave += point.shape[i] * point.shape[i] * inverse_mass_of(dofs, inverse_mass, point.nodes[i]);
     const bool held = slave + master == 0; // whatever the springs are, nothing moves
-    const double spring = held ? 0.0 : share_of_eigenvalue * eigenvalue / (slave + master);
+    const double spring = held ? 0.0 : tolerances.explicit_spring_share * eigenvalue / (slave + master);
     stiffness.push_back(zone.settings.normal_coefficient.value_or(spring / std::abs(point.weight)));
   }
   return stiffness;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/law.hpp"
 
+#include "rubato/core/tolerances.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -16,14 +18,6 @@ constexpr int gap = 0;
 constexpr int slip = 1;
 constexpr int pressure = 3;
 constexpr int semi = 4;
-
-/// The slip at which friction saturates, in lengths of the zone's edge, when c_t is chosen by itself.
-constexpr double saturation_slip = 2e-3;
-/// Penalties in units of the augmentation that is chosen by itself.
-constexpr double stiffening = 10;
-/// A spring of friction in units of what the node resists. Stiffer than this, points that slip look as if
-/// they stuck in every other iteration.
-constexpr double spring_share = 0.1;
 
 /// Springs begin where a point counts as closed: a force that jumped there would leave no status that agrees
 /// with its own gap.
@@ -196,13 +190,13 @@ bool never(const PointState& /*point*/, const PointLaw& /*law*/) {
 }
 
 double automatic_augmentation(double /*resistance*/, double edge) {
-  return 1 / (saturation_slip * edge);
+  return 1 / (tolerances.saturation_slip * edge);
 }
 double automatic_penalty(double resistance, double edge) {
-  return stiffening * automatic_augmentation(resistance, edge);
+  return tolerances.penalty_stiffening * automatic_augmentation(resistance, edge);
 }
 double automatic_spring(double resistance, double /*edge*/) {
-  return spring_share * resistance;
+  return tolerances.friction_spring_share * resistance;
 }
 
 double no_stiffness(const PointState& /*point*/, const PointLaw& /*law*/) {
@@ -215,9 +209,11 @@ double saturation_stiffness(const PointState& point, const PointLaw& law) {
 /// In the order of the methods.
 constexpr std::array<NormalLaw, 5> normal_laws{{
     {ContactMethod::augmented_lagrangian, 1, &presses, &close_by_augmentation, &pressure_of_multiplier},
-    {ContactMethod::penalty, stiffening, &compresses_spring, &close_by_spring, &pressure_of_spring},
+    {ContactMethod::penalty, tolerances.penalty_stiffening, &compresses_spring, &close_by_spring,
+     &pressure_of_spring},
     {ContactMethod::nodal_lagrange, 1, &presses, &close_by_augmentation, &pressure_of_multiplier},
-    {ContactMethod::nodal_penalty, stiffening, &compresses_spring, &close_by_spring, &pressure_of_spring},
+    {ContactMethod::nodal_penalty, tolerances.penalty_stiffening, &compresses_spring, &close_by_spring,
+     &pressure_of_spring},
     {ContactMethod::nodal_pcg, 1, &has_force, &close_by_multiplier, &pressure_of_multiplier},
 }};
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/neighbours.hpp"
 
+#include "rubato/core/tolerances.hpp"
+
 #include <nanoflann.hpp>
 
 #include <algorithm>
@@ -17,8 +19,6 @@ constexpr double margin_in_edges = 0.75;
 
 /// How far beyond the border a point that hops stays on a face, in its reference lengths.
 constexpr double held_beyond = 0.25;
-/// The same of a point that counts as standing on the border: places on faces are settled to that.
-constexpr double on_border = 1e-6;
 
 /// Points as nanoflann wants to see them.
 struct Cloud {
@@ -62,7 +62,7 @@ void NeighbourList::forget_visits() {
 bool NeighbourList::release_strays() {
   bool any = false;
   for (auto& visits : visits_) {
-    if (visits.held < 0 || visits.released || visits.beyond <= on_border)
+    if (visits.held < 0 || visits.released || visits.beyond <= tolerances.released_overshoot)
       continue;
     visits = {.faces = {visits.held, -1, -1, -1}, .released = true};
     any = true;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/pairing.hpp"
 
+#include "rubato/core/tolerances.hpp"
+
 #include <nanoflann.hpp>
 
 #include <algorithm>
@@ -11,8 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Code_Aster's TOLE_PROJ_EXT.
-constexpr double largest_overshoot = 0.5;
 /// Squared distances this near to each other, relatively, may be the same.
 constexpr double rounding = 1e-9;
 /// Distances this near to each other, in edges of the surface, are the same: of faces that see a point beside
@@ -104,7 +104,7 @@ Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::spa
   for (const int face : faces)
     if (!guessed || face != guess)
       consider(zone, face, x, master, best);
-  if (!(best.projection.overshoot <= largest_overshoot))
+  if (!(best.projection.overshoot <= tolerances.paired_overshoot))
     return {};
   return {best.face, best.projection};
 }

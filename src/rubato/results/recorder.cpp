@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/recorder.hpp"
 
+#include "rubato/core/tolerances.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/results/attempt_json.hpp"
@@ -109,6 +110,14 @@ ordered_json check_json(const CheckResult& r) {
     json["value"] = *r.value;
     json["deviation"] = r.deviation;
   }
+  return json;
+}
+
+/// What decided when steps ended, beside the study's own.
+ordered_json tolerances_json() {
+  ordered_json json = ordered_json::object();
+  for (const auto& entry : named_tolerances)
+    json[std::string(entry.name)] = tolerances.*entry.value;
   return json;
 }
 
@@ -315,6 +324,7 @@ private:
                       {"unknowns", model_.free_dofs.size()},
                       {"factor_bytes", factor_bytes_},
                       {"checks", ordered_json::array()},
+                      {"tolerances", tolerances_json()},
                       {"study", ordered_json::parse(study::to_json(model_.study))}};
     if (ending.failure)
       json["failure"] = to_json(model_, *ending.failure);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/active_point.hpp"
 
+#include "rubato/core/tolerances.hpp"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -13,9 +15,6 @@ namespace {
 using Eigen::Dynamic;
 using Eigen::Index;
 
-/// Equations of a multiplier with entries below this part of the largest one are empty: the point stands
-/// between parts that are held.
-constexpr double empty_row = 1e-13;
 /// Equations of size one that differ by less say the same.
 constexpr double no_pivot = 1e-10;
 
@@ -23,8 +22,9 @@ constexpr double no_pivot = 1e-10;
 void fix_unconstrained_multipliers(contact::FactoredResponse& r) {
   const Index d = r.components;
   for (Index row = d; row < d + r.multipliers(); ++row)
-    if (r.by_multiplier.row(row).isZero(0) && r.d_du.row(row).lpNorm<Eigen::Infinity>() <=
-                                                  empty_row * r.spread.topRows(d).lpNorm<Eigen::Infinity>()) {
+    if (r.by_multiplier.row(row).isZero(0) &&
+        r.d_du.row(row).lpNorm<Eigen::Infinity>() <=
+            tolerances.empty_row * r.spread.topRows(d).lpNorm<Eigen::Infinity>()) {
       r.by_multiplier(row, row - d) = 1;
       r.d_du.row(row).setZero();
       r.equations[row - d] = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/condensed.hpp"
 
+#include "rubato/core/tolerances.hpp"
 #include "rubato/step/cycle_detector.hpp"
 #include "rubato/step/projected_cg.hpp"
 
@@ -194,7 +195,6 @@ bool Condensed::settled(const State& trial, const Held& held) {
 /// A force follows the gap by the stiffness there, and gaps are differences of places; friction follows
 /// slips, which are differences of moves. Both contain the free motion, of which contact takes most back.
 bool Condensed::surface_within_rounding(const State& trial, const Held& held) const {
-  constexpr double last_digits = 16 * std::numeric_limits<double>::epsilon();
   const auto& dofs = system_.compliance->dof_of_position();
   double reach = 0;
   double moved = 0;
@@ -211,7 +211,7 @@ bool Condensed::surface_within_rounding(const State& trial, const Held& held) co
                         std::abs(force()[static_cast<Index>(i)] - surface_.applied[static_cast<Index>(i)]);
     const double level =
         stiffness.by_place[dofs[i]] * (reach + far) + stiffness.by_move[dofs[i]] * (moved + far);
-    if (left > std::max(allowed, last_digits * level))
+    if (left > std::max(allowed, tolerances.rounding() * level))
       return false;
   }
   return true;

@@ -3,6 +3,7 @@
 
 #include "rubato/contact/spring_friction.hpp"
 #include "rubato/contact/springs.hpp"
+#include "rubato/core/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +15,6 @@ using contact::PointEvaluation;
 using contact::Status;
 using Eigen::VectorXd;
 using model::Model;
-
-/// Motion of contact points' projections between two iterates, in reference lengths of a face, that counts as
-/// settled (Code_Aster's RESI_GEOM for Newton).
-constexpr double settled_geometry = 1e-6;
-/// Gap of a point in contact, in the zone's edges, that counts as closed.
-constexpr double closed_gap = 1e-9;
 
 /// Penetration in edges beyond which a projection may be on any face.
 constexpr double deep_in_edges = 0.5;
@@ -303,8 +298,9 @@ std::optional<Unmet> ContactEvaluator::moving_projection(const Held& held, const
       const auto& there = before.points[z][i];
       const double moved =
           model_.zones[z].obstacle ? turn_of_normal(here, there) : move_on_master(here.pair, there.pair);
-      if (!(moved <= settled_geometry))
-        take(worst, {Criterion::projection, static_cast<int>(z), named_node(z, i), moved, settled_geometry});
+      if (!(moved <= tolerances.settled_projection))
+        take(worst, {Criterion::projection, static_cast<int>(z), named_node(z, i), moved,
+                     tolerances.settled_projection});
     }
   return worst;
 }
@@ -315,7 +311,7 @@ std::optional<Unmet> ContactEvaluator::open_gap(const Held& held, const ContactI
     const auto& zone = model_.zones[z];
     if (!contact::closes_gaps(zone))
       continue;
-    const double allowed = closed_gap * zone.edge();
+    const double allowed = tolerances.closed_gap * zone.edge();
     const auto check = [&](double gap, mesh::NodeIndex node) {
       if (!(gap <= allowed))
         take(worst, {Criterion::gap, static_cast<int>(z), node, gap, allowed});

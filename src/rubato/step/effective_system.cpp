@@ -3,6 +3,7 @@
 
 #include "rubato/contact/springs.hpp"
 #include "rubato/core/error.hpp"
+#include "rubato/core/tolerances.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/step/linear_step.hpp"
 #include "rubato/time/step_control.hpp"
@@ -124,8 +125,7 @@ contact::ZoneCoefficients coefficients_of(const contact::Zone& zone, const Model
 } // namespace
 
 double wanted_residual(const EffectiveSystem& system, double tolerance) {
-  constexpr double of_free_bodies = 1e-4;
-  return system.has_free_bodies ? of_free_bodies * tolerance : tolerance;
+  return system.has_free_bodies ? tolerances.free_body_residual * tolerance : tolerance;
 }
 
 EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,

@@ -2,6 +2,7 @@
 #include "rubato/step/equilibrium.hpp"
 
 #include "rubato/contact/springs.hpp"
+#include "rubato/core/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using model::Model;
-
-/// Rounding errors that a row of K u may gather, in units of the last digit of its largest term.
-constexpr double rounding_steps = 16;
-constexpr double last_digits = rounding_steps * std::numeric_limits<double>::epsilon();
 
 /// sum += factor |matrix| values
 void add_magnitudes(double factor, const model::SparseMatrix& matrix, const VectorXd& values, VectorXd& sum) {
@@ -123,7 +120,7 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without
   // strain.
   const double rounding =
-      last_digits * system_.diagonal.lpNorm<Eigen::Infinity>() * motion.u.lpNorm<Eigen::Infinity>();
+      tolerances.rounding() * system_.diagonal.lpNorm<Eigen::Infinity>() * motion.u.lpNorm<Eigen::Infinity>();
   report.residual = largest == 0 || std::max(largest, scale_) <= rounding ? 0 : largest / scale_;
   report.worst_node =
       residual_.size() > 0 ? model_.node_of(model_.free_dofs[static_cast<std::size_t>(worst)]) : -1;
@@ -137,7 +134,7 @@ bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiff
   if (scheme_.dynamic)
     add_magnitudes(system_.coefficients.acceleration * scheme_.inertia.now, model_.mass, moved, summed);
   add_contact(stiffness, far, moved.lpNorm<Eigen::Infinity>(), summed);
-  const VectorXd level = last_digits * summed(model_.free_dofs);
+  const VectorXd level = tolerances.rounding() * summed(model_.free_dofs);
   return (residual_.array().abs() <= level.array().max(tolerance * scale_)).all();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/linear_step.hpp"
 
+#include "rubato/core/tolerances.hpp"
 #include "rubato/linalg/direct_solver.hpp"
 
 #include <algorithm>
@@ -13,9 +14,6 @@ using contact::Triplets;
 using Eigen::Index;
 using Eigen::VectorXd;
 using Triplet = Eigen::Triplet<double, int>;
-
-/// Rows of multipliers whose entries are below this part of the largest one say nothing about any unknown.
-constexpr double empty_row = 1e-13;
 
 /// The contact triplets on free dofs, forces weighted, rows that no free unknown can fulfil replaced by "no
 /// change".
@@ -38,7 +36,7 @@ void fix_unconstrained_multipliers(ContactBlocks& blocks) {
     has_multiplier[static_cast<std::size_t>(entry.row())] = 1;
   const double scale = largest.size() > 0 ? largest.maxCoeff() : 0.0;
   for (Index row = 0; row < largest.size(); ++row)
-    if (has_multiplier[static_cast<std::size_t>(row)] == 0 && largest[row] <= empty_row * scale) {
+    if (has_multiplier[static_cast<std::size_t>(row)] == 0 && largest[row] <= tolerances.empty_row * scale) {
       std::erase_if(blocks.equation_by_dof, [&](const Triplet& entry) { return entry.row() == row; });
       blocks.equation_by_multiplier.emplace_back(static_cast<int>(row), static_cast<int>(row), 1.0);
       blocks.equations[row] = 0;

@@ -2,6 +2,7 @@
 #include "rubato/step/nested_loops.hpp"
 
 #include "rubato/contact/held_frame.hpp"
+#include "rubato/core/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -253,11 +254,10 @@ private:
   /// How far a round moved the bodies, as part of how far they had come in this step; 0 where rounding of the
   /// places moves them as far. In a step in which nothing goes on both are what the residual's test leaves.
   double relative_move(const VectorXd& before) const {
-    constexpr double last_digits = 16 * std::numeric_limits<double>::epsilon();
     const double moved = (trial_.motion.u - before).lpNorm<Eigen::Infinity>();
     const double size = (before - committed_.motion.u).lpNorm<Eigen::Infinity>();
     const double left = model_.study.newton.residual * before.lpNorm<Eigen::Infinity>();
-    return moved <= last_digits * reach() ? 0.0 : moved / std::max(size, left);
+    return moved <= tolerances.rounding() * reach() ? 0.0 : moved / std::max(size, left);
   }
 
   /// The largest coordinate of a contact surface.

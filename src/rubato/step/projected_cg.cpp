@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/projected_cg.hpp"
 
+#include "rubato/core/tolerances.hpp"
 #include "rubato/study/contact_methods.hpp"
 
 #include <algorithm>
@@ -14,8 +15,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
-/// A relation with no larger entry on free unknowns cannot be fulfilled by any force.
-constexpr double empty_row = 1e-13;
 /// Gaps that are left, in lengths of the largest one without contact forces.
 constexpr double gap_tolerance = 1e-13;
 /// Products of the power method that bounds ‖F‖ from below; the step length leaves the rest as margin.
@@ -166,7 +165,7 @@ Relations relations_of(const LinearProblem& problem,
             triplets.emplace_back(row, free, entry);
             largest = std::max(largest, std::abs(entry));
           }
-      if (largest > empty_row)
+      if (largest > tolerances.empty_row)
         relations.active.push_back(row);
     }
   relations.rows.resize(model.multiplier_count, problem.matrix.rows());

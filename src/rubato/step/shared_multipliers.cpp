@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/shared_multipliers.hpp"
 
+#include "rubato/core/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,9 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Equations with entries below this part of the largest one say nothing about any displacement.
-constexpr double empty_row = 1e-13;
 
 // Of multipliers while they are numbered.
 constexpr int no_point = -1;
@@ -160,7 +159,7 @@ void SharedMultipliers::fix_unconstrained() {
     double of_row = 0;
     for (Eigen::SparseMatrix<double, Eigen::RowMajor, int>::InnerIterator it(by_place_, row); it; ++it)
       of_row = std::max(of_row, std::abs(it.value()));
-    if (of_row > empty_row * largest || !by_unknown_.row(row).isZero(0))
+    if (of_row > tolerances.empty_row * largest || !by_unknown_.row(row).isZero(0))
       continue;
     for (Eigen::SparseMatrix<double, Eigen::RowMajor, int>::InnerIterator it(by_place_, row); it; ++it)
       it.valueRef() = 0;

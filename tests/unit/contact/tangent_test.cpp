@@ -184,8 +184,8 @@ TEST_P(ContactTangent, ToAFrameBetweenTwoOthersIsTheirMean) {
     const VectorXd moved = setup.u + step;
     double change = 0;
     for (std::size_t node = 0; node < between.stencil.nodes.size(); ++node)
-      for (int c = 0; c < between.components; ++c)
-        change += between.d_gap[static_cast<Eigen::Index>(node) * between.components + c] *
+      for (int c = 0; c < between.stencil.components; ++c)
+        change += between.d_gap[static_cast<Eigen::Index>(node) * between.stencil.components + c] *
                   step[setup.dofs.dof(between.stencil.nodes[node], c)];
     contact::measure_in_held_frame(between, setup.configuration(moved));
     EXPECT_NEAR(between.gap, gap + change, 1e-13);
