@@ -121,8 +121,8 @@ TEST_P(SlaveBefore, VariesAsItsKinematicsSay) {
   for (std::size_t p = 0; p < setup_.zone.points.size(); ++p) {
     const auto at = of(p, setup_.u);
     for (Eigen::Index column = 0; column < at.unknowns(); ++column) {
-      const auto node = at.nodes[static_cast<std::size_t>(column / at.components)];
-      const auto dof = setup_.dofs.dof(node, static_cast<int>(column % at.components));
+      const auto node = at.stencil.nodes[static_cast<std::size_t>(column / at.stencil.components)];
+      const auto dof = setup_.dofs.dof(node, static_cast<int>(column % at.stencil.components));
       const auto plus = of(p, test::moved(setup_.u, dof, h));
       const auto minus = of(p, test::moved(setup_.u, dof, -h));
       EXPECT_NEAR((plus.gap - minus.gap) / (2 * h), at.d_gap[column], 1e-9);
