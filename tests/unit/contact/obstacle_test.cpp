@@ -108,7 +108,7 @@ TEST_P(SlaveBefore, HasAnOrthonormalFrameAndItsFootOnTheSurface) {
     EXPECT_LT((frame.transpose() * frame - Eigen::Matrix3d::Identity()).norm(), 1e-14);
     EXPECT_NEAR(frame.determinant(), 1, 1e-14);
     const auto& obstacle = *setup_.zone.obstacle;
-    const auto foot = place_on(obstacle, obstacle.offset(setup_.t), k.foot, k.foot);
+    const auto foot = place_on(obstacle, obstacle.offset(setup_.t), k.closest_point, k.closest_point);
     EXPECT_NEAR(foot.gap, 0, 1e-15);
     EXPECT_LT((foot.normal - k.normal).norm(), 1e-14);
     if (k.stencil.components == 2) {
@@ -167,7 +167,7 @@ TEST_P(SlaveBefore, SlipsAgainstTheMotionOfTheObstacle) {
   for (std::size_t p = 0; p < setup_.zone.points.size(); ++p) {
     EXPECT_LT(of(p, along).slip.norm(), 1e-15);
     const auto resting = of(p, setup_.u_start);
-    for (int a = 0; a < resting.components - 1; ++a)
+    for (int a = 0; a < resting.stencil.components - 1; ++a)
       EXPECT_NEAR(resting.slip[a], -way.dot(resting.tangents.col(a)), 1e-15);
   }
 }
@@ -183,8 +183,9 @@ TEST_P(SlaveBefore, MeasuresTheSameInTheFrameItHolds) {
     double change = 0;
     for (Eigen::Index q = 0; q < held.unknowns(); ++q)
       change +=
-          held.d_gap[q] * step[setup_.dofs.dof(held.nodes[static_cast<std::size_t>(q / held.components)],
-                                               static_cast<int>(q % held.components))];
+          held.d_gap[q] *
+          step[setup_.dofs.dof(held.stencil.nodes[static_cast<std::size_t>(q / held.stencil.components)],
+                               static_cast<int>(q % held.stencil.components))];
     measure_in_held_frame(held, setup_.configuration(setup_.u + step));
     EXPECT_NEAR(held.gap, k.gap + change, 1e-15);
   }
