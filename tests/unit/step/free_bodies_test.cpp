@@ -328,16 +328,15 @@ TEST(FreeRing, HasALedgerThatClosesInManySteps) {
                                                {"time.step", "0.1"}};
       const auto study = deck::parse_deck(ring_deck(cells, 7.8e4), "deck.yaml", changes).runs.front();
       Walk walk(model::build_model(study, closed(model::load_mesh(study.mesh))));
-      EnergyAccount account(walk.model, walk.scheme, walk.state);
       EnergyRecord record;
-      while (!walk.control.finished()) {
+      while (!walk.finished()) {
         ASSERT_TRUE(walk.advance()) << cells << " " << friction;
-        account.enter(walk.before, walk.state);
-        record.note(walk.state.t, account.ledger());
+        record.note(walk.state().t, walk.simulation.energy());
       }
       EXPECT_GT(record.largest, 1e4);
       EXPECT_LE(record.largest_balance, 1e-11 * record.largest) << cells << " " << friction;
-      EXPECT_LE(std::abs(account.ledger().unbalanced), 1e-8 * record.largest) << cells << " " << friction;
+      EXPECT_LE(std::abs(walk.simulation.energy().unbalanced), 1e-8 * record.largest)
+          << cells << " " << friction;
     }
 }
 
