@@ -156,6 +156,7 @@ void RigidParts::fit_bodies() {
 }
 
 void RigidParts::collect_levers() {
+  levers_.reserve(model_->dofs.nodes.size());
   for (const auto node : model_->dofs.nodes)
     if (const int number = number_.of(node); number >= 0) {
       const auto& body = bodies_[static_cast<std::size_t>(number)];
