@@ -31,7 +31,7 @@ struct Mode {
 
 /// By a dense generalized eigenvalue solution.
 inline Mode first_mode(const model::Model& model) {
-  const auto& free = model.free_dofs;
+  const auto& free = model.reduction.free_dofs();
   const MatrixXd k = MatrixXd(model.stiffness)(free, free);
   const MatrixXd m = MatrixXd(model.mass)(free, free);
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(k, m);

@@ -28,7 +28,7 @@ std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatr
     throw InputError(
         fmt::format("the model is too large for this machine: with its {} unknowns {}; expected a "
                     "coarser mesh or cells of lower order, or more memory",
-                    model.free_dofs.size(), error.what()));
+                    model.reduction.unknown_count(), error.what()));
   }
 }
 
@@ -98,7 +98,7 @@ double add_weak_springs(const Model& model, EffectiveSystem& system) {
   const double all = std::clamp(wanted, weakest * largest, stiffest * largest);
   const double each = all / static_cast<double>(model.free_body_nodes.size());
   for_each_free_dof(model, [&](int dof) {
-    if (const int free = model.free_index[static_cast<std::size_t>(dof)]; free >= 0)
+    if (const int free = model.reduction.unknown_of(dof); free >= 0)
       system.matrix.coeffRef(free, free) += each;
   });
   return all;
@@ -151,7 +151,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   if (system.coefficients.damping != 0 && model.damping.nonZeros() > 0)
     full += system.coefficients.damping * model.damping;
   system.diagonal = full.diagonal();
-  system.matrix = model::free_part(model, full);
+  system.matrix = model.reduction.reduced(full);
   const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);
   for (const auto& zone : model.zones) {
     system.zones.push_back(coefficients_of(zone, model, scheme, system.diagonal));
@@ -161,7 +161,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   }
   if (model.study.solver != study::Solver::full)
     if (auto factor = factored(model, system.matrix, tell_memory))
-      system.compliance = std::make_unique<Compliance>(std::move(*factor), model.free_dofs,
+      system.compliance = std::make_unique<Compliance>(std::move(*factor), model.reduction.free_dofs(),
                                                        static_cast<Eigen::Index>(model.dofs.dof_count));
   return system;
 }

@@ -137,8 +137,8 @@ EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, con
     return sum;
   };
   Supports supports;
-  for (const auto& constraint : model_->constraints) {
-    const int dof = constraint.dof;
+  for (const auto& support : model_->reduction.prescribed()) {
+    const int dof = support.dof;
     if (moved[dof] == 0)
       continue;
     const double mean =

@@ -112,14 +112,14 @@ void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& conta
   bulk_unbalance_ = bulk_.internal - external_;
   full_residual_ =
       inertia_ + scheme_.forces.now * bulk_unbalance_ + scheme_.contact_weight() * contact.all + history_;
-  residual_ = full_residual_(model_.free_dofs);
+  residual_ = model_.reduction.gather(full_residual_);
 }
 
 void Equilibrium::measure(const time::Motion& motion, const ContactForce& contact, StepReport& report) {
   VectorXd reference =
       scheme_.forces.now * external_ - scheme_.contact_weight() * contact.nodal - inertia_ - history_;
-  for (const auto& constraint : model_.constraints)
-    reference[constraint.dof] -= full_residual_[constraint.dof];
+  for (const auto& support : model_.reduction.prescribed())
+    reference[support.dof] -= full_residual_[support.dof];
   scale_ = reference.lpNorm<Eigen::Infinity>();
   if (scheme_.dynamic)
     scale_ = std::max(scale_, bulk_.momentum.lpNorm<Eigen::Infinity>() * system_.coefficients.acceleration *
@@ -134,8 +134,9 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   const double rounding =
       last_digits * system_.diagonal.lpNorm<Eigen::Infinity>() * motion.u.lpNorm<Eigen::Infinity>();
   report.residual = largest == 0 || std::max(largest, scale_) <= rounding ? 0 : largest / scale_;
-  report.worst_node =
-      residual_.size() > 0 ? model_.node_of(model_.free_dofs[static_cast<std::size_t>(worst)]) : -1;
+  report.worst_node = residual_.size() > 0
+                          ? model_.node_of(model_.reduction.free_dofs()[static_cast<std::size_t>(worst)])
+                          : -1;
 }
 
 bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiffness& stiffness, double far,
@@ -146,7 +147,7 @@ bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiff
   if (scheme_.dynamic)
     add_magnitudes(system_.coefficients.acceleration * scheme_.inertia.now, model_.mass, moved, summed);
   add_contact(stiffness, far, moved.lpNorm<Eigen::Infinity>(), summed);
-  const VectorXd level = last_digits * summed(model_.free_dofs);
+  const VectorXd level = last_digits * model_.reduction.gather(summed);
   return (residual_.array().abs() <= level.array().max(tolerance * scale_)).all();
 }
 
@@ -167,8 +168,8 @@ void Equilibrium::add_contact(const ContactStiffness& stiffness, double far, dou
 
 std::vector<WorstNode> Equilibrium::worst() const {
   std::vector<mesh::NodeIndex> nodes;
-  nodes.reserve(model_.free_dofs.size());
-  for (const int dof : model_.free_dofs)
+  nodes.reserve(model_.reduction.free_dofs().size());
+  for (const int dof : model_.reduction.free_dofs())
     nodes.push_back(model_.node_of(dof));
   return worst_nodes(residual_, nodes, scale_);
 }
@@ -182,9 +183,7 @@ void Equilibrium::finish(const ContactForce& contact, State& trial) const {
     trial.residual_force += contact.all - contact.forgotten;
   trial.contact_force = contact.all;
   trial.external_force = external_;
-  trial.reaction = VectorXd::Zero(full_residual_.size());
-  for (const auto& constraint : model_.constraints)
-    trial.reaction[constraint.dof] = full_residual_[constraint.dof];
+  trial.reaction = model_.reduction.reaction(full_residual_);
 }
 
 } // namespace rubato::step

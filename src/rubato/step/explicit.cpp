@@ -27,7 +27,7 @@ double factor_at(const std::optional<Function>& function, double t) {
 
 VectorXd inverse_masses(const Model& model) {
   VectorXd inverse = VectorXd::Zero(model.lumped_mass.size());
-  for (const int dof : model.free_dofs) {
+  for (const int dof : model.reduction.free_dofs()) {
     if (!(model.lumped_mass[dof] > 0))
       throw InputError("node " + model::node_label(model.mesh, model.node_of(dof)) +
                        " has no mass: every cell of a dynamic run needs a positive density");
@@ -94,11 +94,10 @@ Spectrum ExplicitMotion::spectrum() const {
 }
 
 void ExplicitMotion::place_supports() {
-  for (const auto& constraint : model_->constraints) {
-    u_[constraint.dof] = model::displacement_of(constraint, t_);
-    if (constraint.function)
-      supports_.push_back({&constraint});
-  }
+  model_->reduction.impose(t_, u_);
+  for (const auto& prescribed : model_->reduction.prescribed())
+    if (prescribed.function)
+      supports_.push_back({&prescribed});
 }
 
 void ExplicitMotion::collect_loads() {
@@ -131,8 +130,8 @@ void ExplicitMotion::set_step(double step) {
   v_ += (h_ - step) / 2 * acceleration();
   h_ = step;
   for (auto& support : supports_) {
-    const int dof = support.constraint->dof;
-    v_[dof] = (u_[dof] - model::displacement_of(*support.constraint, t_ - h_)) / h_;
+    const int dof = support.prescribed->dof;
+    v_[dof] = (u_[dof] - displacement_of(*support.prescribed, t_ - h_)) / h_;
   }
   energy_.kinetic += kinetic - energy().kinetic;
   for (auto& support : supports_)
@@ -141,8 +140,8 @@ void ExplicitMotion::set_step(double step) {
 
 void ExplicitMotion::step(double end) {
   for (const auto& support : supports_) {
-    const int dof = support.constraint->dof;
-    v_[dof] = (model::displacement_of(*support.constraint, end) - u_[dof]) / h_;
+    const int dof = support.prescribed->dof;
+    v_[dof] = (displacement_of(*support.prescribed, end) - u_[dof]) / h_;
   }
   central_difference_update(h_, inverse_mass_, unbalance_, v_, u_);
   const double begin = std::exchange(t_, end);
@@ -155,7 +154,7 @@ void ExplicitMotion::step(double end) {
     energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
   for (auto& support : supports_) {
     const double reaction = reaction_of(support);
-    energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.constraint->dof];
+    energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.prescribed->dof];
     support.reaction = reaction;
   }
 }
@@ -209,20 +208,20 @@ double ExplicitMotion::work_of_obstacles(double from, double to) const {
 }
 
 double ExplicitMotion::reaction_of(const MovingSupport& support) const {
-  const int dof = support.constraint->dof;
+  const int dof = support.prescribed->dof;
   return unbalance_[dof] + model_->lumped_mass[dof] * imposed_acceleration(support);
 }
 
 double ExplicitMotion::imposed_acceleration(const MovingSupport& support) const {
-  const int dof = support.constraint->dof;
-  return ((model::displacement_of(*support.constraint, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
+  const int dof = support.prescribed->dof;
+  return ((displacement_of(*support.prescribed, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
 }
 
 VectorXd ExplicitMotion::acceleration() const {
   VectorXd a = -inverse_mass_.cwiseProduct(unbalance_);
   if (h_ > 0)
     for (const auto& support : supports_)
-      a[support.constraint->dof] = imposed_acceleration(support);
+      a[support.prescribed->dof] = imposed_acceleration(support);
   return a;
 }
 
@@ -283,10 +282,7 @@ State ExplicitMotion::state() const {
   if (damping_)
     state.residual_force -= damping_force_;
   state.contact_force = contact_force_;
-  state.reaction = VectorXd::Zero(u_.size());
-  for (const auto& constraint : model_->constraints)
-    state.reaction[constraint.dof] =
-        unbalance_[constraint.dof] + model_->lumped_mass[constraint.dof] * a[constraint.dof];
+  state.reaction = model_->reduction.reaction(unbalance_ + model_->lumped_mass.cwiseProduct(a));
   for (const auto& zone : contact_)
     state.zones.push_back(zone.state());
   return state;

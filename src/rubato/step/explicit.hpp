@@ -84,7 +84,7 @@ private:
   };
   /// A support that moves.
   struct MovingSupport {
-    const model::Constraint* constraint;
+    const constraint::PrescribedDof* prescribed;
     double reaction = 0;
   };
 

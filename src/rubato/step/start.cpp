@@ -13,12 +13,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using model::Model;
 
-void apply_imposed(const Model& model, double t, VectorXd& u) {
-  const VectorXd imposed = model::imposed_displacements(model, t);
-  for (std::size_t i = 0; i < model.constraints.size(); ++i)
-    u[model.constraints[i].dof] = imposed[static_cast<Index>(i)];
-}
-
 /// Residual of M a = f that counts as rounding, relative.
 constexpr double solved = 1e-15;
 /// The same where rounding stops the iterations before.
@@ -43,16 +37,18 @@ VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_forc
   VectorXd force = -residual_force;
   if (model.damping.nonZeros() > 0)
     force -= model.damping * velocity;
-  auto mass = model::free_part(model, model.mass);
+  auto mass = model.reduction.reduced(model.mass);
   for (const auto node : model.massless_nodes)
     for (int i = 0; i < model.dofs.components; ++i) {
       const int dof = model.dofs.dof(node, i);
       force[dof] = 0;
-      if (const int row = model.free_index[static_cast<std::size_t>(dof)]; row >= 0)
+      if (const int row = model.reduction.unknown_of(dof); row >= 0)
         mass.coeffRef(row, row) = 1;
     }
+  // There before the temporaries of the solution: among them it would keep their memory from being given
+  // back.
   VectorXd a = VectorXd::Zero(residual_force.size());
-  a(model.free_dofs) = solve_mass(mass, force(model.free_dofs));
+  a(model.reduction.free_dofs()) = solve_mass(mass, model.reduction.gather(force));
   return a;
 }
 
@@ -81,7 +77,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   State state;
   state.t = t;
   state.motion = {model.initial.displacement, model.initial.velocity, VectorXd::Zero(size)};
-  apply_imposed(model, t, state.motion.u);
+  model.reduction.impose(t, state.motion.u);
   state.residual_force = model.stiffness * state.motion.u - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);

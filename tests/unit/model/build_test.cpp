@@ -25,13 +25,14 @@ void expect_resultant(const std::string& loads, const Vector3d& wanted, double t
 TEST(Model, NumbersWhatIsFreeAndWhatIsPrescribed) {
   const auto model = model_of(box_deck);
   EXPECT_EQ(model.dofs.dof_count, 3 * 18);
-  EXPECT_EQ(model.constraints.size(), 3U * 6U);
-  EXPECT_EQ(model.free_dofs.size(), 3U * 12U);
-  for (std::size_t i = 0; i < model.free_dofs.size(); ++i)
-    EXPECT_EQ(model.free_index[static_cast<std::size_t>(model.free_dofs[i])], static_cast<int>(i));
-  for (const auto& constraint : model.constraints) {
-    EXPECT_EQ(model.free_index[static_cast<std::size_t>(constraint.dof)], -1);
-    EXPECT_EQ(model.mesh.points[static_cast<std::size_t>(model.node_of(constraint.dof))][0], 0.0);
+  const auto& reduction = model.reduction;
+  EXPECT_EQ(reduction.prescribed().size(), 3U * 6U);
+  EXPECT_EQ(reduction.free_dofs().size(), 3U * 12U);
+  for (std::size_t i = 0; i < reduction.free_dofs().size(); ++i)
+    EXPECT_EQ(reduction.unknown_of(reduction.free_dofs()[i]), static_cast<int>(i));
+  for (const auto& support : reduction.prescribed()) {
+    EXPECT_EQ(reduction.unknown_of(support.dof), -1);
+    EXPECT_EQ(model.mesh.points[static_cast<std::size_t>(model.node_of(support.dof))][0], 0.0);
   }
 }
 
@@ -39,12 +40,11 @@ TEST(Model, PrescribesDisplacementsByTheirFunctionOfTime) {
   const auto model = model_of(with(box_deck, "supports:\n",
                                    "functions: {ramp: {times: [0, 2], values: [0, 1]}}\nsupports:\n"
                                    "  - {on: end, x: {value: 0.1, function: ramp}}\n"));
-  ASSERT_EQ(model.constraints.size(), 3U * 6U + 6U);
-  const auto imposed = imposed_displacements(model, 1.0);
-  for (std::size_t i = 0; i < model.constraints.size(); ++i) {
-    const bool at_end =
-        model.mesh.points[static_cast<std::size_t>(model.node_of(model.constraints[i].dof))][0] == 2.0;
-    EXPECT_DOUBLE_EQ(imposed[static_cast<Eigen::Index>(i)], at_end ? 0.05 : 0.0);
+  ASSERT_EQ(model.reduction.prescribed().size(), 3U * 6U + 6U);
+  const auto imposed = model.reduction.imposed(1.0);
+  for (int dof = 0; dof < model.dofs.dof_count; ++dof) {
+    const bool at_end = model.mesh.points[static_cast<std::size_t>(model.node_of(dof))][0] == 2.0;
+    EXPECT_DOUBLE_EQ(imposed[dof], at_end && model.reduction.is_prescribed(dof) ? 0.05 : 0.0);
   }
 }
 

@@ -84,8 +84,8 @@ protected:
     now.motion = time::predict(scheme_, h, before.motion);
     time::correct(time::coefficients_of(scheme_, h), anything(), now.motion);
     now.bulk = bulk_forces(model_, now.motion);
-    for (const auto& constraint : model_.constraints)
-      now.reaction[constraint.dof] = left_side(before, now)[constraint.dof];
+    for (const auto& support : model_.reduction.prescribed())
+      now.reaction[support.dof] = left_side(before, now)[support.dof];
     return now;
   }
 
@@ -122,7 +122,7 @@ TEST_P(Ledger, HoldsTheWorkOfWhatIsLeftUnbalanced) {
   account.enter(before, now);
   const VectorXd left = left_side(before, now);
   const VectorXd moved = now.motion.u - before.motion.u;
-  const double work = VectorXd(left(model_.free_dofs)).dot(VectorXd(moved(model_.free_dofs)));
+  const double work = model_.reduction.gather(left).dot(model_.reduction.gather(moved));
   EXPECT_NEAR(account.ledger().unbalanced, work, 1e-11 * account.ledger().largest());
 }
 
