@@ -46,13 +46,19 @@ void free_contact_of_mass(Model& model) {
   redistribute_mass(model.mesh, model.bulk, model.dofs, nodes, model.mass);
 }
 
+domain::Domain make_domain(const Model& model, const domain::BlockPattern& pattern) {
+  auto stiffness = domain::assemble_stiffness(model.mesh, model.bulk, pattern);
+  for (const auto& spring : model.springs)
+    stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
+  add_gauges(model, stiffness);
+  return {domain::LinearDomain(std::move(stiffness), model.dofs.components),
+          domain::initial_states(model.mesh, model.bulk)};
+}
+
 void assemble_matrices(Model& model, const std::vector<study::Material>& materials) {
   const auto& bulk = model.bulk;
   const domain::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
-  model.stiffness = domain::assemble_stiffness(model.mesh, bulk, pattern);
-  for (const auto& spring : model.springs)
-    model.stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
-  add_gauges(model, model.stiffness);
+  model.domain = make_domain(model, pattern);
   const auto scheme = model.study.time.scheme;
   if (scheme == study::SchemeKind::static_steps)
     return;
@@ -181,7 +187,7 @@ Model build_model(const study::Study& study, mesh::Mesh mesh) {
   auto model = lay_out(study, std::move(mesh));
   assemble_matrices(model, study.materials);
   if (!study::is_explicit(study.time.scheme))
-    model.products = Products(model.stiffness, model.mass, model.dofs.components);
+    model.products = Products(model.mass, model.dofs.components);
   return model;
 }
 

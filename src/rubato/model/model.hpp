@@ -6,6 +6,7 @@
 #include "rubato/contact/zone.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/products.hpp"
 #include "rubato/study/study.hpp"
@@ -53,13 +54,13 @@ struct Model {
   mesh::Mesh mesh;
   domain::Bulk bulk; ///< the cells that deform and their materials
   domain::DofMap dofs;
-  SparseMatrix stiffness; ///< of the cells, the springs and the gauges
-  SparseMatrix mass;      ///< empty (no entries) in a static or explicit run
+  domain::Domain domain; ///< the cells, the springs and the gauges
+  SparseMatrix mass;     ///< empty (no entries) in a static or explicit run
   /// Ascending; on contact surfaces when their mass is redistributed.
   std::vector<mesh::NodeIndex> massless_nodes;
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
   SparseMatrix damping;        ///< no entries without Rayleigh coefficients
-  Products products;           ///< with stiffness and mass, in an implicit run
+  Products products;           ///< with the mass, in an implicit run
   std::vector<Force> forces;
   constraint::Reduction reduction; ///< which displacements are unknown, and what supports prescribe
   std::vector<Spring> springs;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace rubato::step {
@@ -43,7 +44,7 @@ Eigen::VectorXd usual_diagonal(const Model& model, const time::Scheme& scheme) {
     step = instants.at(1) - instants.at(0);
   }
   const auto coefficients = time::coefficients_of(scheme, step);
-  Eigen::VectorXd diagonal = coefficients.stiffness * model.stiffness.diagonal();
+  Eigen::VectorXd diagonal = coefficients.stiffness * model.domain.initial_tangent().diagonal();
   if (coefficients.mass != 0)
     diagonal += coefficients.mass * model.mass.diagonal();
   if (coefficients.damping != 0 && model.damping.nonZeros() > 0)
@@ -142,10 +143,12 @@ double wanted_residual(const EffectiveSystem& system, double tolerance) {
 
 EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
                                       const std::function<void(std::size_t)>& tell_memory) {
+  if (!model.domain.is_linear())
+    throw std::logic_error("the factor of a step length is kept: that needs a linear domain");
   EffectiveSystem system;
   system.step = step;
   system.coefficients = time::coefficients_of(scheme, step);
-  SparseMatrix full = system.coefficients.stiffness * model.stiffness;
+  SparseMatrix full = system.coefficients.stiffness * model.domain.initial_tangent();
   if (system.coefficients.mass != 0)
     full += system.coefficients.mass * model.mass;
   if (system.coefficients.damping != 0 && model.damping.nonZeros() > 0)

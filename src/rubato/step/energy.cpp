@@ -77,11 +77,12 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
                         scheme_->forces.before * rigid.before - supports.with_step;
 }
 
-/// ½ d·K u, d the deformation: u without its rigid part.
+/// U less ½ r·f_int, r the rigid part of u: rounding, which far away from where it began would hide the
+/// strain of a body.
 double EnergyAccount::strain_energy(const State& state) const {
   const auto& internal = state.bulk.internal;
-  return 0.5 * (state.motion.u.dot(internal) -
-                rigid_->work(rigid_->resultants(state.motion.u), rigid_->resultants(internal)));
+  return model_->domain.energy(state.motion.u, internal, state.bulk_points) -
+         0.5 * rigid_->work(rigid_->resultants(state.motion.u), rigid_->resultants(internal));
 }
 
 EnergyAccount::RigidWork EnergyAccount::rigid_work(const VectorXd& moved, const State& committed,

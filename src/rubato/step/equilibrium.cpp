@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -12,7 +13,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using model::Model;
 
-/// Rounding errors that a row of K u may gather, in units of the last digit of its largest term.
+/// Rounding errors that a row of the internal forces may gather, in units of the last digit of its largest
+/// term.
 constexpr double rounding_steps = 16;
 constexpr double last_digits = rounding_steps * std::numeric_limits<double>::epsilon();
 
@@ -83,22 +85,23 @@ ContactForce::ContactForce(Index dofs)
 
 Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
                          const State& committed, double t)
-    : model_(model), scheme_(scheme), system_(system), t_(t), start_(committed.motion.u),
+    : model_(model), scheme_(scheme), system_(system), t_(t), committed_(committed),
       predicted_(time::predict(scheme, system.step, committed.motion)),
       predicted_bulk_(time::predict(
           scheme, system.step, {committed.bulk.internal, committed.bulk.momentum, committed.bulk.inertia})),
       external_(model::external_force(model, t)), history_(history_forces(scheme, committed)) {}
 
-/// The prediction is a combination of what is known; from there on one product with K and one with M do.
+/// The prediction is a combination of what is known; from there on one evaluation of the domain and one
+/// product with M do.
 void Equilibrium::take_motion(const time::Motion& motion) {
-  bulk_ = {predicted_bulk_.u, {}, predicted_bulk_.v, predicted_bulk_.a};
-  if (motion.u != start_) {
-    bulk_.internal = model_.products.stiffness(motion.u);
-    if (scheme_.dynamic) {
-      const VectorXd correction = model_.products.mass(motion.a - predicted_.a);
-      bulk_.inertia += correction;
-      bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
-    }
+  const auto& start = committed_.motion.u;
+  bulk_ = {std::move(bulk_.internal), {}, predicted_bulk_.v, predicted_bulk_.a};
+  model_.domain.evaluate({start, motion.u, committed_.t, t_, &predicted_bulk_.u}, committed_.bulk_points,
+                         bulk_points_, {.forces = &bulk_.internal});
+  if (scheme_.dynamic && motion.u != start) {
+    const VectorXd correction = model_.products.mass(motion.a - predicted_.a);
+    bulk_.inertia += correction;
+    bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
   }
   if (model_.damping.nonZeros() > 0)
     bulk_.viscous = model_.damping * motion.v;
@@ -143,7 +146,7 @@ bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiff
                                   double tolerance) const {
   const VectorXd moved = motion.u.cwiseAbs();
   VectorXd summed = VectorXd::Zero(moved.size());
-  add_magnitudes(system_.coefficients.stiffness, model_.stiffness, moved, summed);
+  add_magnitudes(system_.coefficients.stiffness, model_.domain.initial_tangent(), moved, summed);
   if (scheme_.dynamic)
     add_magnitudes(system_.coefficients.acceleration * scheme_.inertia.now, model_.mass, moved, summed);
   add_contact(stiffness, far, moved.lpNorm<Eigen::Infinity>(), summed);
@@ -177,6 +180,7 @@ std::vector<WorstNode> Equilibrium::worst() const {
 void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.t = t_;
   trial.bulk = bulk_;
+  trial.bulk_points = bulk_points_;
   trial.force_scale = scale_;
   trial.residual_force = bulk_unbalance_;
   if (scheme_.remembers_contact())

@@ -68,11 +68,11 @@ double Spectrum::stable_step() const {
 }
 
 ExplicitMotion::ExplicitMotion(const Model& model)
-    : model_(&model), stiffness_(model.stiffness, model.dofs.components),
-      inverse_mass_(inverse_masses(model)), surface_(surface_dofs(model)), t_(model.study.time.begin),
-      u_(model.initial.displacement), v_(model.initial.velocity),
-      unbalance_(VectorXd::Zero(inverse_mass_.size())), contact_force_(unbalance_) {
-  spectrum_.stiffness = linalg::largest_eigenvalue(stiffness_, inverse_mass_);
+    : model_(&model), inverse_mass_(inverse_masses(model)), surface_(surface_dofs(model)),
+      t_(model.study.time.begin), u_(model.initial.displacement), v_(model.initial.velocity),
+      bulk_points_(model.domain.initial_states()), unbalance_(VectorXd::Zero(inverse_mass_.size())),
+      contact_force_(unbalance_) {
+  spectrum_.stiffness = model.domain.largest_eigenvalue(inverse_mass_);
   if (model.damping.nonZeros() > 0) {
     damping_.emplace(model.damping, model.dofs.components);
     damping_force_ = unbalance_;
@@ -159,8 +159,10 @@ void ExplicitMotion::step(double end) {
   }
 }
 
+/// The domain sees the end of a step only: to keep its start as well would cost memory traffic.
 void ExplicitMotion::find_forces() {
-  stiffness_.multiply(u_, unbalance_);
+  model_->domain.evaluate({u_, u_, t_ - h_, t_}, bulk_points_, bulk_points_next_, {.forces = &unbalance_});
+  std::swap(bulk_points_, bulk_points_next_);
   if (damping_) {
     damping_->multiply(v_, damping_force_);
     unbalance_ += damping_force_;
@@ -229,9 +231,7 @@ EnergyLedger ExplicitMotion::energy() const {
   auto ledger = energy_;
   const VectorXd after = v_ + h_ * acceleration();
   ledger.kinetic += 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
-  VectorXd internal(u_.size());
-  stiffness_.multiply(u_, internal);
-  ledger.strain = 0.5 * u_.dot(internal);
+  ledger.strain = strain_energy();
   for (const auto& zone : contact_) {
     ledger.contact += zone.stored();
     ledger.friction += zone.dissipated();
@@ -240,8 +240,16 @@ EnergyLedger ExplicitMotion::energy() const {
   return ledger;
 }
 
+double ExplicitMotion::strain_energy() const {
+  VectorXd internal;
+  domain::QuadratureStates unchanged;
+  model_->domain.evaluate({u_, u_, t_, t_}, bulk_points_, unchanged, {.forces = &internal});
+  return model_->domain.energy(u_, internal, bulk_points_);
+}
+
 ExplicitMotion::Memory ExplicitMotion::memory() const {
-  Memory memory{t_, h_, steps_, u_, v_, unbalance_, contact_force_, damping_force_, {}, {}, {}, {}, energy_};
+  Memory memory{t_, h_, steps_, u_, v_,      unbalance_,  contact_force_, damping_force_,
+                {}, {}, {},     {}, energy_, bulk_points_};
   for (const auto& load : loads_) {
     memory.load_factors.push_back(load.factor);
     memory.load_displacements.push_back(load.displacement);
@@ -263,6 +271,7 @@ void ExplicitMotion::restore(const Memory& memory) {
   contact_force_ = memory.contact_force;
   damping_force_ = memory.damping_force;
   energy_ = memory.energy;
+  bulk_points_ = memory.bulk_points;
   for (std::size_t i = 0; i < loads_.size(); ++i) {
     loads_[i].factor = memory.load_factors.at(i);
     loads_[i].displacement = memory.load_displacements.at(i);
@@ -278,6 +287,7 @@ State ExplicitMotion::state() const {
   state.t = t_;
   const VectorXd a = acceleration();
   state.motion = {u_, v_ + h_ / 2 * a, a};
+  state.bulk_points = bulk_points_;
   state.residual_force = unbalance_;
   if (damping_)
     state.residual_force -= damping_force_;

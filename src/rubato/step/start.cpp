@@ -62,11 +62,28 @@ contact::ZoneState untouched_zone(const Model& model, const contact::Zone& zone,
   return state;
 }
 
+/// Without a step: at the state's displacements, from the state that the materials are in.
+VectorXd internal_forces(const Model& model, const State& state) {
+  const auto& u = state.motion.u;
+  VectorXd forces;
+  domain::QuadratureStates unchanged;
+  model.domain.evaluate({u, u, state.t, state.t}, state.bulk_points, unchanged, {.forces = &forces});
+  return forces;
+}
+
+/// The bodies come to the initial displacements from their undeformed shape at once.
+void deform(const Model& model, State& state) {
+  const VectorXd undeformed = VectorXd::Zero(state.motion.u.size());
+  model.domain.evaluate({undeformed, state.motion.u, state.t, state.t}, model.domain.initial_states(),
+                        state.bulk_points, {});
+}
+
 } // namespace
 
-BulkForces bulk_forces(const Model& model, const time::Motion& motion) {
+BulkForces bulk_forces(const Model& model, const State& state) {
+  const auto& motion = state.motion;
   BulkForces forces{
-      model.products.stiffness(motion.u), {}, model.products.mass(motion.v), model.products.mass(motion.a)};
+      internal_forces(model, state), {}, model.products.mass(motion.v), model.products.mass(motion.a)};
   if (model.damping.nonZeros() > 0)
     forces.viscous = model.damping * motion.v;
   return forces;
@@ -78,7 +95,8 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   state.t = t;
   state.motion = {model.initial.displacement, model.initial.velocity, VectorXd::Zero(size)};
   model.reduction.impose(t, state.motion.u);
-  state.residual_force = model.stiffness * state.motion.u - model::external_force(model, t);
+  deform(model, state);
+  state.residual_force = model.domain.initial_tangent() * state.motion.u - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
@@ -88,7 +106,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
     state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v);
   if (!loaded_history)
     state.residual_force.setZero();
-  state.bulk = bulk_forces(model, state.motion);
+  state.bulk = bulk_forces(model, state);
   state.external_force = model::external_force(model, t);
   return state;
 }
@@ -96,12 +114,12 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
 State continued_state(const Model& model, const time::Scheme& scheme, const State& end, double t) {
   State state = end;
   state.t = t;
-  state.residual_force = model.stiffness * state.motion.u - model::external_force(model, t);
+  state.residual_force = model.domain.initial_tangent() * state.motion.u - model::external_force(model, t);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v);
-  state.bulk = bulk_forces(model, state.motion);
+  state.bulk = bulk_forces(model, state);
   state.external_force = model::external_force(model, t);
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
     state.friction_force = VectorXd::Zero(state.contact_force.size());
