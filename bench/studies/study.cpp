@@ -154,7 +154,7 @@ void measure_model(study::Study study, Measurement& found) {
   const auto scheme = time::make_scheme(study.time);
   study.solver = study::Solver::full; // one factor at a time
   auto model = model::build_model(study);
-  found.dofs = static_cast<int>(model.free_dofs.size());
+  found.dofs = static_cast<int>(model.reduction.unknown_count());
   found.contact_dofs = static_cast<int>(step::surface_unknowns(model).size());
   found.solve = time_solves(step::make_effective_system(model, scheme, study.time.step).matrix);
   model.study.solver = study::Solver::condensed;

@@ -31,8 +31,8 @@ struct Mode {
 
 /// By a dense generalized eigenvalue solution.
 inline Mode first_mode(const model::Model& model) {
-  const auto& free = model.free_dofs;
-  const MatrixXd k = MatrixXd(model.stiffness)(free, free);
+  const auto& free = model.reduction.free_dofs();
+  const MatrixXd k = MatrixXd(model.domain.initial_tangent())(free, free);
   const MatrixXd m = MatrixXd(model.mass)(free, free);
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(k, m);
   Mode mode{std::sqrt(modes.eigenvalues()[0]), VectorXd::Zero(model.dofs.dof_count)};

@@ -63,7 +63,7 @@ private:
 };
 
 double energy(const model::Model& model, const VectorXd& u) {
-  return u.dot(model.stiffness * u);
+  return u.dot(model.domain.initial_tangent() * u);
 }
 
 double error_of(const Pressed& coarse, const Pressed& fine) {

@@ -28,6 +28,11 @@ struct LinearElastic {
   bool operator==(const LinearElastic&) const = default;
 };
 
+/// How many numbers the law remembers of a point's past.
+constexpr int state_size(const LinearElastic&) {
+  return 0;
+}
+
 /// Length of the Voigt vectors.
 int strain_size(study::Physics physics);
 

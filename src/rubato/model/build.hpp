@@ -19,9 +19,10 @@ domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::v
 void check_shapes(const study::Study& study, const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,
                   std::vector<Fault>& faults);
 
-/// Prescribed displacements, ascending by dof.
-std::vector<Constraint> make_constraints(const study::Study& study, const mesh::Mesh& mesh,
-                                         const domain::DofMap& dofs, std::vector<Fault>& faults);
+/// What supports prescribe of the displacements, and which ones are left unknown; a fault where two of them
+/// say different things of one dof.
+constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
+                                     const domain::DofMap& dofs, std::vector<Fault>& faults);
 
 /// Springs to the ground.
 std::vector<Spring> make_springs(const study::Study& study, const mesh::Mesh& mesh,
@@ -29,7 +30,7 @@ std::vector<Spring> make_springs(const study::Study& study, const mesh::Mesh& me
 
 /// How the run begins; faults where two entries, or an entry and a support, say different things of one dof.
 InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& mesh,
-                                  const domain::DofMap& dofs, std::span<const Constraint> constraints,
+                                  const domain::DofMap& dofs, const constraint::Reduction& reduction,
                                   std::vector<Fault>& faults);
 
 /// Loads as nodal forces.
@@ -38,7 +39,7 @@ std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh
 
 /// Contact zones on oriented surfaces.
 std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,
-                                      const domain::DofMap& dofs, std::span<const Constraint> constraints,
+                                      const domain::DofMap& dofs, const constraint::Reduction& reduction,
                                       std::vector<Fault>& faults);
 
 /// Faces of masters that bound no cell: rigid surfaces drawn as a mesh, whose nodes supports hold or move.

@@ -25,10 +25,10 @@ bool same(double a, double b) {
 class Collector {
 public:
   Collector(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-            std::span<const Constraint> constraints, std::vector<Fault>& faults)
+            const constraint::Reduction& reduction, std::vector<Fault>& faults)
       : time_(study.time), mesh_(mesh), dofs_(dofs), faults_(faults) {
-    for (const auto& constraint : constraints)
-      supports_[constraint.dof] = &constraint;
+    for (const auto& support : reduction.prescribed())
+      supports_[support.dof] = &support;
     motion_.displacement = VectorXd::Zero(dofs.dof_count);
     motion_.velocity = motion_.displacement;
   }
@@ -95,7 +95,7 @@ private:
                                    what, value, axes[static_cast<std::size_t>(component)], contradiction)));
   }
 
-  double velocity_of(const Constraint& support) const {
+  double velocity_of(const constraint::PrescribedDof& support) const {
     const double h = shortly * (time_.end - time_.begin);
     return (displacement_of(support, time_.begin + h) - displacement_of(support, time_.begin)) / h;
   }
@@ -104,7 +104,7 @@ private:
   const mesh::Mesh& mesh_;
   const domain::DofMap& dofs_;
   std::vector<Fault>& faults_;
-  std::map<int, const Constraint*> supports_;
+  std::map<int, const constraint::PrescribedDof*> supports_;
   std::map<int, double> displaced_;
   std::map<int, double> moved_;
   InitialMotion motion_;
@@ -114,9 +114,9 @@ private:
 } // namespace
 
 InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& mesh,
-                                  const domain::DofMap& dofs, std::span<const Constraint> constraints,
+                                  const domain::DofMap& dofs, const constraint::Reduction& reduction,
                                   std::vector<Fault>& faults) {
-  Collector collector(study, mesh, dofs, constraints, faults);
+  Collector collector(study, mesh, dofs, reduction, faults);
   for (std::size_t i = 0; i < study.initial.size(); ++i)
     collector.add(study.initial[i], fmt::format("initial.{}", i));
   return collector.take();

@@ -122,10 +122,10 @@ namespace {
 
 /// The first component in which a node of the cell is free, "node N5 (1, 0) can move in y"; empty when all
 /// are held.
-std::string freedom_of(const Model& model, CellIndex cell, const std::vector<char>& held) {
+std::string freedom_of(const Model& model, CellIndex cell) {
   for (const auto node : model.mesh.nodes_of(cell))
     for (int i = 0; i < model.dofs.components; ++i)
-      if (held[static_cast<std::size_t>(model.dofs.dof(node, i))] == 0)
+      if (!model.reduction.is_prescribed(model.dofs.dof(node, i)))
         return fmt::format("node {} can move in {}", node_label(model.mesh, node), "xyz"[i]);
   return "";
 }
@@ -133,15 +133,12 @@ std::string freedom_of(const Model& model, CellIndex cell, const std::vector<cha
 } // namespace
 
 void check_masses(const Model& model, std::vector<Fault>& faults) {
-  std::vector<char> held(model.dofs.dof_count, 0);
-  for (const auto& constraint : model.constraints)
-    held[static_cast<std::size_t>(constraint.dof)] = 1;
   std::vector<char> told(model.bulk.laws.size(), 0);
   for (std::size_t i = 0; i < model.bulk.cells.size(); ++i) {
     const auto law = static_cast<std::size_t>(model.bulk.law_of_cell[i]);
     if (model.bulk.laws[law].density > 0 || told[law] != 0)
       continue;
-    const auto freedom = freedom_of(model, model.bulk.cells[i], held);
+    const auto freedom = freedom_of(model, model.bulk.cells[i]);
     if (freedom.empty())
       continue;
     told[law] = 1;

@@ -26,14 +26,6 @@ using Eigen::VectorXd;
 
 void number_unknowns(Model& model) {
   const auto count = static_cast<std::size_t>(model.dofs.dof_count);
-  model.free_index.assign(count, 0);
-  for (const auto& constraint : model.constraints)
-    model.free_index[static_cast<std::size_t>(constraint.dof)] = -1;
-  for (std::size_t dof = 0; dof < count; ++dof)
-    if (model.free_index[dof] == 0) {
-      model.free_index[dof] = static_cast<int>(model.free_dofs.size());
-      model.free_dofs.push_back(static_cast<int>(dof));
-    }
   model.node_of_dof.resize(count);
   for (const auto node : model.dofs.nodes)
     for (int i = 0; i < model.dofs.components; ++i)
@@ -54,13 +46,19 @@ void free_contact_of_mass(Model& model) {
   redistribute_mass(model.mesh, model.bulk, model.dofs, nodes, model.mass);
 }
 
+domain::Domain make_domain(const Model& model, const domain::BlockPattern& pattern) {
+  auto stiffness = domain::assemble_stiffness(model.mesh, model.bulk, pattern);
+  for (const auto& spring : model.springs)
+    stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
+  add_gauges(model, stiffness);
+  return {domain::LinearDomain(std::move(stiffness), model.dofs.components),
+          domain::initial_states(model.mesh, model.bulk)};
+}
+
 void assemble_matrices(Model& model, const std::vector<study::Material>& materials) {
   const auto& bulk = model.bulk;
   const domain::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
-  model.stiffness = domain::assemble_stiffness(model.mesh, bulk, pattern);
-  for (const auto& spring : model.springs)
-    model.stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
-  add_gauges(model, model.stiffness);
+  model.domain = make_domain(model, pattern);
   const auto scheme = model.study.time.scheme;
   if (scheme == study::SchemeKind::static_steps)
     return;
@@ -129,11 +127,11 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   auto numbered = rigid_faces(study, model.mesh);
   numbered.insert(numbered.end(), model.bulk.cells.begin(), model.bulk.cells.end());
   model.dofs = domain::number_dofs(model.mesh, numbered, element::component_count(study.physics));
-  model.constraints = make_constraints(study, model.mesh, model.dofs, faults);
+  model.reduction = make_reduction(study, model.mesh, model.dofs, faults);
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
-  model.initial = make_initial_motion(study, model.mesh, model.dofs, model.constraints, faults);
+  model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
-  model.zones = make_zones(study, model.mesh, model.dofs, model.constraints, faults);
+  model.zones = make_zones(study, model.mesh, model.dofs, model.reduction, faults);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults, model.notes);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
@@ -189,7 +187,7 @@ Model build_model(const study::Study& study, mesh::Mesh mesh) {
   auto model = lay_out(study, std::move(mesh));
   assemble_matrices(model, study.materials);
   if (!study::is_explicit(study.time.scheme))
-    model.products = Products(model.stiffness, model.mass, model.dofs.components);
+    model.products = Products(model.mass, model.dofs.components);
   return model;
 }
 
@@ -198,32 +196,6 @@ VectorXd external_force(const Model& model, double t) {
   for (const auto& part : model.forces)
     force += value_of(part.function, t) * part.pattern;
   return force;
-}
-
-double displacement_of(const Constraint& constraint, double t) {
-  return constraint.value * value_of(constraint.function, t);
-}
-
-VectorXd imposed_displacements(const Model& model, double t) {
-  VectorXd values(static_cast<Eigen::Index>(model.constraints.size()));
-  for (std::size_t i = 0; i < model.constraints.size(); ++i)
-    values[static_cast<Eigen::Index>(i)] = displacement_of(model.constraints[i], t);
-  return values;
-}
-
-SparseMatrix free_part(const Model& model, const SparseMatrix& matrix) {
-  const auto size = static_cast<Eigen::Index>(model.free_dofs.size());
-  SparseMatrix part(size, size);
-  part.reserve(matrix.nonZeros());
-  for (Eigen::Index column = 0; column < size; ++column) {
-    part.startVec(column);
-    for (SparseMatrix::InnerIterator entry(matrix, model.free_dofs[static_cast<std::size_t>(column)]); entry;
-         ++entry)
-      if (const int row = model.free_index[static_cast<std::size_t>(entry.row())]; row >= 0)
-        part.insertBack(row, column) = entry.value();
-  }
-  part.finalize();
-  return part;
 }
 
 std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node) {

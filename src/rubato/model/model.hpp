@@ -2,9 +2,11 @@
 /// The discrete problem of one run: numbered unknowns, matrices, loads as functions of time, contact zones.
 #pragma once
 
+#include "rubato/constraint/reduction.hpp"
 #include "rubato/contact/zone.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/products.hpp"
 #include "rubato/study/study.hpp"
@@ -24,13 +26,6 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 /// A force pattern times a function of time (1 when there is none).
 struct Force {
   Eigen::VectorXd pattern; ///< [force], one a dof
-  std::optional<Function> function;
-};
-
-/// A displacement that is prescribed: value times function (1 when there is none).
-struct Constraint {
-  int dof = 0;
-  double value = 0; ///< [length]
   std::optional<Function> function;
 };
 
@@ -59,22 +54,20 @@ struct Model {
   mesh::Mesh mesh;
   domain::Bulk bulk; ///< the cells that deform and their materials
   domain::DofMap dofs;
-  SparseMatrix stiffness; ///< of the cells, the springs and the gauges
-  SparseMatrix mass;      ///< empty (no entries) in a static or explicit run
+  domain::Domain domain; ///< the cells, the springs and the gauges
+  SparseMatrix mass;     ///< empty (no entries) in a static or explicit run
   /// Ascending; on contact surfaces when their mass is redistributed.
   std::vector<mesh::NodeIndex> massless_nodes;
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
   SparseMatrix damping;        ///< no entries without Rayleigh coefficients
-  Products products;           ///< with stiffness and mass, in an implicit run
+  Products products;           ///< with the mass, in an implicit run
   std::vector<Force> forces;
-  std::vector<Constraint> constraints; ///< ascending dofs, one each
+  constraint::Reduction reduction; ///< which displacements are unknown, and what supports prescribe
   std::vector<Spring> springs;
   std::vector<Gauge> gauges; ///< of bodies that in a static run only contact holds
   InitialMotion initial;
   /// Nodes of bodies that in a static run only contact holds, ascending.
   std::vector<mesh::NodeIndex> free_body_nodes;
-  std::vector<int> free_dofs;  ///< ascending
-  std::vector<int> free_index; ///< of a dof in free_dofs, −1 when it is constrained
   std::vector<contact::Zone> zones;
   std::vector<std::vector<mesh::NodeIndex>> probe_nodes; ///< of each probe of the study, at least one
   std::vector<std::string> notes;      ///< sentences that whoever runs the model should read
@@ -103,15 +96,6 @@ mesh::Mesh load_mesh(const study::MeshSource& source);
 
 /// [force], one a dof.
 Eigen::VectorXd external_force(const Model& model, double t);
-
-/// What a constraint prescribes at instant t [length].
-double displacement_of(const Constraint& constraint, double t);
-
-/// Prescribed displacements at instant t, in the order of model.constraints [length].
-Eigen::VectorXd imposed_displacements(const Model& model, double t);
-
-/// Rows and columns of the free dofs.
-SparseMatrix free_part(const Model& model, const SparseMatrix& matrix);
 
 /// "N90 (1, 0.1, 0.05)": how messages name a node.
 std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node);

@@ -3,17 +3,9 @@
 
 namespace rubato::model {
 
-Products::Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& stiffness,
-                   const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass, int components)
-    : stiffness_(std::in_place, stiffness, components) {
+Products::Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass, int components) {
   if (mass.nonZeros() > 0)
     mass_.emplace(mass, components);
-}
-
-Eigen::VectorXd Products::stiffness(const Eigen::VectorXd& u) const {
-  Eigen::VectorXd force(u.size());
-  stiffness_->multiply(u, force);
-  return force;
 }
 
 Eigen::VectorXd Products::mass(const Eigen::VectorXd& a) const {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The bulk's matrices in the forms whose products read the least memory.
+/// The mass in the form whose products read the least memory.
 #pragma once
 
-#include "rubato/linalg/block_matrix.hpp"
 #include "rubato/linalg/nodal_matrix.hpp"
 
 #include <Eigen/Core>
@@ -15,16 +14,12 @@ class Products {
 public:
   Products() = default;
   /// `mass` may be empty.
-  Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& stiffness,
-           const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass, int components);
+  Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass, int components);
 
-  /// K u [force]
-  Eigen::VectorXd stiffness(const Eigen::VectorXd& u) const;
   /// M a [force], or M v; zero in static runs.
   Eigen::VectorXd mass(const Eigen::VectorXd& a) const;
 
 private:
-  std::optional<linalg::SymmetricBlockMatrix> stiffness_;
   std::optional<linalg::NodalMatrix> mass_;
 };
 

@@ -95,8 +95,8 @@ RigidMotions::RigidMotions(const Model& model)
 }
 
 void RigidMotions::add_supports() {
-  for (const auto& constraint : model_.constraints)
-    add_dof(constraint.dof);
+  for (const auto& support : model_.reduction.prescribed())
+    add_dof(support.dof);
   for (const auto& spring : model_.springs)
     add_dof(spring.dof);
   for (const auto& gauge : model_.gauges)

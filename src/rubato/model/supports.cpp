@@ -8,6 +8,8 @@
 namespace rubato::model {
 namespace {
 
+using constraint::PrescribedDof;
+
 constexpr std::string_view axes = "xyz";
 
 class Collector {
@@ -23,10 +25,10 @@ public:
           prescribe(path, node, i, *amplitude);
   }
 
-  std::vector<Constraint> constraints() const {
-    std::vector<Constraint> list;
-    for (const auto& [dof, constraint] : by_dof_)
-      list.push_back(constraint);
+  std::vector<PrescribedDof> prescribed() const {
+    std::vector<PrescribedDof> list;
+    for (const auto& [dof, prescribed] : by_dof_)
+      list.push_back(prescribed);
     return list;
   }
 
@@ -34,7 +36,7 @@ private:
   void prescribe(const std::string& path, mesh::NodeIndex node, int component,
                  const study::Amplitude& amplitude) {
     const int dof = dofs_.dof(node, component);
-    const Constraint wanted{dof, amplitude.value, function_named(study_, amplitude.function)};
+    const PrescribedDof wanted{dof, amplitude.value, function_named(study_, amplitude.function)};
     const auto [entry, fresh] = by_dof_.emplace(dof, wanted);
     const auto& there = entry->second;
     if (fresh || (there.value == wanted.value && there.function == wanted.function) || told_)
@@ -49,18 +51,18 @@ private:
   const mesh::Mesh& mesh_;
   const domain::DofMap& dofs_;
   std::vector<Fault>& faults_;
-  std::map<int, Constraint> by_dof_;
+  std::map<int, PrescribedDof> by_dof_;
   bool told_ = false;
 };
 
 } // namespace
 
-std::vector<Constraint> make_constraints(const study::Study& study, const mesh::Mesh& mesh,
-                                         const domain::DofMap& dofs, std::vector<Fault>& faults) {
+constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
+                                     const domain::DofMap& dofs, std::vector<Fault>& faults) {
   Collector collector(study, mesh, dofs, faults);
   for (std::size_t i = 0; i < study.supports.size(); ++i)
     collector.add(study.supports[i], fmt::format("supports.{}", i));
-  return collector.constraints();
+  return {dofs.dof_count, collector.prescribed()};
 }
 
 } // namespace rubato::model

@@ -123,15 +123,12 @@ void turn_to_slave(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> sl
 
 /// Nothing but supports moves the nodes of a sheet.
 void check_sheets(const mesh::Mesh& mesh, const Mention& name, const mesh::Sheets& sheets,
-                  const domain::DofMap& dofs, std::span<const Constraint> constraints,
+                  const domain::DofMap& dofs, const constraint::Reduction& reduction,
                   std::vector<Fault>& faults) {
-  const auto is_held = [&](int dof) {
-    return std::ranges::binary_search(constraints, dof, {}, &Constraint::dof);
-  };
   for (const auto& face : sheets.faces)
     for (const auto node : face.nodes())
       for (int i = 0; i < dofs.components; ++i)
-        if (!is_held(dofs.dof(node, i))) {
+        if (!reduction.is_prescribed(dofs.dof(node, i))) {
           faults.push_back(fault_at(
               name.path, fmt::format("contact surface '{}': {} of its faces bound no cell, and nothing holds "
                                      "node {} of them along {}; expected supports that hold or move every "
@@ -190,7 +187,7 @@ Mention master_of(const study::ContactZone& settings) {
 
 std::pair<contact::Surface, contact::Surface> surfaces_of(const study::ContactZone& settings,
                                                           const mesh::Mesh& mesh, const domain::DofMap& dofs,
-                                                          std::span<const Constraint> constraints,
+                                                          const constraint::Reduction& reduction,
                                                           std::vector<Fault>& faults) {
   const auto slave = faces_named(mesh, slave_of(settings), false, faults);
   if (settings.obstacle)
@@ -198,7 +195,7 @@ std::pair<contact::Surface, contact::Surface> surfaces_of(const study::ContactZo
   auto master = faces_named(mesh, master_of(settings), true, faults);
   if (!master || !slave)
     return {};
-  check_sheets(mesh, master_of(settings), master->sheets, dofs, constraints, faults);
+  check_sheets(mesh, master_of(settings), master->sheets, dofs, reduction, faults);
   turn_to_slave(mesh, slave->sides, master->sheets);
   master->sides.insert(master->sides.end(), master->sheets.faces.begin(), master->sheets.faces.end());
   return {surface_of(mesh, master->sides), surface_of(mesh, slave->sides)};
@@ -217,7 +214,7 @@ std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::
 }
 
 std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,
-                                      const domain::DofMap& dofs, std::span<const Constraint> constraints,
+                                      const domain::DofMap& dofs, const constraint::Reduction& reduction,
                                       std::vector<Fault>& faults) {
   const bool plane =
       study.physics == study::Physics::plane_stress || study.physics == study::Physics::plane_strain;
@@ -227,7 +224,7 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
   std::vector<contact::Zone> zones;
   for (const auto& settings : study.contact) {
     const auto known = faults.size();
-    auto [master, slave] = surfaces_of(settings, mesh, dofs, constraints, faults);
+    auto [master, slave] = surfaces_of(settings, mesh, dofs, reduction, faults);
     const auto excluded = excluded_nodes(mesh, settings, faults);
     if (faults.size() == known && share_a_face(master, slave))
       faults.push_back(fault_at(slave_of(settings).path,

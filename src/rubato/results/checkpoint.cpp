@@ -82,6 +82,11 @@ public:
   template <class Vector> void numbers(const std::string& name, Vector& values) {
     file_->write(name, std::span<const double>(values.data(), static_cast<std::size_t>(values.size())));
   }
+  /// Left out where there is nothing: files from before there was such a thing have none.
+  void states(const std::string& name, domain::QuadratureStates& states) {
+    if (!states.values.empty())
+      numbers(name, states.values);
+  }
   template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
     std::vector<std::int64_t> integers;
     std::ranges::transform(values, std::back_inserter(integers),
@@ -116,6 +121,7 @@ public:
   template <class Vector> void numbers(const std::string&, Vector& values) {
     add(static_cast<std::size_t>(values.size()) * sizeof(double));
   }
+  void states(const std::string& name, domain::QuadratureStates& states) { numbers(name, states.values); }
   template <Whole T> void wholes(const std::string&, std::vector<T>& values) {
     add(values.size() * sizeof(std::int64_t));
   }
@@ -144,6 +150,9 @@ public:
   void numbers(const std::string& name, Eigen::VectorXd& values) {
     const auto read = file_->numbers(name);
     values = Eigen::Map<const Eigen::VectorXd>(read.data(), static_cast<Eigen::Index>(read.size()));
+  }
+  void states(const std::string& name, domain::QuadratureStates& states) {
+    states.values = file_->has(name) ? file_->numbers(name) : std::vector<double>();
   }
   template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
     values.clear();
@@ -188,6 +197,7 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.numbers("state/bulk/viscous", state.bulk.viscous);
   archive.numbers("state/bulk/momentum", state.bulk.momentum);
   archive.numbers("state/bulk/inertia", state.bulk.inertia);
+  archive.states("state/bulk_points", state.bulk_points);
   archive.parts("state/zones", state.zones);
   for (std::size_t z = 0; z < state.zones.size(); ++z) {
     const auto at = fmt::format("state/zone_{}/", z);
@@ -255,6 +265,7 @@ template <class Archive> void exchange(Archive& archive, simulation::ExplicitPro
   archive.numbers("explicit/load_factors", motion.load_factors);
   archive.numbers("explicit/load_displacements", motion.load_displacements);
   archive.numbers("explicit/reactions", motion.reactions);
+  archive.states("explicit/bulk_points", motion.bulk_points);
   archive.parts("explicit/zones", motion.zones);
   for (std::size_t z = 0; z < motion.zones.size(); ++z) {
     const auto at = fmt::format("explicit/zone_{}/", z);

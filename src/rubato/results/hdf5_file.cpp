@@ -118,6 +118,10 @@ template <class T> std::vector<T> Hdf5File::array(const std::string& name, std::
   return values;
 }
 
+bool Hdf5File::has(const std::string& name) const {
+  return H5Lexists(id_, name.c_str(), H5P_DEFAULT) > 0;
+}
+
 std::vector<double> Hdf5File::numbers(const std::string& name) const {
   return array<double>(name, H5T_NATIVE_DOUBLE);
 }

@@ -28,6 +28,8 @@ public:
   void write(const std::string& name, std::span<const std::int64_t> values);
   void write(const std::string& name, std::string_view text);
 
+  /// Whether there is an array or a text of that name, in a group that there is.
+  bool has(const std::string& name) const;
   /// Throw std::runtime_error when there is no such thing.
   std::vector<double> numbers(const std::string& name) const;
   std::vector<std::int64_t> integers(const std::string& name) const;

@@ -321,7 +321,7 @@ private:
                       {"setup_seconds", ending.setup_seconds},
                       {"loop_seconds", ending.loop_seconds},
                       {"nodes", model_.mesh.node_count()},
-                      {"unknowns", model_.free_dofs.size()},
+                      {"unknowns", model_.reduction.unknown_count()},
                       {"factor_bytes", factor_bytes_},
                       {"checks", ordered_json::array()},
                       {"tolerances", tolerances_json()},

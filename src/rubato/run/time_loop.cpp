@@ -308,7 +308,7 @@ RunResult run_study(const study::Study& study, const std::filesystem::path& fold
   }
   const auto model = model::build_model(study, std::move(mesh));
   watch.say(fmt::format("{}: {} nodes, {} unknowns, {} contact points", study.name, model.mesh.node_count(),
-                        model.free_dofs.size(), [&] {
+                        model.reduction.unknown_count(), [&] {
                           std::size_t points = 0;
                           for (const auto& zone : model.zones)
                             points += zone.points.size();

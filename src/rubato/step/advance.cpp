@@ -151,13 +151,7 @@ State predict(const Model& model, const time::Scheme& scheme, const EffectiveSys
   State trial = committed;
   trial.t = t;
   trial.motion = time::predict(scheme, system.step, committed.motion);
-  const VectorXd imposed = model::imposed_displacements(model, t);
-  VectorXd d = VectorXd::Zero(trial.motion.u.size());
-  for (std::size_t i = 0; i < model.constraints.size(); ++i) {
-    const int dof = model.constraints[i].dof;
-    d[dof] = imposed[static_cast<Eigen::Index>(i)] - trial.motion.u[dof];
-  }
-  time::correct(system.coefficients, d, trial.motion);
+  time::correct(system.coefficients, model.reduction.correction(t, trial.motion.u), trial.motion);
   return trial;
 }
 

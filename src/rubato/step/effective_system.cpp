@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace rubato::step {
@@ -30,7 +31,7 @@ std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatr
     throw InputError(
         fmt::format("the model is too large for this machine: with its {} unknowns {}; expected a "
                     "coarser mesh or cells of lower order, or more memory",
-                    model.free_dofs.size(), error.what()));
+                    model.reduction.unknown_count(), error.what()));
   }
 }
 
@@ -45,7 +46,7 @@ Eigen::VectorXd usual_diagonal(const Model& model, const time::Scheme& scheme) {
     step = instants.at(1) - instants.at(0);
   }
   const auto coefficients = time::coefficients_of(scheme, step);
-  Eigen::VectorXd diagonal = coefficients.stiffness * model.stiffness.diagonal();
+  Eigen::VectorXd diagonal = coefficients.stiffness * model.domain.initial_tangent().diagonal();
   if (coefficients.mass != 0)
     diagonal += coefficients.mass * model.mass.diagonal();
   if (coefficients.damping != 0 && model.damping.nonZeros() > 0)
@@ -100,7 +101,7 @@ double add_weak_springs(const Model& model, EffectiveSystem& system) {
   const double all = std::clamp(wanted, weakest * largest, stiffest * largest);
   const double each = all / static_cast<double>(model.free_body_nodes.size());
   for_each_free_dof(model, [&](int dof) {
-    if (const int free = model.free_index[static_cast<std::size_t>(dof)]; free >= 0)
+    if (const int free = model.reduction.unknown_of(dof); free >= 0)
       system.matrix.coeffRef(free, free) += each;
   });
   return all;
@@ -130,16 +131,18 @@ double wanted_residual(const EffectiveSystem& system, double tolerance) {
 
 EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
                                       const std::function<void(std::size_t)>& tell_memory) {
+  if (!model.domain.is_linear())
+    throw std::logic_error("the factor of a step length is kept: that needs a linear domain");
   EffectiveSystem system;
   system.step = step;
   system.coefficients = time::coefficients_of(scheme, step);
-  SparseMatrix full = system.coefficients.stiffness * model.stiffness;
+  SparseMatrix full = system.coefficients.stiffness * model.domain.initial_tangent();
   if (system.coefficients.mass != 0)
     full += system.coefficients.mass * model.mass;
   if (system.coefficients.damping != 0 && model.damping.nonZeros() > 0)
     full += system.coefficients.damping * model.damping;
   system.diagonal = full.diagonal();
-  system.matrix = model::free_part(model, full);
+  system.matrix = model.reduction.reduced(full);
   const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);
   for (const auto& zone : model.zones) {
     system.zones.push_back(coefficients_of(zone, model, scheme, system.diagonal, weak));
@@ -147,7 +150,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   }
   if (model.study.solver != study::Solver::full)
     if (auto factor = factored(model, system.matrix, tell_memory))
-      system.compliance = std::make_unique<Compliance>(std::move(*factor), model.free_dofs,
+      system.compliance = std::make_unique<Compliance>(std::move(*factor), model.reduction.free_dofs(),
                                                        static_cast<Eigen::Index>(model.dofs.dof_count));
   return system;
 }

@@ -18,7 +18,8 @@ namespace rubato::step {
 
 struct CondensedScratch;
 
-/// The effective matrix A = m M + c C + k K of one step length, on free dofs.
+/// The effective matrix A = m M + c C + k K of one step length, on free dofs. K is the domain's tangent: as A
+/// and its factor serve every step of that length, the domain must be linear.
 ///
 /// Bodies that only contact holds have weak springs in it, so that it can be factored. They act on the
 /// correction of an iteration, never on the motion itself: iterations with them are the proximal point
@@ -38,7 +39,8 @@ struct EffectiveSystem {
 
 /// Factors the matrix unless the study's solver is full or the matrix is not positive definite, as when only
 /// contact holds a body. Throws InputError before the factorisation when the factor would not fit into the
-/// memory that is left; otherwise `tell_memory` hears then what the factor needs [bytes].
+/// memory that is left; otherwise `tell_memory` hears then what the factor needs [bytes]. Throws
+/// std::logic_error when the domain is not linear.
 EffectiveSystem make_effective_system(
     const model::Model& model, const time::Scheme& scheme, double step,
     const std::function<void(std::size_t)>& tell_memory = [](std::size_t) {});

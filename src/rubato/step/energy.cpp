@@ -82,10 +82,11 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
                         scheme_->forces.before * rigid_before - supports.with_step;
 }
 
-/// ½ d·K u, d the deformation: u without its rigid part. `internal`: resultants of K u.
+/// U less ½ r·f_int, r the rigid part of u: rounding, which far away from where it began would hide the
+/// strain of a body. `internal`: resultants of f_int.
 double EnergyAccount::strain_energy(const State& state, const Eigen::MatrixXd& internal) const {
-  return 0.5 * (state.motion.u.dot(state.bulk.internal) -
-                rigid_->work(rigid_->resultants(state.motion.u), internal));
+  return model_->domain.energy(state.motion.u, state.bulk.internal, state.bulk_points) -
+         0.5 * rigid_->work(rigid_->resultants(state.motion.u), internal);
 }
 
 /// In the first step that closes them, in the second that the bodies may rebound in.
@@ -134,8 +135,8 @@ EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, con
     return sum;
   };
   Supports supports;
-  for (const auto& constraint : model_->constraints) {
-    const int dof = constraint.dof;
+  for (const auto& support : model_->reduction.prescribed()) {
+    const int dof = support.dof;
     if (moved[dof] == 0)
       continue;
     const double mean =

@@ -32,7 +32,7 @@ struct EnergyLedger {
   double friction = 0;      ///< dissipated by friction
   double impact = 0;        ///< taken by contact pressures and not stored: > 0 where bodies hit, < 0 gained
   double numerical = 0;     ///< dissipated by the time scheme; < 0 gained
-  double unbalanced = 0;    ///< work of the forces that iterations and the rounding of K u left unbalanced
+  double unbalanced = 0;    ///< work of the forces that iterations and the rounding of f_int left unbalanced
   double start = 0;         ///< kinetic + strain + contact when the run began
 
   double stored() const { return kinetic + strain + contact; }

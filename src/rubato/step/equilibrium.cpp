@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -71,22 +72,23 @@ ContactForce::ContactForce(Index dofs)
 
 Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
                          const State& committed, double t)
-    : model_(model), scheme_(scheme), system_(system), t_(t), start_(committed.motion.u),
+    : model_(model), scheme_(scheme), system_(system), t_(t), committed_(committed),
       predicted_(time::predict(scheme, system.step, committed.motion)),
       predicted_bulk_(time::predict(
           scheme, system.step, {committed.bulk.internal, committed.bulk.momentum, committed.bulk.inertia})),
       external_(model::external_force(model, t)), history_(history_forces(scheme, committed)) {}
 
-/// The prediction is a combination of what is known; from there on one product with K and one with M do.
+/// The prediction is a combination of what is known; from there on one evaluation of the domain and one
+/// product with M do.
 void Equilibrium::take_motion(const time::Motion& motion) {
-  bulk_ = {predicted_bulk_.u, {}, predicted_bulk_.v, predicted_bulk_.a};
-  if (motion.u != start_) {
-    bulk_.internal = model_.products.stiffness(motion.u);
-    if (scheme_.dynamic) {
-      const VectorXd correction = model_.products.mass(motion.a - predicted_.a);
-      bulk_.inertia += correction;
-      bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
-    }
+  const auto& start = committed_.motion.u;
+  bulk_ = {std::move(bulk_.internal), {}, predicted_bulk_.v, predicted_bulk_.a};
+  model_.domain.evaluate({start, motion.u, committed_.t, t_, &predicted_bulk_.u}, committed_.bulk_points,
+                         bulk_points_, {.forces = &bulk_.internal});
+  if (scheme_.dynamic && motion.u != start) {
+    const VectorXd correction = model_.products.mass(motion.a - predicted_.a);
+    bulk_.inertia += correction;
+    bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
   }
   if (model_.damping.nonZeros() > 0)
     bulk_.viscous = model_.damping * motion.v;
@@ -100,14 +102,14 @@ void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& conta
   bulk_unbalance_ = bulk_.internal - external_;
   full_residual_ =
       inertia_ + scheme_.forces.now * bulk_unbalance_ + scheme_.contact_weight() * contact.all + history_;
-  residual_ = full_residual_(model_.free_dofs);
+  residual_ = model_.reduction.gather(full_residual_);
 }
 
 void Equilibrium::measure(const time::Motion& motion, const ContactForce& contact, StepReport& report) {
   VectorXd reference =
       scheme_.forces.now * external_ - scheme_.contact_weight() * contact.nodal - inertia_ - history_;
-  for (const auto& constraint : model_.constraints)
-    reference[constraint.dof] -= full_residual_[constraint.dof];
+  for (const auto& support : model_.reduction.prescribed())
+    reference[support.dof] -= full_residual_[support.dof];
   scale_ = reference.lpNorm<Eigen::Infinity>();
   if (scheme_.dynamic)
     scale_ = std::max(scale_, bulk_.momentum.lpNorm<Eigen::Infinity>() * system_.coefficients.acceleration *
@@ -122,19 +124,20 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   const double rounding =
       tolerances.rounding() * system_.diagonal.lpNorm<Eigen::Infinity>() * motion.u.lpNorm<Eigen::Infinity>();
   report.residual = largest == 0 || std::max(largest, scale_) <= rounding ? 0 : largest / scale_;
-  report.worst_node =
-      residual_.size() > 0 ? model_.node_of(model_.free_dofs[static_cast<std::size_t>(worst)]) : -1;
+  report.worst_node = residual_.size() > 0
+                          ? model_.node_of(model_.reduction.free_dofs()[static_cast<std::size_t>(worst)])
+                          : -1;
 }
 
 bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiffness& stiffness, double far,
                                   double tolerance) const {
   const VectorXd moved = motion.u.cwiseAbs();
   VectorXd summed = VectorXd::Zero(moved.size());
-  add_magnitudes(system_.coefficients.stiffness, model_.stiffness, moved, summed);
+  add_magnitudes(system_.coefficients.stiffness, model_.domain.initial_tangent(), moved, summed);
   if (scheme_.dynamic)
     add_magnitudes(system_.coefficients.acceleration * scheme_.inertia.now, model_.mass, moved, summed);
   add_contact(stiffness, far, moved.lpNorm<Eigen::Infinity>(), summed);
-  const VectorXd level = tolerances.rounding() * summed(model_.free_dofs);
+  const VectorXd level = tolerances.rounding() * model_.reduction.gather(summed);
   return (residual_.array().abs() <= level.array().max(tolerance * scale_)).all();
 }
 
@@ -155,8 +158,8 @@ void Equilibrium::add_contact(const ContactStiffness& stiffness, double far, dou
 
 std::vector<WorstNode> Equilibrium::worst() const {
   std::vector<mesh::NodeIndex> nodes;
-  nodes.reserve(model_.free_dofs.size());
-  for (const int dof : model_.free_dofs)
+  nodes.reserve(model_.reduction.free_dofs().size());
+  for (const int dof : model_.reduction.free_dofs())
     nodes.push_back(model_.node_of(dof));
   return worst_nodes(residual_, nodes, scale_);
 }
@@ -164,15 +167,14 @@ std::vector<WorstNode> Equilibrium::worst() const {
 void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.t = t_;
   trial.bulk = bulk_;
+  trial.bulk_points = bulk_points_;
   trial.force_scale = scale_;
   trial.residual_force = bulk_unbalance_;
   if (scheme_.remembers_contact())
     trial.residual_force += contact.all - contact.forgotten;
   trial.contact_force = contact.all;
   trial.external_force = external_;
-  trial.reaction = VectorXd::Zero(full_residual_.size());
-  for (const auto& constraint : model_.constraints)
-    trial.reaction[constraint.dof] = full_residual_[constraint.dof];
+  trial.reaction = model_.reduction.reaction(full_residual_);
 }
 
 } // namespace rubato::step

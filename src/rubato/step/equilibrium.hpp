@@ -42,7 +42,7 @@ struct ContactStiffness {
 ContactStiffness contact_stiffness(const model::Model& model, const EffectiveSystem& system,
                                    const std::vector<std::vector<double>>& friction);
 
-/// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (K u₁ − f_ext) + the weight of contact × f_c + the terms of the
+/// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (f_int(u₁) − f_ext) + the weight of contact × f_c + the terms of the
 /// start of the step.
 class Equilibrium {
 public:
@@ -78,10 +78,11 @@ private:
   const time::Scheme& scheme_;
   const EffectiveSystem& system_;
   double t_;
-  const Eigen::VectorXd& start_;
+  const State& committed_;
   time::Motion predicted_;      ///< where the step ends without any correction
-  time::Motion predicted_bulk_; ///< K u, M v, M a there
+  time::Motion predicted_bulk_; ///< f_int, M v, M a there
   BulkForces bulk_;
+  domain::QuadratureStates bulk_points_;
   Eigen::VectorXd external_;
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
   Eigen::VectorXd inertia_, bulk_unbalance_, full_residual_, residual_;

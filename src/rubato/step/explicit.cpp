@@ -27,7 +27,7 @@ double factor_at(const std::optional<Function>& function, double t) {
 
 VectorXd inverse_masses(const Model& model) {
   VectorXd inverse = VectorXd::Zero(model.lumped_mass.size());
-  for (const int dof : model.free_dofs) {
+  for (const int dof : model.reduction.free_dofs()) {
     if (!(model.lumped_mass[dof] > 0))
       throw InputError("node " + model::node_label(model.mesh, model.node_of(dof)) +
                        " has no mass: every cell of a dynamic run needs a positive density");
@@ -68,11 +68,11 @@ double Spectrum::stable_step() const {
 }
 
 ExplicitMotion::ExplicitMotion(const Model& model)
-    : model_(&model), stiffness_(model.stiffness, model.dofs.components),
-      inverse_mass_(inverse_masses(model)), surface_(surface_dofs(model)), t_(model.study.time.begin),
-      u_(model.initial.displacement), v_(model.initial.velocity),
-      unbalance_(VectorXd::Zero(inverse_mass_.size())), contact_force_(unbalance_) {
-  spectrum_.stiffness = linalg::largest_eigenvalue(stiffness_, inverse_mass_);
+    : model_(&model), inverse_mass_(inverse_masses(model)), surface_(surface_dofs(model)),
+      t_(model.study.time.begin), u_(model.initial.displacement), v_(model.initial.velocity),
+      bulk_points_(model.domain.initial_states()), unbalance_(VectorXd::Zero(inverse_mass_.size())),
+      contact_force_(unbalance_) {
+  spectrum_.stiffness = model.domain.largest_eigenvalue(inverse_mass_);
   if (model.damping.nonZeros() > 0) {
     damping_.emplace(model.damping, model.dofs.components);
     damping_force_ = unbalance_;
@@ -94,11 +94,10 @@ Spectrum ExplicitMotion::spectrum() const {
 }
 
 void ExplicitMotion::place_supports() {
-  for (const auto& constraint : model_->constraints) {
-    u_[constraint.dof] = model::displacement_of(constraint, t_);
-    if (constraint.function)
-      supports_.push_back({&constraint});
-  }
+  model_->reduction.impose(t_, u_);
+  for (const auto& prescribed : model_->reduction.prescribed())
+    if (prescribed.function)
+      supports_.push_back({&prescribed});
 }
 
 void ExplicitMotion::collect_loads() {
@@ -131,8 +130,8 @@ void ExplicitMotion::set_step(double step) {
   v_ += (h_ - step) / 2 * acceleration();
   h_ = step;
   for (auto& support : supports_) {
-    const int dof = support.constraint->dof;
-    v_[dof] = (u_[dof] - model::displacement_of(*support.constraint, t_ - h_)) / h_;
+    const int dof = support.prescribed->dof;
+    v_[dof] = (u_[dof] - displacement_of(*support.prescribed, t_ - h_)) / h_;
   }
   energy_.kinetic += kinetic - energy().kinetic;
   for (auto& support : supports_)
@@ -141,8 +140,8 @@ void ExplicitMotion::set_step(double step) {
 
 void ExplicitMotion::step(double end) {
   for (const auto& support : supports_) {
-    const int dof = support.constraint->dof;
-    v_[dof] = (model::displacement_of(*support.constraint, end) - u_[dof]) / h_;
+    const int dof = support.prescribed->dof;
+    v_[dof] = (displacement_of(*support.prescribed, end) - u_[dof]) / h_;
   }
   central_difference_update(h_, inverse_mass_, unbalance_, v_, u_);
   const double begin = std::exchange(t_, end);
@@ -155,13 +154,15 @@ void ExplicitMotion::step(double end) {
     energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
   for (auto& support : supports_) {
     const double reaction = reaction_of(support);
-    energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.constraint->dof];
+    energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.prescribed->dof];
     support.reaction = reaction;
   }
 }
 
+/// The domain sees the end of a step only: to keep its start as well would cost memory traffic.
 void ExplicitMotion::find_forces() {
-  stiffness_.multiply(u_, unbalance_);
+  model_->domain.evaluate({u_, u_, t_ - h_, t_}, bulk_points_, bulk_points_next_, {.forces = &unbalance_});
+  std::swap(bulk_points_, bulk_points_next_);
   if (damping_) {
     damping_->multiply(v_, damping_force_);
     unbalance_ += damping_force_;
@@ -209,20 +210,20 @@ double ExplicitMotion::work_of_obstacles(double from, double to) const {
 }
 
 double ExplicitMotion::reaction_of(const MovingSupport& support) const {
-  const int dof = support.constraint->dof;
+  const int dof = support.prescribed->dof;
   return unbalance_[dof] + model_->lumped_mass[dof] * imposed_acceleration(support);
 }
 
 double ExplicitMotion::imposed_acceleration(const MovingSupport& support) const {
-  const int dof = support.constraint->dof;
-  return ((model::displacement_of(*support.constraint, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
+  const int dof = support.prescribed->dof;
+  return ((displacement_of(*support.prescribed, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
 }
 
 VectorXd ExplicitMotion::acceleration() const {
   VectorXd a = -inverse_mass_.cwiseProduct(unbalance_);
   if (h_ > 0)
     for (const auto& support : supports_)
-      a[support.constraint->dof] = imposed_acceleration(support);
+      a[support.prescribed->dof] = imposed_acceleration(support);
   return a;
 }
 
@@ -230,9 +231,7 @@ EnergyLedger ExplicitMotion::energy() const {
   auto ledger = energy_;
   const VectorXd after = v_ + h_ * acceleration();
   ledger.kinetic += 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
-  VectorXd internal(u_.size());
-  stiffness_.multiply(u_, internal);
-  ledger.strain = 0.5 * u_.dot(internal);
+  ledger.strain = strain_energy();
   for (const auto& zone : contact_) {
     ledger.contact += zone.stored();
     ledger.friction += zone.dissipated();
@@ -241,8 +240,16 @@ EnergyLedger ExplicitMotion::energy() const {
   return ledger;
 }
 
+double ExplicitMotion::strain_energy() const {
+  VectorXd internal;
+  domain::QuadratureStates unchanged;
+  model_->domain.evaluate({u_, u_, t_, t_}, bulk_points_, unchanged, {.forces = &internal});
+  return model_->domain.energy(u_, internal, bulk_points_);
+}
+
 ExplicitMotion::Memory ExplicitMotion::memory() const {
-  Memory memory{t_, h_, steps_, u_, v_, unbalance_, contact_force_, damping_force_, {}, {}, {}, {}, energy_};
+  Memory memory{t_, h_, steps_, u_, v_,      unbalance_,  contact_force_, damping_force_,
+                {}, {}, {},     {}, energy_, bulk_points_};
   for (const auto& load : loads_) {
     memory.load_factors.push_back(load.factor);
     memory.load_displacements.push_back(load.displacement);
@@ -264,6 +271,7 @@ void ExplicitMotion::restore(const Memory& memory) {
   contact_force_ = memory.contact_force;
   damping_force_ = memory.damping_force;
   energy_ = memory.energy;
+  bulk_points_ = memory.bulk_points;
   for (std::size_t i = 0; i < loads_.size(); ++i) {
     loads_[i].factor = memory.load_factors.at(i);
     loads_[i].displacement = memory.load_displacements.at(i);
@@ -279,14 +287,12 @@ State ExplicitMotion::state() const {
   state.t = t_;
   const VectorXd a = acceleration();
   state.motion = {u_, v_ + h_ / 2 * a, a};
+  state.bulk_points = bulk_points_;
   state.residual_force = unbalance_;
   if (damping_)
     state.residual_force -= damping_force_;
   state.contact_force = contact_force_;
-  state.reaction = VectorXd::Zero(u_.size());
-  for (const auto& constraint : model_->constraints)
-    state.reaction[constraint.dof] =
-        unbalance_[constraint.dof] + model_->lumped_mass[constraint.dof] * a[constraint.dof];
+  state.reaction = model_->reduction.reaction(unbalance_ + model_->lumped_mass.cwiseProduct(a));
   for (const auto& zone : contact_)
     state.zones.push_back(zone.state());
   return state;

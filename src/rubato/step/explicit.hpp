@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Explicit motion by central differences, β = 0, γ = 1/2, with lumped mass:
-///   r_n = K u_n + f_c(u_n) + C v_{n−1/2} − f_ext(t_n)
+///   r_n = f_int(u_n) + f_c(u_n) + C v_{n−1/2} − f_ext(t_n)
 ///   v_{n+1/2} = v_{n−1/2} − h M⁻¹ r_n,   u_{n+1} = u_n + h v_{n+1/2}
 /// (T. Belytschko, W. K. Liu, B. Moran, Nonlinear Finite Elements for Continua and Structures, 2000, ch. 6).
 /// Damping sees the velocity half a step before. Contact is by penalty whatever the zone's method says
-/// (contact/explicit_penalty.hpp). A step costs one product with K and allocates nothing.
+/// (contact/explicit_penalty.hpp). A step costs one evaluation of the domain and allocates nothing.
 ///
-/// Stable are steps h with h²/4 (K + 4 K_c) + h/2 C ≤ M, K_c the springs of contact:
+/// Stable are steps h with h²/4 (K + 4 K_c) + h/2 C ≤ M, K the domain's initial tangent, K_c the springs of
+/// contact:
 ///   h ≤ 4 / (λ_C + √(λ_C² + 4 (λ_K + 4 λ_c)))         2/ω without damping and contact
 /// with bounds of the largest eigenvalues against M. The second 4 keeps h ω_c ≤ 1: beyond that, far below the
 /// limit of a spring that also pulls, springs that only push gain energy in each of many impacts.
@@ -66,6 +67,7 @@ public:
     std::vector<double> reactions;                        ///< one a support that moves
     std::vector<contact::ExplicitPenalty::Memory> zones;
     EnergyLedger energy;
+    domain::QuadratureStates bulk_points;
   };
   Memory memory() const;
   void restore(const Memory& memory);
@@ -84,7 +86,7 @@ private:
   };
   /// A support that moves.
   struct MovingSupport {
-    const model::Constraint* constraint;
+    const constraint::PrescribedDof* prescribed;
     double reaction = 0;
   };
 
@@ -93,6 +95,7 @@ private:
   void set_step(double step);
   void step(double end);
   void find_forces();
+  double strain_energy() const;
   void apply(Load& load);
   void enter_contact(double from, double to);
   double work_of_obstacles(double from, double to) const;
@@ -101,7 +104,6 @@ private:
   Eigen::VectorXd acceleration() const;
 
   const model::Model* model_;
-  linalg::SymmetricBlockMatrix stiffness_;
   std::optional<linalg::SymmetricBlockMatrix> damping_;
   Eigen::VectorXd inverse_mass_; ///< 0 where held
   std::vector<Load> loads_;
@@ -113,11 +115,13 @@ private:
   double t_ = 0;
   double h_ = 0; ///< of the step before, and of the next one
   std::int64_t steps_ = 0;
-  Eigen::VectorXd u_;             ///< at t
-  Eigen::VectorXd v_;             ///< half a step before t
-  Eigen::VectorXd unbalance_;     ///< r at t
-  Eigen::VectorXd contact_force_; ///< at t, internal side
-  Eigen::VectorXd damping_force_; ///< at t; empty without damping
+  Eigen::VectorXd u_;                         ///< at t
+  Eigen::VectorXd v_;                         ///< half a step before t
+  domain::QuadratureStates bulk_points_;      ///< at t
+  domain::QuadratureStates bulk_points_next_; ///< kept for its memory
+  Eigen::VectorXd unbalance_;                 ///< r at t
+  Eigen::VectorXd contact_force_;             ///< at t, internal side
+  Eigen::VectorXd damping_force_;             ///< at t; empty without damping
   /// Works and dissipations so far, the start, and the constant of kinetic energy; `impact` is all that
   /// contact took, stored and rubbed energy with it.
   EnergyLedger energy_;

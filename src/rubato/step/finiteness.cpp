@@ -41,9 +41,8 @@ std::string in_multipliers(const Model& model, const State& trial) {
 std::string first_not_finite(const Model& model, double t, const State& trial, const StepReport& report) {
   if (const auto bad = first_bad(model::external_force(model, t)))
     return at_node(model, "the load on", model.node_of(static_cast<int>(*bad)));
-  if (const auto bad = first_bad(model::imposed_displacements(model, t)))
-    return at_node(model, "the imposed displacement of",
-                   model.node_of(model.constraints[static_cast<std::size_t>(*bad)].dof));
+  if (const auto bad = first_bad(model.reduction.imposed(t)))
+    return at_node(model, "the imposed displacement of", model.node_of(static_cast<int>(*bad)));
   const std::array<std::pair<const VectorXd*, const char*>, 3> motion{
       {{&trial.motion.u, "the displacement of"},
        {&trial.motion.v, "the velocity of"},

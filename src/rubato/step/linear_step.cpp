@@ -45,7 +45,7 @@ void fix_unconstrained_multipliers(ContactBlocks& blocks) {
 
 ContactBlocks blocks_of(const LinearProblem& problem) {
   const auto& system = problem.contact;
-  const auto free = [&](int dof) { return problem.model.free_index[static_cast<std::size_t>(dof)]; };
+  const auto free = [&](int dof) { return problem.model.reduction.unknown_of(dof); };
   ContactBlocks blocks;
   for (const auto& entry : system.force_by_dof)
     if (free(entry.row()) >= 0 && free(entry.col()) >= 0)
@@ -98,7 +98,7 @@ std::vector<int> surface_unknowns(const model::Model& model) {
     for (const auto* surface : {&zone.master, &zone.slave})
       for (const auto node : surface->nodes)
         for (int i = 0; i < model.dofs.components; ++i)
-          if (const int free = model.free_index[static_cast<std::size_t>(model.dofs.dof(node, i))]; free >= 0)
+          if (const int free = model.reduction.unknown_of(model.dofs.dof(node, i)); free >= 0)
             unknowns.push_back(free);
   std::ranges::sort(unknowns);
   unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());

@@ -118,8 +118,7 @@ bool Newton::solve_and_correct(double part, State& trial) {
     solution = solve_full(problem);
   if (!solution || !solution->displacement.allFinite() || !solution->multipliers.allFinite())
     return false;
-  VectorXd d = VectorXd::Zero(trial.motion.u.size());
-  d(model_.free_dofs) = part * solution->displacement;
+  const VectorXd d = model_.reduction.scatter(part * solution->displacement);
   time::correct(system_.coefficients, d, trial.motion);
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
     trial.zones[z].multipliers += part * solution->multipliers.segment(model_.multiplier_offsets[z],

@@ -3,7 +3,8 @@
 ///
 /// K r = 0 for the rigid motions r of a body that neither springs nor gauges resist. K u as computed has the
 /// rounding of |K||u| in it, which has a resultant. Where a body moves far beside its deformation the work of
-/// that resultant exceeds the rounding of all other works: docs/theory/energy.md, "Rigid motions".
+/// that resultant exceeds the rounding of all other works: docs/theory/energy.md, "Rigid motions". This needs
+/// a linear domain: rigid motions are those that one constant K does not resist.
 #pragma once
 
 #include "rubato/model/bodies.hpp"

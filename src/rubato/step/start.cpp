@@ -13,12 +13,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using model::Model;
 
-void apply_imposed(const Model& model, double t, VectorXd& u) {
-  const VectorXd imposed = model::imposed_displacements(model, t);
-  for (std::size_t i = 0; i < model.constraints.size(); ++i)
-    u[model.constraints[i].dof] = imposed[static_cast<Index>(i)];
-}
-
 /// Residual of M a = f that counts as rounding, relative.
 constexpr double solved = 1e-15;
 /// The same where rounding stops the iterations before.
@@ -43,16 +37,18 @@ VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_forc
   VectorXd force = -residual_force;
   if (model.damping.nonZeros() > 0)
     force -= model.damping * velocity;
-  auto mass = model::free_part(model, model.mass);
+  auto mass = model.reduction.reduced(model.mass);
   for (const auto node : model.massless_nodes)
     for (int i = 0; i < model.dofs.components; ++i) {
       const int dof = model.dofs.dof(node, i);
       force[dof] = 0;
-      if (const int row = model.free_index[static_cast<std::size_t>(dof)]; row >= 0)
+      if (const int row = model.reduction.unknown_of(dof); row >= 0)
         mass.coeffRef(row, row) = 1;
     }
+  // There before the temporaries of the solution: among them it would keep their memory from being given
+  // back.
   VectorXd a = VectorXd::Zero(residual_force.size());
-  a(model.free_dofs) = solve_mass(mass, force(model.free_dofs));
+  a(model.reduction.free_dofs()) = solve_mass(mass, model.reduction.gather(force));
   return a;
 }
 
@@ -66,11 +62,28 @@ contact::ZoneState untouched_zone(const Model& model, const contact::Zone& zone,
   return state;
 }
 
+/// Without a step: at the state's displacements, from the state that the materials are in.
+VectorXd internal_forces(const Model& model, const State& state) {
+  const auto& u = state.motion.u;
+  VectorXd forces;
+  domain::QuadratureStates unchanged;
+  model.domain.evaluate({u, u, state.t, state.t}, state.bulk_points, unchanged, {.forces = &forces});
+  return forces;
+}
+
+/// The bodies come to the initial displacements from their undeformed shape at once.
+void deform(const Model& model, State& state) {
+  const VectorXd undeformed = VectorXd::Zero(state.motion.u.size());
+  model.domain.evaluate({undeformed, state.motion.u, state.t, state.t}, model.domain.initial_states(),
+                        state.bulk_points, {});
+}
+
 } // namespace
 
-BulkForces bulk_forces(const Model& model, const time::Motion& motion) {
+BulkForces bulk_forces(const Model& model, const State& state) {
+  const auto& motion = state.motion;
   BulkForces forces{
-      model.products.stiffness(motion.u), {}, model.products.mass(motion.v), model.products.mass(motion.a)};
+      internal_forces(model, state), {}, model.products.mass(motion.v), model.products.mass(motion.a)};
   if (model.damping.nonZeros() > 0)
     forces.viscous = model.damping * motion.v;
   return forces;
@@ -81,8 +94,9 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   State state;
   state.t = t;
   state.motion = {model.initial.displacement, model.initial.velocity, VectorXd::Zero(size)};
-  apply_imposed(model, t, state.motion.u);
-  state.residual_force = model.stiffness * state.motion.u - model::external_force(model, t);
+  model.reduction.impose(t, state.motion.u);
+  deform(model, state);
+  state.residual_force = model.domain.initial_tangent() * state.motion.u - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
@@ -92,7 +106,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
     state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v);
   if (!loaded_history)
     state.residual_force.setZero();
-  state.bulk = bulk_forces(model, state.motion);
+  state.bulk = bulk_forces(model, state);
   state.external_force = model::external_force(model, t);
   return state;
 }
@@ -100,12 +114,12 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
 State continued_state(const Model& model, const time::Scheme& scheme, const State& end, double t) {
   State state = end;
   state.t = t;
-  state.residual_force = model.stiffness * state.motion.u - model::external_force(model, t);
+  state.residual_force = model.domain.initial_tangent() * state.motion.u - model::external_force(model, t);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v);
-  state.bulk = bulk_forces(model, state.motion);
+  state.bulk = bulk_forces(model, state);
   state.external_force = model::external_force(model, t);
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
     state.friction_force = VectorXd::Zero(state.contact_force.size());

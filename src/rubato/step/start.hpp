@@ -8,8 +8,8 @@
 
 namespace rubato::step {
 
-/// K u, C v, M v and M a of a motion.
-BulkForces bulk_forces(const model::Model& model, const time::Motion& motion);
+/// f_int, C v, M v and M a of a state's motion, where the materials are as the state has them.
+BulkForces bulk_forces(const model::Model& model, const State& state);
 
 /// The model's initial motion, imposed displacements applied, M a = external − internal − damping force.
 /// `loaded_history` false takes the first history bracket as zero (Code_Aster's start). Throws InputError

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
+#include "rubato/domain/quadrature_states.hpp"
 #include "rubato/time/scheme.hpp"
 
 #include <Eigen/Core>
@@ -14,7 +15,7 @@ namespace rubato::step {
 
 /// What the bulk answers to its motion, kept with it: a step starts without any product.
 struct BulkForces {
-  Eigen::VectorXd internal; ///< K u [force]
+  Eigen::VectorXd internal; ///< f_int(u) [force]
   Eigen::VectorXd viscous;  ///< C v [force], empty without damping
   Eigen::VectorXd momentum; ///< M v
   Eigen::VectorXd inertia;  ///< M a [force]
@@ -24,6 +25,7 @@ struct State {
   double t = 0;
   time::Motion motion; ///< u, v, a, one a dof
   BulkForces bulk;
+  domain::QuadratureStates bulk_points; ///< what materials remember
   Eigen::VectorXd
       residual_force; ///< internal + contact − external force at t: the scheme's history bracket [force]
   Eigen::VectorXd contact_force;  ///< contact and friction, internal side [force]

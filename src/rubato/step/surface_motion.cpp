@@ -66,8 +66,7 @@ void SurfaceMotion::move_bulk(State& trial) const {
   const auto& factor = system_.compliance->factor();
   VectorXd half_way = half_way_;
   factor.load_surface(-scheme_.contact_weight() * beyond_carried(applied), half_way);
-  VectorXd d = VectorXd::Zero(base.u.size());
-  d(model_.free_dofs) = factor.backward(half_way);
+  const VectorXd d = model_.reduction.scatter(factor.backward(half_way));
   trial.motion = base;
   time::correct(system_.coefficients, d, trial.motion);
 }

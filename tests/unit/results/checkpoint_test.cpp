@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/checkpoint.hpp"
+#include "rubato/results/hdf5_file.hpp"
 #include "rubato/results/seal.hpp"
 #include "rubato/results/study_difference.hpp"
 
@@ -75,6 +76,28 @@ TEST(CheckpointFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(read.recorder.field_files, written.recorder.field_files);
   EXPECT_EQ(read.recorder.med_copy, "");
   EXPECT_TRUE(read.recorder.unwritten);
+}
+
+TEST(CheckpointFile, HoldsWhatMaterialsRemember) {
+  const test::ScratchFolder folder;
+  auto written = sample();
+  written.state.bulk_points.values = {0.1, -0.0, tiny, 1e300};
+  written.progress.emplace();
+  written.progress->motion.bulk_points.values = {1.0 / 3, 2};
+  write_checkpoint(folder / "a.h5", written);
+  const auto read = read_checkpoint(folder / "a.h5");
+  EXPECT_EQ(read.state.bulk_points, written.state.bulk_points);
+  EXPECT_TRUE(std::signbit(read.state.bulk_points.values[1]));
+  EXPECT_EQ(read.progress->motion.bulk_points, written.progress->motion.bulk_points);
+}
+
+/// Programs that knew no states wrote files without them.
+TEST(CheckpointFile, HasNoStatesWhereMaterialsRememberNothing) {
+  const test::ScratchFolder folder;
+  write_checkpoint(folder / "a.h5", sample());
+  EXPECT_FALSE(Hdf5File(folder / "a.h5", Hdf5File::Access::read).has("state/bulk_points"));
+  EXPECT_TRUE(Hdf5File(folder / "a.h5", Hdf5File::Access::read).has("state/u"));
+  EXPECT_TRUE(read_checkpoint(folder / "a.h5").state.bulk_points.values.empty());
 }
 
 TEST(CheckpointFile, HoldsTheSpringsOfExplicitRuns) {

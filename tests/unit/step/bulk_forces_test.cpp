@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What the state carries of K u, M v and M a instead of computing them again.
+/// What the state carries of internal forces, M v and M a instead of computing them again, and of what
+/// materials remember.
+#include "rubato/step/explicit.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
@@ -18,7 +21,7 @@ TEST_P(CarriedBulkForces, StayThoseOfTheMotionOverManySteps) {
                                     {"time.alpha", scheme == "generalized_alpha" ? "~" : "-0.3"}});
   ASSERT_TRUE(walk.to_end());
   ASSERT_GE(walk.reports.size(), 100U);
-  const auto fresh = bulk_forces(walk.model, walk.state().motion);
+  const auto fresh = bulk_forces(walk.model, walk.state());
   const auto& carried = walk.state().bulk;
   EXPECT_LE((carried.internal - fresh.internal).norm(), 1e-13 * fresh.internal.norm());
   EXPECT_LE((carried.momentum - fresh.momentum).norm(), 1e-10 * fresh.momentum.norm());
@@ -27,6 +30,44 @@ TEST_P(CarriedBulkForces, StayThoseOfTheMotionOverManySteps) {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, CarriedBulkForces,
                          testing::Values("hht", "generalized_alpha", "modified_average_acceleration"));
+
+/// A linear domain hands on what it is given: it shows the way that states take.
+const domain::QuadratureStates marked{{1.5, -2}};
+
+TEST(StatesOfMaterials, GoFromStepToStep) {
+  test::Walk walk(test::two_beams);
+  walk.state.bulk_points = marked;
+  ASSERT_TRUE(walk.advance());
+  ASSERT_TRUE(walk.advance());
+  EXPECT_GT(walk.state.t, 0);
+  EXPECT_EQ(walk.state.bulk_points, marked);
+}
+
+TEST(StatesOfMaterials, GoIntoTheRunThatGoesOn) {
+  test::Walk walk(test::two_beams);
+  EXPECT_EQ(walk.state.bulk_points, walk.model.domain.initial_states());
+  walk.state.bulk_points = marked;
+  ASSERT_TRUE(walk.advance());
+  EXPECT_EQ(continued_state(walk.model, walk.scheme, walk.state, 0).bulk_points, marked);
+}
+
+TEST(StatesOfMaterials, GoFromExplicitStepToStep) {
+  const std::vector<deck::Setting> changes{{"contact.interface.method", "penalty"},
+                                           {"time.scheme", "central_difference"},
+                                           {"time.alpha", ""},
+                                           {"time.step", ""}};
+  const auto model = model::build_model(deck::parse_deck(test::two_beams, "deck.yaml", changes).runs.front());
+  ExplicitMotion motion(model);
+  auto memory = motion.memory();
+  memory.bulk_points = marked;
+  motion.restore(memory);
+  motion.advance(2 * 0.5 * motion.spectrum().stable_step(), 2);
+  EXPECT_EQ(motion.steps(), 2);
+  EXPECT_EQ(motion.memory().bulk_points, marked);
+  EXPECT_EQ(motion.state().bulk_points, marked);
+  EXPECT_GE(motion.energy().strain, 0);
+  EXPECT_EQ(motion.memory().bulk_points, marked);
+}
 
 } // namespace
 } // namespace rubato::step

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/domain/domain.hpp"
+
+#include <utility>
+
+namespace rubato::domain {
+
+using Eigen::VectorXd;
+
+Domain::Domain(Kind kind, QuadratureStates states)
+    : kind_(std::move(kind)), initial_states_(std::move(states)) {}
+
+void Domain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                      const Wanted& wanted) const {
+  std::visit([&](const auto& kind) { kind.evaluate(step, old, now, wanted); }, kind_);
+}
+
+double Domain::energy(const VectorXd& u, const VectorXd& forces, const QuadratureStates& states) const {
+  return std::visit([&](const auto& kind) { return kind.energy(u, forces, states); }, kind_);
+}
+
+bool Domain::is_linear() const {
+  return std::visit([](const auto& kind) { return kind.is_linear; }, kind_);
+}
+
+const SparseMatrix& Domain::initial_tangent() const {
+  return std::visit([](const auto& kind) -> const SparseMatrix& { return kind.initial_tangent(); }, kind_);
+}
+
+double Domain::largest_eigenvalue(const VectorXd& inverse_mass) const {
+  return std::visit([&](const auto& kind) { return kind.largest_eigenvalue(inverse_mass); }, kind_);
+}
+
+} // namespace rubato::domain

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What deforms: internal forces, tangents and stored energy of all bodies and of the springs on them.
+#pragma once
+
+#include "rubato/domain/evaluation.hpp"
+#include "rubato/domain/linear_domain.hpp"
+#include "rubato/domain/quadrature_states.hpp"
+
+#include <Eigen/Core>
+
+#include <variant>
+
+namespace rubato::domain {
+
+/// A value: whatever a step changes is given and given back. Quadrature states are given as they are at the
+/// start of a step and written as they are at its end, so a step may be evaluated many times and rejected
+/// without a trace.
+///
+/// The kinds of domains are the alternatives of one variant. A new kind is a file with a class that has
+/// LinearDomain's functions, and its row in `Kind`.
+class Domain {
+public:
+  using Kind = std::variant<LinearDomain>;
+
+  /// No dofs.
+  Domain() = default;
+  /// `states`: those of cells that nothing has happened to.
+  Domain(Kind kind, QuadratureStates states);
+
+  /// Answers what is wanted at the end of a step. `old`: the states at its start; `now`: another object,
+  /// which becomes those at its end. Allocates nothing where the answers have their sizes already.
+  void evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                const Wanted& wanted) const;
+
+  /// Stored in the bodies and springs at displacements u with these internal forces and states, as `evaluate`
+  /// has them [force · length].
+  double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces,
+                const QuadratureStates& states) const;
+
+  /// Whether forces are the initial tangent times u whatever happened before: what is made from one tangent,
+  /// a factor above all, then holds for every step.
+  bool is_linear() const;
+
+  /// ∂f_int/∂u at u = 0 where nothing has happened yet [force/length]. Whoever wants scales, or an elastic
+  /// stiffness by definition, takes this one.
+  const SparseMatrix& initial_tangent() const;
+
+  /// A bound from above of the largest λ of K x = λ M x, K the initial tangent, at most 1 % beyond it
+  /// [1/time²]. `inverse_mass`: of each dof, 0 where it is held.
+  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
+
+  /// What a run begins with.
+  const QuadratureStates& initial_states() const { return initial_states_; }
+
+private:
+  Kind kind_;
+  QuadratureStates initial_states_;
+};
+
+} // namespace rubato::domain

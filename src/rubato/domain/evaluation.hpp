@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What a domain is asked and where it answers.
+#pragma once
+
+#include "rubato/domain/assembly.hpp"
+
+#include <Eigen/Core>
+
+namespace rubato::domain {
+
+/// A step from (t0, u0) to (t1, u1), displacements with an entry a dof [length]. What is asked without a step
+/// has both ends in one.
+struct StepSpan {
+  const Eigen::VectorXd& u0;
+  const Eigen::VectorXd& u1;
+  double t0 = 0;
+  double t1 = 0;
+  /// Internal forces at the start, where they are known: a domain whose forces depend on u alone repeats them
+  /// where u1 = u0.
+  const Eigen::VectorXd* forces0 = nullptr;
+};
+
+/// Where answers go, all of the end of the step; null where one is not wanted.
+struct Wanted {
+  Eigen::VectorXd* forces = nullptr; ///< f_int, an entry a dof [force]
+  SparseMatrix* tangent = nullptr; ///< ∂f_int/∂u1, always in the pattern of initial_tangent [force/length]
+};
+
+} // namespace rubato::domain

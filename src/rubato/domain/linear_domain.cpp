@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/domain/linear_domain.hpp"
+
+#include "rubato/linalg/lanczos.hpp"
+
+#include <utility>
+
+namespace rubato::domain {
+
+using Eigen::VectorXd;
+
+LinearDomain::LinearDomain(SparseMatrix stiffness, int components)
+    : stiffness_(std::move(stiffness)), product_(std::in_place, stiffness_, components) {}
+
+void LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                            const Wanted& wanted) const {
+  now = old;
+  if (wanted.tangent != nullptr)
+    *wanted.tangent = stiffness_;
+  if (wanted.forces == nullptr)
+    return;
+  if (step.forces0 != nullptr && step.u1 == step.u0) {
+    *wanted.forces = *step.forces0;
+    return;
+  }
+  wanted.forces->resize(step.u1.size());
+  product_->multiply(step.u1, *wanted.forces);
+}
+
+double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, const QuadratureStates&) const {
+  return 0.5 * u.dot(forces);
+}
+
+double LinearDomain::largest_eigenvalue(const VectorXd& inverse_mass) const {
+  return linalg::largest_eigenvalue(*product_, inverse_mass);
+}
+
+} // namespace rubato::domain

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Bodies of linear elasticity in small strain: f_int = K u, U = ½ u·K u, K assembled once.
+#pragma once
+
+#include "rubato/domain/evaluation.hpp"
+#include "rubato/domain/quadrature_states.hpp"
+#include "rubato/linalg/block_matrix.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace rubato::domain {
+
+class LinearDomain {
+public:
+  /// No dofs.
+  LinearDomain() = default;
+  /// `stiffness`: K of the cells and of all springs, symmetric, in whole blocks of `components` (2 or 3).
+  LinearDomain(SparseMatrix stiffness, int components);
+
+  static constexpr bool is_linear = true;
+
+  void evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                const Wanted& wanted) const;
+  double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces,
+                const QuadratureStates& states) const;
+  const SparseMatrix& initial_tangent() const { return stiffness_; }
+  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
+
+private:
+  SparseMatrix stiffness_;
+  std::optional<linalg::SymmetricBlockMatrix> product_; ///< the same K: its product reads least memory
+};
+
+} // namespace rubato::domain

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// A made-up reduction against its matrix T.
+#include "rubato/constraint/reduction.hpp"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace rubato::constraint {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int dof_count = 9;
+constexpr double now = 1.5;
+
+const Function ramp{{0, 2}, {0, 8}};
+
+/// Dofs 0, 3, 4 and 8 are prescribed: held, moved, moved by a function and held.
+Reduction some_reduction() {
+  return {dof_count, {{0, 0, {}}, {3, -0.25, {}}, {4, 0.5, ramp}, {8, 0, {}}}};
+}
+
+MatrixXd dense_t() {
+  MatrixXd t = MatrixXd::Zero(dof_count, 5);
+  Index unknown = 0;
+  for (const Index dof : {1, 2, 5, 6, 7})
+    t(dof, unknown++) = 1;
+  return t;
+}
+
+VectorXd dense_g() {
+  VectorXd g = VectorXd::Zero(dof_count);
+  g[3] = -0.25;
+  g[4] = 0.5 * 6;
+  return g;
+}
+
+/// Numbers without a pattern.
+VectorXd numbers(Index size) {
+  VectorXd values(size);
+  for (Index i = 0; i < size; ++i)
+    values[i] = std::sin(3.0 * static_cast<double>(i) + 1);
+  return values;
+}
+
+/// A full matrix, not symmetric, and one with entries left out.
+SparseMatrix some_matrix(bool sparse) {
+  MatrixXd dense(dof_count, dof_count);
+  for (Index column = 0; column < dof_count; ++column)
+    for (Index row = 0; row < dof_count; ++row)
+      dense(row, column) = sparse && (row * 5 + column) % 3 == 0 ? 0 : std::cos(7.0 * row + 2.0 * column);
+  return dense.sparseView();
+}
+
+TEST(Reduction, CountsWhatIsUnknown) {
+  const auto reduction = some_reduction();
+  EXPECT_EQ(reduction.dof_count(), dof_count);
+  EXPECT_EQ(reduction.unknown_count(), 5);
+  EXPECT_EQ(reduction.prescribed().size(), 4U);
+  const MatrixXd t = dense_t();
+  for (int dof = 0; dof < dof_count; ++dof) {
+    EXPECT_EQ(reduction.is_prescribed(dof), t.row(dof).isZero()) << dof;
+    if (!reduction.is_prescribed(dof)) {
+      EXPECT_EQ(t(dof, reduction.unknown_of(dof)), 1) << dof;
+      EXPECT_EQ(reduction.free_dofs()[static_cast<std::size_t>(reduction.unknown_of(dof))], dof);
+    }
+  }
+}
+
+TEST(Reduction, GathersAndScattersAsItsMatrixDoes) {
+  const auto reduction = some_reduction();
+  const VectorXd full = numbers(dof_count);
+  const VectorXd unknowns = numbers(5);
+  EXPECT_EQ(reduction.gather(full), VectorXd(dense_t().transpose() * full));
+  EXPECT_EQ(reduction.scatter(unknowns), VectorXd(dense_t() * unknowns));
+}
+
+TEST(Reduction, ReducesMatricesAsItsMatrixDoes) {
+  const auto reduction = some_reduction();
+  for (const bool sparse : {false, true}) {
+    const auto matrix = some_matrix(sparse);
+    const auto reduced = reduction.reduced(matrix);
+    EXPECT_EQ(MatrixXd(reduced), MatrixXd(dense_t().transpose() * MatrixXd(matrix) * dense_t()));
+    EXPECT_LT(reduced.nonZeros(), matrix.nonZeros());
+  }
+}
+
+TEST(Reduction, PrescribesWhatItsFunctionsSay) {
+  const auto reduction = some_reduction();
+  EXPECT_EQ(reduction.imposed(now), dense_g());
+  const VectorXd unknowns = numbers(5);
+  VectorXd u = reduction.scatter(unknowns);
+  reduction.impose(now, u);
+  EXPECT_EQ(u, VectorXd(dense_t() * unknowns + dense_g()));
+  EXPECT_EQ(reduction.gather(u), unknowns);
+}
+
+TEST(Reduction, CorrectsAMotionToWhatIsPrescribed) {
+  const auto reduction = some_reduction();
+  const VectorXd u = numbers(dof_count);
+  const VectorXd d = reduction.correction(now, u);
+  EXPECT_TRUE(reduction.gather(d).isZero(0));
+  const VectorXd wanted = dense_t() * dense_t().transpose() * u + dense_g();
+  EXPECT_LE((u + d - wanted).lpNorm<Eigen::Infinity>(), 1e-15);
+}
+
+/// Forces on free dofs and reactions together are all there is.
+TEST(Reduction, LeavesToReactionsWhatNoUnknownBalances) {
+  const auto reduction = some_reduction();
+  const VectorXd residual = numbers(dof_count);
+  EXPECT_EQ(reduction.scatter(reduction.gather(residual)) + reduction.reaction(residual), residual);
+  EXPECT_TRUE(reduction.gather(reduction.reaction(residual)).isZero(0));
+}
+
+TEST(Reduction, MayPrescribeAllOrNothing) {
+  const Reduction nothing(2, {});
+  EXPECT_EQ(nothing.unknown_count(), 2);
+  EXPECT_EQ(nothing.gather(numbers(2)), numbers(2));
+  const Reduction all(2, {{0, 1, {}}, {1, 2, {}}});
+  EXPECT_EQ(all.unknown_count(), 0);
+  EXPECT_EQ(all.imposed(0), Eigen::Vector2d(1, 2));
+  EXPECT_EQ(Reduction().dof_count(), 0);
+}
+
+TEST(Reduction, RefusesDofsThatDoNotAscendOrAreNotThere) {
+  EXPECT_THROW(Reduction(3, {{1, 0, {}}, {1, 0, {}}}), std::invalid_argument);
+  EXPECT_THROW(Reduction(3, {{2, 0, {}}, {1, 0, {}}}), std::invalid_argument);
+  EXPECT_THROW(Reduction(3, {{3, 0, {}}}), std::invalid_argument);
+  EXPECT_THROW(Reduction(3, {{-1, 0, {}}}), std::invalid_argument);
+}
+
+} // namespace
+} // namespace rubato::constraint
