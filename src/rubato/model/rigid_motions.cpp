@@ -234,7 +234,8 @@ void RigidMotions::add_point(const contact::Zone& zone, const contact::SlavePoin
     const Vector3d direction = a == 0 ? kinematics.normal : Vector3d(kinematics.tangents.col(a - 1));
     RowVectorXd relative = RowVectorXd::Zero(columns());
     for (std::size_t i = 0; i < kinematics.stencil.nodes.size(); ++i)
-      relative += kinematics.stencil.weights[static_cast<Index>(i)] * row(kinematics.stencil.nodes[i], direction);
+      relative +=
+          kinematics.stencil.weights[static_cast<Index>(i)] * row(kinematics.stencil.nodes[i], direction);
     add_row(relative);
   }
 }

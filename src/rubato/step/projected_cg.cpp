@@ -158,7 +158,8 @@ Relations relations_of(const LinearProblem& problem,
       double largest = 0;
       for (std::size_t node = 0; node < k.stencil.nodes.size(); ++node)
         for (int c = 0; c < k.stencil.components; ++c)
-          if (const int free = model.reduction.unknown_of(model.dofs.dof(k.stencil.nodes[node], c)); free >= 0) {
+          if (const int free = model.reduction.unknown_of(model.dofs.dof(k.stencil.nodes[node], c));
+              free >= 0) {
             const double entry = k.d_gap[static_cast<Index>(node) * k.stencil.components + c];
             triplets.emplace_back(row, free, entry);
             largest = std::max(largest, std::abs(entry));

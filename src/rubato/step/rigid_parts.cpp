@@ -74,6 +74,7 @@ void add_solid(std::span<const RigidParts::Lever> levers, const VectorXd& x, Mat
 RigidParts::RigidParts(const Model& model)
     : model_(&model), number_(model.mesh, model.bulk), bodies_(static_cast<std::size_t>(number_.count())) {
   place_bodies();
+  find_held();
   collect_levers();
   fit_bodies();
 }
@@ -150,9 +151,25 @@ void RigidParts::fit_bodies() {
     const auto& n = motions[body];
     const MatrixXd gram = n.transpose() * grams[body] * n;
     bodies_[body].fit = MatrixXd::Zero(modes, modes);
-    if (n.cols() > 0)
+    if (n.cols() > 0 && !bodies_[body].held)
       bodies_[body].fit = n * gram.ldlt().solve(n.transpose());
   }
+}
+
+/// A body is held when supports that do not move leave it no rigid motion: its displacements are
+/// deformations.
+void RigidParts::find_held() {
+  const Index modes = mode_count(*model_);
+  std::vector<MatrixXd> motions(bodies_.size(), MatrixXd::Identity(modes, modes));
+  for (const auto& support : model_->reduction.prescribed()) {
+    const auto node = model_->node_of(support.dof);
+    const int body = number_.of(node);
+    if (support.value == 0 && body >= 0)
+      take_out(modes_at(node).row(support.dof % model_->dofs.components).transpose(),
+               motions[static_cast<std::size_t>(body)]);
+  }
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    bodies_[body].held = motions[body].cols() == 0;
 }
 
 void RigidParts::collect_levers() {
@@ -160,6 +177,8 @@ void RigidParts::collect_levers() {
   for (const auto node : model_->dofs.nodes)
     if (const int number = number_.of(node); number >= 0) {
       const auto& body = bodies_[static_cast<std::size_t>(number)];
+      if (body.held)
+        continue;
       const Vector3d arm = (model_->mesh.points[static_cast<std::size_t>(node)] - body.centre) / body.size;
       levers_.push_back({number, model_->dofs.dof(node, 0), {arm[0], arm[1], arm[2]}});
     }

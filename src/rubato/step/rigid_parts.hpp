@@ -40,6 +40,7 @@ private:
   struct Body {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double size = 0;
+    bool held = false;   ///< by supports that do not move
     Eigen::MatrixXd fit; ///< r = Z fit Zᵀ u
   };
   /// At most 3 components and 6 modes.
@@ -47,6 +48,7 @@ private:
 
   Modes modes_at(mesh::NodeIndex node) const;
   void place_bodies();
+  void find_held();
   void collect_levers();
   std::vector<Eigen::MatrixXd> unresisted() const;
   void fit_bodies();

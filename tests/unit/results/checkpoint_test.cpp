@@ -81,14 +81,16 @@ TEST(CheckpointFile, GivesBackWhatWasWritten) {
 TEST(CheckpointFile, HoldsWhatMaterialsRemember) {
   const test::ScratchFolder folder;
   auto written = sample();
-  written.state.bulk_points.values = {0.1, -0.0, tiny, 1e300};
-  written.progress.emplace();
-  written.progress->motion.bulk_points.values = {1.0 / 3, 2};
+  written.memento.state.bulk_points.values = {0.1, -0.0, tiny, 1e300};
+  simulation::ExplicitProgress progress;
+  progress.motion.bulk_points.values = {1.0 / 3, 2};
+  written.memento.progress = progress;
   write_checkpoint(folder / "a.h5", written);
-  const auto read = read_checkpoint(folder / "a.h5");
-  EXPECT_EQ(read.state.bulk_points, written.state.bulk_points);
+  const auto read = read_checkpoint(folder / "a.h5").memento;
+  EXPECT_EQ(read.state.bulk_points, written.memento.state.bulk_points);
   EXPECT_TRUE(std::signbit(read.state.bulk_points.values[1]));
-  EXPECT_EQ(read.progress->motion.bulk_points, written.progress->motion.bulk_points);
+  EXPECT_EQ(std::get<simulation::ExplicitProgress>(read.progress).motion.bulk_points,
+            progress.motion.bulk_points);
 }
 
 /// Programs that knew no states wrote files without them.
@@ -97,7 +99,7 @@ TEST(CheckpointFile, HasNoStatesWhereMaterialsRememberNothing) {
   write_checkpoint(folder / "a.h5", sample());
   EXPECT_FALSE(Hdf5File(folder / "a.h5", Hdf5File::Access::read).has("state/bulk_points"));
   EXPECT_TRUE(Hdf5File(folder / "a.h5", Hdf5File::Access::read).has("state/u"));
-  EXPECT_TRUE(read_checkpoint(folder / "a.h5").state.bulk_points.values.empty());
+  EXPECT_TRUE(read_checkpoint(folder / "a.h5").memento.state.bulk_points.values.empty());
 }
 
 TEST(CheckpointFile, HoldsTheSpringsOfExplicitRuns) {

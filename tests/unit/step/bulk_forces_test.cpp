@@ -34,21 +34,28 @@ INSTANTIATE_TEST_SUITE_P(Schemes, CarriedBulkForces,
 /// A linear domain hands on what it is given: it shows the way that states take.
 const domain::QuadratureStates marked{{1.5, -2}};
 
+/// The state a walk stands at, its materials marked.
+State marked_state(const test::Walk& walk) {
+  auto state = walk.state();
+  state.bulk_points = marked;
+  return state;
+}
+
 TEST(StatesOfMaterials, GoFromStepToStep) {
   test::Walk walk(test::two_beams);
-  walk.state.bulk_points = marked;
+  walk.stand_at(marked_state(walk));
   ASSERT_TRUE(walk.advance());
   ASSERT_TRUE(walk.advance());
-  EXPECT_GT(walk.state.t, 0);
-  EXPECT_EQ(walk.state.bulk_points, marked);
+  EXPECT_GT(walk.state().t, 0);
+  EXPECT_EQ(walk.state().bulk_points, marked);
 }
 
 TEST(StatesOfMaterials, GoIntoTheRunThatGoesOn) {
   test::Walk walk(test::two_beams);
-  EXPECT_EQ(walk.state.bulk_points, walk.model.domain.initial_states());
-  walk.state.bulk_points = marked;
+  EXPECT_EQ(walk.state().bulk_points, walk.model.domain.initial_states());
+  walk.stand_at(marked_state(walk));
   ASSERT_TRUE(walk.advance());
-  EXPECT_EQ(continued_state(walk.model, walk.scheme, walk.state, 0).bulk_points, marked);
+  EXPECT_EQ(continued_state(walk.model, walk.scheme, walk.state(), 0).bulk_points, marked);
 }
 
 TEST(StatesOfMaterials, GoFromExplicitStepToStep) {

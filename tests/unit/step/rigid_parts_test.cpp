@@ -146,5 +146,22 @@ TEST_P(FarOff, LedgerCloses) {
 INSTANTIATE_TEST_SUITE_P(Of, FarOff, testing::ValuesIn(decks),
                          [](const auto& chosen) { return std::string(chosen.param.name); });
 
+/// Its displacements are deformations, so that nothing need be taken out of them.
+TEST(RigidParts, LeaveOutBodiesThatSupportsAtRestHold) {
+  for (const auto& [supports, held] : {std::pair{"[{on: wall, fix: [x, y]}]", true},
+                                       {"[{on: wall, fix: [x]}]", false},
+                                       {"[{on: wall, x: 0, y: 0.1}]", false}}) {
+    const std::vector<deck::Setting> changes{{"supports", supports}};
+    const auto study = deck::parse_deck(plane, "deck.yaml", changes).runs.front();
+    const auto model = model::build_model(study);
+    const RigidParts rigid(model);
+    VectorXd shift = VectorXd::Zero(model.dofs.dof_count);
+    for (const auto node : model.dofs.nodes)
+      shift[model.dofs.dof(node, 1)] = 1;
+    const auto resultants = rigid.resultants(shift);
+    EXPECT_EQ(rigid.work(resultants, resultants) == 0, held) << supports;
+  }
+}
+
 } // namespace
 } // namespace rubato::step
