@@ -8,7 +8,7 @@
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/simulation.hpp"
 #include "rubato/step/advance.hpp"
-#include "rubato/step/contact_evaluator.hpp"
+#include "rubato/step/common/contact_evaluator.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -10,8 +10,8 @@
 #include "rubato/linalg/memory.hpp"
 #include "rubato/linalg/split_factor.hpp"
 #include "rubato/model/model.hpp"
-#include "rubato/step/effective_system.hpp"
-#include "rubato/step/linear_step.hpp"
+#include "rubato/step/common/effective_system.hpp"
+#include "rubato/step/full/linear_step.hpp"
 
 #include <benchmark/benchmark.h>
 

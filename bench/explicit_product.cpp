@@ -9,7 +9,7 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/linalg/block_matrix.hpp"
 #include "rubato/model/model.hpp"
-#include "rubato/step/explicit.hpp"
+#include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -5,8 +5,8 @@
 #include "rubato/linalg/direct_solver.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/run/time_loop.hpp"
-#include "rubato/step/effective_system.hpp"
-#include "rubato/step/linear_step.hpp"
+#include "rubato/step/common/effective_system.hpp"
+#include "rubato/step/full/linear_step.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

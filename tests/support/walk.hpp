@@ -7,7 +7,7 @@
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/simulation/simulation.hpp"
 #include "rubato/step/advance.hpp"
-#include "rubato/step/linear_step.hpp"
+#include "rubato/step/full/linear_step.hpp"
 #include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
 

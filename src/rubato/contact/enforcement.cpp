@@ -2,7 +2,7 @@
 #include "rubato/contact/enforcement.hpp"
 
 #include "rubato/contact/factored_response.hpp"
-#include "rubato/contact/held_frame.hpp"
+#include "rubato/contact/frozen_frame.hpp"
 #include "rubato/contact/spring_friction.hpp"
 #include "rubato/core/tolerances.hpp"
 
@@ -25,9 +25,9 @@ public:
   void add(const SlavePoint& point, const FactoredResponse& response) {
     const Index d = response.components;
     const Index m = response.multipliers();
-    const auto weights = response.spread.topRows(d);
+    const auto weights = response.interpolation.topRows(d);
     const VectorXd force = weights.transpose() * response.force;
-    const MatrixXd force_by_q = response.spread.transpose() * response.force_by_displacement();
+    const MatrixXd force_by_q = response.interpolation.transpose() * response.force_by_displacement();
     const MatrixXd force_by_multiplier = weights.transpose() * response.by_multiplier.topRows(d);
     for (Index row = 0; row < force.size(); ++row) {
       const int global_row = response.dofs[static_cast<std::size_t>(row)];
@@ -124,22 +124,23 @@ void measure_again(const Zone& zone, const VectorXd& multipliers, const Configur
                    std::span<PointEvaluation> held) {
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (held[i].kinematics)
-      measure_in_held_frame(*held[i].kinematics, configuration);
+      measure_in_frozen_frame(*held[i].kinematics, configuration);
     held[i].variables = measured(zone, zone.points[i], multipliers, held[i].kinematics);
   }
 }
 
 /// Takes a held place along with the obstacle it is on.
-void carry(Kinematics& k, const Vector3d& way) {
-  k.closest_point += way;
-  k.obstacle_displacement = way;
+void carry(Kinematics& k, const Vector3d& displacement) {
+  k.closest_point += displacement;
+  k.obstacle_displacement = displacement;
 }
 
 /// Sets from where a held frame counts gap and slip, so that they are those of the law of velocities.
-/// `relative`: the point's velocity at the start against what it faces, which comes `way` in the step.
-void count_from(const Vector3d& relative, const Vector3d& way, const VelocityLaw& law, double restitution,
-                Kinematics& k) {
-  carry(k, way);
+/// `relative`: the point's velocity at the start against what it faces, which comes `displacement` in the
+/// step.
+void count_from(const Vector3d& relative, const Vector3d& displacement, const VelocityLaw& law,
+                double restitution, Kinematics& k) {
+  carry(k, displacement);
   k.gap_origin = k.gap;
   if (law.massless)
     return;
@@ -238,23 +239,23 @@ void differentiate(const Zone& zone, std::size_t point, const Configuration& con
   evaluate_kinematics(zone, zone.points[point], evaluation.pair, configuration, *evaluation.kinematics);
 }
 
-std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> points) {
+std::vector<PointEvaluation> with_frozen_frames(std::vector<PointEvaluation> points) {
   for (auto& point : points)
     if (point.kinematics)
-      point.kinematics = with_held_frame(std::move(*point.kinematics));
+      point.kinematics = with_frozen_frame(std::move(*point.kinematics));
   return points;
 }
 
-std::vector<PointEvaluation> evaluate_in_held_frames(std::vector<PointEvaluation> held, const Zone& zone,
-                                                     const VectorXd& multipliers,
-                                                     const Configuration& configuration) {
+std::vector<PointEvaluation> evaluate_in_frozen_frames(std::vector<PointEvaluation> held, const Zone& zone,
+                                                       const VectorXd& multipliers,
+                                                       const Configuration& configuration) {
   measure_again(zone, multipliers, configuration, held);
   return held;
 }
 
-void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zone& zone,
-                             const VectorXd& multipliers, const Configuration& configuration,
-                             std::vector<PointEvaluation>& into) {
+void evaluate_in_frozen_frames(const std::vector<PointEvaluation>& held, const Zone& zone,
+                               const VectorXd& multipliers, const Configuration& configuration,
+                               std::vector<PointEvaluation>& into) {
   into = held;
   measure_again(zone, multipliers, configuration, into);
 }
@@ -265,13 +266,13 @@ std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Co
   const auto& zone = neighbours.zone();
   std::vector<PointEvaluation> points;
   measure(neighbours, VectorXd::Zero(zone.multiplier_count()), start, points);
-  const Vector3d way =
-      zone.obstacle ? zone.obstacle->way(start.t, start.t + law.step) : Vector3d::Zero().eval();
+  const Vector3d displacement =
+      zone.obstacle ? zone.obstacle->displacement(start.t, start.t + law.step) : Vector3d::Zero().eval();
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].kinematics)
       continue;
     const auto& k = *points[i].kinematics;
-    const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - way / law.step;
+    const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - displacement / law.step;
     const bool stands = k.gap <= standing[i] + tolerances.touching_gap * zone.edge();
     const bool arrives = k.gap + law.step / 2 * k.normal.dot(relative) <= 0;
     if (!stands)
@@ -280,8 +281,8 @@ std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Co
       points[i].kinematics.reset();
       continue;
     }
-    points[i].kinematics = with_held_frame(std::move(*points[i].kinematics));
-    count_from(relative, way, law, zone.settings.restitution, *points[i].kinematics);
+    points[i].kinematics = with_frozen_frame(std::move(*points[i].kinematics));
+    count_from(relative, displacement, law, zone.settings.restitution, *points[i].kinematics);
   }
   return points;
 }
@@ -295,8 +296,8 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
                tolerances.closing_gap * zone->edge(),
                zone->space_dimension - 1,
                std::nullopt};
-  if (!held_thresholds.empty())
-    law.held_threshold = held_thresholds[index];
+  if (!frozen_thresholds.empty())
+    law.frozen_threshold = frozen_thresholds[index];
   if (!coefficients->resistance.empty())
     law.resistance = coefficients->resistance[index];
   return law;
@@ -322,7 +323,7 @@ std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const Point
   for (std::size_t i = 0; i < points.size(); ++i)
     if (status[i] != Status::open) {
       auto point_law = law.of_point(i);
-      point_law.held_threshold.reset();
+      point_law.frozen_threshold.reset();
       pressures[i] = friction_pressure(points[i].variables, point_law);
     }
   return pressures;

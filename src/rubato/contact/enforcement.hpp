@@ -93,17 +93,17 @@ void differentiate(const Zone& zone, std::size_t point, const Configuration& con
                    PointEvaluation& evaluation);
 
 /// The points with the place on the master, normal and tangents they have now, held.
-std::vector<PointEvaluation> with_held_frames(std::vector<PointEvaluation> points);
+std::vector<PointEvaluation> with_frozen_frames(std::vector<PointEvaluation> points);
 
-/// Measures the points anew in frames that with_held_frames gave.
-std::vector<PointEvaluation> evaluate_in_held_frames(std::vector<PointEvaluation> held, const Zone& zone,
-                                                     const Eigen::VectorXd& multipliers,
-                                                     const Configuration& configuration);
+/// Measures the points anew in frames that with_frozen_frames gave.
+std::vector<PointEvaluation> evaluate_in_frozen_frames(std::vector<PointEvaluation> held, const Zone& zone,
+                                                       const Eigen::VectorXd& multipliers,
+                                                       const Configuration& configuration);
 
 /// The same in the storage of `into`.
-void evaluate_in_held_frames(const std::vector<PointEvaluation>& held, const Zone& zone,
-                             const Eigen::VectorXd& multipliers, const Configuration& configuration,
-                             std::vector<PointEvaluation>& into);
+void evaluate_in_frozen_frames(const std::vector<PointEvaluation>& held, const Zone& zone,
+                               const Eigen::VectorXd& multipliers, const Configuration& configuration,
+                               std::vector<PointEvaluation>& into);
 
 /// Contact as a law of velocities in a step with u₁ = u₀ + h (θ v₁ + (1−θ) v₀).
 struct VelocityLaw {
@@ -148,7 +148,7 @@ struct ZoneLaw {
   const ZoneCoefficients* coefficients = nullptr;
   double friction = 0; ///< the zone's μ or, during continuation, a part of it
   /// P of every point, while a loop holds it; empty otherwise.
-  std::span<const double> held_thresholds = {};
+  std::span<const double> frozen_thresholds = {};
 
   PointLaw of_point(std::size_t index) const;
 };

@@ -20,21 +20,22 @@ void collect_dofs(const Kinematics& k, const domain::DofMap& map, std::vector<in
 }
 
 /// N and H: what a force at the point, and a change of its place on the master, put on q.
-void collect_spread(const Kinematics& k, const Eigen::Vector3d& force, int n_xi, MatrixXd& spread) {
+void collect_interpolation(const Kinematics& k, const Eigen::Vector3d& force, int n_xi,
+                           MatrixXd& interpolation) {
   const int d = k.stencil.components;
-  spread.setZero(d + n_xi, k.unknowns());
+  interpolation.setZero(d + n_xi, k.unknowns());
   for (Index node = 0; node < k.stencil.weights.size(); ++node)
     for (int i = 0; i < d; ++i) {
-      spread(i, node * d + i) = k.stencil.weights[node];
+      interpolation(i, node * d + i) = k.stencil.weights[node];
       for (int a = 0; a < n_xi; ++a)
-        spread(d + a, node * d + i) = k.shape_slope(node, a) * force[i];
+        interpolation(d + a, node * d + i) = k.shape_slope(node, a) * force[i];
     }
 }
 
 } // namespace
 
 MatrixXd FactoredResponse::force_by_displacement() const {
-  MatrixXd rows(spread.rows(), d_du.cols());
+  MatrixXd rows(interpolation.rows(), d_du.cols());
   rows << d_du.topRows(components), d_du.bottomRows(n_xi);
   return rows;
 }
@@ -62,8 +63,8 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
   into.components = d;
   into.n_xi = k.shape_slope.isZero(0) ? 0 : k.parametric_dimension;
   into.force = force.head(d);
-  collect_spread(k, response.kept_friction == 1 ? force : Eigen::Vector3d(frame * traction), into.n_xi,
-                 into.spread);
+  collect_interpolation(k, response.kept_friction == 1 ? force : Eigen::Vector3d(frame * traction), into.n_xi,
+                        into.interpolation);
   into.d_du.resize(d + m + into.n_xi, k.unknowns());
   for (Index q = 0; q < k.unknowns(); ++q) {
     const Eigen::Vector3d measures(k.d_gap[q], k.d_slip(0, q), k.d_slip(1, q));

@@ -30,13 +30,13 @@ struct FactoredResponse {
   int components = 0;              ///< d
   int n_xi = 0;                    ///< size of ξ; 0 in a held frame or before an obstacle
   PointVector force;               ///< z, d entries
-  Eigen::MatrixXd spread;          ///< N over H: d + n_xi rows
+  Eigen::MatrixXd interpolation;   ///< N over H: d + n_xi rows
   Eigen::MatrixXd d_du;            ///< Z_q, E_q, P: d + m + n_xi rows
   MultiplierColumns by_multiplier; ///< Z_m, E_m: d + m rows, m columns
   PointVector equations;           ///< e, m entries
 
   int multipliers() const { return static_cast<int>(equations.size()); }
-  /// Z_q over P: what the rows of `spread` are multiplied with as q changes.
+  /// Z_q over P: what the rows of `interpolation` are multiplied with as q changes.
   Eigen::MatrixXd force_by_displacement() const;
   PointEquations multiplier_equations() const { return {equations, by_multiplier.bottomRows(multipliers())}; }
 };

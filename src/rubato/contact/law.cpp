@@ -41,8 +41,8 @@ FrictionPressure pressure_of_spring(const PointState& point, const PointLaw& law
 
 /// P with its derivatives, zero while it is held.
 FrictionPressure threshold_of(const PointState& point, const PointLaw& law) {
-  if (law.held_threshold)
-    return {.value = *law.held_threshold};
+  if (law.frozen_threshold)
+    return {.value = *law.frozen_threshold};
   return normal_law(law.method).friction_pressure(point, law);
 }
 

@@ -42,7 +42,7 @@ struct PointLaw {
   double gap_tolerance = 0; ///< an open point closes when it penetrates more than that [length]
   int tangents = 2;         ///< tangential directions: 1 in 2D
   /// P while an outer loop holds it; follows the point otherwise.
-  std::optional<double> held_threshold;
+  std::optional<double> frozen_threshold;
   double resistance = 0; ///< of the body against a slip of the point [pressure/length]; 0: not known
 };
 

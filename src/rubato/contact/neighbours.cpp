@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr double margin_in_edges = 0.75;
 
 /// How far beyond the border a point that hops stays on a face, in its reference lengths.
-constexpr double held_beyond = 0.25;
+constexpr double kept_overshoot = 0.25;
 
 /// Points as nanoflann wants to see them.
 struct Cloud {
@@ -59,12 +59,12 @@ void NeighbourList::forget_visits() {
   std::ranges::fill(visits_, Visits());
 }
 
-bool NeighbourList::release_strays() {
+bool NeighbourList::release_beyond_borders() {
   bool any = false;
   for (auto& visits : visits_) {
-    if (visits.held < 0 || visits.released || visits.beyond <= tolerances.released_overshoot)
+    if (visits.kept_face < 0 || visits.released || visits.beyond <= tolerances.released_overshoot)
       continue;
-    visits = {.faces = {visits.held, -1, -1, -1}, .released = true};
+    visits = {.faces = {visits.kept_face, -1, -1, -1}, .released = true};
     any = true;
   }
   return any;
@@ -94,18 +94,18 @@ void NeighbourList::follow(const Configuration& configuration) {
 
 void NeighbourList::pair(std::size_t point) {
   auto& visits = visits_[point];
-  if (visits.held >= 0 && stays_on(point, visits.held))
+  if (visits.kept_face >= 0 && stays_on(point, visits.kept_face))
     return;
   auto& pair = pairs_[point];
   pair = pair_around(*zone_, nearest_of(point), slave_[point], master_, pair.master_face);
-  if (pair.master_face != visits.faces.front() || visits.held >= 0)
+  if (pair.master_face != visits.faces.front() || visits.kept_face >= 0)
     note_visit(point);
 }
 
-/// The point has come to another face than it was on, or has left the one that held it.
+/// The point has come to another face than it was on, or has left the one that kept_face it.
 void NeighbourList::note_visit(std::size_t point) {
   auto& visits = visits_[point];
-  visits.held = -1;
+  visits.kept_face = -1;
   const int before = visits.faces.front();
   const int now = pairs_[point].master_face;
   if (before < 0)
@@ -116,13 +116,13 @@ void NeighbourList::note_visit(std::size_t point) {
   std::ranges::copy_backward(std::span(visits.faces).first(visits.faces.size() - 1), visits.faces.end());
   visits.faces.front() = now;
   if (back && stays_on(point, std::min(before, now)))
-    visits.held = std::min(before, now);
+    visits.kept_face = std::min(before, now);
 }
 
 /// Puts the point on a face, inside or a little beyond its border, if that is where it is.
 bool NeighbourList::stays_on(std::size_t point, int face) {
   auto pair = pair_on(*zone_, face, slave_[point], master_);
-  if (!pair.projection.converged || !(pair.projection.overshoot <= held_beyond))
+  if (!pair.projection.converged || !(pair.projection.overshoot <= kept_overshoot))
     return false;
   visits_[point].beyond = pair.projection.overshoot;
   pair.projection.clamped = pair.projection.xi;

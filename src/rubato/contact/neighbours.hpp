@@ -40,7 +40,7 @@ public:
   void forget_visits();
   /// Lets points go that stay on a face and have come to stand more than a trace beyond its border, each
   /// once: they may have hopped only on the way. Whether there were any.
-  bool release_strays();
+  bool release_beyond_borders();
 
   const Zone& zone() const { return *zone_; }
   int searches() const { return searches_; }
@@ -58,8 +58,8 @@ private:
   /// Faces that a point has been on, the last one first.
   struct Visits {
     std::array<int, 4> faces{-1, -1, -1, -1};
-    int held = -1;     ///< the face that it stays on, beyond its border too, or −1
-    double beyond = 0; ///< how far it is outside that face, in its reference lengths
+    int kept_face = -1; ///< the face that it stays on, beyond its border too, or −1
+    double beyond = 0;  ///< how far it is outside that face, in its reference lengths
     bool released = false;
   };
 

@@ -35,7 +35,7 @@ struct Obstacle {
   /// o(t), how far it is from where the deck puts it.
   Eigen::Vector3d offset(double t) const;
   /// How far it comes between two instants.
-  Eigen::Vector3d way(double from, double to) const { return offset(to) - offset(from); }
+  Eigen::Vector3d displacement(double from, double to) const { return offset(to) - offset(from); }
   bool moves() const;
 };
 

@@ -66,7 +66,7 @@ void evaluate_before(const Obstacle& obstacle, const SlavePoint& point, const Co
   k.tangents << place.tangent, place.normal.cross(place.tangent);
   k.gap = place.gap;
   k.closest_point = x - place.gap * place.normal;
-  k.obstacle_displacement = obstacle.way(configuration.start_t, configuration.t);
+  k.obstacle_displacement = obstacle.displacement(configuration.start_t, configuration.t);
   const Vector3d moved =
       k.stencil.sum([&](auto node) { return configuration.increment(node); }) - k.obstacle_displacement;
   k.slip.setZero();

@@ -50,7 +50,7 @@ std::string residual_of(const model::Model& model, const step::StepReport& repor
   return fmt::format("residual {} (wanted {:.0e})", fmt::join(nodes, ", "), report.tolerance);
 }
 
-std::string restless_of(const model::Model& model, const step::StepReport& report) {
+std::string status_changes_of(const model::Model& model, const step::StepReport& report) {
   std::vector<std::string> points;
   for (const auto& point : report.changing_points)
     if (points.size() < named)
@@ -109,7 +109,7 @@ std::string sentence(const model::Model& model, const step::StepReport& report, 
   case Criterion::residual:
     return residual_of(model, report);
   case Criterion::status:
-    return restless_of(model, report);
+    return status_changes_of(model, report);
   case Criterion::gap:
     return gap_of(model, unmet);
   case Criterion::projection:

@@ -9,7 +9,7 @@
 #include "rubato/simulation/start.hpp"
 #include "rubato/simulation/trial.hpp"
 #include "rubato/step/energy.hpp"
-#include "rubato/step/explicit.hpp"
+#include "rubato/step/explicit/explicit_motion.hpp"
 #include "rubato/step/state.hpp"
 
 #include <chrono>

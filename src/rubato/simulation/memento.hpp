@@ -4,7 +4,7 @@
 
 #include "rubato/model/model.hpp"
 #include "rubato/step/energy.hpp"
-#include "rubato/step/explicit.hpp"
+#include "rubato/step/explicit/explicit_motion.hpp"
 #include "rubato/step/overlap.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/step_control.hpp"

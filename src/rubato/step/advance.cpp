@@ -2,9 +2,10 @@
 #include "rubato/step/advance.hpp"
 
 #include "rubato/contact/springs.hpp"
-#include "rubato/step/condensed.hpp"
-#include "rubato/step/nested_loops.hpp"
-#include "rubato/step/newton.hpp"
+#include "rubato/step/common/nested_loops.hpp"
+#include "rubato/step/common/newton.hpp"
+#include "rubato/step/full/whole_system.hpp"
+#include "rubato/step/interface/condensed.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ namespace {
 using Eigen::VectorXd;
 using model::Model;
 
-/// Augmentations tried one after the other. They do not change the answer, only which points are guessed to
+/// Augmentations tried one after the other. They do not change the answer, only which points are taken to
 /// touch and to stick on the way there.
 constexpr std::array<RetrySettings, 2> other_augmentations{
     {{.normal_multiple = 0.01, .tangential_multiple = 0.1, .start = Start::last_step},
@@ -102,15 +103,19 @@ private:
   StepReport solve(const RetrySettings& variant, State& trial) {
     const ContactEvaluator side(model_, scheme_, system_, committed_, variant);
     auto report =
-        can_condense(model_, system_) ? solve_by<Condensed>(side, trial) : solve_by<Newton>(side, trial);
+        can_condense(model_, system_) ? solve_by<Condensed>(side, trial) : solve_by<WholeSystem>(side, trial);
     report.iterations = spent_ += report.iterations;
     return report;
   }
 
-  template <class Solver> StepReport solve_by(const ContactEvaluator& side, State& trial) {
+  template <NewtonSystem Solver> StepReport solve_by(const ContactEvaluator& side, State& trial) {
     Solver solver(model_, scheme_, system_, committed_, t_, side, pulse_);
     return solve_levels(
-        model_, side, [&](State& to, const Held& held) { return solver.run(to, held); }, committed_, trial);
+        model_, side,
+        [&](State& to, const Frozen& frozen) {
+          return run_newton(solver, model_.study.newton.max_iterations, pulse_, to, frozen);
+        },
+        committed_, trial);
   }
 
   const Model& model_;

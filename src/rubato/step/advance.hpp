@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
-#include "rubato/step/effective_system.hpp"
+#include "rubato/step/common/effective_system.hpp"
 #include "rubato/step/pulse.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"

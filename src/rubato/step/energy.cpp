@@ -109,7 +109,7 @@ EnergyAccount::Obstacles EnergyAccount::work_of_obstacles(const State& committed
     const auto& obstacle = model_->zones[z].obstacle;
     if (!obstacle || !obstacle->moves())
       continue;
-    const Eigen::Vector3d way = obstacle->way(committed.t, trial.t);
+    const Eigen::Vector3d way = obstacle->displacement(committed.t, trial.t);
     const auto add = [&](const State& state, double part) {
       for (const auto& outcome : state.zones[z].outcomes) {
         work.normal += part * way.dot(outcome.normal);

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
+#include "rubato/step/common/rigid_parts.hpp"
 #include "rubato/step/overlap.hpp"
-#include "rubato/step/rigid_parts.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
 
@@ -20,7 +20,7 @@
 namespace rubato::step {
 
 struct EnergyLedger {
-  // Held by the bodies and their contact at this instant:
+  // Frozen by the bodies and their contact at this instant:
   double kinetic = 0;
   double strain = 0;
   double contact = 0; ///< stored in penalty springs; implicit runs: normal ones

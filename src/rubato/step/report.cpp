@@ -92,7 +92,7 @@ const Unmet* StepReport::unmet_by(Criterion criterion) const {
   return found == unmet.end() ? nullptr : &*found;
 }
 
-void name_restless(StepReport& report) {
+void name_status_changes(StepReport& report) {
   if (report.changing_points.empty())
     return;
   const auto& first = report.changing_points.front();
@@ -100,7 +100,7 @@ void name_restless(StepReport& report) {
                           static_cast<double>(report.status_changes), 0, report.status_changes});
 }
 
-void name_unbalance(StepReport& report) {
+void name_residual_growth(StepReport& report) {
   if (report.outcome == Outcome::singular_matrix)
     report.unmet.insert(report.unmet.begin(), Unmet{Criterion::singular});
   if (!(report.residual <= report.tolerance))

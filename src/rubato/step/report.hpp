@@ -111,9 +111,9 @@ struct StepReport {
 };
 
 /// Adds to `unmet` of an attempt that fails the points that changed their status.
-void name_restless(StepReport& report);
+void name_status_changes(StepReport& report);
 /// Adds what its outcome and its residual say.
-void name_unbalance(StepReport& report);
+void name_residual_growth(StepReport& report);
 
 /// Notices residuals that don't go down any more.
 class StallWatch {

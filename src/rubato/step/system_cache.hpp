@@ -2,7 +2,7 @@
 /// Effective matrices of the step lengths in use: cut steps come back to the lengths they had.
 #pragma once
 
-#include "rubato/step/effective_system.hpp"
+#include "rubato/step/common/effective_system.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -42,7 +42,7 @@ struct Scheme {
 /// end of the step. generalized_alpha: Chung and Hulbert (1993) from ρ_∞. moreau_jean: u₁ = u₀ + h (θ v₁ +
 /// (1−θ) v₀), a₁ = (v₁ − v₀)/h, forces and damping weighted alike (M. Jean, The non-smooth contact dynamics
 /// method, Comput. Methods Appl. Mech. Eng. 177 (1999) 235–257). static_steps: no inertia. Throws
-/// std::invalid_argument for central_difference, which step/explicit.hpp computes.
+/// std::invalid_argument for central_difference, which step/explicit computes.
 Scheme make_scheme(const study::TimeStepping& settings);
 
 /// Whether high frequencies keep their energy, so that exact contact feeds them.

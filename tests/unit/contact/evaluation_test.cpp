@@ -127,11 +127,12 @@ TEST(HeldFrames, MeasureTheSameInUsedStorage) {
   const VectorXd multipliers = VectorXd::Zero(zone.multiplier_count());
   const VectorXd start = sliding(model, 0);
   const VectorXd u = sliding(model, 0.1);
-  const auto held = with_held_frames(evaluate(zone, multipliers, {&model.mesh, &model.dofs, &start, &start}));
+  const auto held =
+      with_frozen_frames(evaluate(zone, multipliers, {&model.mesh, &model.dofs, &start, &start}));
   const Configuration configuration{&model.mesh, &model.dofs, &u, &start};
   auto points = evaluate(zone, multipliers, configuration);
-  evaluate_in_held_frames(held, zone, multipliers, configuration, points);
-  const auto fresh = evaluate_in_held_frames(held, zone, multipliers, configuration);
+  evaluate_in_frozen_frames(held, zone, multipliers, configuration, points);
+  const auto fresh = evaluate_in_frozen_frames(held, zone, multipliers, configuration);
   for (std::size_t p = 0; p < fresh.size(); ++p) {
     EXPECT_EQ(points[p].variables.gap, fresh[p].variables.gap);
     EXPECT_EQ(points[p].variables.slip, fresh[p].variables.slip);

@@ -88,12 +88,12 @@ TEST_F(NodesOnNodes, StayOnAFaceTheyComeBackToAndAreLetGoOnceBeyondItsBorder) {
   const double beyond = held() > 0 ? -1e-5 : 1e-5;
   shift(beyond);
   EXPECT_GT(held(), 5);
-  EXPECT_TRUE(list_.release_strays());
+  EXPECT_TRUE(list_.release_beyond_borders());
   shift(beyond);
   EXPECT_EQ(held(), 0);
   for (const double hop : {-1, 1, -1, 1})
     shift(hop * beyond);
-  EXPECT_FALSE(list_.release_strays()) << "they hop indeed";
+  EXPECT_FALSE(list_.release_beyond_borders()) << "they hop indeed";
   list_.forget_visits();
   shift(beyond);
   EXPECT_EQ(held(), 0);
@@ -102,7 +102,7 @@ TEST_F(NodesOnNodes, StayOnAFaceTheyComeBackToAndAreLetGoOnceBeyondItsBorder) {
 TEST_F(NodesOnNodes, StandOnTheBorderATraceBeyondIt) {
   for (const double hop : {0.02, -0.02, 0.02, -0.02, 1e-7, -1e-7, 1e-7})
     shift(hop);
-  EXPECT_FALSE(list_.release_strays());
+  EXPECT_FALSE(list_.release_beyond_borders());
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Planes, cylinders and spheres: where they are, and every derivative against central differences.
-#include "rubato/contact/held_frame.hpp"
+#include "rubato/contact/frozen_frame.hpp"
 #include "rubato/contact/obstacle.hpp"
 
 #include <Eigen/Geometry>
@@ -175,8 +175,8 @@ TEST_P(SlaveBefore, SlipsAgainstTheMotionOfTheObstacle) {
 TEST_P(SlaveBefore, MeasuresTheSameInTheFrameItHolds) {
   for (std::size_t p = 0; p < setup_.zone.points.size(); ++p) {
     const auto k = of(p, setup_.u);
-    auto held = with_held_frame(k);
-    measure_in_held_frame(held, setup_.configuration(setup_.u));
+    auto held = with_frozen_frame(k);
+    measure_in_frozen_frame(held, setup_.configuration(setup_.u));
     EXPECT_NEAR(held.gap, k.gap, 1e-15);
     EXPECT_LT((held.slip - k.slip).norm(), 1e-15);
     const VectorXd step = 0.01 * VectorXd::Random(setup_.u.size());
@@ -186,7 +186,7 @@ TEST_P(SlaveBefore, MeasuresTheSameInTheFrameItHolds) {
           held.d_gap[q] *
           step[setup_.dofs.dof(held.stencil.nodes[static_cast<std::size_t>(q / held.stencil.components)],
                                static_cast<int>(q % held.stencil.components))];
-    measure_in_held_frame(held, setup_.configuration(setup_.u + step));
+    measure_in_frozen_frame(held, setup_.configuration(setup_.u + step));
     EXPECT_NEAR(held.gap, k.gap + change, 1e-15);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Each derivative of the contact kinematics and of the whole contact system against central differences.
-#include "rubato/contact/held_frame.hpp"
+#include "rubato/contact/frozen_frame.hpp"
 
 #include <gtest/gtest.h>
 
@@ -173,12 +173,12 @@ TEST_P(ContactTangent, ToAFrameBetweenTwoOthersIsTheirMean) {
       continue;
     const auto& a = *frames[i].kinematics;
     const auto& b = *others[i].kinematics;
-    auto between = contact::held_between(a, b);
+    auto between = contact::frozen_between(a, b);
     EXPECT_NEAR(between.normal.norm(), 1, 1e-14);
     EXPECT_NEAR(between.normal.dot(a.normal), between.normal.dot(b.normal), 1e-14);
     EXPECT_NEAR(between.tangents.col(0).dot(between.normal), 0, 1e-14);
     EXPECT_NEAR(between.stencil.weights.sum(), 0, 1e-14);
-    contact::measure_in_held_frame(between, configuration);
+    contact::measure_in_frozen_frame(between, configuration);
     const double gap = between.gap;
     const VectorXd step = VectorXd::Random(setup.u.size());
     const VectorXd moved = setup.u + step;
@@ -187,7 +187,7 @@ TEST_P(ContactTangent, ToAFrameBetweenTwoOthersIsTheirMean) {
       for (int c = 0; c < between.stencil.components; ++c)
         change += between.d_gap[static_cast<Eigen::Index>(node) * between.stencil.components + c] *
                   step[setup.dofs.dof(between.stencil.nodes[node], c)];
-    contact::measure_in_held_frame(between, setup.configuration(moved));
+    contact::measure_in_frozen_frame(between, setup.configuration(moved));
     EXPECT_NEAR(between.gap, gap + change, 1e-13);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// What the state carries of internal forces, M v and M a instead of computing them again, and of what
 /// materials remember.
-#include "rubato/step/explicit.hpp"
+#include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A resumed run asks for columns in another order than one that was never stopped.
-#include "rubato/step/compliance.hpp"
+#include "rubato/step/interface/compliance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 /// The condensed system of an iteration must give what the whole system gives.
 #include "rubato/deck/read.hpp"
 #include "rubato/step/advance.hpp"
-#include "rubato/step/linear_step.hpp"
+#include "rubato/step/full/linear_step.hpp"
 #include "rubato/step/start.hpp"
 #include "rubato/time/step_control.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The sweeps that Newton starts from, on small problems with known answers.
-#include "rubato/step/contact_predictor.hpp"
+#include "rubato/step/interface/contact_predictor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ MatrixXd stiffish(Index size, std::mt19937& random) {
 TEST(PressingSweeps, PushOnlyWhereGapsWouldBeNegative) {
   const MatrixXd springs = (MatrixXd(2, 2) << 2, 0, 0, 4).finished();
   VectorXd forces = VectorXd::Zero(2);
-  sweep_pressing(springs, Eigen::Vector2d(-3, 1), forces);
+  normal_gauss_seidel(springs, Eigen::Vector2d(-3, 1), forces);
   EXPECT_DOUBLE_EQ(forces[0], 1.5);
   EXPECT_EQ(forces[1], 0);
 }
@@ -38,7 +38,7 @@ TEST(PressingSweeps, ComeCloseToComplementarity) {
     const auto matrix = stiffish(12, random);
     const VectorXd gaps = VectorXd::NullaryExpr(12, [&] { return number(random); });
     VectorXd forces = VectorXd::NullaryExpr(12, [&] { return std::abs(number(random)); });
-    sweep_pressing(matrix, gaps, forces);
+    normal_gauss_seidel(matrix, gaps, forces);
     const VectorXd open = gaps + matrix * forces;
     const double largest = forces.maxCoeff();
     for (Index i = 0; i < 12; ++i) {
@@ -51,14 +51,14 @@ TEST(PressingSweeps, ComeCloseToComplementarity) {
 
 TEST(PressingSweeps, LeavePointsBetweenHeldPartsAlone) {
   VectorXd forces = VectorXd::Zero(1);
-  sweep_pressing(MatrixXd::Zero(1, 1), VectorXd::Constant(1, -1), forces);
+  normal_gauss_seidel(MatrixXd::Zero(1, 1), VectorXd::Constant(1, -1), forces);
   EXPECT_EQ(forces[0], 0);
 }
 
 TEST(RubbingSweeps, StickBelowTheLimitAndSlideAgainstTheSlipAtIt) {
   const MatrixXd springs = MatrixXd::Identity(2, 2);
   VectorXd forces = VectorXd::Zero(2);
-  sweep_rubbing(springs, Eigen::Vector2d(0.3, -5), Eigen::Vector2d(1, 2), 1, forces);
+  tresca_gauss_seidel(springs, Eigen::Vector2d(0.3, -5), Eigen::Vector2d(1, 2), 1, forces);
   EXPECT_DOUBLE_EQ(forces[0], -0.3);
   EXPECT_DOUBLE_EQ(forces[1], 2);
 }
@@ -66,7 +66,7 @@ TEST(RubbingSweeps, StickBelowTheLimitAndSlideAgainstTheSlipAtIt) {
 TEST(RubbingSweeps, TurnAgainstTheSlipInThePlane) {
   const MatrixXd springs = MatrixXd::Identity(2, 2);
   VectorXd forces = VectorXd::Zero(2);
-  sweep_rubbing(springs, Eigen::Vector2d(30, 40), VectorXd::Constant(1, 5), 2, forces);
+  tresca_gauss_seidel(springs, Eigen::Vector2d(30, 40), VectorXd::Constant(1, 5), 2, forces);
   EXPECT_NEAR(forces[0], -3, 1e-12);
   EXPECT_NEAR(forces[1], -4, 1e-12);
 }
@@ -78,7 +78,7 @@ protected:
     for (int i = 0; i < 8; ++i) {
       PredictorPoint point;
       point.index = static_cast<std::size_t>(i);
-      const auto& at = compliance_.position_of_dof();
+      const auto& at = compliance_.interface_dof_of_dof();
       const auto first = static_cast<std::size_t>(9 * i);
       point.stencil.nodes = {{.at = {at[first], at[first + 1], at[first + 2]}, .weight = 1}};
       point.frame << 0, 1, 0, 0, 0, 1, 1, 0, 0;

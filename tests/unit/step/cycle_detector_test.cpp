@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/condensed.hpp"
-#include "rubato/step/cycle_detector.hpp"
-#include "rubato/step/nested_loops.hpp"
-#include "rubato/step/newton.hpp"
+#include "rubato/step/interface/condensed.hpp"
+#include "rubato/step/common/cycle_detector.hpp"
+#include "rubato/step/common/nested_loops.hpp"
+#include "rubato/step/full/whole_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ template <class Solver> StepReport attempt(test::Walk& walk, double length) {
   Solver solver(walk.model, walk.scheme, system, walk.state(), t, side, pulse);
   auto trial = predict(walk.model, walk.scheme, system, walk.state(), t);
   return solve_levels(
-      walk.model, side, [&](State& to, const Held& held) { return solver.run(to, held); }, walk.state(),
+      walk.model, side, [&](State& to, const Frozen& frozen) { return solver.run(to, held); }, walk.state(),
       trial);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What a cut step changes, and what it must leave alone.
-#include "rubato/step/effective_system.hpp"
+#include "rubato/step/common/effective_system.hpp"
 
 #include <gtest/gtest.h>
 

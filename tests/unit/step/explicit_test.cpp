@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/read.hpp"
-#include "rubato/step/explicit.hpp"
+#include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

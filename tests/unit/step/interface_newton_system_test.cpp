@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The points' linear system against the equations it stands for, with made-up points on two elastic blocks.
-#include "rubato/step/interface_newton_system.hpp"
+#include "rubato/step/interface/interface_newton_system.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -43,8 +43,8 @@ FactoredResponse made_up(Random& random, int dofs, double slope_size) {
         std::find(response.dofs.begin(), response.dofs.end(), dof) == response.dofs.end())
       response.dofs.push_back(dof);
   response.force = random.matrix(3, 1);
-  response.spread = random.matrix(5, 8);
-  response.spread.bottomRows(2) *= slope_size;
+  response.interpolation = random.matrix(5, 8);
+  response.interpolation.bottomRows(2) *= slope_size;
   response.d_du = random.matrix(8, 8);
   response.by_multiplier = random.matrix(6, 3);
   response.equations = random.matrix(3, 1);
@@ -75,8 +75,8 @@ VectorXd force_of(std::span<const ActivePoint> points, const Compliance& complia
   VectorXd force = VectorXd::Zero(static_cast<Index>(compliance.surface().size()));
   for (const auto& point : points)
     for (std::size_t q = 0; q < point.response.dofs.size(); ++q)
-      force[compliance.position_of_dof()[static_cast<std::size_t>(point.response.dofs[q])]] +=
-          point.response.spread.col(static_cast<Index>(q)).head(3).dot(point.response.force);
+      force[compliance.interface_dof_of_dof()[static_cast<std::size_t>(point.response.dofs[q])]] +=
+          point.response.interpolation.col(static_cast<Index>(q)).head(3).dot(point.response.force);
   return force;
 }
 
@@ -87,7 +87,7 @@ struct Points {
 
 /// How far the changes that a system comes to are from fulfilling the equations of its points.
 void expect_solved(InterfaceNewtonSystem& system, Bulk& bulk, const VectorXd& d0) {
-  const auto& dofs = bulk.compliance.dof_of_position();
+  const auto& dofs = bulk.compliance.dof_of_interface_dof();
   VectorXd force = force_of(system.points(), bulk.compliance);
   const auto change = system.solve(d0, force);
   ASSERT_TRUE(change);
@@ -99,8 +99,9 @@ void expect_solved(InterfaceNewtonSystem& system, Bulk& bulk, const VectorXd& d0
     const VectorXd m = system.multipliers_of(point, *change, moved);
     VectorXd q(8);
     for (Index k = 0; k < 8; ++k)
-      q[k] = moved[bulk.compliance
-                       .position_of_dof()[static_cast<std::size_t>(r.dofs[static_cast<std::size_t>(k)])]];
+      q[k] =
+          moved[bulk.compliance
+                    .interface_dof_of_dof()[static_cast<std::size_t>(r.dofs[static_cast<std::size_t>(k)])]];
     const VectorXd z = change->force.segment(point.first, 3);
     const double size = std::max(1.0, z.lpNorm<Eigen::Infinity>());
     EXPECT_LE((r.d_du.topRows(3) * q + r.by_multiplier.topRows(3) * m - z).lpNorm<Eigen::Infinity>(),
@@ -176,7 +177,7 @@ TEST(InterfaceNewtonSystem, SharesAForceAmongPointsThatSayTheSame) {
   held.components = 1;
   held.dofs = {7};
   held.force = VectorXd::Zero(1);
-  held.spread = MatrixXd::Constant(1, 1, unit);
+  held.interpolation = MatrixXd::Constant(1, 1, unit);
   held.d_du = (MatrixXd(2, 1) << 0, 1).finished();
   held.by_multiplier = (MatrixXd(2, 1) << 1, 0).finished();
   held.equations = VectorXd::Constant(1, -1);
@@ -210,7 +211,7 @@ protected:
       Point point;
       point.open = i % 4 == 3;
       point.response = made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam().slope_size);
-      point.response.spread /= bulk.s.diagonal().maxCoeff();
+      point.response.interpolation /= bulk.s.diagonal().maxCoeff();
       const int first = point.open ? nodes - 2 : random.below(nodes - 2);
       for (int node = first; node < first + 2; ++node)
         point.shares.push_back({3 * node, random.number()});
@@ -238,7 +239,7 @@ protected:
   }
 
   void expect_solved(const std::vector<Point>& points, const VectorXd& d0) {
-    const auto& dofs = bulk.compliance.dof_of_position();
+    const auto& dofs = bulk.compliance.dof_of_interface_dof();
     VectorXd force = force_of(system.points(), bulk.compliance);
     const auto change = system.solve(d0, force);
     ASSERT_TRUE(change);
@@ -252,8 +253,9 @@ protected:
       const VectorXd m = interpolated(points[point.index], multipliers);
       VectorXd q(8);
       for (Index k = 0; k < 8; ++k)
-        q[k] = moved[bulk.compliance
-                         .position_of_dof()[static_cast<std::size_t>(r.dofs[static_cast<std::size_t>(k)])]];
+        q[k] =
+            moved[bulk.compliance
+                      .interface_dof_of_dof()[static_cast<std::size_t>(r.dofs[static_cast<std::size_t>(k)])]];
       const VectorXd z = change->force.segment(point.first, 3);
       EXPECT_LE((r.d_du.topRows(3) * q + r.by_multiplier.topRows(3) * m - z).lpNorm<Eigen::Infinity>(),
                 1e-7 * std::max(1.0, z.lpNorm<Eigen::Infinity>()));
@@ -390,7 +392,7 @@ TEST(ActiveInterfaceCompliance, TakesMoreAndKeepsWhatItHas) {
   const Eigen::Vector3d force(1, -2, 3);
   VectorXd moved;
   surface.multiply(force, moved);
-  const auto& dofs = bulk.compliance.dof_of_position();
+  const auto& dofs = bulk.compliance.dof_of_interface_dof();
   const std::vector<int> at{dofs[4], dofs[6], dofs[9]};
   EXPECT_LE((moved - bulk.s(at, at) * force).norm(), 1e-12 * moved.norm());
 }

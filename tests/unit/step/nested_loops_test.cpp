@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The three nested levels by Newton or by loops, and every method they carry, must end at one answer.
-#include "rubato/step/nested_loops.hpp"
-#include "rubato/step/newton.hpp"
+#include "rubato/step/common/nested_loops.hpp"
+#include "rubato/step/full/whole_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -127,7 +127,7 @@ TEST(ALoopOfTheStatusThatDoesNotSettle, SaysSo) {
   Pulse pulse;
   Newton newton(walk.model, walk.scheme, system, walk.state(), t, side, pulse);
   const auto report = solve_levels(
-      walk.model, side, [&](State& to, const Held& held) { return newton.run(to, held); }, walk.state(),
+      walk.model, side, [&](State& to, const Frozen& frozen) { return newton.run(to, held); }, walk.state(),
       trial);
   EXPECT_EQ(report.outcome, Outcome::status_unsettled);
 }

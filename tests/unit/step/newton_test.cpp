@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// How Newton converges, and what its answer must not depend on.
-#include "rubato/step/newton.hpp"
+#include "rubato/step/full/whole_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ std::vector<double> residuals_by_iteration(const Changes& changes) {
     const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {.start = Start::last_step});
     Pulse pulse;
     Newton newton(walk.model, walk.scheme, system, walk.state(), t, side, pulse);
-    const auto report = newton.run(trial, Held(walk.model.zones.size()));
+    const auto report = newton.run(trial, Frozen(walk.model.zones.size()));
     residuals.push_back(report.residual);
     if (report.converged())
       break;

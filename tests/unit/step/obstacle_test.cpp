@@ -2,7 +2,7 @@
 // Steps against rigid obstacles: what a meshed rigid master does, the energy they give, and what only they
 // can: round ones.
 #include "rubato/step/energy.hpp"
-#include "rubato/step/explicit.hpp"
+#include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Which points the guess of a step's contact follows, and what becomes of those that lose their master.
-#include "rubato/step/predictor_points.hpp"
+#include "rubato/step/interface/predictor_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ protected:
   State state_ = walk_.state();
   EffectiveSystem system_ = make_effective_system(model_, walk_.scheme, 1e-3);
   ContactEvaluator side_{model_, walk_.scheme, system_, walk_.state(), {}};
-  Held held_ = Held(1);
+  Frozen held_ = Frozen(1);
   ContactIterate contact_;
   VectorXd at_rest_ = VectorXd::Zero(static_cast<Eigen::Index>(system_.compliance->surface().size()));
   std::vector<PredictorPoint> points_;
@@ -69,7 +69,7 @@ TEST_F(PointsOfBeams, HaveTheGapOfTheirNewFrame) {
   VectorXd d = at_rest_;
   for (Eigen::Index i = 0; i < d.size(); ++i) {
     d[i] = 1e-3 * std::sin(static_cast<double>(i));
-    state_.motion.u[system_.compliance->dof_of_position()[static_cast<std::size_t>(i)]] = d[i];
+    state_.motion.u[system_.compliance->dof_of_interface_dof()[static_cast<std::size_t>(i)]] = d[i];
   }
   PointsOfZones all(1);
   for (const auto& point : points_)

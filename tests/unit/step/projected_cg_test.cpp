@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Conjugate gradients over forces that may not pull.
-#include "rubato/step/projected_cg.hpp"
+#include "rubato/step/interface/projected_cg.hpp"
 
 #include <gtest/gtest.h>
 

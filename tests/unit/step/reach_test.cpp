@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/reach.hpp"
+#include "rubato/step/common/reach.hpp"
 
 #include <gtest/gtest.h>
 

@@ -113,7 +113,7 @@ TEST(ContinuedState, KeepsTheShapeAndTakesItsAccelerationFromTheNewBalance) {
     EXPECT_NEAR(balance[dof], 0, 1e-9 * 1e7);
 }
 
-/// Held by the same load, a static equilibrium stays one.
+/// Frozen by the same load, a static equilibrium stays one.
 TEST(ContinuedState, OfAnEquilibriumStaysAtRestWithItsContactForces) {
   const std::vector<deck::Setting> gentle{{"loads.0.nodal_force.y", "-1e5"}};
   Walk pressed(test::two_beams, and_static(gentle));

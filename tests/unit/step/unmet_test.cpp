@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // An attempt that fails names the criterion that is not met and the point where it is furthest from it.
-#include "rubato/step/contact_evaluator.hpp"
+#include "rubato/step/common/contact_evaluator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ protected:
   }
   StepReport report() const {
     StepReport report;
-    side_->collect_restless(held_, before_, now_, report);
+    side_->collect_status_changes(held_, before_, now_, report);
     side_->name_unmet(held_, &before_, now_, report);
     return report;
   }
@@ -37,7 +37,7 @@ protected:
 
   test::Walk walk_;
   std::optional<EffectiveSystem> system_;
-  Held held_;
+  Frozen held_;
   std::optional<ContactEvaluator> side_;
   ContactIterate before_, now_;
   std::size_t point_ = 0;
@@ -99,7 +99,7 @@ TEST(APointThatNothingEverFaced, IsNotLost) {
   test::Walk walk(test::block_on_plane, {{"mesh.generate.1.rectangle.from", "[0.4, -1]"}});
   auto system = make_effective_system(walk.model, walk.scheme, walk.length());
   const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {});
-  const Held held(walk.model.zones.size());
+  const Frozen held(walk.model.zones.size());
   const auto now = side.at(walk.state(), held);
   EXPECT_FALSE(now.points[0].front().kinematics && now.points[0].back().kinematics);
   StepReport report;
@@ -118,7 +118,7 @@ StepReport failure_of(const std::vector<deck::Setting>& changes) {
 TEST(ASingularMatrix, IsNamed) {
   StepReport report;
   report.outcome = Outcome::singular_matrix;
-  name_unbalance(report);
+  name_residual_growth(report);
   ASSERT_EQ(report.unmet.size(), 1U);
   EXPECT_EQ(report.unmet[0].criterion, Criterion::singular);
 }

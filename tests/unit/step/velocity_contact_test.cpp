@@ -50,9 +50,9 @@ struct Approaching : testing::Test {
     const auto frames = contact::velocity_frames(neighbours, {&model.mesh, &model.dofs, &rest, &rest},
                                                  velocity, law, standing);
     const VectorXd moved = law.step * (law.theta * end + (1 - law.theta)) * velocity;
-    const auto points = contact::evaluate_in_held_frames(frames, model.zones[0],
-                                                         VectorXd::Zero(model.zones[0].multiplier_count()),
-                                                         {&model.mesh, &model.dofs, &moved, &rest});
+    const auto points = contact::evaluate_in_frozen_frames(frames, model.zones[0],
+                                                           VectorXd::Zero(model.zones[0].multiplier_count()),
+                                                           {&model.mesh, &model.dofs, &moved, &rest});
     return points[5].variables;
   }
 };

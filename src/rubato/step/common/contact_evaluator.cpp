@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/common/contact_evaluator.hpp"
+
+#include "rubato/contact/spring_friction.hpp"
+#include "rubato/contact/springs.hpp"
+#include "rubato/core/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::step {
+namespace {
+
+using contact::PointEvaluation;
+using contact::Status;
+using Eigen::VectorXd;
+using model::Model;
+
+/// Penetration in edges beyond which a projection may be on any face.
+constexpr double deep_in_edges = 0.5;
+
+/// A point on the border of two faces may belong to either; its place is the same.
+double move_on_master(const contact::Pair& here, const contact::Pair& there) {
+  return here.master_face != there.master_face ? 0.0
+                                               : (here.projection.clamped - there.projection.clamped).norm();
+}
+
+/// Obstacles have no coordinates on them, their curvature is all that a place changes.
+double turn_of_normal(const PointEvaluation& here, const PointEvaluation& there) {
+  return (here.kinematics->normal - there.kinematics->normal).norm();
+}
+
+/// Before the first step every point may have the status of one that touches, also where nothing faces it.
+bool touches(const contact::ZoneState& zone, std::size_t point) {
+  return zone.status[point] != Status::open && point < zone.outcomes.size() &&
+         std::isfinite(zone.outcomes[point].gap);
+}
+
+/// Counts a point that does not meet a criterion, and keeps the one that is furthest from it.
+void take(std::optional<Unmet>& worst, const Unmet& found) {
+  const int count = worst ? worst->count + 1 : 1;
+  if (!worst || !(found.value * worst->allowed <= worst->value * found.allowed))
+    worst = found;
+  worst->count = count;
+}
+
+/// The statuses a solve starts with, where a point can have them.
+void keep_given_status(const contact::Zone& zone, const std::vector<PointEvaluation>& points,
+                       const std::vector<Status>& given, std::vector<Status>& status) {
+  status.assign(points.size(), Status::open);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].kinematics && !zone.points[i].excluded)
+      status[i] = given[i];
+}
+
+/// Of the last step. At its end nodes without mass may have any velocity: they swing about this one.
+VectorXd mean_velocity(const State& state, const contact::VelocityLaw& law) {
+  return state.motion.v - (1 - law.theta) * law.step * state.motion.a;
+}
+
+/// Where points that are closed stand; others have to close their gaps first.
+std::vector<double> activation_gaps(const contact::ZoneState& zone) {
+  std::vector<double> gaps(zone.status.size(), 0.0);
+  for (std::size_t i = 0; i < zone.outcomes.size(); ++i)
+    if (zone.status[i] != Status::open)
+      gaps[i] = zone.outcomes[i].activation_gap;
+  return gaps;
+}
+
+} // namespace
+
+ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                                   const State& committed, const RetrySettings& variant)
+    : model_(model), system_(system), committed_(committed), variant_(variant), coefficients_(system.zones) {
+  for (std::size_t z = 0; z < coefficients_.size(); ++z)
+    contact::scale_augmentations(model.zones[z], variant.normal_multiple, variant.tangential_multiple,
+                                 coefficients_[z]);
+  if (!scheme.nonsmooth)
+    return;
+  const contact::Configuration start{&model.mesh,         &model.dofs, &committed.motion.u,
+                                     &committed.motion.u, committed.t, committed.t};
+  const contact::VelocityLaw law{system.step, scheme.beta, !model.massless_nodes.empty()};
+  const VectorXd velocity = law.massless ? mean_velocity(committed, law) : committed.motion.v;
+  for (std::size_t z = 0; z < system.neighbours.size(); ++z) {
+    activation_gaps_.push_back(activation_gaps(committed.zones[z]));
+    frames_.push_back(
+        contact::velocity_frames(system.neighbours[z], start, velocity, law, activation_gaps_.back()));
+  }
+}
+
+contact::ZoneLaw ContactEvaluator::law_of(std::size_t zone, const Frozen& frozen) const {
+  return {&model_.zones[zone], &coefficients_[zone],
+          variant_.friction_part * model_.zones[zone].settings.friction, frozen[zone].thresholds};
+}
+
+ContactIterate ContactEvaluator::at(const State& trial, const Frozen& frozen) const {
+  ContactIterate iterate;
+  evaluate(trial, frozen, iterate);
+  return iterate;
+}
+
+contact::Configuration ContactEvaluator::at_end(const State& trial) const {
+  return {&model_.mesh, &model_.dofs, &trial.motion.u, &committed_.motion.u, trial.t, committed_.t};
+}
+
+/// `measure` takes points of a zone whose frames move to the configuration.
+template <class Measure>
+void ContactEvaluator::measure_by(const Measure& measure, const State& trial, const Frozen& frozen,
+                                  ContactIterate& into) const {
+  const auto configuration = at_end(trial);
+  into.points.resize(model_.zones.size());
+  into.status.resize(model_.zones.size());
+  if (std::ranges::any_of(model_.zones, contact::rubs_by_springs))
+    into.u = trial.motion.u;
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    const auto& zone = model_.zones[z];
+    if (has_frozen_frames(z, frozen))
+      contact::evaluate_in_frozen_frames(frames_.empty() ? frozen[z].frames : frames_[z], zone,
+                                         trial.zones[z].multipliers, configuration, into.points[z]);
+    else
+      measure(z, configuration);
+    const auto& given = frozen[z].status.empty() ? trial.zones[z].status : frozen[z].status;
+    keep_given_status(zone, into.points[z], given, into.status[z]);
+  }
+}
+
+void ContactEvaluator::evaluate(const State& trial, const Frozen& frozen, ContactIterate& into) const {
+  const auto all = [&](std::size_t z, const auto& configuration) {
+    contact::evaluate(system_.neighbours[z], trial.zones[z].multipliers, configuration, into.points[z]);
+  };
+  measure_by(all, trial, frozen, into);
+}
+
+void ContactEvaluator::measure(const State& trial, const Frozen& frozen, ContactIterate& into) const {
+  const auto all = [&](std::size_t z, const auto& configuration) {
+    contact::measure(system_.neighbours[z], trial.zones[z].multipliers, configuration, into.points[z]);
+  };
+  measure_by(all, trial, frozen, into);
+}
+
+void ContactEvaluator::measure(const State& trial, const Frozen& frozen,
+                               std::span<const std::vector<std::size_t>> points,
+                               ContactIterate& iterate) const {
+  const auto some = [&](std::size_t z, const auto& configuration) {
+    contact::measure(system_.neighbours[z], trial.zones[z].multipliers, configuration, points[z],
+                     iterate.points[z]);
+  };
+  measure_by(some, trial, frozen, iterate);
+}
+
+void ContactEvaluator::differentiate(const State& trial, const Frozen& frozen, std::size_t zone,
+                                     std::size_t point, ContactIterate& iterate) const {
+  if (!has_frozen_frames(zone, frozen))
+    contact::differentiate(model_.zones[zone], point, at_end(trial), iterate.points[zone][point]);
+}
+
+bool ContactEvaluator::is_out_of_reach(const ContactIterate& now) const {
+  bool all_face = true;
+  for (std::size_t z = 0; z < now.points.size(); ++z) {
+    const double deep = -deep_in_edges * model_.zones[z].edge();
+    for (const auto& point : now.points[z]) {
+      if (point.kinematics && point.variables.gap < deep)
+        return true;
+      all_face = all_face && point.kinematics;
+    }
+  }
+  return !all_face && most_are_lost(now);
+}
+
+/// Some may have slid off the master.
+bool ContactEvaluator::most_are_lost(const ContactIterate& now) const {
+  int touching = 0;
+  int lost = 0;
+  for (std::size_t z = 0; z < now.points.size(); ++z)
+    for (std::size_t i = 0; i < now.points[z].size(); ++i) {
+      if (!touches(committed_.zones[z], i) || model_.zones[z].points[i].excluded)
+        continue;
+      ++touching;
+      lost += now.points[z][i].kinematics ? 0 : 1;
+    }
+  return 2 * lost > touching;
+}
+
+void ContactEvaluator::start_iterations() const {
+  for (auto& neighbours : system_.neighbours)
+    neighbours.forget_visits();
+}
+
+bool ContactEvaluator::release_beyond_borders() const {
+  bool any = false;
+  for (auto& neighbours : system_.neighbours)
+    any = neighbours.release_beyond_borders() || any;
+  return any;
+}
+
+void ContactEvaluator::renew_status(const Frozen& frozen, const ContactIterate& before,
+                                    ContactIterate& now) const {
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    if (!frozen[z].status.empty())
+      continue;
+    now.status[z] = contact::wanted_status(law_of(z, frozen), now.points[z]);
+    if (contact::rubs_by_springs(model_.zones[z]))
+      contact::stick_in_passing(law_of(z, frozen), {before.points[z], before.status[z]},
+                                {now.points[z], now.status[z]}, model_.dofs, now.u - before.u, now.status[z]);
+  }
+}
+
+std::vector<std::vector<double>> ContactEvaluator::friction_stiffness(const Frozen& frozen,
+                                                                      const ContactIterate& now) const {
+  std::vector<std::vector<double>> stiffness;
+  for (std::size_t z = 0; z < now.points.size(); ++z)
+    stiffness.push_back(contact::friction_stiffness(law_of(z, frozen), now.points[z], now.status[z]));
+  return stiffness;
+}
+
+void ContactEvaluator::collect_status_changes(const Frozen& frozen, const ContactIterate& before,
+                                              const ContactIterate& now, StepReport& report) const {
+  report.status_changes = 0;
+  report.changing_points.clear();
+  for (std::size_t z = 0; z < now.status.size(); ++z)
+    for (std::size_t i = 0; frozen[z].status.empty() && i < now.status[z].size(); ++i)
+      if (now.status[z][i] != before.status[z][i]) {
+        ++report.status_changes;
+        report.changing_points.push_back({static_cast<int>(z), model_.zones[z].points[i].nodes.front(),
+                                          before.status[z][i], now.status[z][i]});
+      }
+}
+
+bool ContactEvaluator::settled(const Frozen& frozen, const ContactIterate& before,
+                               const ContactIterate& now) const {
+  return !moving_projection(frozen, before, now) && !open_gap(frozen, now);
+}
+
+void ContactEvaluator::name_unmet(const Frozen& frozen, const ContactIterate* before,
+                                  const ContactIterate& now, StepReport& report) const {
+  const auto add = [&](const std::optional<Unmet>& unmet) {
+    if (unmet)
+      report.unmet.push_back(*unmet);
+  };
+  add(lost_point(before, now));
+  name_status_changes(report);
+  if (before != nullptr)
+    add(moving_projection(frozen, *before, now));
+  add(open_gap(frozen, now));
+}
+
+void ContactEvaluator::finish(const Frozen& frozen, const ContactIterate& iterate, State& trial) const {
+  trial.friction_force = VectorXd::Zero(trial.motion.u.size());
+  trial.moved_out.clear();
+  for (std::size_t z = 0; z < iterate.status.size(); ++z) {
+    trial.zones[z].status = iterate.status[z];
+    trial.zones[z].outcomes = contact::outcomes(law_of(z, frozen), iterate.points[z], iterate.status[z]);
+    contact::add_friction_force(iterate.points[z], trial.zones[z].outcomes, model_.dofs,
+                                trial.friction_force);
+    trial.moved_out.push_back(moved_out(z, iterate, at_end(trial)));
+  }
+  if (!frames_.empty())
+    measure_places(trial);
+}
+
+std::vector<double> ContactEvaluator::moved_out(std::size_t z, const ContactIterate& iterate,
+                                                const contact::Configuration& configuration) const {
+  std::vector<double> moved;
+  const auto& before = committed_.zones[z].outcomes;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!(before[i].gap < 0) || iterate.status[z][i] == Status::open || !before[i].normal.isZero(0))
+      continue;
+    const auto& k = *iterate.points[z][i].kinematics;
+    const Eigen::Vector3d way =
+        k.stencil.sum([&](auto node) { return configuration.increment(node); }) - k.obstacle_displacement;
+    moved.resize(before.size(), 0.0);
+    moved[i] = k.normal.dot(way);
+  }
+  return moved;
+}
+
+/// Results tell where points are, not how fast they part.
+void ContactEvaluator::measure_places(State& trial) const {
+  std::vector<PointEvaluation> points;
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    contact::measure(system_.neighbours[z], trial.zones[z].multipliers, at_end(trial), points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      trial.zones[z].outcomes[i].gap = points[i].variables.gap;
+      trial.zones[z].outcomes[i].slip = points[i].variables.slip;
+      trial.zones[z].outcomes[i].activation_gap = activation_gaps_[z][i];
+    }
+  }
+}
+
+std::optional<Unmet> ContactEvaluator::moving_projection(const Frozen& frozen, const ContactIterate& before,
+                                                         const ContactIterate& now) const {
+  std::optional<Unmet> worst;
+  for (std::size_t z = 0; z < now.points.size(); ++z)
+    for (std::size_t i = 0; frozen[z].frames.empty() && i < now.points[z].size(); ++i) {
+      if (now.status[z][i] == Status::open)
+        continue;
+      const auto& here = now.points[z][i];
+      const auto& there = before.points[z][i];
+      const double moved =
+          model_.zones[z].obstacle ? turn_of_normal(here, there) : move_on_master(here.pair, there.pair);
+      if (!(moved <= tolerances.settled_projection))
+        take(worst, {Criterion::projection, static_cast<int>(z), named_node(z, i), moved,
+                     tolerances.settled_projection});
+    }
+  return worst;
+}
+
+std::optional<Unmet> ContactEvaluator::open_gap(const Frozen& frozen, const ContactIterate& now) const {
+  std::optional<Unmet> worst;
+  for (std::size_t z = 0; z < now.points.size(); ++z) {
+    const auto& zone = model_.zones[z];
+    if (!contact::closes_gaps(zone))
+      continue;
+    const double allowed = tolerances.closed_gap * zone.edge();
+    const auto check = [&](double gap, mesh::NodeIndex node) {
+      if (!(gap <= allowed))
+        take(worst, {Criterion::gap, static_cast<int>(z), node, gap, allowed});
+    };
+    if (!zone.points_own_multipliers) {
+      const auto mean = contact::largest_mean_gap(law_of(z, frozen), now.points[z], now.status[z]);
+      check(mean.value, zone.slave.nodes[static_cast<std::size_t>(mean.position)]);
+      continue;
+    }
+    for (std::size_t i = 0; i < now.points[z].size(); ++i)
+      if (now.status[z][i] != Status::open)
+        check(std::abs(now.points[z][i].variables.gap), named_node(z, i));
+  }
+  return worst;
+}
+
+/// A law of velocities has frames for the points that touch in this step only: none of the others is lost.
+std::optional<Unmet> ContactEvaluator::lost_point(const ContactIterate* before,
+                                                  const ContactIterate& now) const {
+  std::optional<Unmet> lost;
+  for (std::size_t z = 0; frames_.empty() && z < now.points.size(); ++z)
+    for (std::size_t i = 0; i < now.points[z].size(); ++i) {
+      const bool touched =
+          touches(committed_.zones[z], i) || (before != nullptr && before->status[z][i] != Status::open);
+      if (touched && !now.points[z][i].kinematics && !model_.zones[z].points[i].excluded)
+        take(lost, {Criterion::point_lost, static_cast<int>(z), named_node(z, i), 1, 0});
+    }
+  if (lost)
+    lost->value = lost->count;
+  return lost;
+}
+
+mesh::NodeIndex ContactEvaluator::named_node(std::size_t zone, std::size_t point) const {
+  return model_.zones[zone].points[point].nodes.front();
+}
+
+} // namespace rubato::step

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/common/effective_system.hpp"
+
+#include "rubato/contact/springs.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/core/tolerances.hpp"
+#include "rubato/linalg/memory.hpp"
+#include "rubato/step/full/linear_step.hpp"
+#include "rubato/time/step_control.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace rubato::step {
+
+using model::Model;
+using model::SparseMatrix;
+
+namespace {
+
+std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix,
+                                            const std::function<void(std::size_t)>& tell_memory) {
+  try {
+    return linalg::SplitFactor::of(matrix, surface_unknowns(model), linalg::available_memory(), tell_memory);
+  } catch (const linalg::TooLargeForMemory& error) {
+    throw InputError(
+        fmt::format("the model is too large for this machine: with its {} unknowns {}; expected a "
+                    "coarser mesh or cells of lower order, or more memory",
+                    model.reduction.unknown_count(), error.what()));
+  }
+}
+
+/// The diagonal of the matrix of the step that the deck asks for, of which those that are made are parts.
+Eigen::VectorXd usual_diagonal(const Model& model, const time::Scheme& scheme) {
+  const auto& settings = model.study.time;
+  double step = settings.step;
+  if (step <= 0) {
+    auto listed = settings;
+    listed.stops.clear();
+    const auto instants = time::instants_of(listed);
+    step = instants.at(1) - instants.at(0);
+  }
+  const auto coefficients = time::coefficients_of(scheme, step);
+  Eigen::VectorXd diagonal = coefficients.stiffness * model.domain.initial_tangent().diagonal();
+  if (coefficients.mass != 0)
+    diagonal += coefficients.mass * model.mass.diagonal();
+  if (coefficients.damping != 0 && model.damping.nonZeros() > 0)
+    diagonal += coefficients.damping * model.damping.diagonal();
+  return diagonal;
+}
+
+/// Of the bodies that only contact holds.
+template <class Take> void for_each_free_dof(const Model& model, const Take& take) {
+  for (const auto node : model.free_body_nodes)
+    for (int i = 0; i < model.dofs.components; ++i)
+      take(model.dofs.dof(node, i));
+}
+
+/// Of all weak springs of free bodies together, in parts of the largest stiffness at one of their nodes.
+/// Stiffer ones take more iterations to let go of what they carry, weaker ones lose digits of the elastic
+/// displacements.
+constexpr double weakest = 1e-7;
+constexpr double stiffest = 1e-5;
+/// Edges by which the loads move bodies against their weak springs: about as far as frames of contact tell
+/// where it presses.
+constexpr double moved_edges = 3;
+/// Augmentation of a point, in parts of all weak springs.
+constexpr double augmented_by = 10;
+/// Instants that the loads are looked at.
+constexpr int load_samples = 100;
+
+/// The largest load on free bodies in the run.
+double largest_load(const Model& model) {
+  const auto& time = model.study.time;
+  double largest = 0;
+  for (int i = 0; i <= load_samples; ++i) {
+    const double t = time.begin + (time.end - time.begin) * i / load_samples;
+    const Eigen::VectorXd force = model::external_force(model, t);
+    double sum = 0;
+    for_each_free_dof(model, [&](int dof) { sum += std::abs(force[dof]); });
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// Returns how stiff they are together.
+double add_weak_springs(const Model& model, EffectiveSystem& system) {
+  system.has_free_bodies = true;
+  double edge = std::numeric_limits<double>::infinity();
+  for (const auto& zone : model.zones)
+    edge = std::min(edge, zone.edge());
+  double largest = 0;
+  for_each_free_dof(model, [&](int dof) { largest = std::max(largest, system.diagonal[dof]); });
+  const double load = largest_load(model);
+  const double wanted = load > 0 ? load / (moved_edges * edge) : stiffest * largest;
+  const double all = std::clamp(wanted, weakest * largest, stiffest * largest);
+  const double each = all / static_cast<double>(model.free_body_nodes.size());
+  for_each_free_dof(model, [&](int dof) {
+    if (const int free = model.reduction.unknown_of(dof); free >= 0)
+      system.matrix.coeffRef(free, free) += each;
+  });
+  return all;
+}
+
+/// What only leads to the answer follows the step at hand. Springs are part of the model: stiffer ones in a
+/// step that is cut would throw bodies apart that the former ones had let in. A free body that lies on few
+/// points moves by more than the elastic displacements before it comes to rest: augmentations of the
+/// stiffness of the body would open points that press for gaps that are traces of that.
+contact::ZoneCoefficients coefficients_of(const contact::Zone& zone, const Model& model,
+                                          const time::Scheme& scheme, const Eigen::VectorXd& diagonal,
+                                          double weak) {
+  auto coefficients = contact::automatic_coefficients(zone, model.dofs, diagonal);
+  contact::keep_springs(
+      zone, [&] { return contact::automatic_coefficients(zone, model.dofs, usual_diagonal(model, scheme)); },
+      coefficients);
+  if (weak > 0)
+    contact::limit_augmentations(zone, augmented_by * weak, coefficients);
+  return coefficients;
+}
+
+} // namespace
+
+double wanted_residual(const EffectiveSystem& system, double tolerance) {
+  return system.has_free_bodies ? tolerances.free_body_residual * tolerance : tolerance;
+}
+
+EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
+                                      const std::function<void(std::size_t)>& tell_memory) {
+  if (!model.domain.is_linear())
+    throw std::logic_error("the factor of a step length is kept: that needs a linear domain");
+  EffectiveSystem system;
+  system.step = step;
+  system.coefficients = time::coefficients_of(scheme, step);
+  SparseMatrix full = system.coefficients.stiffness * model.domain.initial_tangent();
+  if (system.coefficients.mass != 0)
+    full += system.coefficients.mass * model.mass;
+  if (system.coefficients.damping != 0 && model.damping.nonZeros() > 0)
+    full += system.coefficients.damping * model.damping;
+  system.diagonal = full.diagonal();
+  system.matrix = model.reduction.reduced(full);
+  const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);
+  for (const auto& zone : model.zones) {
+    system.zones.push_back(coefficients_of(zone, model, scheme, system.diagonal, weak));
+    system.neighbours.emplace_back(zone);
+  }
+  if (model.study.solver != study::Solver::full)
+    if (auto factor = factored(model, system.matrix, tell_memory))
+      system.compliance = std::make_unique<Compliance>(std::move(*factor), model.reduction.free_dofs(),
+                                                       static_cast<Eigen::Index>(model.dofs.dof_count));
+  return system;
+}
+
+} // namespace rubato::step

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What all steps of one length share: the effective matrix, factored once, and the contact coefficients that
+/// follow from it.
+#pragma once
+
+#include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/neighbours.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/step/interface/compliance.hpp"
+#include "rubato/time/scheme.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace rubato::step {
+
+struct CondensedScratch;
+
+/// The effective matrix A = m M + c C + k K of one step length, on free dofs. K is the domain's tangent: as A
+/// and its factor serve every step of that length, the domain must be linear.
+///
+/// Bodies that only contact holds have weak springs in it, so that it can be factored. They act on the
+/// correction of an iteration, never on the motion itself: iterations with them are the proximal point
+/// method (Rockafellar 1976), which ends where their forces are gone.
+struct EffectiveSystem {
+  double step = 0;
+  time::StepCoefficients coefficients;
+  model::SparseMatrix matrix;
+  bool has_free_bodies = false; ///< whether there are such springs
+  Eigen::VectorXd diagonal;     ///< of every dof, constrained ones included
+  std::vector<contact::ZoneCoefficients> zones;
+  std::vector<contact::NeighbourList> neighbours; ///< of every zone, kept from one iterate to the next
+  /// The factored matrix; nothing when every iteration solves the whole system.
+  std::unique_ptr<Compliance> compliance;
+  std::shared_ptr<CondensedScratch> scratch; ///< of condensed steps with this matrix
+};
+
+/// Factors the matrix unless the study's solver is full or the matrix is not positive definite, as when only
+/// contact holds a body. Throws InputError before the factorisation when the factor would not fit into the
+/// memory that is left; otherwise `tell_memory` hears then what the factor needs [bytes]. Throws
+/// std::logic_error when the domain is not linear.
+EffectiveSystem make_effective_system(
+    const model::Model& model, const time::Scheme& scheme, double step,
+    const std::function<void(std::size_t)>& tell_memory = [](std::size_t) {});
+
+/// The residual that iterations are to come below, if they can: what weak springs still carry displaces whole
+/// bodies.
+double wanted_residual(const EffectiveSystem& system, double tolerance);
+
+} // namespace rubato::step

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/common/equilibrium.hpp"
+
+#include "rubato/contact/springs.hpp"
+#include "rubato/core/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rubato::step {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using model::Model;
+
+/// sum += factor |matrix| values
+void add_magnitudes(double factor, const model::SparseMatrix& matrix, const VectorXd& values, VectorXd& sum) {
+  for (int column = 0; column < matrix.outerSize(); ++column)
+    for (model::SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+      sum[entry.row()] += factor * std::abs(entry.value()) * values[entry.col()];
+}
+
+VectorXd history_forces(const time::Scheme& scheme, const State& committed) {
+  VectorXd history = scheme.forces.before * committed.residual_force;
+  if (scheme.inertia.before != 0)
+    history += scheme.inertia.before * committed.bulk.inertia;
+  if (scheme.damping.before != 0 && committed.bulk.viscous.size() > 0)
+    history += scheme.damping.before * committed.bulk.viscous;
+  return history;
+}
+
+/// Adds the springs of a zone's points to the dofs of their nodes, and the stiffest to those of the master.
+template <class SpringOf>
+void add_springs(const Model& model, const contact::Zone& zone, const SpringOf& spring_of,
+                 VectorXd& stiffness) {
+  const auto add = [&](mesh::NodeIndex node, double spring) {
+    stiffness.segment(model.dofs.dof(node, 0), model.dofs.components).array() += spring;
+  };
+  double stiffest = 0;
+  for (std::size_t i = 0; i < zone.points.size(); ++i) {
+    const auto& point = zone.points[i];
+    const double spring = spring_of(i);
+    stiffest = std::max(stiffest, spring);
+    for (std::size_t n = 0; n < point.nodes.size(); ++n)
+      add(point.nodes[n], std::abs(point.shape[n]) * spring);
+  }
+  for (const auto node : zone.master.nodes)
+    add(node, stiffest);
+}
+
+} // namespace
+
+ContactStiffness contact_stiffness(const Model& model, const EffectiveSystem& system,
+                                   const std::vector<std::vector<double>>& friction) {
+  ContactStiffness stiffness{system.diagonal, VectorXd::Zero(system.diagonal.size())};
+  for (std::size_t z = 0; z < model.zones.size(); ++z) {
+    const auto& zone = model.zones[z];
+    add_springs(
+        model, zone, [&](std::size_t i) { return contact::spring_stiffness(zone, system.zones[z], i); },
+        stiffness.by_position);
+    add_springs(
+        model, zone, [&](std::size_t i) { return friction[z][i]; }, stiffness.by_displacement);
+  }
+  return stiffness;
+}
+
+ContactForce::ContactForce(Index dofs)
+    : all(VectorXd::Zero(dofs)), nodal(VectorXd::Zero(dofs)), forgotten(VectorXd::Zero(dofs)) {}
+
+Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+                         const State& committed, double t)
+    : model_(model), scheme_(scheme), system_(system), t_(t), committed_(committed),
+      predicted_(time::predict(scheme, system.step, committed.motion)),
+      predicted_bulk_(time::predict(
+          scheme, system.step, {committed.bulk.internal, committed.bulk.momentum, committed.bulk.inertia})),
+      external_(model::external_force(model, t)), history_(history_forces(scheme, committed)) {}
+
+/// The prediction is a combination of what is known; from there on one evaluation of the domain and one
+/// product with M do.
+void Equilibrium::take_motion(const time::Motion& motion) {
+  const auto& start = committed_.motion.u;
+  bulk_ = {std::move(bulk_.internal), {}, predicted_bulk_.v, predicted_bulk_.a};
+  model_.domain.evaluate({start, motion.u, committed_.t, t_, &predicted_bulk_.u}, committed_.bulk_points,
+                         bulk_points_, {.forces = &bulk_.internal});
+  if (scheme_.dynamic && motion.u != start) {
+    const VectorXd correction = model_.products.mass(motion.a - predicted_.a);
+    bulk_.inertia += correction;
+    bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
+  }
+  if (model_.damping.nonZeros() > 0)
+    bulk_.viscous = model_.damping * motion.v;
+}
+
+void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& contact) {
+  take_motion(motion);
+  inertia_ = scheme_.inertia.now * bulk_.inertia;
+  if (bulk_.viscous.size() > 0)
+    inertia_ += scheme_.damping.now * bulk_.viscous;
+  bulk_residual_ = bulk_.internal - external_;
+  full_residual_ =
+      inertia_ + scheme_.forces.now * bulk_residual_ + scheme_.contact_weight() * contact.all + history_;
+  residual_ = model_.reduction.gather(full_residual_);
+}
+
+void Equilibrium::measure(const time::Motion& motion, const ContactForce& contact, StepReport& report) {
+  VectorXd reference =
+      scheme_.forces.now * external_ - scheme_.contact_weight() * contact.nodal - inertia_ - history_;
+  for (const auto& support : model_.reduction.prescribed())
+    reference[support.dof] -= full_residual_[support.dof];
+  scale_ = reference.lpNorm<Eigen::Infinity>();
+  if (scheme_.dynamic)
+    scale_ = std::max(scale_, bulk_.momentum.lpNorm<Eigen::Infinity>() * system_.coefficients.acceleration *
+                                  system_.step);
+  // Bodies that only obstacles press have neither loads nor reactions.
+  if (scale_ == 0)
+    scale_ = scheme_.contact_weight() * contact.all.lpNorm<Eigen::Infinity>();
+  Index worst = 0;
+  const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
+  // Where nothing but rounding is left there is no force to measure it by: a body that moves without
+  // strain.
+  const double rounding =
+      tolerances.rounding() * system_.diagonal.lpNorm<Eigen::Infinity>() * motion.u.lpNorm<Eigen::Infinity>();
+  report.residual = largest == 0 || std::max(largest, scale_) <= rounding ? 0 : largest / scale_;
+  report.worst_node = residual_.size() > 0
+                          ? model_.node_of(model_.reduction.free_dofs()[static_cast<std::size_t>(worst)])
+                          : -1;
+}
+
+bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiffness& stiffness, double far,
+                                  double tolerance) const {
+  const VectorXd moved = motion.u.cwiseAbs();
+  VectorXd summed = VectorXd::Zero(moved.size());
+  add_magnitudes(system_.coefficients.stiffness, model_.domain.initial_tangent(), moved, summed);
+  if (scheme_.dynamic)
+    add_magnitudes(system_.coefficients.acceleration * scheme_.inertia.now, model_.mass, moved, summed);
+  add_contact(stiffness, far, moved.lpNorm<Eigen::Infinity>(), summed);
+  const VectorXd level = tolerances.rounding() * model_.reduction.gather(summed);
+  return (residual_.array().abs() <= level.array().max(tolerance * scale_)).all();
+}
+
+/// A contact force follows the gap by the stiffness there, and a gap is a difference of places; friction
+/// follows the slip, a difference of displacements.
+void Equilibrium::add_contact(const ContactStiffness& stiffness, double far, double moved,
+                              VectorXd& summed) const {
+  for (const auto& zone : model_.zones)
+    for (const auto* surface : {&zone.master, &zone.slave})
+      for (const auto node : surface->nodes) {
+        const double place = model_.mesh.points[static_cast<std::size_t>(node)].lpNorm<Eigen::Infinity>();
+        for (int i = 0; i < model_.dofs.components; ++i) {
+          const int dof = model_.dofs.dof(node, i);
+          summed[dof] +=
+              stiffness.by_position[dof] * (place + far) + stiffness.by_displacement[dof] * (moved + far);
+        }
+      }
+}
+
+std::vector<WorstNode> Equilibrium::worst() const {
+  std::vector<mesh::NodeIndex> nodes;
+  nodes.reserve(model_.reduction.free_dofs().size());
+  for (const int dof : model_.reduction.free_dofs())
+    nodes.push_back(model_.node_of(dof));
+  return worst_nodes(residual_, nodes, scale_);
+}
+
+void Equilibrium::finish(const ContactForce& contact, State& trial) const {
+  trial.t = t_;
+  trial.bulk = bulk_;
+  trial.bulk_points = bulk_points_;
+  trial.force_scale = scale_;
+  trial.residual_force = bulk_residual_;
+  if (scheme_.remembers_contact())
+    trial.residual_force += contact.all - contact.forgotten;
+  trial.contact_force = contact.all;
+  trial.external_force = external_;
+  trial.reaction = model_.reduction.reaction(full_residual_);
+}
+
+} // namespace rubato::step

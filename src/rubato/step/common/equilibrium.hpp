@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The balance of forces at the end of a step, and how well a motion keeps it.
+#pragma once
+
+#include "rubato/model/model.hpp"
+#include "rubato/step/common/effective_system.hpp"
+#include "rubato/step/report.hpp"
+#include "rubato/step/state.hpp"
+#include "rubato/time/scheme.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace rubato::step {
+
+/// What contact puts on the dofs, internal side [force].
+struct ContactForce {
+  Eigen::VectorXd all;
+  Eigen::VectorXd nodal;     ///< the part of nodal methods: it counts among the applied forces
+  Eigen::VectorXd forgotten; ///< the part that the next step's history has nothing of
+
+  explicit ContactForce(Eigen::Index dofs);
+  /// Calls `add` with each of the vectors that forces of a zone stand in.
+  template <class Add> void for_zone(const contact::Zone& zone, const Add& add) {
+    add(all);
+    if (!zone.settings.history_force)
+      add(forgotten);
+    if (zone.is_nodal())
+      add(nodal);
+  }
+};
+
+/// What forces at each dof follow the surfaces by, at most. On a master every spring of its zone counts as
+/// one that may press on any node. [force/length]
+struct ContactStiffness {
+  Eigen::VectorXd by_position;     ///< the effective matrix's diagonal, and springs that the deck asks for
+  Eigen::VectorXd by_displacement; ///< friction by penalty, which knows of the slips of the step only
+};
+
+/// `friction`: what ContactEvaluator::friction_stiffness gives.
+ContactStiffness contact_stiffness(const model::Model& model, const EffectiveSystem& system,
+                                   const std::vector<std::vector<double>>& friction);
+
+/// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (f_int(u₁) − f_ext) + the weight of contact × f_c + the terms of the
+/// start of the step.
+class Equilibrium {
+public:
+  Equilibrium(const model::Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+              const State& committed, double t);
+
+  void evaluate(const time::Motion& motion, const ContactForce& contact);
+  /// On free dofs.
+  const Eigen::VectorXd& residual() const { return residual_; }
+  /// Fills the report's residual and worst node. Code_Aster's RESI_GLOB_RELA: the largest unbalanced force
+  /// over the largest of reactions and applied forces (inertia, history and the forces of nodal methods among
+  /// them), and of the momentum's rate; the largest contact force where all of these are 0.
+  void measure(const time::Motion& motion, const ContactForce& contact, StepReport& report);
+  /// Whether every entry of the residual is within `tolerance` or no more than what rounding of the forces
+  /// that it sums may leave: 16 units in the last digit of (|A| |u|)_i, A being the effective matrix, and at
+  /// contact nodes of their stiffness times the places or moves that gaps and slips are differences of.
+  /// `far`: what the surfaces' displacements are differences of, where that is known [length].
+  bool within_rounding(const time::Motion& motion, const ContactStiffness& stiffness, double far,
+                       double tolerance) const;
+  /// The nodes where the residual is largest.
+  std::vector<WorstNode> worst() const;
+  /// What the last measure held the residual against [force].
+  double scale() const { return scale_; }
+  /// Stores in `trial` what the next step and the results need.
+  void finish(const ContactForce& contact, State& trial) const;
+
+private:
+  void take_motion(const time::Motion& motion);
+  void add_contact(const ContactStiffness& stiffness, double far, double moved,
+                   Eigen::VectorXd& summed) const;
+
+  const model::Model& model_;
+  const time::Scheme& scheme_;
+  const EffectiveSystem& system_;
+  double t_;
+  const State& committed_;
+  time::Motion predicted_;      ///< where the step ends without any correction
+  time::Motion predicted_bulk_; ///< f_int, M v, M a there
+  BulkForces bulk_;
+  domain::QuadratureStates bulk_points_;
+  Eigen::VectorXd external_;
+  Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
+  Eigen::VectorXd inertia_, bulk_residual_, full_residual_, residual_;
+  double scale_ = 0;
+};
+
+} // namespace rubato::step

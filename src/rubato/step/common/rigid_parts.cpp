@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/common/rigid_parts.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace rubato::step {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using mesh::NodeIndex;
+using model::Model;
+
+/// A spring that a motion moves by less than this part of what it moves others by is not moved at all.
+constexpr double rounding = 1e-12;
+
+Index mode_count(const Model& model) {
+  if (model.study.physics == study::Physics::axisymmetric)
+    return 1;
+  return model.dofs.components == 3 ? 6 : 3;
+}
+
+/// The motions in the span of the columns that do not move `row`.
+void take_out(const VectorXd& row, MatrixXd& motions) {
+  if (motions.cols() == 0)
+    return;
+  const MatrixXd moved = motions.transpose() * row;
+  if (moved.norm() <= rounding * row.norm())
+    return;
+  const MatrixXd turned = Eigen::HouseholderQR<MatrixXd>(moved).householderQ();
+  motions = (motions * turned.rightCols(motions.cols() - 1)).eval();
+}
+
+// Of all bodies, a column each: a few operations a node, as each step asks for them.
+
+void add_axial(std::span<const RigidParts::Lever> levers, const VectorXd& x, MatrixXd& sums) {
+  for (const auto& lever : levers)
+    sums(0, lever.body) += x[lever.dof + 1];
+}
+
+void add_plane(std::span<const RigidParts::Lever> levers, const VectorXd& x, MatrixXd& sums) {
+  for (const auto& [body, dof, arm] : levers) {
+    const double* value = x.data() + dof;
+    double* sum = sums.data() + std::ptrdiff_t{3} * body;
+    sum[0] += value[0];
+    sum[1] += value[1];
+    sum[2] += arm[0] * value[1] - arm[1] * value[0];
+  }
+}
+
+void add_solid(std::span<const RigidParts::Lever> levers, const VectorXd& x, MatrixXd& sums) {
+  for (const auto& [body, dof, arm] : levers) {
+    const double* value = x.data() + dof;
+    double* sum = sums.data() + std::ptrdiff_t{6} * body;
+    sum[0] += value[0];
+    sum[1] += value[1];
+    sum[2] += value[2];
+    sum[3] += arm[1] * value[2] - arm[2] * value[1];
+    sum[4] += arm[2] * value[0] - arm[0] * value[2];
+    sum[5] += arm[0] * value[1] - arm[1] * value[0];
+  }
+}
+
+} // namespace
+
+RigidParts::RigidParts(const Model& model)
+    : model_(&model), number_(model.mesh, model.bulk), bodies_(static_cast<std::size_t>(number_.count())) {
+  place_bodies();
+  find_held();
+  collect_levers();
+  fit_bodies();
+}
+
+/// Centres are means over the nodes, sizes reach from there to the farthest one.
+void RigidParts::place_bodies() {
+  std::vector<int> counts(bodies_.size(), 0);
+  const auto for_each_node = [&](const auto& take) {
+    for (const auto node : model_->dofs.nodes)
+      if (const int body = number_.of(node); body >= 0)
+        take(static_cast<std::size_t>(body), model_->mesh.points[static_cast<std::size_t>(node)]);
+  };
+  for_each_node([&](std::size_t body, const Vector3d& place) {
+    bodies_[body].centre += place;
+    ++counts[body];
+  });
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    bodies_[body].centre /= counts[body];
+  for_each_node([&](std::size_t body, const Vector3d& place) {
+    bodies_[body].size = std::max(bodies_[body].size, (place - bodies_[body].centre).norm());
+  });
+}
+
+/// A node's rows of Z.
+RigidParts::Modes RigidParts::modes_at(NodeIndex node) const {
+  const int components = model_->dofs.components;
+  Modes modes = Modes::Zero(components, mode_count(*model_));
+  if (modes.cols() == 1) { // axisymmetric
+    modes(1, 0) = 1;
+    return modes;
+  }
+  const auto& body = bodies_[static_cast<std::size_t>(number_.of(node))];
+  const Vector3d arm = (model_->mesh.points[static_cast<std::size_t>(node)] - body.centre) / body.size;
+  modes.leftCols(components).setIdentity();
+  for (Index k = components; k < modes.cols(); ++k) {
+    const Vector3d axis = Vector3d::Unit(components == 3 ? k - components : 2);
+    modes.col(k) = axis.cross(arm).head(components);
+  }
+  return modes;
+}
+
+/// By body: independent combinations of its modes that move no spring and no gauge, a column each.
+std::vector<MatrixXd> RigidParts::unresisted() const {
+  const int components = model_->dofs.components;
+  const Index modes = mode_count(*model_);
+  std::vector<MatrixXd> motions(bodies_.size(), MatrixXd::Identity(modes, modes));
+  const auto resist = [&](NodeIndex node, const VectorXd& row) {
+    take_out(row, motions[static_cast<std::size_t>(number_.of(node))]);
+  };
+  for (const auto& spring : model_->springs)
+    if (const auto node = model_->node_of(spring.dof); number_.of(node) >= 0)
+      resist(node, modes_at(node).row(spring.dof % components).transpose());
+  for (const auto& gauge : model_->gauges) {
+    VectorXd row = VectorXd::Zero(modes);
+    for (std::size_t i = 0; i < gauge.nodes.size(); ++i)
+      row += modes_at(gauge.nodes[i]).transpose() *
+             gauge.values.segment(static_cast<Index>(i) * components, components);
+    resist(gauge.nodes.front(), row);
+  }
+  return motions;
+}
+
+/// fit = N (Nᵀ ZᵀZ N)⁻¹ Nᵀ with the unresisted motions in the columns of N.
+void RigidParts::fit_bodies() {
+  const Index modes = mode_count(*model_);
+  std::vector<MatrixXd> grams(bodies_.size(), MatrixXd::Zero(modes, modes));
+  for (const auto node : model_->dofs.nodes)
+    if (const int body = number_.of(node); body >= 0) {
+      const auto rows = modes_at(node);
+      grams[static_cast<std::size_t>(body)] += rows.transpose() * rows;
+    }
+  const auto motions = unresisted();
+  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    const auto& n = motions[body];
+    const MatrixXd gram = n.transpose() * grams[body] * n;
+    bodies_[body].fit = MatrixXd::Zero(modes, modes);
+    if (n.cols() > 0 && !bodies_[body].held)
+      bodies_[body].fit = n * gram.ldlt().solve(n.transpose());
+  }
+}
+
+/// A body is held when supports that do not move leave it no rigid motion: its displacements are
+/// deformations.
+void RigidParts::find_held() {
+  const Index modes = mode_count(*model_);
+  std::vector<MatrixXd> motions(bodies_.size(), MatrixXd::Identity(modes, modes));
+  for (const auto& support : model_->reduction.prescribed()) {
+    const auto node = model_->node_of(support.dof);
+    const int body = number_.of(node);
+    if (support.value == 0 && body >= 0)
+      take_out(modes_at(node).row(support.dof % model_->dofs.components).transpose(),
+               motions[static_cast<std::size_t>(body)]);
+  }
+  for (std::size_t body = 0; body < bodies_.size(); ++body)
+    bodies_[body].held = motions[body].cols() == 0;
+}
+
+void RigidParts::collect_levers() {
+  levers_.reserve(model_->dofs.nodes.size());
+  for (const auto node : model_->dofs.nodes)
+    if (const int number = number_.of(node); number >= 0) {
+      const auto& body = bodies_[static_cast<std::size_t>(number)];
+      if (body.held)
+        continue;
+      const Vector3d arm = (model_->mesh.points[static_cast<std::size_t>(node)] - body.centre) / body.size;
+      levers_.push_back({number, model_->dofs.dof(node, 0), {arm[0], arm[1], arm[2]}});
+    }
+}
+
+MatrixXd RigidParts::resultants(const VectorXd& x) const {
+  MatrixXd sums = MatrixXd::Zero(mode_count(*model_), number_.count());
+  if (sums.rows() == 1)
+    add_axial(levers_, x, sums);
+  else if (sums.rows() == 3)
+    add_plane(levers_, x, sums);
+  else
+    add_solid(levers_, x, sums);
+  return sums;
+}
+
+double RigidParts::work(const MatrixXd& motion, const MatrixXd& force) const {
+  double sum = 0;
+  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    const auto column = static_cast<Index>(body);
+    sum += force.col(column).dot(bodies_[body].fit * motion.col(column));
+  }
+  return sum;
+}
+
+} // namespace rubato::step

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/full/linear_step.hpp"
+
+#include "rubato/core/tolerances.hpp"
+#include "rubato/linalg/direct_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::step {
+namespace {
+
+using contact::Triplets;
+using Eigen::Index;
+using Eigen::VectorXd;
+using Triplet = Eigen::Triplet<double, int>;
+
+/// The contact triplets on free dofs, forces weighted, rows that no free unknown can fulfil replaced by "no
+/// change".
+struct ContactBlocks {
+  Triplets force_by_dof;
+  Triplets force_by_multiplier;
+  Triplets equation_by_dof;
+  Triplets equation_by_multiplier;
+  VectorXd equations;
+};
+
+/// A point between parts that are held has a gap or slip nobody can change: its multiplier stays as it is.
+void fix_unconstrained_multipliers(ContactBlocks& blocks) {
+  VectorXd largest = VectorXd::Zero(blocks.equations.size());
+  for (const auto* triplets : {&blocks.equation_by_dof, &blocks.equation_by_multiplier})
+    for (const auto& entry : *triplets)
+      largest[entry.row()] = std::max(largest[entry.row()], std::abs(entry.value()));
+  std::vector<char> has_multiplier(static_cast<std::size_t>(largest.size()), 0);
+  for (const auto& entry : blocks.equation_by_multiplier)
+    has_multiplier[static_cast<std::size_t>(entry.row())] = 1;
+  const double scale = largest.size() > 0 ? largest.maxCoeff() : 0.0;
+  for (Index row = 0; row < largest.size(); ++row)
+    if (has_multiplier[static_cast<std::size_t>(row)] == 0 && largest[row] <= tolerances.empty_row * scale) {
+      std::erase_if(blocks.equation_by_dof, [&](const Triplet& entry) { return entry.row() == row; });
+      blocks.equation_by_multiplier.emplace_back(static_cast<int>(row), static_cast<int>(row), 1.0);
+      blocks.equations[row] = 0;
+    }
+}
+
+ContactBlocks blocks_of(const LinearProblem& problem) {
+  const auto& system = problem.contact;
+  const auto free = [&](int dof) { return problem.model.reduction.unknown_of(dof); };
+  ContactBlocks blocks;
+  for (const auto& entry : system.force_by_dof)
+    if (free(entry.row()) >= 0 && free(entry.col()) >= 0)
+      blocks.force_by_dof.emplace_back(free(entry.row()), free(entry.col()),
+                                       problem.force_weight * entry.value());
+  for (const auto& entry : system.force_by_multiplier)
+    if (free(entry.row()) >= 0)
+      blocks.force_by_multiplier.emplace_back(free(entry.row()), entry.col(),
+                                              problem.force_weight * entry.value());
+  for (const auto& entry : system.equation_by_dof)
+    if (free(entry.col()) >= 0)
+      blocks.equation_by_dof.emplace_back(entry.row(), free(entry.col()), entry.value());
+  blocks.equation_by_multiplier = system.equation_by_multiplier;
+  blocks.equations = system.equations;
+  fix_unconstrained_multipliers(blocks);
+  return blocks;
+}
+
+} // namespace
+
+std::optional<LinearSolution> solve_full(const LinearProblem& problem) {
+  const auto blocks = blocks_of(problem);
+  const auto free_count = static_cast<int>(problem.matrix.rows());
+  const auto size = free_count + static_cast<int>(blocks.equations.size());
+  Triplets triplets = blocks.force_by_dof;
+  for (const auto& entry : blocks.force_by_multiplier)
+    triplets.emplace_back(entry.row(), free_count + entry.col(), entry.value());
+  for (const auto& entry : blocks.equation_by_dof)
+    triplets.emplace_back(free_count + entry.row(), entry.col(), entry.value());
+  for (const auto& entry : blocks.equation_by_multiplier)
+    triplets.emplace_back(free_count + entry.row(), free_count + entry.col(), entry.value());
+  model::SparseMatrix contact_part(size, size);
+  contact_part.setFromTriplets(triplets.begin(), triplets.end());
+  model::SparseMatrix whole = problem.matrix;
+  whole.conservativeResize(size, size);
+  whole += contact_part;
+
+  const auto factor = linalg::LuFactor::of(whole);
+  if (!factor)
+    return std::nullopt;
+  VectorXd right(size);
+  right << -problem.residual, -blocks.equations;
+  const VectorXd solution = factor->solve(right);
+  return LinearSolution{solution.head(free_count), solution.tail(blocks.equations.size())};
+}
+
+std::vector<int> surface_unknowns(const model::Model& model) {
+  std::vector<int> unknowns;
+  for (const auto& zone : model.zones)
+    for (const auto* surface : {&zone.master, &zone.slave})
+      for (const auto node : surface->nodes)
+        for (int i = 0; i < model.dofs.components; ++i)
+          if (const int free = model.reduction.unknown_of(model.dofs.dof(node, i)); free >= 0)
+            unknowns.push_back(free);
+  std::ranges::sort(unknowns);
+  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+  return unknowns;
+}
+
+} // namespace rubato::step

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/full/whole_system.hpp"
+
+#include "rubato/step/full/linear_step.hpp"
+#include "rubato/step/interface/projected_cg.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rubato::step {
+namespace {
+
+using Eigen::VectorXd;
+using model::Model;
+
+} // namespace
+
+WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                         const State& committed, double t, const ContactEvaluator& side, Pulse& pulse)
+    : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
+      equilibrium_(model, scheme, system, committed, t),
+      contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {}
+
+std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
+  report_ = {};
+  report_.tolerance = model_.study.newton.residual;
+  side_.start_iterations();
+  return std::nullopt;
+}
+
+void WholeSystem::evaluate(const State& trial, const Frozen& frozen, int iteration) {
+  evaluate_contact(trial, frozen, iteration);
+  equilibrium_.evaluate(trial.motion, force_);
+  equilibrium_.measure(trial.motion, force_, report_);
+}
+
+std::optional<Outcome> WholeSystem::close(State& trial, const Frozen& frozen) {
+  equilibrium_.finish(force_, trial);
+  side_.finish(frozen, now_, trial);
+  return Outcome::converged;
+}
+
+int WholeSystem::points_in_contact() const {
+  std::ptrdiff_t count = 0;
+  for (const auto& zone : now_.status)
+    count += std::ranges::count_if(zone, [](auto status) { return status != contact::Status::open; });
+  return static_cast<int>(count);
+}
+
+StepReport WholeSystem::ended(Outcome outcome, const Frozen& frozen) {
+  report_.outcome = outcome;
+  if (report_.failed()) {
+    report_.worst = equilibrium_.worst();
+    if (outcome != Outcome::not_finite)
+      side_.name_unmet(frozen, report_.iterations > 0 ? &previous_ : nullptr, now_, report_);
+    name_residual_growth(report_);
+  }
+  return report_;
+}
+
+void WholeSystem::evaluate_contact(const State& trial, const Frozen& frozen, int iteration) {
+  std::swap(previous_, now_);
+  side_.evaluate(trial, frozen, now_);
+  if (iteration > 0)
+    side_.renew_status(frozen, previous_, now_);
+  contact_ = contact::ContactSystem(trial.motion.u.size(), model_.multiplier_count);
+  force_ = ContactForce(trial.motion.u.size());
+  for (std::size_t z = 0; z < model_.zones.size(); ++z)
+    add_zone(z, frozen);
+  force_.all = contact_.force;
+}
+
+void WholeSystem::add_zone(std::size_t z, const Frozen& frozen) {
+  const VectorXd before = contact_.force;
+  contact::add_contributions(side_.law_of(z, frozen), now_.points[z], now_.status[z], model_.dofs,
+                             model_.multiplier_offsets[z], contact_);
+  force_.for_zone(model_.zones[z], [&](VectorXd& part) { part += contact_.force - before; });
+}
+
+bool WholeSystem::is_settled(const State& trial, const Frozen& frozen) {
+  side_.collect_status_changes(frozen, previous_, now_, report_);
+  const bool stalled = stall_.stalls(report_.residual);
+  if (report_.status_changes > 0 || !side_.settled(frozen, previous_, now_))
+    return false;
+  const double wanted = wanted_residual(system_, report_.tolerance);
+  const bool balanced = report_.residual <= wanted || (stalled && report_.residual <= report_.tolerance);
+  if (!balanced && !(stalled && within_rounding(trial, frozen)))
+    return false;
+  report_.rounding = balanced ? 0 : report_.residual;
+  return !side_.release_beyond_borders();
+}
+
+bool WholeSystem::within_rounding(const State& trial, const Frozen& frozen) const {
+  const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(frozen, now_));
+  return equilibrium_.within_rounding(trial.motion, stiffness, 0, report_.tolerance);
+}
+
+std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen&, double part) {
+  const LinearProblem problem{model_, system_.matrix, scheme_.contact_weight(), contact_,
+                              equilibrium_.residual()};
+  std::optional<LinearSolution> solution;
+  if (finds_forces(model_))
+    solution = solve_projected_cg(problem, system_.compliance.get(), now_.points, trial.zones, pulse_);
+  else
+    solution = solve_full(problem);
+  if (!solution || !solution->displacement.allFinite() || !solution->multipliers.allFinite())
+    return pulse_.stopped() ? Outcome::interrupted : Outcome::singular_matrix;
+  const VectorXd d = model_.reduction.scatter(part * solution->displacement);
+  time::correct(system_.coefficients, d, trial.motion);
+  for (std::size_t z = 0; z < model_.zones.size(); ++z)
+    trial.zones[z].multipliers += part * solution->multipliers.segment(model_.multiplier_offsets[z],
+                                                                       model_.zones[z].multiplier_count());
+  return std::nullopt;
+}
+
+} // namespace rubato::step

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Motion and contact of one implicit step solved for together, with whatever the outer loops freeze.
+///
+/// Geometry, friction threshold and contact status that no loop holds are re-evaluated in every iteration;
+/// the tangent is exact. Unknowns are the free displacements and the contact multipliers:
+///   [A + f₁ ∂f_c/∂u   f₁ ∂f_c/∂λ] [d ]     [residual ]
+///   [  ∂e/∂u            ∂e/∂λ   ] [dλ] = − [equations]
+#pragma once
+
+#include "rubato/step/common/contact_evaluator.hpp"
+#include "rubato/step/common/equilibrium.hpp"
+#include "rubato/step/pulse.hpp"
+
+#include <optional>
+
+namespace rubato::step {
+
+class WholeSystem {
+public:
+  /// Everything must outlive this.
+  WholeSystem(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+              const State& committed, double t, const ContactEvaluator& side, Pulse& pulse);
+
+  // As NewtonSystem asks (common/newton.hpp).
+  std::optional<Outcome> start(State& trial, const Frozen& frozen);
+  void evaluate(const State& trial, const Frozen& frozen, int iteration);
+  bool is_finite() const { return equilibrium_.residual().allFinite(); }
+  bool is_settled(const State& trial, const Frozen& frozen);
+  std::optional<Outcome> close(State& trial, const Frozen& frozen);
+  std::optional<Outcome> correct(State& trial, const Frozen& frozen, double part);
+  const ContactIterate& iterate() const { return now_; }
+  int points_in_contact() const;
+  double force_norm() const { return force_.all.norm(); }
+  StepReport& report() { return report_; }
+  StepReport ended(Outcome outcome, const Frozen& frozen);
+
+private:
+  void evaluate_contact(const State& trial, const Frozen& frozen, int iteration);
+  void add_zone(std::size_t zone, const Frozen& frozen);
+  bool within_rounding(const State& trial, const Frozen& frozen) const;
+
+  const model::Model& model_;
+  const time::Scheme& scheme_;
+  EffectiveSystem& system_;
+  const ContactEvaluator& side_;
+  Pulse& pulse_;
+  Equilibrium equilibrium_;
+  contact::ContactSystem contact_;
+  ContactForce force_;
+  ContactIterate now_, previous_;
+  StepReport report_;
+  StallWatch stall_;
+};
+
+} // namespace rubato::step

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What a bulk that keeps its effective matrix A answers to forces on its contact surfaces: A factored once,
+/// and the surface compliance S = B A⁻¹ Bᵀ, B picking the contact unknowns. S of a body is computed when
+/// first asked for: whole, or of large surfaces some columns only, as few contact points are ever active.
+#pragma once
+
+#include "rubato/linalg/split_factor.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace rubato::step {
+
+/// A force on one displacement of the surface.
+struct ForceAt {
+  int interface_dof = 0;
+  double force = 0;
+};
+
+class Compliance {
+public:
+  /// Surfaces of bodies up to this size have S computed whole: three seconds at most.
+  static constexpr Eigen::Index usual_largest_whole = 5000;
+
+  /// `free_dofs`: the dof of every unknown; `dofs`: how many there are.
+  Compliance(linalg::SplitFactor factor, std::span<const int> free_dofs, Eigen::Index dofs,
+             Eigen::Index largest_whole = usual_largest_whole);
+
+  const linalg::SplitFactor& factor() const { return factor_; }
+  /// A⁻¹ force
+  Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factor_.solve(force); }
+
+  /// The unknowns of the surfaces; an index in this list is called an interface dof.
+  const std::vector<int>& surface() const { return factor_.surface(); }
+  const std::vector<int>& dof_of_interface_dof() const { return dofs_; }
+  /// −1 for dofs that are held or not on a surface.
+  const std::vector<int>& interface_dof_of_dof() const { return interface_dofs_; }
+
+  /// S for these unknowns, which must lie on the surfaces.
+  Eigen::MatrixXd between_unknowns(std::span<const int> unknowns);
+  /// S for these interface dofs.
+  Eigen::MatrixXd between(std::span<const int> interface_dofs);
+  /// The same for interface dofs that all lie on the body of the first.
+  Eigen::MatrixXd within_body(std::span<const int> interface_dofs);
+  /// d += factor S force, one an interface dof; cheap where most of the force is zero.
+  void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
+  /// The same with the force given by its entries.
+  void add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
+
+  /// What a unit force at an interface dof moves of its body, computed when first asked for.
+  const double* column(int interface_dof);
+  /// What it moves itself.
+  double own(int interface_dof) {
+    return column(interface_dof)[interface_dof - first_of_body(body_of(interface_dof))];
+  }
+
+private:
+  int body_of(int interface_dof) const { return body_of_[static_cast<std::size_t>(interface_dof)]; }
+  int first_of_body(int body) const { return factor_.body_starts()[static_cast<std::size_t>(body)]; }
+  const Eigen::MatrixXd& whole(std::size_t body);
+  void compute(int body, Eigen::Index place);
+
+  linalg::SplitFactor factor_;
+  Eigen::Index largest_whole_;
+  std::vector<int> dofs_;
+  std::vector<int> interface_dofs_;
+  std::vector<int> interface_dof_of_unknown_;
+  std::vector<int> body_of_;       ///< by interface dof
+  std::vector<Eigen::MatrixXd> s_; ///< by body: empty until used
+  std::vector<char> known_;        ///< by interface dof: whether its column is computed
+};
+
+} // namespace rubato::step

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/interface/condensed.hpp"
+
+#include "rubato/core/tolerances.hpp"
+#include "rubato/step/interface/projected_cg.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rubato::step {
+namespace {
+
+using contact::Status;
+using Eigen::Index;
+using Eigen::VectorXd;
+using model::Model;
+
+/// Surface residual at which free bodies take a new base, whose full residual decides. Counted from one that
+/// carries the contact forces, the rest of the way loses no digits.
+constexpr double nearly_balanced = 1e-6;
+
+/// Nothing of an attempt before is seen but the storage it left.
+CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme, int components) {
+  if (!system.scratch)
+    system.scratch = std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(),
+                                                        components, system.has_free_bodies);
+  system.scratch->forget();
+  return *system.scratch;
+}
+
+} // namespace
+
+CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components,
+                                   bool free_bodies)
+    : surface(compliance), points(compliance, surface, force_weight),
+      predictor(compliance, force_weight, components, free_bodies) {}
+
+void CondensedScratch::forget() {
+  surface.forget();
+  points.forget();
+  predictor.predictor.forget();
+}
+
+bool can_condense(const Model& model, const EffectiveSystem& system) {
+  return system.compliance && !model.zones.empty() && !finds_forces(model);
+}
+
+std::optional<Start> other_start(const Model& model, const EffectiveSystem& system) {
+  const bool predicts =
+      can_condense(model, system) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
+        return zone.settings.status.by == study::Iteration::newton;
+      });
+  if (!predicts)
+    return std::nullopt;
+  return starts_from_prediction(model, Start::usual) ? Start::last_step : Start::predicted;
+}
+
+Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                     const State& committed, double t, const ContactEvaluator& side, Pulse& pulse)
+    : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
+      equilibrium_(model, scheme, system, committed, t),
+      scratch_(scratch_of(system, scheme, model.dofs.components)), scale_(committed.force_scale),
+      reach_(reach_of(model, system)), surface_(model, scheme, system) {}
+
+std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
+  report_ = {};
+  report_.tolerance = model_.study.newton.residual;
+  if (!started_) {
+    start_from(trial);
+    if (!equilibrium_.residual().allFinite())
+      return Outcome::not_finite;
+    side_.start_iterations();
+    if (starts_from_prediction(model_, side_.variant().start))
+      predict_contact(trial, frozen);
+    if (pulse_.stopped())
+      return Outcome::interrupted;
+  }
+  if (!system_.has_free_bodies)
+    side_.start_iterations();
+  reach_.start();
+  return std::nullopt;
+}
+
+/// The bulk is solved for; where that leaves too much, the iterations go on from there.
+std::optional<Outcome> Condensed::close(State& trial, const Frozen& frozen) {
+  surface_.move_bulk(trial);
+  const auto force = contact_force();
+  if (in_equilibrium(trial, frozen, force)) {
+    equilibrium_.finish(force, trial);
+    side_.finish(frozen, now(), trial);
+    return Outcome::converged;
+  }
+  if (!equilibrium_.residual().allFinite())
+    return Outcome::not_finite;
+  if (system_.has_free_bodies)
+    surface_.start_from(trial.motion, equilibrium_.residual(), Condensed::force());
+  else
+    start_from(trial);
+  return std::nullopt;
+}
+
+StepReport Condensed::ended(Outcome outcome, const Frozen& frozen) {
+  report_.outcome = outcome;
+  if (report_.failed()) {
+    report_.worst = equilibrium_.residual().allFinite() ? worst_on_surface() : equilibrium_.worst();
+    if (outcome != Outcome::not_finite)
+      side_.name_unmet(frozen, report_.iterations > 0 ? &previous() : nullptr, now(), report_);
+    name_residual_growth(report_);
+  }
+  return report_;
+}
+
+std::vector<WorstNode> Condensed::worst_on_surface() const {
+  std::vector<mesh::NodeIndex> nodes;
+  for (const int dof : system_.compliance->dof_of_interface_dof())
+    nodes.push_back(model_.node_of(dof));
+  const VectorXd left = scheme_.contact_weight() * (force() - surface_.applied);
+  return worst_nodes(left, nodes, surface_scale());
+}
+
+void Condensed::start_from(const State& trial) {
+  started_ = true;
+  surface_.start_from(trial.motion, equilibrium_);
+}
+
+void Condensed::predict_contact(State& trial, const Frozen& frozen) {
+  step::predict_contact({model_, system_, side_, frozen, equilibrium_, pulse_}, surface_, reach_,
+                        scratch_.predictor, now(), trial);
+  // Only points that are predicted are followed, and not those that take part of others' multipliers.
+  measured_ = std::ranges::all_of(frozen, [](const FrozenZone& zone) { return zone.status.empty(); }) &&
+              std::ranges::none_of(model_.zones, &contact::Zone::shares_multipliers);
+}
+
+void Condensed::evaluate(const State& trial, const Frozen& frozen, int iteration) {
+  if (!measured_) {
+    std::swap(previous(), now());
+    side_.measure(trial, frozen, now());
+  }
+  measured_ = false;
+  if (iteration > 0)
+    side_.renew_status(frozen, previous(), now());
+  collect_forces(frozen);
+}
+
+void Condensed::collect_forces(const Frozen& frozen) {
+  scratch_.in_contact.clear();
+  scratch_.force.setZero(surface_.free.size());
+  const auto& interface_dof = system_.compliance->interface_dof_of_dof();
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    const auto law = side_.law_of(z, frozen);
+    for (std::size_t i = 0; i < now().status[z].size(); ++i) {
+      const auto status = now().status[z][i];
+      if (status == Status::open)
+        continue;
+      const auto& point = now().points[z][i];
+      const Eigen::Vector3d force = contact::force_of(law, i, point, status);
+      scratch_.in_contact.push_back({z, i, status, force});
+      point.kinematics->stencil.scatter(force, model_.dofs, interface_dof, scratch_.force);
+    }
+  }
+}
+
+bool Condensed::is_settled(const State& trial, const Frozen& frozen) {
+  side_.collect_status_changes(frozen, previous(), now(), report_);
+  measure_surface();
+  const bool stalled = surface_stall_.stalls(report_.residual);
+  if (!surface_.consistent || report_.status_changes > 0 || !side_.settled(frozen, previous(), now()))
+    return false;
+  const double wanted =
+      system_.has_free_bodies ? std::max(nearly_balanced, report_.tolerance) : report_.tolerance;
+  const bool balanced = report_.residual <= wanted || (stalled && surface_within_rounding(trial, frozen));
+  // A free body that is let go of hops anew, by its whole weight; the border's place is off by a trace of a
+  // face.
+  return balanced && (system_.has_free_bodies || !side_.release_beyond_borders());
+}
+
+/// A force follows the gap by the stiffness there, and gaps are differences of places; friction follows
+/// slips, which are differences of moves. Both contain the free motion, of which contact takes most back.
+bool Condensed::surface_within_rounding(const State& trial, const Frozen& frozen) const {
+  const auto& dofs = system_.compliance->dof_of_interface_dof();
+  double reach = 0;
+  double moved = 0;
+  for (const int dof : dofs) {
+    const auto& place = model_.mesh.points[static_cast<std::size_t>(model_.node_of(dof))];
+    reach = std::max(reach, place.lpNorm<Eigen::Infinity>() + std::abs(trial.motion.u[dof]));
+    moved = std::max(moved, std::abs(trial.motion.u[dof]));
+  }
+  const double far = surface_.free.lpNorm<Eigen::Infinity>();
+  const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(frozen, now()));
+  const double allowed = report_.tolerance * surface_scale();
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    const double left = scheme_.contact_weight() *
+                        std::abs(force()[static_cast<Index>(i)] - surface_.applied[static_cast<Index>(i)]);
+    const double level =
+        stiffness.by_position[dofs[i]] * (reach + far) + stiffness.by_displacement[dofs[i]] * (moved + far);
+    if (left > std::max(allowed, tolerances.rounding() * level))
+      return false;
+  }
+  return true;
+}
+
+/// Until the bulk has been solved for, forces are measured by what they were measured by in the last step.
+double Condensed::surface_scale() const {
+  return std::max(scale_, scheme_.contact_weight() * force().lpNorm<Eigen::Infinity>());
+}
+
+void Condensed::measure_surface() {
+  Index worst = 0;
+  const double largest =
+      force().size() > 0 ? scheme_.contact_weight() * (force() - surface_.applied).cwiseAbs().maxCoeff(&worst)
+                         : 0.0;
+  report_.residual = largest == 0 ? 0 : largest / surface_scale();
+  if (force().size() > 0)
+    report_.worst_node =
+        model_.node_of(system_.compliance->dof_of_interface_dof()[static_cast<std::size_t>(worst)]);
+}
+
+/// How the points in contact answer, in their linear system.
+void Condensed::linearise(const State& trial, const Frozen& frozen) {
+  auto& points = scratch_.points;
+  points.clear();
+  for (const auto& point : scratch_.in_contact) {
+    side_.differentiate(trial, frozen, point.zone, point.index, now());
+    contact::factor_response(side_.law_of(point.zone, frozen), point.index,
+                             now().points[point.zone][point.index], point.status, model_.dofs,
+                             points.add(point.zone, point.index, shares_of(point.zone, point.index)));
+  }
+  add_open_points(frozen);
+}
+
+/// Those that share multipliers with others.
+void Condensed::add_open_points(const Frozen& frozen) {
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    if (!model_.zones[z].shares_multipliers())
+      continue;
+    const auto law = side_.law_of(z, frozen);
+    for (std::size_t i = 0; i < now().status[z].size(); ++i)
+      if (now().status[z][i] == Status::open)
+        scratch_.points.add_open(shares_of(z, i), contact::open_equations(law, i, now().points[z][i]));
+  }
+}
+
+/// None of a point that owns its multipliers.
+std::span<const MultiplierShare> Condensed::shares_of(std::size_t z, std::size_t index) {
+  const auto& zone = model_.zones[z];
+  auto& shares = scratch_.shares;
+  shares.clear();
+  if (!zone.shares_multipliers())
+    return shares;
+  const auto& point = zone.points[index];
+  for (std::size_t j = 0; j < point.multipliers.size(); ++j)
+    shares.push_back({model_.multiplier_offsets[z] + point.multipliers[j] * zone.multipliers_per_node(),
+                      point.multiplier_shape[j]});
+  return shares;
+}
+
+std::optional<Outcome> Condensed::correct(State& trial, const Frozen& frozen, double part) {
+  linearise(trial, frozen);
+  const auto change =
+      system_.has_free_bodies
+          ? scratch_.points.solve(surface_.free - surface_.moved, surface_.beyond_carried(force()))
+          : scratch_.points.solve(surface_.free - surface_.moved, force());
+  if (!change)
+    return Outcome::singular_matrix;
+  VectorXd next = force();
+  scratch_.points.add_force(*change, next);
+  VectorXd move = -surface_.moved;
+  std::swap(surface_.applied, next);
+  surface_.move(trial);
+  move += surface_.moved;
+  if (system_.has_free_bodies)
+    part *= reach_.part_of(part * move);
+  surface_.consistent = part == 1;
+  if (!surface_.consistent) {
+    surface_.applied = next + part * (surface_.applied - next);
+    surface_.moved -= (1 - part) * move;
+    surface_.place(trial);
+  }
+  correct_own_multipliers(*change, move, part, trial);
+  correct_shared_multipliers(*change, part, trial);
+  if (!surface_.moved.allFinite())
+    return Outcome::singular_matrix;
+  return std::nullopt;
+}
+
+/// `moved`: how far the whole change moves the surface. Open points have no multipliers in the end.
+void Condensed::correct_own_multipliers(const InterfaceNewtonSystem::Change& change, const VectorXd& moved,
+                                        double part, State& trial) const {
+  const auto of_point = [&](std::size_t z, int count, std::size_t i) {
+    return trial.zones[z].multipliers.segment(model_.zones[z].points[i].node_position * count, count);
+  };
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    const int count = model_.zones[z].owns_multipliers() ? model_.zones[z].multipliers_per_node() : 0;
+    for (std::size_t i = 0; count > 0 && i < now().status[z].size(); ++i)
+      if (now().status[z][i] == Status::open)
+        of_point(z, count, i) *= 1 - part;
+  }
+  const auto& points = scratch_.points;
+  for (const auto& point : points.points())
+    if (const int count = point.response.multipliers(); count > 0 && point.shares.empty())
+      of_point(point.zone, count, point.index) += part * points.multipliers_of(point, change, moved);
+}
+
+void Condensed::correct_shared_multipliers(const InterfaceNewtonSystem::Change& change, double part,
+                                           State& trial) const {
+  scratch_.points.for_each_shared(change, [&](int multiplier, double by) {
+    const auto after = std::ranges::upper_bound(model_.multiplier_offsets, multiplier);
+    const auto zone = static_cast<std::size_t>(after - model_.multiplier_offsets.begin()) - 1;
+    trial.zones[zone].multipliers[multiplier - model_.multiplier_offsets[zone]] += part * by;
+  });
+}
+
+ContactForce Condensed::contact_force() const {
+  ContactForce force(surface_.base.u.size());
+  for (const auto& point : scratch_.in_contact) {
+    const auto& stencil = now().points[point.zone][point.index].kinematics->stencil;
+    force.for_zone(model_.zones[point.zone],
+                   [&](VectorXd& part) { stencil.scatter(point.force, model_.dofs, part); });
+  }
+  return force;
+}
+
+bool Condensed::within_rounding(const State& trial, const Frozen& frozen) const {
+  const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(frozen, now()));
+  return equilibrium_.within_rounding(trial.motion, stiffness, surface_.free.lpNorm<Eigen::Infinity>(),
+                                      report_.tolerance);
+}
+
+bool Condensed::in_equilibrium(const State& trial, const Frozen& frozen, const ContactForce& force) {
+  equilibrium_.evaluate(trial.motion, force);
+  equilibrium_.measure(trial.motion, force, report_);
+  scale_ = equilibrium_.scale();
+  const double wanted = wanted_residual(system_, report_.tolerance);
+  residual_grew_ = residual_grew_ || report_.residual >= last_residual_;
+  last_residual_ = report_.residual;
+  if (report_.residual <= wanted || (report_.residual <= report_.tolerance && residual_grew_))
+    return true;
+  if (!bulk_stall_.stalls(report_.residual) || !within_rounding(trial, frozen))
+    return false;
+  report_.rounding = report_.residual;
+  return true;
+}
+
+} // namespace rubato::step

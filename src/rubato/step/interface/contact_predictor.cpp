@@ -1,0 +1,455 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/interface/contact_predictor.hpp"
+
+#include "rubato/linalg/dense_cholesky.hpp"
+#include "rubato/step/interface/active_set.hpp"
+#include "rubato/step/interface/friction_cones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rubato::step {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+/// Along the slips of a point.
+using Tangential = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
+
+constexpr int most_sweeps = 50;
+/// Change in a sweep, in parts of the largest force, that a prediction needs no better than.
+constexpr double good_enough = 1e-2;
+constexpr int most_sets = 30;
+/// Points that the forces of others push into the master join in so many rounds.
+constexpr int most_rounds = 8;
+/// Misfit of forces and motions where frames are held, in parts of the largest force, of free bodies.
+constexpr double well_balanced = 1e-3;
+/// Those join first that are pushed in by this part of the deepest.
+constexpr double deep = 0.6;
+
+/// F of matrix F + values = 0 among those of a set.
+VectorXd solve_among(std::span<const int> set, const MatrixXd& matrix, const VectorXd& values) {
+  const auto size = static_cast<Index>(set.size());
+  MatrixXd among(size, size);
+  VectorXd right(size);
+  for (Index j = 0; j < size; ++j) {
+    const int of = set[static_cast<std::size_t>(j)];
+    right[j] = -values[of];
+    for (Index i = 0; i < size; ++i)
+      among(i, j) = matrix(set[static_cast<std::size_t>(i)], of);
+  }
+  return linalg::solve_positive_definite(std::move(among), std::move(right));
+}
+
+/// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle. Whether it
+/// does.
+bool normal_active_set(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Pulse& pulse) {
+  VectorXd forces = settled;
+  VectorXd open = gaps;
+  open.noalias() += matrix * forces;
+  std::vector<int> set;
+  set.reserve(static_cast<std::size_t>(forces.size()));
+  for (int round = 0; round < most_sets && pulse.beat(); ++round) {
+    set.clear();
+    for (Index k = 0; k < forces.size(); ++k)
+      if (matrix(k, k) > 0 && (forces[k] > 0 || (forces[k] == 0 && open[k] < 0)))
+        set.push_back(static_cast<int>(k));
+    const VectorXd pressed = solve_among(set, matrix, gaps);
+    forces.setZero();
+    for (std::size_t k = 0; k < set.size(); ++k)
+      forces[set[k]] = pressed[static_cast<Index>(k)];
+    open = gaps;
+    open.noalias() += matrix * forces;
+    for (const int k : set)
+      open[k] = 0;
+    if ((forces.array() >= 0).all() && (open.array() >= 0).all()) {
+      settled = forces;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The same between bounds.
+void tresca_active_set(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits,
+                       VectorXd& settled, Pulse& pulse) {
+  VectorXd forces = settled;
+  VectorXd moved = slips;
+  moved.noalias() += matrix * forces;
+  VectorXd next, held;
+  std::vector<int> sticking;
+  sticking.reserve(static_cast<std::size_t>(forces.size()));
+  for (int round = 0; round < most_sets && pulse.beat(); ++round) {
+    sticking.clear();
+    next.setZero(forces.size()); // at the bounds first
+    for (Index k = 0; k < forces.size(); ++k) {
+      const double pulled = forces[k] - moved[k] / std::max(matrix(k, k), 1e-300);
+      if (matrix(k, k) > 0 && std::abs(pulled) < limits[k])
+        sticking.push_back(static_cast<int>(k));
+      else
+        next[k] = std::copysign(limits[k], pulled);
+    }
+    held = slips;
+    held.noalias() += matrix * next;
+    const VectorXd pulled_back = solve_among(sticking, matrix, held);
+    if (!pulled_back.allFinite()) // points that say the same
+      return;
+    for (std::size_t k = 0; k < sticking.size(); ++k)
+      next[sticking[k]] = pulled_back[static_cast<Index>(k)];
+    const bool same = (next - forces).lpNorm<Eigen::Infinity>() <= 1e-9 * limits.maxCoeff();
+    forces = next;
+    moved = slips;
+    moved.noalias() += matrix * forces;
+    if (same) {
+      settled = forces;
+      return;
+    }
+  }
+}
+
+} // namespace
+
+Vector3d measures_of(const PredictorPoint& point, const VectorXd& d) {
+  return point.value + point.frame.transpose() * point.stencil.gather(d);
+}
+
+void add_force(std::span<const PredictorPoint> points, int first, int last, VectorXd& force) {
+  for (const auto& point : points) {
+    if (point.force[0] == 0)
+      continue;
+    Vector3d in_space = Vector3d::Zero();
+    for (int a = first; a <= last; ++a)
+      in_space += point.force[a] * point.frame.col(a);
+    point.stencil.scatter(in_space, force);
+  }
+}
+
+ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int components, bool to_the_end)
+    : compliance_(compliance), factor_(factor), components_(components), to_the_end_(to_the_end) {}
+
+void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
+                               Pulse& pulse) {
+  forget();
+  VectorXd unpressed = free;
+  add_motion(points, 1, 2, unpressed);
+  for (int round = 0; round < most_rounds && pulse.beat() && choose_more(points, d); ++round) {
+    find_normal_forces(unpressed, pulse);
+    d = unpressed;
+    add_motion(points, 0, 0, d);
+  }
+  d += free - unpressed;
+  find_friction(points, d, pulse);
+  if (to_the_end_ && !sliding_.empty())
+    solve_coupled(points, free, pulse);
+}
+
+/// Of bodies that only contact holds: friction that has been found for pressing forces as they were leaves
+/// gaps of the size of a rigid motion. Those that press are solved for together, then those too that they
+/// push into the master.
+void ContactPredictor::solve_coupled(std::span<PredictorPoint> points, const VectorXd& free, Pulse& pulse) {
+  std::vector<PredictorPoint*> together;
+  for (int round = 0; round < most_rounds && pulse.beat(); ++round) {
+    VectorXd d = free;
+    add_motion(points, 0, 2, d);
+    if (misfit_by_point_compliance(points, d) <= well_balanced || !join(points, d, together))
+      return;
+    VectorXd forces(static_cast<Index>(together.size()) * components_);
+    for (std::size_t k = 0; k < together.size(); ++k)
+      forces.segment(static_cast<Index>(k) * components_, components_) = together[k]->force.head(components_);
+    const auto solved = solve_friction(cones_of(together, free, pulse), forces, pulse);
+    if (!solved)
+      return;
+    for (std::size_t k = 0; k < together.size(); ++k)
+      together[k]->force.head(components_) =
+          solved->segment(static_cast<Index>(k) * components_, components_);
+  }
+}
+
+/// Points that press, and those that penetrate deepest, join others. Whether there are any.
+bool ContactPredictor::join(std::span<PredictorPoint> points, const VectorXd& d,
+                            std::vector<PredictorPoint*>& together) {
+  const std::vector<PredictorPoint*> known = together;
+  double deepest = 0;
+  for (const auto& point : points)
+    if (point.force[0] == 0)
+      deepest = std::min(deepest, measures_of(point, d)[0]);
+  for (auto& point : points)
+    if (std::ranges::find(known, &point) == known.end()) {
+      const double gap = measures_of(point, d)[0];
+      if (point.force[0] > 0 || (gap < 0 && gap <= deep * deepest))
+        together.push_back(&point);
+    }
+  return together.size() > known.size();
+}
+
+FrictionCones ContactPredictor::cones_of(std::span<PredictorPoint* const> together, const VectorXd& free,
+                                         Pulse& pulse) {
+  const auto count = static_cast<Index>(together.size());
+  const Index size = count * components_;
+  FrictionCones cones{MatrixXd(size, size), VectorXd(size), VectorXd(count)};
+  for (Index k = 0; k < count && pulse.beat(); ++k) {
+    const auto& point = *together[static_cast<std::size_t>(k)];
+    cones.values.segment(k * components_, components_) = measures_of(point, free).head(components_);
+    cones.friction[k] = point.friction;
+    for (Index a = 0; a < components_; ++a) {
+      push(point, static_cast<int>(a));
+      for (Index i = 0; i < count; ++i) {
+        const auto& seeing = *together[static_cast<std::size_t>(i)];
+        cones.matrix.col(k * components_ + a).segment(i * components_, components_) =
+            (seeing.frame.transpose() * seeing.stencil.gather(moved_)).head(components_);
+      }
+    }
+    auto diagonal = cones.matrix.diagonal().segment(k * components_, components_);
+    diagonal[0] += point.penalty_compliance;
+    diagonal.tail(components_ - 1).array() += point.tangential_compliance;
+  }
+  return cones;
+}
+
+/// The largest gap or slip that forces do not fit, as a force on the point's own surface, in parts of the
+/// largest force.
+double ContactPredictor::misfit_by_point_compliance(std::span<const PredictorPoint> points,
+                                                    const VectorXd& d) const {
+  double misfit = 0;
+  double largest = 0;
+  for (const auto& point : points) {
+    const Vector3d measures = measures_of(point, d);
+    const double gap = measures[0] + point.penalty_compliance * point.force[0];
+    misfit = std::max(misfit, (point.force[0] > 0 ? std::abs(gap) : -gap) / point.point_compliance);
+    largest = std::max(largest, point.force[0]);
+    const Eigen::Vector2d slip = measures.tail<2>() + point.tangential_compliance * point.force.tail<2>();
+    Eigen::Vector2d wanted = point.force.tail<2>() - slip / point.point_compliance;
+    if (const double length = wanted.norm(), limit = point.friction * point.force[0]; length > limit)
+      wanted *= limit / length;
+    misfit = std::max(misfit, (wanted - point.force.tail<2>()).norm());
+  }
+  return misfit > 0 ? misfit / largest : 0.0;
+}
+
+double ContactPredictor::misfit(std::span<const PredictorPoint> points, const VectorXd& d) const {
+  double change = 0;
+  double largest = 0;
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    const auto& point = *chosen_[k];
+    const double point_compliance = point_compliance_of(k) + point.penalty_compliance;
+    const double gap = measures_of(point, d)[0] + point.penalty_compliance * point.force[0];
+    if (point_compliance > 0)
+      change =
+          std::max(change, std::abs(std::max(0.0, point.force[0] - gap / point_compliance) - point.force[0]));
+    largest = std::max(largest, point.force[0]);
+  }
+  const Index tangents = components_ - 1;
+  for (std::size_t k = 0; k < sliding_.size(); ++k) {
+    const auto& point = *chosen_[sliding_[k]];
+    const double point_compliance =
+        tangential_compliance_.diagonal().segment(static_cast<Index>(k) * tangents, tangents).maxCoeff();
+    const double limit = point.friction * point.force[0];
+    Eigen::Vector2d wanted = point.force.tail<2>();
+    if (point_compliance > 0)
+      wanted.head(tangents) -= (measures_of(point, d).segment(1, tangents) +
+                                point.tangential_compliance * point.force.segment(1, tangents)) /
+                               point_compliance;
+    if (const double length = wanted.norm(); length > limit)
+      wanted *= limit / length;
+    change = std::max(change, (wanted - point.force.tail<2>()).lpNorm<Eigen::Infinity>());
+  }
+  const double point_compliance = chosen_.empty() ? 0.0 : normal_compliance_.diagonal().maxCoeff();
+  for (const auto& point : points)
+    if (point.force[0] == 0)
+      if (const double gap = measures_of(point, d)[0]; gap < 0)
+        change = std::max(change, point_compliance > 0 ? -gap / point_compliance
+                                                       : std::numeric_limits<double>::infinity());
+  return change > 0 ? change / largest : 0.0;
+}
+
+/// How far a unit pressing force opens its own gap.
+double ContactPredictor::point_compliance_of(std::size_t chosen) const {
+  return normal_compliance_(static_cast<Index>(chosen), static_cast<Index>(chosen));
+}
+
+void ContactPredictor::forget() {
+  chosen_.clear();
+  sliding_.clear();
+  normal_compliance_.resize(0, 0);
+}
+
+/// Moves the surface by some of the forces of all points.
+void ContactPredictor::add_motion(std::span<const PredictorPoint> points, int first, int last, VectorXd& d) {
+  force_.setZero(d.size());
+  add_force(points, first, last, force_);
+  compliance_.add(factor_, force_, d);
+}
+
+/// Points that press, and those that penetrate deepest, join those that are chosen already. Whether there are
+/// any.
+bool ContactPredictor::choose_more(std::span<PredictorPoint> points, const VectorXd& d) {
+  const auto known = static_cast<std::ptrdiff_t>(chosen_.size());
+  const auto is_known = [&](const PredictorPoint& point) {
+    return std::find(chosen_.begin(), chosen_.begin() + known, &point) != chosen_.begin() + known;
+  };
+  gaps_.resize(points.size());
+  double deepest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    gaps_[i] = is_known(points[i]) ? 0.0 : measures_of(points[i], d)[0];
+    deepest = std::min(deepest, gaps_[i]);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if ((gaps_[i] < 0 && gaps_[i] <= deep * deepest) || (points[i].force[0] > 0 && !is_known(points[i])))
+      chosen_.push_back(&points[i]);
+  return static_cast<std::ptrdiff_t>(chosen_.size()) > known;
+}
+
+/// Moves the surface by a unit force along an axis of the frame of a point.
+void ContactPredictor::push(const PredictorPoint& point, int axis) {
+  pushing_.clear();
+  for (const auto& node : point.stencil.nodes)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const int at = node.at[c]; at >= 0)
+        pushing_.push_back({at, node.weight * point.frame(static_cast<Index>(c), axis)});
+  moved_.setZero(static_cast<Index>(compliance_.surface().size()));
+  compliance_.add(factor_, pushing_, moved_);
+}
+
+/// By the rows and columns of the points chosen last.
+void ContactPredictor::add_normal_compliance(Pulse& pulse) {
+  const Index known = normal_compliance_.rows();
+  const auto count = static_cast<Index>(chosen_.size());
+  normal_compliance_.conservativeResize(count, count);
+  for (Index j = known; j < count && pulse.beat(); ++j) {
+    push(*chosen_[static_cast<std::size_t>(j)], 0);
+    for (Index i = 0; i <= j; ++i) {
+      const auto& seeing = *chosen_[static_cast<std::size_t>(i)];
+      normal_compliance_(i, j) = normal_compliance_(j, i) =
+          seeing.frame.col(0).dot(seeing.stencil.gather(moved_));
+    }
+  }
+}
+
+void ContactPredictor::add_tangential_compliance(Pulse& pulse) {
+  const Index tangents = components_ - 1;
+  const auto count = static_cast<Index>(sliding_.size());
+  tangential_compliance_.resize(count * tangents, count * tangents);
+  for (Index j = 0; j < count && pulse.beat(); ++j) {
+    const auto& point = *chosen_[sliding_[static_cast<std::size_t>(j)]];
+    for (Index b = 0; b < tangents; ++b) {
+      push(point, static_cast<int>(1 + b));
+      for (Index i = 0; i <= j; ++i) {
+        const auto& seeing = *chosen_[sliding_[static_cast<std::size_t>(i)]];
+        const Vector3d moved = seeing.stencil.gather(moved_);
+        for (Index a = 0; a < tangents; ++a)
+          tangential_compliance_(i * tangents + a, j * tangents + b) =
+              tangential_compliance_(j * tangents + b, i * tangents + a) = seeing.frame.col(1 + a).dot(moved);
+      }
+      tangential_compliance_(j * tangents + b, j * tangents + b) += point.tangential_compliance;
+    }
+  }
+}
+
+/// `without`: the surface without pressing forces.
+void ContactPredictor::find_normal_forces(const VectorXd& without, Pulse& pulse) {
+  const auto count = static_cast<Index>(chosen_.size());
+  add_normal_compliance(pulse);
+  if (pulse.stopped())
+    return;
+  VectorXd gaps(count);
+  VectorXd forces(count);
+  MatrixXd matrix = normal_compliance_;
+  for (Index k = 0; k < count; ++k) {
+    const auto& point = *chosen_[static_cast<std::size_t>(k)];
+    gaps[k] = measures_of(point, without)[0];
+    forces[k] = point.force[0];
+    matrix(k, k) += point.penalty_compliance;
+  }
+  normal_gauss_seidel(matrix, gaps, forces);
+  if (!normal_active_set(matrix, gaps, forces, pulse) && to_the_end_)
+    solve_complementarity(matrix, gaps, forces, pulse);
+  for (Index k = 0; k < count; ++k)
+    chosen_[static_cast<std::size_t>(k)]->force[0] = forces[k];
+}
+
+/// `without`: the surface under the pressing forces alone.
+void ContactPredictor::find_friction(std::span<PredictorPoint> points, const VectorXd& without,
+                                     Pulse& pulse) {
+  for (auto& point : points)
+    if (point.force[0] == 0 || point.friction == 0)
+      point.force.tail<2>().setZero();
+  sliding_.clear();
+  for (std::size_t k = 0; k < chosen_.size(); ++k)
+    if (chosen_[k]->force[0] > 0 && chosen_[k]->friction > 0)
+      sliding_.push_back(k);
+  if (sliding_.empty())
+    return;
+  const Index tangents = components_ - 1;
+  add_tangential_compliance(pulse);
+  if (pulse.stopped())
+    return;
+  VectorXd slips(tangential_compliance_.rows());
+  VectorXd forces(tangential_compliance_.rows());
+  VectorXd limits(static_cast<Index>(sliding_.size()));
+  for (Index k = 0; k < limits.size(); ++k) {
+    const auto& point = *chosen_[sliding_[static_cast<std::size_t>(k)]];
+    slips.segment(k * tangents, tangents) = measures_of(point, without).segment(1, tangents);
+    forces.segment(k * tangents, tangents) = point.force.segment(1, tangents);
+    limits[k] = point.friction * point.force[0];
+  }
+  tresca_gauss_seidel(tangential_compliance_, slips, limits, static_cast<int>(tangents), forces);
+  if (tangents == 1)
+    tresca_active_set(tangential_compliance_, slips, limits, forces, pulse);
+  for (Index k = 0; k < limits.size(); ++k)
+    chosen_[sliding_[static_cast<std::size_t>(k)]]->force.segment(1, tangents) =
+        forces.segment(k * tangents, tangents);
+}
+
+void normal_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces) {
+  VectorXd open = values;
+  open.noalias() += matrix * forces;
+  for (int round = 0; round < most_sweeps; ++round) {
+    bool turned = false;
+    double largest_change = 0;
+    for (Index i = 0; i < forces.size(); ++i) {
+      if (matrix(i, i) <= 0)
+        continue; // between parts that are held
+      const double wanted = std::max(0.0, forces[i] - open[i] / matrix(i, i));
+      const double change = wanted - forces[i];
+      if (change == 0)
+        continue;
+      turned = turned || (wanted > 0) != (forces[i] > 0);
+      largest_change = std::max(largest_change, std::abs(change));
+      forces[i] = wanted;
+      open += change * matrix.col(i);
+    }
+    if (!turned && largest_change <= good_enough * forces.maxCoeff())
+      return;
+  }
+}
+
+void tresca_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, const VectorXd& limits, int tangents,
+                         VectorXd& forces) {
+  VectorXd slips = values;
+  slips.noalias() += matrix * forces;
+  for (int round = 0; round < most_sweeps; ++round) {
+    double largest_change = 0;
+    for (Index i = 0; i < limits.size(); ++i) {
+      const Index first = i * tangents;
+      const double stiffest = matrix.diagonal().segment(first, tangents).maxCoeff();
+      if (stiffest <= 0)
+        continue;
+      Tangential wanted = forces.segment(first, tangents) - slips.segment(first, tangents) / stiffest;
+      if (const double length = wanted.norm(); length > limits[i])
+        wanted *= limits[i] / length;
+      const Tangential change = wanted - forces.segment(first, tangents);
+      largest_change = std::max(largest_change, change.lpNorm<Eigen::Infinity>());
+      forces.segment(first, tangents) = wanted;
+      for (Index a = 0; a < tangents; ++a)
+        slips += change[a] * matrix.col(first + a);
+    }
+    if (largest_change <= good_enough * limits.maxCoeff())
+      return;
+  }
+}
+
+} // namespace rubato::step

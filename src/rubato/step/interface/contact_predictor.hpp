@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Predicts the active set of a step: which points will touch, stick and slip at its end, and with which
+/// forces. Without it Newton's method releases one row of points an iteration.
+#pragma once
+
+#include "rubato/contact/stencil.hpp"
+#include "rubato/step/interface/compliance.hpp"
+#include "rubato/step/interface/friction_cones.hpp"
+#include "rubato/step/pulse.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace rubato::step {
+
+/// A point that may touch, in a frame that is held. With e = Σ weight · d, how far the surface moves it off
+/// its place on the master, its gap and slips are `value` + frameᵀ e, and its forces F along them put
+/// −weight · frame F on the surface (internal side).
+struct PredictorPoint {
+  std::size_t zone = 0;
+  std::size_t index = 0;            ///< in the zone's points
+  contact::NumberedStencil stencil; ///< on the surface; empty where the point faces nothing
+  Eigen::Matrix3d frame = Eigen::Matrix3d::Identity(); ///< n, τ₁, τ₂
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();     ///< where d = 0 [length]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< pressing ≥ 0, and along the slips [force]
+  double gap = 0;                                      ///< where its frame was measured [length]
+  double penalty_compliance = 0;    ///< penetration a unit of force makes: of penalties [length/force]
+  double tangential_compliance = 0; ///< the same of friction; 0 where it holds exactly [length/force]
+  double friction = 0;              ///< μ
+  double point_compliance =
+      0; ///< what its own surface gives under a unit force, where that is asked for [length/force]
+};
+
+/// Gap and slips with the surface at d.
+Eigen::Vector3d measures_of(const PredictorPoint& point, const Eigen::VectorXd& d);
+
+/// Adds Σ weight · frame F, of the forces from `first` to `last` (0 along the gap, 1 and 2 along the slips),
+/// to `force`, one an interface dof.
+void add_force(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& force);
+
+class ContactPredictor {
+public:
+  /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
+  /// dimensions as `components`. Pressing forces are found `to_the_end` where sweeps and sets at once don't:
+  /// of bodies that only contact holds, each of whose points moves all others by more than its own strain.
+  /// `compliance` must outlive this.
+  ContactPredictor(Compliance& compliance, double factor, int components, bool to_the_end = false);
+
+  /// Improves the forces of the points, which have been measured with the surface at d: first the pressing
+  /// ones, so that no gap is negative, then those along the slips for the pressing ones found, so that none
+  /// exceeds μ times them and slips go against them (Tresca's problem). Points that have no force and don't
+  /// penetrate get none. Both by projected Gauss–Seidel sweeps, then by active sets. What points do to one
+  /// another is computed when they press or penetrate first in a call: kept for the next one, it leads to
+  /// other points that stick.
+  /// Nothing that comes of it counts when the pulse has stopped.
+  void improve(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Eigen::VectorXd d,
+               Pulse& pulse);
+
+  /// How much a sweep would change the forces now that the points have been measured anew and the surface
+  /// is at d, in parts of the largest one. The points must be those of the last call.
+  double misfit(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
+  /// Points and what they do to one another.
+  void forget();
+
+private:
+  void add_motion(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& d);
+  bool choose_more(std::span<PredictorPoint> points, const Eigen::VectorXd& d);
+  void push(const PredictorPoint& point, int axis);
+  void add_normal_compliance(Pulse& pulse);
+  void add_tangential_compliance(Pulse& pulse);
+  void find_normal_forces(const Eigen::VectorXd& without, Pulse& pulse);
+  void find_friction(std::span<PredictorPoint> points, const Eigen::VectorXd& without, Pulse& pulse);
+  FrictionCones cones_of(std::span<PredictorPoint* const> together, const Eigen::VectorXd& free,
+                         Pulse& pulse);
+  static bool join(std::span<PredictorPoint> points, const Eigen::VectorXd& d,
+                   std::vector<PredictorPoint*>& together);
+  void solve_coupled(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Pulse& pulse);
+  double misfit_by_point_compliance(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
+  double point_compliance_of(std::size_t chosen) const;
+
+  Compliance& compliance_;
+  double factor_;
+  Eigen::Index components_;
+  bool to_the_end_;
+  std::vector<PredictorPoint*> chosen_;   ///< those that may touch
+  std::vector<std::size_t> sliding_;      ///< of those chosen
+  Eigen::MatrixXd normal_compliance_;     ///< gaps of chosen points for unit pressing forces on each
+  Eigen::MatrixXd tangential_compliance_; ///< slips of sliding ones for unit friction on each
+  Eigen::VectorXd force_;                 ///< storage of add_motion
+  std::vector<ForceAt> pushing_;          ///< storage of push
+  Eigen::VectorXd moved_;                 ///< of the surface by the last push
+  std::vector<double> gaps_;              ///< storage of choose_more
+};
+
+/// Sweeps on w = values + matrix F,  F ≥ 0, w ≥ 0, F·w = 0, until one changes neither which F are positive
+/// nor any of them by more than a hundredth of the largest. The matrix is symmetric with a positive diagonal.
+void normal_gauss_seidel(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,
+                         Eigen::VectorXd& forces);
+
+/// Sweeps on the minimum of F·values + F·matrix F/2, the forces of a point (`tangents` in a row) no longer
+/// than its limit, likewise.
+void tresca_gauss_seidel(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,
+                         const Eigen::VectorXd& limits, int tangents, Eigen::VectorXd& forces);
+
+} // namespace rubato::step

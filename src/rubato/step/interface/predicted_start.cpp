@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/interface/predicted_start.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace rubato::step {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Frames that the prediction goes through.
+constexpr int most_rounds = 10;
+constexpr int most_rounds_of_free_bodies = 60;
+/// Moves of free bodies, in parts of how far an iteration may move them, that Newton takes over.
+constexpr double at_rest = 1e-5;
+/// Cosine between moves that go one way.
+constexpr double same_way = 0.99;
+/// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
+constexpr double settled = 3e-3;
+/// How far an iteration may move the surfaces of bodies that only contact holds, in edges.
+constexpr double reach_in_edges = 0.5;
+
+/// How far points that may touch have to come at least.
+double nearest_gap(std::span<const PredictorPoint> points) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& point : points)
+    nearest = std::min(nearest, std::max(0.0, point.gap));
+  return points.empty() ? 0 : nearest;
+}
+
+class Prediction {
+public:
+  Prediction(const PredictorSite& site, SurfaceMotion& surface, Reach& reach, PredictorScratch& scratch,
+             ContactIterate& now, State& trial)
+      : site_(site), surface_(surface), reach_(reach), predictor_(scratch.predictor), points_(scratch.points),
+        touching_(scratch.touching), now_(now), trial_(trial), free_bodies_(site.system.has_free_bodies),
+        takes_bases_(free_bodies_ &&
+                     std::ranges::all_of(site.model.zones, &contact::Zone::points_own_multipliers)),
+        rubs_(std::ranges::any_of(site.model.zones,
+                                  [](const auto& zone) { return zone.settings.friction > 0; })) {}
+
+  void run() {
+    begin();
+    const int rounds = takes_bases_ ? most_rounds_of_free_bodies : most_rounds;
+    for (int round = 0; round < rounds; ++round) {
+      predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved, site_.pulse);
+      if (site_.pulse.stopped())
+        return;
+      take_prediction(site_.model, points_, trial_);
+      move(round);
+      follow_frames();
+      if (!surface_.consistent || predictor_.misfit(points_, surface_.moved) > settled)
+        continue;
+      if (!takes_bases_ || surface_.moved.lpNorm<Eigen::Infinity>() <= at_rest * reach_.most())
+        return;
+      take_as_base();
+    }
+  }
+
+private:
+  /// Where the forces of the last step push the surfaces, or where the step starts.
+  void begin() {
+    touching_.resize(site_.model.zones.size());
+    surface_.applied = trial_.contact_force(compliance().dof_of_interface_dof());
+    surface_.move(trial_);
+    site_.side.measure(trial_, site_.frozen, now_);
+    if (free_bodies_ || site_.side.is_out_of_reach(now_)) {
+      surface_.go_to(site_.side.committed().motion, trial_);
+      site_.side.measure(trial_, site_.frozen, now_);
+    }
+    take_points(site_.model, site_.side, site_.frozen, compliance(), now_, surface_.moved, trial_, points_);
+    reach_.start();
+  }
+
+  /// Nothing but contact holds free bodies: forces that don't fit yet move them by their whole size and more.
+  void move(int round) {
+    const VectorXd before = free_bodies_ ? surface_.moved : VectorXd();
+    surface_.applied = force_on_surface(points_, surface_.free.size());
+    surface_.move(trial_);
+    if (free_bodies_)
+      surface_.shorten(
+          before, reach_.part_of(surface_.moved - before, round == 0 ? nearest_gap(points_) : 0.0), trial_);
+  }
+
+  void follow_frames() {
+    find_touching(points_, surface_.moved, touching_);
+    site_.side.measure(trial_, site_.frozen, touching_, now_);
+    move_frames(site_.model, compliance(), now_, surface_.moved, touching_, points_);
+  }
+
+  /// The forces of the springs that hold free bodies are dropped: the motion reached is the new base.
+  void take_as_base() {
+    const double more = still_to_come();
+    const VectorXd moved = (1 + more) * surface_.moved;
+    for (auto& point : points_)
+      point.value = measures_of(point, moved);
+    surface_.move_bulk(trial_);
+    trial_.motion.u += more * (trial_.motion.u - surface_.base.u);
+    surface_.start_from(trial_.motion, site_.equilibrium);
+  }
+
+  /// Moves from base to base that go one way, each the part r of the one before, have r/(1 − r) of the last
+  /// one still to come: no more of them is taken than frames tell about.
+  double still_to_come() {
+    const VectorXd last = std::exchange(last_move_, surface_.moved);
+    if (last.size() == 0 || !rubs_)
+      return 0;
+    const double along = last.dot(surface_.moved);
+    if (along < same_way * last.norm() * surface_.moved.norm())
+      return 0;
+    const double part = along / last.squaredNorm();
+    const double most = reach_.most() / surface_.moved.lpNorm<Eigen::Infinity>();
+    last_move_.resize(0);
+    return part < 1 ? std::min(part / (1 - part), most) : most;
+  }
+
+  Compliance& compliance() { return *site_.system.compliance; }
+
+  const PredictorSite& site_;
+  SurfaceMotion& surface_;
+  Reach& reach_;
+  ContactPredictor& predictor_;
+  std::vector<PredictorPoint>& points_;
+  PointsOfZones& touching_;
+  ContactIterate& now_;
+  State& trial_;
+  bool free_bodies_;
+  bool takes_bases_; ///< where points share multipliers, these take the means of the forces predicted only
+  bool rubs_;
+  VectorXd last_move_; ///< from base to base
+};
+
+} // namespace
+
+PredictorScratch::PredictorScratch(Compliance& compliance, double force_weight, int components,
+                                   bool free_bodies)
+    : predictor(compliance, force_weight, components, free_bodies) {}
+
+Reach reach_of(const model::Model& model, const EffectiveSystem& system) {
+  double edge = std::numeric_limits<double>::infinity();
+  for (const auto& zone : model.zones)
+    edge = std::min(edge, zone.edge());
+  return Reach(system.has_free_bodies ? reach_in_edges * edge : std::numeric_limits<double>::infinity());
+}
+
+void predict_contact(const PredictorSite& site, SurfaceMotion& surface, Reach& reach,
+                     PredictorScratch& scratch, ContactIterate& now, State& trial) {
+  Prediction(site, surface, reach, scratch, now, trial).run();
+}
+
+} // namespace rubato::step

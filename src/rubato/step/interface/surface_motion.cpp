@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/interface/surface_motion.hpp"
+
+namespace rubato::step {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+SurfaceMotion::SurfaceMotion(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system)
+    : model_(model), scheme_(scheme), system_(system) {}
+
+void SurfaceMotion::start_from(const time::Motion& motion, Equilibrium& equilibrium) {
+  equilibrium.evaluate(motion, ContactForce(motion.u.size()));
+  take_base(motion, equilibrium.residual());
+  carried_.resize(0);
+}
+
+void SurfaceMotion::start_from(const time::Motion& motion, const VectorXd& residual, const VectorXd& force) {
+  take_base(motion, residual);
+  carried_ = applied = force;
+}
+
+VectorXd SurfaceMotion::beyond_carried(const VectorXd& force) const {
+  return carried_.size() == 0 ? force : VectorXd(force - carried_);
+}
+
+void SurfaceMotion::take_base(const time::Motion& motion, const VectorXd& residual) {
+  base = motion;
+  half_way_ = system_.compliance->factor().forward(-residual);
+  free = system_.compliance->factor().surface_of(half_way_);
+  moved = applied = VectorXd::Zero(free.size());
+  consistent = true;
+}
+
+void SurfaceMotion::move(State& trial) {
+  moved = free;
+  if (carried_.size() == 0)
+    system_.compliance->add(-scheme_.contact_weight(), applied, moved);
+  else
+    system_.compliance->add(-scheme_.contact_weight(), applied - carried_, moved);
+  place(trial);
+}
+
+void SurfaceMotion::go_to(const time::Motion& motion, State& trial) {
+  const auto& dofs = system_.compliance->dof_of_interface_dof();
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    moved[static_cast<Index>(i)] = motion.u[dofs[i]] - base.u[dofs[i]];
+  place(trial);
+}
+
+void SurfaceMotion::shorten(const VectorXd& before, double part, State& trial) {
+  consistent = part == 1;
+  if (consistent)
+    return;
+  moved = before + part * (moved - before);
+  place(trial);
+}
+
+void SurfaceMotion::place(State& trial) const {
+  const auto& dofs = system_.compliance->dof_of_interface_dof();
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    trial.motion.u[dofs[i]] = base.u[dofs[i]] + moved[static_cast<Index>(i)];
+}
+
+void SurfaceMotion::move_bulk(State& trial) const {
+  const auto& factor = system_.compliance->factor();
+  VectorXd half_way = half_way_;
+  factor.load_surface(-scheme_.contact_weight() * beyond_carried(applied), half_way);
+  const VectorXd d = model_.reduction.scatter(factor.backward(half_way));
+  trial.motion = base;
+  time::correct(system_.coefficients, d, trial.motion);
+}
+
+} // namespace rubato::step
