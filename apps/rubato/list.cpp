@@ -27,6 +27,11 @@ int list() {
   fmt::print("\nFriction methods (contact.ZONE.friction_method)\n");
   for (const auto& method : study::friction_methods)
     fmt::print("  {:<31} {:<36} {}\n", method.name, method.code_aster, method.summary);
+  fmt::print("\nContact points (contact.ZONE.integration)\n");
+  for (const auto& rule : study::contact_integrations)
+    fmt::print("  {:<31} {:<36} {}\n",
+               rule.most_order > 0 ? fmt::format("{}: n", rule.name) : std::string(rule.name),
+               rule.code_aster, rule.summary);
   fmt::print("\nNested levels (contact.ZONE.iterate: geometry, friction, status)\n");
   for (const auto& [name, code_aster, summary] :
        {std::tuple{"newton", "ALGO_RESO_*='NEWTON'", "part of every Newton iteration"},

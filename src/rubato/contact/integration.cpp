@@ -48,6 +48,29 @@ std::vector<IntegrationPoint> triangle_six_points() {
   return points;
 }
 
+std::vector<IntegrationPoint> on_nodes(CellType face, int /*order*/) {
+  return nodal_rule(face);
+}
+
+int any_order(int /*face_order*/) {
+  return 0;
+}
+int one_more(int face_order) {
+  return face_order + 1;
+}
+
+/// In the order of the rules.
+constexpr std::array<Integration, 2> integrations{{
+    {study::ContactIntegration::nodes, &on_nodes, &any_order},
+    {study::ContactIntegration::gauss, &gauss_rule, &one_more},
+}};
+
+} // namespace
+
+const Integration& integration(study::ContactIntegration by) {
+  return integrations[static_cast<std::size_t>(by)];
+}
+
 std::vector<IntegrationPoint> nodal_rule(CellType face) {
   switch (face) {
   case CellType::seg2:
@@ -70,13 +93,9 @@ std::vector<IntegrationPoint> nodal_rule(CellType face) {
   }
 }
 
-} // namespace
-
-std::vector<IntegrationPoint> contact_rule(CellType face, int gauss) {
-  if (gauss == 0)
-    return nodal_rule(face);
+std::vector<IntegrationPoint> gauss_rule(CellType face, int order) {
   std::vector<IntegrationPoint> points;
-  for (const auto& [xi, weight] : cell::gauss_rule(face, gauss))
+  for (const auto& [xi, weight] : cell::gauss_rule(face, order))
     points.push_back({xi.head<2>(), weight, -1, -1});
   return points;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/cell/topology.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
 
@@ -17,14 +18,25 @@ struct IntegrationPoint {
   int stands_for = -1; ///< local node whose exclusion excludes the point too, or −1
 };
 
-/// Points of a face. `gauss` = 0 puts them on the nodes with the weights of the closed Newton–Cotes rule of
-/// the face (Code_Aster's INTEGRATION='AUTO'); TRIA6 and TRIA7 have no such rule with positive weights and
-/// take the six-point Gauss rule, whose i-th point stands for the i-th node. `gauss` = n > 0 gives n Gauss
-/// points a direction.
-std::vector<IntegrationPoint> contact_rule(CellType face, int gauss);
+/// Points of a face: a row of the table of rules.
+struct Integration {
+  study::ContactIntegration by;
+  std::vector<IntegrationPoint> (*points)(CellType face, int order);
+  /// The least order whose points tell the multipliers of a face of that polynomial order apart.
+  int (*least_order)(int face_order);
+};
+const Integration& integration(study::ContactIntegration by);
 
-/// One point on every node. Their weights are contact_rule's where that has them, else equal shares of the
-/// face.
+/// Points on the nodes with the weights of the closed Newton–Cotes rule of the face (Code_Aster's
+/// INTEGRATION='AUTO'). TRIA6 and TRIA7 have no such rule with positive weights and take the six-point Gauss
+/// rule, whose i-th point stands for the i-th node.
+std::vector<IntegrationPoint> nodal_rule(CellType face);
+
+/// `order` Gauss points a direction.
+std::vector<IntegrationPoint> gauss_rule(CellType face, int order);
+
+/// One point on every node, for relations a node. Their areas are nodal_rule's weights where that has points
+/// on all nodes, else equal shares of the face.
 std::vector<IntegrationPoint> node_rule(CellType face);
 
 } // namespace rubato::contact

@@ -206,24 +206,71 @@ double saturation_stiffness(const PointState& point, const PointLaw& law) {
   return law.friction * law.tangential * friction_pressure(point, law);
 }
 
+double product(double value, double multiple) {
+  return value * multiple;
+}
+double first_of(double value, double /*other*/) {
+  return value;
+}
+double second_of(double /*value*/, double other) {
+  return other;
+}
+double smaller(double value, double most) {
+  return std::min(value, most);
+}
+double zero(double /*value*/) {
+  return 0;
+}
+double same(double value) {
+  return value;
+}
+double inverse(double stiffness, double /*exact*/) {
+  return 1 / stiffness;
+}
+
+constexpr Coefficient augmentation{.is_spring = false,
+                                   .scaled = &product,
+                                   .limited = &smaller,
+                                   .at_length = &first_of,
+                                   .stiffness = &zero,
+                                   .compliance = &second_of,
+                                   .rest_gap = &same};
+constexpr Coefficient spring{.is_spring = true,
+                             .scaled = &first_of,
+                             .limited = &first_of,
+                             .at_length = &second_of,
+                             .stiffness = &same,
+                             .compliance = &inverse,
+                             .rest_gap = &zero};
+/// Stiff by the pressure that it limits: μ P k_t.
+constexpr Coefficient saturation{.is_spring = true,
+                                 .scaled = &first_of,
+                                 .limited = &first_of,
+                                 .at_length = &first_of,
+                                 .stiffness = &zero,
+                                 .compliance = &inverse,
+                                 .rest_gap = &zero};
+
 /// In the order of the methods.
 constexpr std::array<NormalLaw, 5> normal_laws{{
-    {ContactMethod::augmented_lagrangian, 1, &presses, &close_by_augmentation, &pressure_of_multiplier},
-    {ContactMethod::penalty, tolerances.penalty_stiffening, &compresses_spring, &close_by_spring,
+    {ContactMethod::augmented_lagrangian, &augmentation, 1, &presses, &close_by_augmentation,
+     &pressure_of_multiplier},
+    {ContactMethod::penalty, &spring, tolerances.penalty_stiffening, &compresses_spring, &close_by_spring,
      &pressure_of_spring},
-    {ContactMethod::nodal_lagrange, 1, &presses, &close_by_augmentation, &pressure_of_multiplier},
-    {ContactMethod::nodal_penalty, tolerances.penalty_stiffening, &compresses_spring, &close_by_spring,
-     &pressure_of_spring},
-    {ContactMethod::nodal_pcg, 1, &has_force, &close_by_multiplier, &pressure_of_multiplier},
+    {ContactMethod::nodal_lagrange, &augmentation, 1, &presses, &close_by_augmentation,
+     &pressure_of_multiplier},
+    {ContactMethod::nodal_penalty, &spring, tolerances.penalty_stiffening, &compresses_spring,
+     &close_by_spring, &pressure_of_spring},
+    {ContactMethod::nodal_pcg, &augmentation, 1, &has_force, &close_by_multiplier, &pressure_of_multiplier},
 }};
 
 constexpr std::array<FrictionLaw, 3> friction_laws{{
-    {FrictionMethod::augmented_lagrangian, &automatic_augmentation, &relative_to_multiplier, &comes_sliding,
-     &rub_by_multiplier, &no_stiffness},
-    {FrictionMethod::penalty, &automatic_penalty, &relative_to_saturation, &never, &rub_by_saturation,
-     &saturation_stiffness},
-    {FrictionMethod::nodal_penalty, &automatic_spring, &relative_to_limit, &never, &rub_by_spring,
-     &no_stiffness},
+    {FrictionMethod::augmented_lagrangian, &augmentation, &automatic_augmentation, &relative_to_multiplier,
+     &comes_sliding, &rub_by_multiplier, &no_stiffness, false, false},
+    {FrictionMethod::penalty, &saturation, &automatic_penalty, &relative_to_saturation, &never,
+     &rub_by_saturation, &saturation_stiffness, true, false},
+    {FrictionMethod::nodal_penalty, &spring, &automatic_spring, &relative_to_limit, &never, &rub_by_spring,
+     &no_stiffness, true, true},
 }};
 
 } // namespace

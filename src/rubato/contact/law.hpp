@@ -81,9 +81,28 @@ struct FrictionPressure {
   Eigen::Matrix<double, 1, 6> derivative = Eigen::Matrix<double, 1, 6>::Zero();
 };
 
+/// What the coefficient of a law is to the answer: an augmentation only leads to it, a spring is part of the
+/// model, gives way and shows.
+struct Coefficient {
+  bool is_spring;
+  /// By a multiple that an attempt at a step is tried with.
+  double (*scaled)(double value, double multiple);
+  /// Taken to at most `most` where it may follow the step at hand.
+  double (*limited)(double value, double most);
+  /// In a step of another length than the usual one, given what the effective matrices of both make of it.
+  double (*at_length)(double here, double usual);
+  /// Of a spring whose stiffness does not depend on the pressure [force/length]; else 0.
+  double (*stiffness)(double value);
+  /// Penetration a unit of force [length/force]; `exact` where none belongs to the answer.
+  double (*compliance)(double stiffness, double exact);
+  /// The gap at which a point presses no more, of one whose gap is `now`.
+  double (*rest_gap)(double now);
+};
+
 /// What sets the normal parts apart: a row each.
 struct NormalLaw {
   study::ContactMethod method;
+  const Coefficient* coefficient;
   double multiple; ///< c or k that is chosen by itself, in units of what the slave side resists
   /// Whether the variables call for contact: T_n > 0.
   bool (*touches)(const PointState&, const PointLaw&);
@@ -95,6 +114,7 @@ struct NormalLaw {
 /// What sets the tangential parts apart: a row each.
 struct FrictionLaw {
   study::FrictionMethod method;
+  const Coefficient* role; ///< of c_t, k_t or E
   /// c_t, k_t or E that is chosen by itself, given what the slave side resists [pressure/length] and the
   /// zone's edge [length].
   double (*coefficient)(double resistance, double edge);
@@ -106,6 +126,11 @@ struct FrictionLaw {
   void (*rub)(const PointState&, Status, const PointLaw&, PointResponse&);
   /// Stiffness of a spring that the pressure makes, while it sticks [pressure/length].
   double (*stiffness)(const PointState&, const PointLaw&);
+  /// Whether points may stick on their way from one slip to the opposite one (spring_friction.hpp).
+  bool sticks_in_passing;
+  /// Which points stick and which slip is often not unique: steps then start from the last one's statuses,
+  /// as other codes do.
+  bool starts_from_last_step;
 };
 
 const NormalLaw& normal_law(study::ContactMethod method);

@@ -54,7 +54,11 @@ struct Passage {
 } // namespace
 
 void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const IterateOfZone& now,
-                      const domain::DofMap& dofs, const VectorXd& move, std::span<Status> status) {
+                      const domain::DofMap& dofs, std::span<Status> status) {
+  const auto& settings = law.zone->settings;
+  if (!(settings.friction > 0) || !friction_law(settings.friction_method).sticks_in_passing)
+    return;
+  const VectorXd move = now.u - before.u;
   for (std::size_t i = 0; i < status.size(); ++i) {
     const auto was = before.status[i];
     if (status[i] != Status::slip || was == Status::open)

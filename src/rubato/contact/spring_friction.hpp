@@ -20,6 +20,7 @@ namespace rubato::contact {
 struct IterateOfZone {
   std::span<const PointEvaluation> points;
   std::span<const Status> status;
+  const Eigen::VectorXd& u;
 };
 
 /// Of points that slip now and were in contact in the iterate before, makes those stick
@@ -28,10 +29,10 @@ struct IterateOfZone {
 /// - that slipped the other way: they have passed the slips that stick;
 /// - that stuck, when their slip has fallen to less than half, or when they stick by the tangent and friction
 ///   can pull them back over what that does not know of: stiff springs slip by less.
-/// `move`: of the dofs from that iterate to this one. An answer has no such points: its statuses are those
-/// that the law calls for, two iterates in a row.
+/// Only where friction is by springs. An answer has no such points: its statuses are those that the law calls
+/// for, two iterates in a row.
 void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const IterateOfZone& now,
-                      const domain::DofMap& dofs, const Eigen::VectorXd& move, std::span<Status> status);
+                      const domain::DofMap& dofs, std::span<Status> status);
 
 /// Of a point that sticks beyond its limit, and so is on its way to a smaller slip: its friction is to grow
 /// with the pressure as the limit does.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/springs.hpp"
 
-#include "rubato/study/contact_methods.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,39 +8,56 @@
 namespace rubato::contact {
 namespace {
 
-const study::FrictionMethodEntry& friction_of(const Zone& zone) {
-  return study::entry_of(zone.settings.friction_method);
+const Coefficient& normal_of(const Zone& zone) {
+  return *normal_law(zone.settings.method).coefficient;
+}
+
+const Coefficient& tangential_of(const Zone& zone) {
+  return *friction_law(zone.settings.friction_method).role;
+}
+
+/// Coefficients of friction mean nothing without any.
+bool has_friction(const Zone& zone) {
+  return zone.settings.friction > 0;
 }
 
 } // namespace
 
 bool closes_gaps(const Zone& zone) {
-  return study::entry_of(zone.settings.method).exact;
-}
-
-bool rubs_by_springs(const Zone& zone) {
-  return zone.settings.friction > 0 && !friction_of(zone).exact;
+  return !normal_of(zone).is_spring;
 }
 
 bool has_augmentation(const Zone& zone) {
-  return closes_gaps(zone) || (zone.settings.friction > 0 && friction_of(zone).exact);
+  return closes_gaps(zone) || (has_friction(zone) && !tangential_of(zone).is_spring);
 }
 
-double penetration_compliance(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point) {
-  return closes_gaps(zone) ? 0.0 : 1 / (coefficients.normal[point] * zone.points[point].weight);
+std::vector<GivenSpring> given_springs(const Zone& zone) {
+  std::vector<GivenSpring> given;
+  const auto add = [&](const Coefficient& coefficient, std::string_view key, std::optional<double> value) {
+    if (coefficient.is_spring && value)
+      given.push_back({key, *value});
+  };
+  if (has_friction(zone))
+    add(tangential_of(zone), "tangential", zone.settings.tangential_coefficient);
+  add(normal_of(zone), "normal", zone.settings.normal_coefficient);
+  return given;
+}
+
+double penetration_compliance(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point,
+                              double exact) {
+  return normal_of(zone).compliance(coefficients.normal[point] * zone.points[point].weight, exact);
 }
 
 double spring_stiffness(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point) {
-  double stiffness = 0;
-  if (!closes_gaps(zone))
-    stiffness = std::abs(zone.points[point].weight) * coefficients.normal[point];
-  if (zone.settings.friction > 0 && friction_of(zone).nodal)
-    stiffness = std::max(stiffness, coefficients.tangential[point]);
-  return stiffness;
+  const double normal =
+      normal_of(zone).stiffness(std::abs(zone.points[point].weight) * coefficients.normal[point]);
+  const double tangential =
+      has_friction(zone) ? tangential_of(zone).stiffness(coefficients.tangential[point]) : 0.0;
+  return std::max(normal, tangential);
 }
 
 double rest_gap(const Zone& zone, const PointOutcome& outcome) {
-  return closes_gaps(zone) ? outcome.gap : 0.0;
+  return normal_of(zone).rest_gap(outcome.gap);
 }
 
 double stored_energy(const Zone& zone, const ZoneState& state) {
@@ -54,27 +69,28 @@ double stored_energy(const Zone& zone, const ZoneState& state) {
 }
 
 void scale_augmentations(const Zone& zone, double normal, double tangential, ZoneCoefficients& coefficients) {
-  if (closes_gaps(zone))
-    for (auto& value : coefficients.normal)
-      value *= normal;
-  if (friction_of(zone).exact)
-    for (auto& value : coefficients.tangential)
-      value *= tangential;
+  for (auto& value : coefficients.normal)
+    value = normal_of(zone).scaled(value, normal);
+  for (auto& value : coefficients.tangential)
+    value = tangential_of(zone).scaled(value, tangential);
 }
 
 void limit_augmentations(const Zone& zone, double most, ZoneCoefficients& coefficients) {
-  if (!closes_gaps(zone) || zone.settings.normal_coefficient)
+  if (zone.settings.normal_coefficient)
     return;
   for (std::size_t i = 0; i < zone.points.size(); ++i)
-    coefficients.normal[i] = std::min(coefficients.normal[i], most / std::abs(zone.points[i].weight));
+    coefficients.normal[i] =
+        normal_of(zone).limited(coefficients.normal[i], most / std::abs(zone.points[i].weight));
 }
 
-void keep_springs(const Zone& zone, const std::function<ZoneCoefficients()>& make,
-                  ZoneCoefficients& coefficients) {
-  if (!closes_gaps(zone))
-    coefficients = make();
-  else if (friction_of(zone).nodal)
-    coefficients.tangential = make().tangential;
+void keep_springs(const Zone& zone, const ZoneCoefficients& usual, ZoneCoefficients& coefficients) {
+  const auto keep = [](const Coefficient& coefficient, const std::vector<double>& from,
+                       std::vector<double>& values) {
+    std::ranges::transform(values, from, values.begin(), coefficient.at_length);
+  };
+  keep(normal_of(zone), usual.normal, coefficients.normal);
+  keep(normal_of(zone), usual.resistance, coefficients.resistance);
+  keep(tangential_of(zone), usual.tangential, coefficients.tangential);
 }
 
 } // namespace rubato::contact

@@ -5,19 +5,27 @@
 
 #include "rubato/contact/enforcement.hpp"
 
-#include <functional>
+#include <string_view>
+#include <vector>
 
 namespace rubato::contact {
 
 /// Whether gaps close exactly, so that no normal spring stands in the answer.
 bool closes_gaps(const Zone& zone);
-/// Whether friction is by springs.
-bool rubs_by_springs(const Zone& zone);
 /// Whether coefficients of the zone only lead to the answer.
 bool has_augmentation(const Zone& zone);
 
-/// How far a unit of force pushes the point in, by its normal spring; 0 where gaps close. [length/force]
-double penetration_compliance(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point);
+/// A spring whose coefficient the study gives: its key there, and its value.
+struct GivenSpring {
+  std::string_view key;
+  double value;
+};
+std::vector<GivenSpring> given_springs(const Zone& zone);
+
+/// How far a unit of force pushes the point in, by its normal spring; `exact` where gaps close.
+/// [length/force]
+double penetration_compliance(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point,
+                              double exact = 0);
 
 /// The stiffest spring of a point whose stiffness does not depend on the pressure, normal or of friction; 0
 /// where it has none. [force/length]
@@ -35,8 +43,7 @@ void scale_augmentations(const Zone& zone, double normal, double tangential, Zon
 /// Takes augmentations that the deck does not give to at most `most` over the point's weight [force/length].
 void limit_augmentations(const Zone& zone, double most, ZoneCoefficients& coefficients);
 
-/// Replaces coefficients of springs, and those that belong to them, by those that `make` gives.
-void keep_springs(const Zone& zone, const std::function<ZoneCoefficients()>& make,
-                  ZoneCoefficients& coefficients);
+/// Gives springs, and what belongs to them, the coefficients that they have in a step of the `usual` length.
+void keep_springs(const Zone& zone, const ZoneCoefficients& usual, ZoneCoefficients& coefficients);
 
 } // namespace rubato::contact

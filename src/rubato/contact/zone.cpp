@@ -50,7 +50,7 @@ double area_of(const mesh::Mesh& mesh, const Face& face, const IntegrationPoint&
   if (geometry.measure == Measure::unit || point.node < 0)
     return point.weight * area_factor(mesh, face, point.xi, geometry);
   double sum = 0;
-  for (const auto& at : contact_rule(face.type, ring_points))
+  for (const auto& at : gauss_rule(face.type, ring_points))
     sum += face_shape(face.type, at.xi).values[static_cast<std::size_t>(point.node)] * at.weight *
            area_factor(mesh, face, at.xi, geometry);
   return sum;
@@ -67,7 +67,7 @@ void exclude_without_area(std::vector<SlavePoint>& points) {
 
 double ring_area(const mesh::Mesh& mesh, const Face& face, const ZoneGeometry& geometry) {
   double sum = 0;
-  for (const auto& at : contact_rule(face.type, ring_points))
+  for (const auto& at : gauss_rule(face.type, ring_points))
     sum += at.weight * area_factor(mesh, face, at.xi, geometry);
   return sum;
 }
@@ -156,6 +156,13 @@ SlavePoint point_inside(const Surface& slave, const Face& face, const Integratio
   return point;
 }
 
+/// Nodal methods have one relation a node, whatever its share of the surface.
+std::vector<IntegrationPoint> points_of(CellType face, const study::ContactZone& settings) {
+  return study::entry_of(settings.method).nodal
+             ? node_rule(face)
+             : integration(settings.integration.by).points(face, settings.integration.order);
+}
+
 std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const study::ContactZone& settings,
                                     const Surface& slave, std::span<const NodeIndex> excluded,
                                     const ZoneGeometry& geometry) {
@@ -163,9 +170,7 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const study::Contact
   std::map<NodeIndex, std::size_t> point_of_node;
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     const auto& face = slave.faces[f];
-    const auto rule = study::entry_of(settings.method).nodal ? node_rule(face.type)
-                                                             : contact_rule(face.type, settings.gauss_points);
-    for (const auto& at : rule) {
+    for (const auto& at : points_of(face.type, settings)) {
       std::size_t index = points.size();
       if (at.node >= 0) {
         const auto node = face.nodes[static_cast<std::size_t>(at.node)];

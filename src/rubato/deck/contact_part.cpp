@@ -8,18 +8,39 @@
 namespace rubato::deck {
 namespace {
 
-/// `nodes`, or `{gauss: n}`.
-void read_integration(const Found& value, study::ContactZone& zone) {
+/// "nodes or {gauss: n}"
+std::string integrations() {
+  std::string text;
+  for (const auto& entry : study::contact_integrations)
+    text += fmt::format(fmt::runtime(entry.most_order > 0 ? "{}{{{}: n}}" : "{}{}"),
+                        text.empty() ? "" : " or ", entry.name);
+  return text;
+}
+
+/// `nodes`, or a map of the rule's name and its order, `{gauss: n}`.
+void read_integration(const Found& value, study::ContactRule& rule) {
   if (!value)
     return;
-  if (value->tree().is(Tree::Kind::map)) {
+  const auto& tree = value->tree();
+  if (tree.is(Tree::Kind::map)) {
     MapReader map(*value);
-    // 0 stands for nodes
-    read(map.require("gauss"), zone.gauss_points, study::from_to(1, study::most_gauss_points));
-    map.finish();
-  } else if (!value->tree().is(Tree::Kind::word) || value->tree().text != "nodes") {
-    value->fault(fmt::format("found {}, expected nodes or {{gauss: n}}", described(value->tree())));
+    bool known = false;
+    for (const auto& entry : study::contact_integrations)
+      if (const auto order = entry.most_order > 0 && !known ? map.find(entry.name) : Found()) {
+        rule.by = entry.method;
+        read(order, rule.order, study::from_to(1, entry.most_order));
+        known = true;
+      }
+    if (known)
+      return map.finish();
+  } else if (tree.is(Tree::Kind::word)) {
+    for (const auto& entry : study::contact_integrations)
+      if (entry.most_order == 0 && tree.text == entry.name) {
+        rule = {entry.method, 0};
+        return;
+      }
   }
+  value->fault(fmt::format("found {}, expected {}", described(tree), integrations()));
 }
 
 void read_coefficients(const Found& value, study::ContactZone& zone) {
@@ -89,11 +110,10 @@ study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
   read_master(map, context, zone);
   read_name(map.require("slave"), zone.slave);
   read(map.find("method"), zone.method, study::contact_method_words);
-  if (study::entry_of(zone.method).nodal)
-    zone.geometry.by = study::Iteration::fixed_point;
+  zone.geometry.by = study::entry_of(zone.method).geometry;
   read_friction(map, zone);
   read_normals(map, zone);
-  read_integration(map.find("integration"), zone);
+  read_integration(map.find("integration"), zone.integration);
   read_names(map.find("exclude_nodes"), zone.exclude_nodes);
   read(map.find("initially_active"), zone.initially_active);
   read_coefficients(map.find("coefficients"), zone);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/integration.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/study/contact_methods.hpp"
 
 #include <fmt/format.h>
 
@@ -161,18 +163,17 @@ std::vector<mesh::NodeIndex> excluded_nodes(const mesh::Mesh& mesh, const study:
   return all;
 }
 
-/// With fewer Gauss points than the multipliers of a face can tell apart, their equations would be dependent.
+/// With fewer points than the multipliers of a face can tell apart, their equations would be dependent.
 void check_rule(const study::ContactZone& zone, const contact::Surface& slave, std::vector<Fault>& faults) {
-  if (zone.gauss_points == 0)
-    return;
   for (const auto& face : slave.faces) {
-    const int least = cell::topology(face.type).order + 1;
-    if (zone.gauss_points >= least)
+    const auto& topology = cell::topology(face.type);
+    const int least = contact::integration(zone.integration.by).least_order(topology.order);
+    if (zone.integration.order >= least)
       continue;
-    faults.push_back(fault_at(
-        "contact." + zone.name,
-        fmt::format("found {} Gauss points a direction, expected at least {} on the {} faces of '{}'",
-                    zone.gauss_points, least, cell::topology(face.type).name, zone.slave)));
+    faults.push_back(fault_at("contact." + zone.name,
+                              fmt::format("found {{{}: {}}}, expected at least {} on the {} faces of '{}'",
+                                          study::entry_of(zone.integration.by).name, zone.integration.order,
+                                          least, topology.name, zone.slave)));
     return;
   }
 }

@@ -133,15 +133,9 @@ void on_singular(const model::Model& model, Advice& advice) {
 
 /// Coefficients that the user has chosen and that are part of the answer.
 void on_coefficients(const contact::Zone& zone, Advice& advice) {
-  const auto& settings = zone.settings;
-  const auto smaller = [&](const char* name, double now) {
+  for (const auto& [key, value] : contact::given_springs(zone))
     advice.add(fmt::format("a smaller {} than {:g}, or none",
-                           key_of(zone, std::string("coefficients.") + name), now));
-  };
-  if (contact::rubs_by_springs(zone) && settings.tangential_coefficient)
-    smaller("tangential", *settings.tangential_coefficient);
-  if (!contact::closes_gaps(zone) && settings.normal_coefficient)
-    smaller("normal", *settings.normal_coefficient);
+                           key_of(zone, fmt::format("coefficients.{}", key)), value));
 }
 
 void on_criterion(const model::Model& model, const step::Unmet& unmet, Advice& advice) {

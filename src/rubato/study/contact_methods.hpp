@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What sets the methods of contact and friction apart: a row each. Rules, deck and solver ask the rows.
+/// What sets the methods of contact and friction and the places of contact points apart: a row each. Rules,
+/// deck and solver ask the rows.
 #pragma once
 
 #include "rubato/study/study.hpp"
@@ -19,6 +20,9 @@ struct ContactMethodEntry {
   bool exact;           ///< gaps close exactly, by a multiplier λ; else its springs are part of the answer
   bool nodal;           ///< one relation a slave node without regard to areas, held while Newton iterates
   bool finds_forces;    ///< solves for its forces by itself, without friction: Newton gets them as they are
+  bool between_nodes;   ///< takes points between the nodes
+  Iteration geometry;   ///< how it follows the surfaces unless the study says so
+  bool status_loop;     ///< takes statuses from a loop
   bool explicit_steps;  ///< forces follow from the motion alone
   bool impulses;        ///< forces may be impulses
   ContactMethod softer; ///< the one whose gaps need not close
@@ -43,6 +47,9 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .exact = true,
      .nodal = false,
      .finds_forces = false,
+     .between_nodes = true,
+     .geometry = Iteration::newton,
+     .status_loop = true,
      .explicit_steps = false,
      .impulses = true,
      .softer = ContactMethod::penalty,
@@ -54,6 +61,9 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .exact = false,
      .nodal = false,
      .finds_forces = false,
+     .between_nodes = true,
+     .geometry = Iteration::newton,
+     .status_loop = true,
      .explicit_steps = true,
      .impulses = false,
      .softer = ContactMethod::penalty,
@@ -65,6 +75,9 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .exact = true,
      .nodal = true,
      .finds_forces = false,
+     .between_nodes = false,
+     .geometry = Iteration::fixed_point,
+     .status_loop = true,
      .explicit_steps = false,
      .impulses = true,
      .softer = ContactMethod::nodal_penalty,
@@ -76,6 +89,9 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .exact = false,
      .nodal = true,
      .finds_forces = false,
+     .between_nodes = false,
+     .geometry = Iteration::fixed_point,
+     .status_loop = true,
      .explicit_steps = false,
      .impulses = false,
      .softer = ContactMethod::nodal_penalty,
@@ -87,6 +103,9 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .exact = true,
      .nodal = true,
      .finds_forces = true,
+     .between_nodes = false,
+     .geometry = Iteration::fixed_point,
+     .status_loop = false,
      .explicit_steps = false,
      .impulses = true,
      .softer = ContactMethod::nodal_penalty,
@@ -117,12 +136,37 @@ inline constexpr std::array<FrictionMethodEntry, 3> friction_methods{{
      .explicit_steps = false},
 }};
 
+struct ContactIntegrationEntry {
+  ContactIntegration method;
+  std::string_view name;
+  std::string_view code_aster;
+  std::string_view summary;
+  int most_order; ///< orders go from 1 to that; 0: it has none
+};
+
+inline constexpr std::array<ContactIntegrationEntry, 2> contact_integrations{{
+    {.method = ContactIntegration::nodes,
+     .name = "nodes",
+     .code_aster = "INTEGRATION='AUTO'",
+     .summary = "contact points on the slave nodes",
+     .most_order = 0},
+    {.method = ContactIntegration::gauss,
+     .name = "gauss",
+     .code_aster = "INTEGRATION='GAUSS'",
+     .summary = "n Gauss points a direction",
+     .most_order = 7},
+}};
+
 /// Rows stand in the order of the methods.
 constexpr const ContactMethodEntry& entry_of(ContactMethod method) {
   return contact_methods[static_cast<std::size_t>(method)];
 }
 constexpr const FrictionMethodEntry& entry_of(FrictionMethod method) {
   return friction_methods[static_cast<std::size_t>(method)];
+}
+
+constexpr const ContactIntegrationEntry& entry_of(ContactIntegration integration) {
+  return contact_integrations[static_cast<std::size_t>(integration)];
 }
 
 /// The friction method that goes with a contact method where none is asked for.

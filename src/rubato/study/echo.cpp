@@ -167,7 +167,8 @@ Json echo(const ContactZone& zone, Physics physics) {
   map["normal"] = word(contact_normal_words, zone.normal);
   if (!zone.obstacle)
     map["clamped_normal"] = word(clamped_normal_words, zone.clamped_normal);
-  map["integration"] = zone.gauss_points == 0 ? Json("nodes") : Json{{"gauss", zone.gauss_points}};
+  const std::string rule(entry_of(zone.integration.by).name);
+  map["integration"] = zone.integration.order == 0 ? Json(rule) : Json{{rule, zone.integration.order}};
   map["exclude_nodes"] = zone.exclude_nodes;
   put_optional(map, "initially_active", zone.initially_active);
   map["coefficients"] = Json::object();

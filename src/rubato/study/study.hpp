@@ -152,8 +152,16 @@ struct Obstacle {
   bool operator==(const Obstacle&) const = default;
 };
 
-/// Gauss points a direction on a face.
-inline constexpr int most_gauss_points = 7;
+/// Where contact points stand on a slave face.
+enum class ContactIntegration {
+  nodes, ///< on the slave nodes
+  gauss  ///< Gauss points, `order` a direction
+};
+struct ContactRule {
+  ContactIntegration by = ContactIntegration::nodes;
+  int order = 0; ///< of those that have one
+  bool operator==(const ContactRule&) const = default;
+};
 
 struct ContactZone {
   std::string name;
@@ -165,8 +173,7 @@ struct ContactZone {
   FrictionMethod friction_method = FrictionMethod::augmented_lagrangian;
   ContactNormal normal = ContactNormal::master;
   ClampedNormal clamped_normal = ClampedNormal::projection;
-  /// 0: contact points stand on the slave nodes (`integration: nodes`); n > 0: n Gauss points a direction.
-  int gauss_points = 0;
+  ContactRule integration;
   std::vector<std::string> exclude_nodes;
   /// Augmentation or penalty, as the method has it; chosen per point from the effective matrix when not
   /// given.

@@ -64,7 +64,7 @@ TEST_P(EveryFace, DistanceIsStationaryOnWarpedFaces) {
 
 TEST_P(EveryFace, NodalWeightsAddUpToTheFace) {
   double sum = 0;
-  for (const auto& point : contact::contact_rule(GetParam(), 0))
+  for (const auto& point : contact::nodal_rule(GetParam()))
     sum += point.weight;
   const auto corners = cell::topology(GetParam()).corner_count;
   EXPECT_NEAR(sum, corners == 2 ? 2.0 : corners == 3 ? 0.5 : 4.0, 1e-14);

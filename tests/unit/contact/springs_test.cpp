@@ -55,7 +55,14 @@ TEST(Springs, OfFrictionCountWhereThePressureDoesNotChangeThem) {
   EXPECT_DOUBLE_EQ(spring_stiffness(zone_by(study::ContactMethod::penalty), coefficients, 1), 2 * 20);
   EXPECT_DOUBLE_EQ(spring_stiffness(zone_by(study::ContactMethod::nodal_lagrange), coefficients, 1), 50);
   EXPECT_DOUBLE_EQ(spring_stiffness(zone_by(study::ContactMethod::nodal_penalty), coefficients, 1), 50);
-  EXPECT_TRUE(rubs_by_springs(zone_by(study::ContactMethod::nodal_lagrange)));
+  auto given = zone_by(study::ContactMethod::nodal_lagrange);
+  given.settings.normal_coefficient = 7;
+  given.settings.tangential_coefficient = 8;
+  ASSERT_EQ(given_springs(given).size(), 1U);
+  EXPECT_EQ(given_springs(given)[0].key, "tangential");
+  EXPECT_EQ(given_springs(given)[0].value, 8);
+  given.settings.friction = 0;
+  EXPECT_TRUE(given_springs(given).empty());
   EXPECT_FALSE(has_augmentation(zone_by(study::ContactMethod::nodal_penalty)));
 }
 
@@ -83,14 +90,14 @@ TEST(Augmentations, AreScaledAndLimitedWhereSpringsStay) {
 }
 
 TEST(Springs, KeepTheirStiffnessWhateverTheStep) {
-  const auto usual = [] { return ZoneCoefficients{{1, 2}, {3, 4}, {}}; };
+  const auto usual = ZoneCoefficients{{1, 2}, {3, 4}, {}};
   auto soft = coefficients;
   keep_springs(zone_by(study::ContactMethod::penalty), usual, soft);
-  EXPECT_EQ(soft.normal, usual().normal);
+  EXPECT_EQ(soft.normal, usual.normal);
   auto nodal = coefficients;
   keep_springs(zone_by(study::ContactMethod::nodal_lagrange), usual, nodal);
   EXPECT_EQ(nodal.normal, coefficients.normal);
-  EXPECT_EQ(nodal.tangential, usual().tangential);
+  EXPECT_EQ(nodal.tangential, usual.tangential);
   auto exact = coefficients;
   keep_springs(zone_by(study::ContactMethod::augmented_lagrangian), usual, exact);
   EXPECT_EQ(exact.tangential, coefficients.tangential);

@@ -84,7 +84,8 @@ inline TwoFaces two_faces(const TwoFacesOptions& options) {
   settings.friction = options.friction;
   settings.normal = options.normal;
   settings.clamped_normal = options.clamped_normal;
-  settings.gauss_points = options.gauss;
+  if (options.gauss > 0)
+    settings.integration = {study::ContactIntegration::gauss, options.gauss};
   const contact::ZoneGeometry geometry{setup.mesh.dimension, 1.0, {}};
   const auto slaves = contact::make_surface(setup.mesh, {slave});
   setup.zone = options.obstacle

@@ -193,7 +193,7 @@ TEST(DeckKeys, Contact) {
   EXPECT_EQ(zone.method, study::ContactMethod::augmented_lagrangian);
   EXPECT_EQ(zone.normal, study::ContactNormal::average);
   EXPECT_EQ(zone.clamped_normal, study::ClampedNormal::code_aster);
-  EXPECT_EQ(zone.gauss_points, 3);
+  EXPECT_EQ(zone.integration, (study::ContactRule{study::ContactIntegration::gauss, 3}));
   ASSERT_EQ(zone.exclude_nodes.size(), 2U);
   EXPECT_EQ(zone.exclude_nodes[1], "N6");
   EXPECT_EQ(zone.initially_active, false);

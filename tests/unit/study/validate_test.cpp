@@ -175,7 +175,9 @@ INSTANTIATE_TEST_SUITE_P(
               s.contact[0].friction_method = FrictionMethod::nodal_penalty;
             }},
         Bad{"contact.joint.integration.gauss", "from 1 to 7",
-            [](Study& s) { s.contact[0].gauss_points = 8; }},
+            [](Study& s) {
+              s.contact[0].integration = {ContactIntegration::gauss, 8};
+            }},
         Bad{"contact.joint.coefficients.normal", "> 0",
             [](Study& s) { s.contact[0].normal_coefficient = 0; }},
         Bad{"contact.joint", "stops bodies by impulses",

@@ -110,8 +110,7 @@ void ContactEvaluator::measure_by(const Measure& measure, const State& trial, co
   const auto configuration = at_end(trial);
   into.points.resize(model_.zones.size());
   into.status.resize(model_.zones.size());
-  if (std::ranges::any_of(model_.zones, contact::rubs_by_springs))
-    into.u = trial.motion.u;
+  into.u = trial.motion.u;
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto& zone = model_.zones[z];
     if (has_frozen_frames(z, frozen))
@@ -199,9 +198,8 @@ void ContactEvaluator::renew_status(const Frozen& frozen, const ContactIterate& 
     if (!frozen[z].status.empty())
       continue;
     now.status[z] = contact::wanted_status(law_of(z, frozen), now.points[z]);
-    if (contact::rubs_by_springs(model_.zones[z]))
-      contact::stick_in_passing(law_of(z, frozen), {before.points[z], before.status[z]},
-                                {now.points[z], now.status[z]}, model_.dofs, now.u - before.u, now.status[z]);
+    contact::stick_in_passing(law_of(z, frozen), {before.points[z], before.status[z], before.u},
+                              {now.points[z], now.status[z], now.u}, model_.dofs, now.status[z]);
   }
 }
 

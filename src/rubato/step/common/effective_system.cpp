@@ -112,12 +112,10 @@ double add_weak_springs(const Model& model, EffectiveSystem& system) {
 /// points moves by more than the elastic displacements before it comes to rest: augmentations of the
 /// stiffness of the body would open points that press for gaps that are traces of that.
 contact::ZoneCoefficients coefficients_of(const contact::Zone& zone, const Model& model,
-                                          const time::Scheme& scheme, const Eigen::VectorXd& diagonal,
+                                          const Eigen::VectorXd& diagonal, const Eigen::VectorXd& usual,
                                           double weak) {
   auto coefficients = contact::automatic_coefficients(zone, model.dofs, diagonal);
-  contact::keep_springs(
-      zone, [&] { return contact::automatic_coefficients(zone, model.dofs, usual_diagonal(model, scheme)); },
-      coefficients);
+  contact::keep_springs(zone, contact::automatic_coefficients(zone, model.dofs, usual), coefficients);
   if (weak > 0)
     contact::limit_augmentations(zone, augmented_by * weak, coefficients);
   return coefficients;
@@ -144,8 +142,9 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   system.diagonal = full.diagonal();
   system.matrix = model.reduction.reduced(full);
   const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);
+  const auto usual = model.zones.empty() ? Eigen::VectorXd() : usual_diagonal(model, scheme);
   for (const auto& zone : model.zones) {
-    system.zones.push_back(coefficients_of(zone, model, scheme, system.diagonal, weak));
+    system.zones.push_back(coefficients_of(zone, model, system.diagonal, usual, weak));
     system.neighbours.emplace_back(zone);
   }
   if (model.study.solver != study::Solver::full)

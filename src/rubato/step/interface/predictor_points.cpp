@@ -49,10 +49,9 @@ void set_forces(const contact::PointOutcome& outcome, const contact::Kinematics&
     predicted.force[1 + a] = outcome.tangential.dot(k.tangents.col(a));
 }
 
-/// Which of their points stick and which slip is often not unique: the last step's statuses are the better
-/// start then, and the one that other codes take.
-bool has_friction_springs(const contact::Zone& zone) {
-  return zone.settings.friction > 0 && study::entry_of(zone.settings.friction_method).nodal;
+bool starts_from_last_step(const contact::Zone& zone) {
+  return zone.settings.friction > 0 &&
+         contact::friction_law(zone.settings.friction_method).starts_from_last_step;
 }
 
 double friction_limit(const PredictorPoint& predicted) {
@@ -124,9 +123,8 @@ void take_points(const Model& model, const ContactEvaluator& side, const Frozen&
             1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       predicted.tangential_compliance =
           averaged ? averaged_friction_compliance * predicted.point_compliance : 0;
-      predicted.penalty_compliance = contact::penetration_compliance(zone, *law.coefficients, i);
-      if (averaged && contact::closes_gaps(zone))
-        predicted.penalty_compliance = averaged_compliance * predicted.point_compliance;
+      predicted.penalty_compliance = contact::penetration_compliance(
+          zone, *law.coefficients, i, averaged ? averaged_compliance * predicted.point_compliance : 0.0);
       set_relations(model, compliance, *kinematics, moved, predicted);
       set_forces(state.zones[z].outcomes[i], *kinematics, predicted);
     }
@@ -164,7 +162,7 @@ VectorXd force_on_surface(std::span<const PredictorPoint> points, Index interfac
 
 bool starts_from_prediction(const Model& model, Start start) {
   return start == Start::predicted ||
-         (start == Start::usual && std::ranges::none_of(model.zones, has_friction_springs));
+         (start == Start::usual && std::ranges::none_of(model.zones, starts_from_last_step));
 }
 
 void take_prediction(const Model& model, std::span<const PredictorPoint> points, State& state) {

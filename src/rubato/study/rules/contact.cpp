@@ -73,12 +73,14 @@ private:
   }
 
   void check_integration() {
-    if (zone_.gauss_points != 0)
-      rules_.whole_number(at("integration.gauss"), zone_.gauss_points, from_to(1, most_gauss_points));
-    if (method_.nodal && zone_.gauss_points > 0)
+    const auto& rule = entry_of(zone_.integration.by);
+    const auto path = at("integration") + (rule.most_order > 0 ? fmt::format(".{}", rule.name) : "");
+    rules_.whole_number(path, zone_.integration.order,
+                        from_to(std::min(1, rule.most_order), rule.most_order));
+    if (!method_.between_nodes && zone_.integration.by != ContactIntegration::nodes)
       rules_.broken({at("integration"), at("method")},
                     fmt::format("{} has one relation a node, expected nodes; augmented_lagrangian and "
-                                "penalty take Gauss points",
+                                "penalty take points between the nodes",
                                 method_.name));
   }
 
@@ -93,10 +95,10 @@ private:
     check_level(zone_.geometry, "iterate.geometry", true);
     check_level(zone_.threshold, "iterate.friction", true);
     check_level(zone_.status, "iterate.status", false);
-    if (method_.nodal && zone_.geometry.by == Iteration::newton)
+    if (method_.geometry == Iteration::fixed_point && zone_.geometry.by == Iteration::newton)
       rules_.broken({at("iterate.geometry"), at("method")},
                     fmt::format("{} holds its relations during a loop, expected fixed_point", method_.name));
-    if (method_.finds_forces && zone_.status.by == Iteration::fixed_point)
+    if (!method_.status_loop && zone_.status.by == Iteration::fixed_point)
       rules_.broken({at("iterate.status"), at("method")},
                     fmt::format("{} finds the points that touch by itself, expected newton", method_.name));
   }
