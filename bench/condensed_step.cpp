@@ -52,7 +52,7 @@ public:
 
   void measure(step::ContactIterate& points) {
     const step::ContactEvaluator side(model_, scheme_, system_, committed_, {});
-    side.measure(trial_, step::Held(model_.zones.size()), points);
+    side.measure(trial_, step::Frozen(model_.zones.size()), points);
   }
 
   /// Of a forward and a backward solve [s].

@@ -51,15 +51,29 @@ INSTANTIATE_TEST_SUITE_P(Solid, ConformingBlocks,
                                          CellType::penta15),
                          name_of);
 
-/// Points against faces cannot hand on a uniform pressure through meshes that don't match; how far they are
-/// from it is known and no more.
-TEST(BlocksThatDoNotMatch, ArePressedUnevenlyByPointsAgainstFaces) {
-  for (const auto type : {CellType::quad4, CellType::hexa8}) {
-    const auto outcome = test::press({type, 3, 2, 0, ""});
-    ASSERT_TRUE(outcome.converged) << outcome.failure;
-    EXPECT_GT(outcome.pressure, 1e-3);
-    EXPECT_LT(outcome.pressure, 0.5);
-    std::printf("nonmatching %.3e %.3e\n", outcome.pressure, outcome.displacement);
+struct Deviation {
+  CellType cells;
+  double pressure; ///< largest |λ/p − 1|
+};
+
+/// Points against faces do not pass the patch test where meshes don't match (R. L. Taylor and P. Papadopoulos
+/// 1991): what a master node gets depends on which slave points face its faces. Measured with three slave
+/// faces on two master faces; the pressures of the points deviate by as much on any finer mesh of that ratio,
+/// while the bodies move the better, the finer it is. A method that passes is to replace these numbers by
+/// rounding.
+TEST(BlocksThatDoNotMatch, DeviateFromAUniformPressureByWhatTheRatioOfTheirFacesMakes) {
+  for (const auto& [type, pressure] : {Deviation{CellType::quad4, 0.0890}, Deviation{CellType::quad8, 0.131},
+                                       Deviation{CellType::hexa8, 0.183}, Deviation{CellType::tetra4, 0.304},
+                                       Deviation{CellType::tetra10, 0.0949}}) {
+    const auto coarse = test::press({type, 3, 2, 0, ""});
+    const auto fine = test::press({type, 6, 4, 0, ""});
+    ASSERT_TRUE(coarse.converged) << coarse.failure;
+    ASSERT_TRUE(fine.converged) << fine.failure;
+    const auto name = cell::topology(type).name;
+    EXPECT_NEAR(coarse.pressure, pressure, 0.02 * pressure) << name;
+    EXPECT_NEAR(fine.pressure, pressure, 0.02 * pressure) << name;
+    EXPECT_GT(fine.displacement, 0.4 * coarse.displacement) << name;
+    EXPECT_LT(fine.displacement, 0.6 * coarse.displacement) << name;
   }
 }
 

@@ -44,4 +44,14 @@ inline std::string with(std::string text, std::string_view old, std::string_view
   return text.replace(at, old.size(), replacement);
 }
 
+/// The upper block is pressed and pulled on the lower one in `preload`; then time goes on, in `after`, to
+/// `end`.
+inline std::string preloaded_blocks(std::string_view end) {
+  return with(two_blocks, "nodal_force: {on: tip, y: -1e7}", "surface_force: {on: roof, x: 2e5, y: -1e6}") +
+         "runs:\n"
+         "  preload: {time: {scheme: static, alpha: ~, step: 0.5, end: 1}}\n"
+         "  after: {time: {end: " +
+         std::string(end) + ", start: {from: preload}}}\n";
+}
+
 } // namespace rubato::test

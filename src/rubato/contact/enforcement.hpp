@@ -112,7 +112,7 @@ struct VelocityLaw {
   bool massless = false; ///< the slave surface has no momentum: nothing to lose where it hits
 };
 
-/// Held frames of the points that touch in a step, in which gap and slip are counted so that the
+/// Frozen frames of the points that touch in a step, in which gap and slip are counted so that the
 /// same laws that close gaps and hold slips are laws of velocities. With v₀ the velocity at the start of the
 /// slave point relative to what it faces, e the restitution (Moreau's law with Newton's restitution):
 ///   gap = h θ (v₁·n − e ⟨−v₀·n⟩),   slip_a = h θ v₁·τ_a;

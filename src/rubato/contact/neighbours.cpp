@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/neighbours.hpp"
 
+#include "rubato/contact/point_tree.hpp"
 #include "rubato/core/tolerances.hpp"
-
-#include <nanoflann.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,18 +18,6 @@ constexpr double margin_in_edges = 0.75;
 
 /// How far beyond the border a point that hops stays on a face, in its reference lengths.
 constexpr double kept_overshoot = 0.25;
-
-/// Points as nanoflann wants to see them.
-struct Cloud {
-  const std::vector<Vector3d>& points;
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t index, std::size_t component) const {
-    return points[index][static_cast<Eigen::Index>(component)];
-  }
-  template <class Box> bool kdtree_get_bbox(Box& /*unused*/) const { return false; }
-};
-
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3>;
 
 Vector3d mean_motion(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
   Vector3d sum = Vector3d::Zero();
@@ -150,19 +137,12 @@ void NeighbourList::search() {
   ++searches_;
   master_at_search_ = master_;
   slave_at_search_ = slave_;
-  const Cloud cloud{master_};
-  const Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-  std::vector<std::pair<std::uint32_t, double>> found;
+  const PointTree tree(master_);
   start_.assign(1, 0);
   near_nodes_.clear();
   for (const auto& x : slave_) {
-    std::uint32_t nearest = 0;
-    double squared = 0;
-    tree.knnSearch(x.data(), 1, &nearest, &squared);
-    const double reach = std::sqrt(squared) + margin_;
-    tree.radiusSearch(x.data(), reach * reach, found, nanoflann::SearchParams(32, 0, false));
-    for (const auto& [node, distance] : found)
-      near_nodes_.push_back(node);
+    const double reach = std::sqrt(tree.nearest(x).squared_distance) + margin_;
+    tree.append_within(x, reach, near_nodes_);
     start_.push_back(near_nodes_.size());
   }
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/pairing.hpp"
 
+#include "rubato/contact/point_tree.hpp"
 #include "rubato/core/tolerances.hpp"
-
-#include <nanoflann.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,19 +17,6 @@ constexpr double rounding = 1e-9;
 /// Distances this near to each other, in edges of the surface, are the same: of faces that see a point beside
 /// the node they share rounding would choose one, and its normal.
 constexpr double same_distance = 1e-12;
-
-/// The nodes of a surface as nanoflann wants to see them.
-struct NodeCloud {
-  std::vector<Vector3d> points;
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t index, std::size_t component) const {
-    return points[index][static_cast<Eigen::Index>(component)];
-  }
-  template <class Box> bool kdtree_get_bbox(Box& /*unused*/) const { return false; }
-};
-
-using NodeTree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, NodeCloud>, NodeCloud, 3>;
 
 struct Candidate {
   int face = -1;
@@ -85,13 +71,6 @@ void consider(const Zone& zone, int face_index, const Vector3d& point, std::span
     best = candidate;
 }
 
-std::size_t nearest_node(const NodeTree& tree, const Vector3d& point) {
-  std::uint32_t nearest = 0;
-  double squared_distance = 0;
-  tree.knnSearch(point.data(), 1, &nearest, &squared_distance);
-  return nearest;
-}
-
 } // namespace
 
 Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::span<const Vector3d> master,
@@ -132,17 +111,17 @@ Vector3d position(const SlavePoint& point, const Configuration& configuration) {
 std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuration) {
   if (zone.obstacle)
     return std::vector(zone.points.size(), Pair::before_obstacle());
-  NodeCloud cloud;
-  cloud.points.reserve(zone.master.nodes.size());
+  std::vector<Vector3d> master;
+  master.reserve(zone.master.nodes.size());
   for (const auto node : zone.master.nodes)
-    cloud.points.push_back(configuration.position(node));
-  const NodeTree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+    master.push_back(configuration.position(node));
+  const PointTree tree(master);
 
   std::vector<Pair> pairs;
   pairs.reserve(zone.points.size());
   for (const auto& point : zone.points) {
     const Vector3d x = position(point, configuration);
-    pairs.push_back(pair_around(zone, nearest_node(tree, x), x, cloud.points));
+    pairs.push_back(pair_around(zone, tree.nearest(x).index, x, master));
   }
   return pairs;
 }

@@ -13,8 +13,6 @@ struct Location {
   std::string file;
   int line = 0;
   int column = 0;
-  /// Two inputs that say the same thing are equal wherever they stand.
-  bool operator==(const Location&) const { return true; }
 };
 
 /// "file:line:column", as much of it as is known; empty when nothing is.

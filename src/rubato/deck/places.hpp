@@ -26,8 +26,6 @@ public:
   /// The error with a place for each fault that has only a path.
   InputError located(const InputError& error) const;
 
-  bool operator==(const Places&) const = default;
-
 private:
   void add(const std::string& path, const Location& at, const Tree& tree);
 

@@ -29,7 +29,6 @@ struct Deck {
       runs; ///< in the order of the file, at least one; a run starts only from an earlier one
   std::vector<Places> places;     ///< where the values of each run are written
   std::vector<std::string> notes; ///< sentences that whoever gave the settings should read
-  bool operator==(const Deck&) const = default;
 };
 
 /// Reads a deck from a file: the runs that `only` names, all when it is empty, and those they start from;

@@ -16,7 +16,6 @@ namespace rubato::deck {
 struct Name {
   std::string text;
   Location at;
-  bool operator==(const Name&) const = default;
 };
 
 struct Tree {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -43,19 +44,59 @@ CellsOfNodes cells_around_nodes(const mesh::Mesh& mesh, std::span<const CellInde
   return around;
 }
 
-double factor_of(std::span<const double> factors, const Bulk& bulk, std::size_t i) {
-  return factors.empty() ? 1. : factors[at(bulk.law_of_cell[i])];
+/// Visits what a cell of those numbered nodes adds to: block row, block column, column in the block, its
+/// first value in the matrix. `place_in_column(row, column)`: where the block row begins in a column of the
+/// other.
+template <class Place, class Visit>
+void visit_block_columns(std::span<const std::int32_t> numbers, int components, SparseMatrix& matrix,
+                         const Place& place_in_column, const Visit& visit) {
+  for (std::size_t j = 0; j < numbers.size(); ++j) {
+    const int* outer = matrix.outerIndexPtr() + std::int64_t{numbers[j]} * components;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto place = place_in_column(numbers[i], numbers[j]);
+      for (int b = 0; b < components; ++b)
+        visit(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j), b,
+              matrix.valuePtr() + outer[b] + place);
+    }
+  }
 }
+
+/// Of the nodes of one cell, without a heap.
+struct Numbers {
+  template <class Number>
+  Numbers(std::span<const NodeIndex> nodes, const Number& number_of) : count(nodes.size()) {
+    std::ranges::transform(nodes, values.begin(), number_of);
+  }
+  operator std::span<const std::int32_t>() const { return {values.data(), count}; }
+
+  std::array<std::int32_t, 27> values;
+  std::size_t count;
+};
+
+/// One cell of the bulk with all that its matrices are made of.
+struct Cell {
+  Cell(const mesh::Mesh& mesh, const Bulk& bulk, std::span<const double> factors, std::size_t i)
+      : index(bulk.cells[i]), type(mesh.type_of(index)), nodes(mesh.nodes_of(index)), points(mesh, nodes),
+        law(bulk.law(i)), factor(factors.empty() ? 1. : factors[at(bulk.law_of_cell[i])]) {}
+
+  Eigen::Index node_count() const { return static_cast<Eigen::Index>(nodes.size()); }
+
+  CellIndex index;
+  CellType type;
+  std::span<const NodeIndex> nodes;
+  CellPoints points;
+  const material::LinearElastic& law;
+  double factor; ///< of its law
+};
 
 /// The reason is a material or a size beyond what numbers hold: it is told where it comes from.
 template <class Values>
-void require_finite(const Values& element, const mesh::Mesh& mesh, const Bulk& bulk, std::size_t i,
-                    std::string_view what) {
+void require_finite(const Values& element, const Cell& cell, const mesh::Mesh& mesh, std::string_view what) {
   if (element.allFinite())
     return;
-  const auto& law = bulk.law(i);
+  const auto& law = cell.law;
   throw InputError(fmt::format("{}: its {} is not finite (young {:g}, poisson {:g}, density {:g})",
-                               cell_label(mesh, bulk.cells[i]), what, law.young, law.poisson, law.density));
+                               cell_label(mesh, cell.index), what, law.young, law.poisson, law.density));
 }
 
 } // namespace
@@ -110,34 +151,22 @@ std::int64_t BlockPattern::place_in_column(std::int32_t row_node, std::int32_t c
 
 void BlockPattern::add(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& element,
                        SparseMatrix& matrix) const {
-  for (std::size_t j = 0; j < nodes.size(); ++j) {
-    const auto column = number_of(nodes[j]);
-    const int* outer = matrix.outerIndexPtr() + std::int64_t{column} * components_;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const auto place = place_in_column(number_of(nodes[i]), column);
-      for (int b = 0; b < components_; ++b) {
-        double* value = matrix.valuePtr() + outer[b] + place;
-        const double* source = element.col(static_cast<Eigen::Index>(j) * components_ + b).data() +
-                               static_cast<std::ptrdiff_t>(i) * components_;
+  const Numbers numbers(nodes, [&](NodeIndex node) { return number_of(node); });
+  visit_block_columns(
+      numbers, components_, matrix, [&](int row, int column) { return place_in_column(row, column); },
+      [&](Eigen::Index i, Eigen::Index j, int b, double* values) {
+        const double* source = element.col(j * components_ + b).data() + i * components_;
         for (int a = 0; a < components_; ++a)
-          value[a] += source[a];
-      }
-    }
-  }
+          values[a] += source[a];
+      });
 }
 
 void BlockPattern::add_to_diagonals(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& m,
                                     SparseMatrix& matrix) const {
-  for (std::size_t j = 0; j < nodes.size(); ++j) {
-    const auto column = number_of(nodes[j]);
-    const int* outer = matrix.outerIndexPtr() + std::int64_t{column} * components_;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const auto place = place_in_column(number_of(nodes[i]), column);
-      for (int b = 0; b < components_; ++b)
-        matrix.valuePtr()[outer[b] + place + b] +=
-            m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-    }
-  }
+  const Numbers numbers(nodes, [&](NodeIndex node) { return number_of(node); });
+  visit_block_columns(
+      numbers, components_, matrix, [&](int row, int column) { return place_in_column(row, column); },
+      [&](Eigen::Index i, Eigen::Index j, int b, double* values) { values[b] += m(i, j); });
 }
 
 SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
@@ -145,16 +174,14 @@ SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const 
   auto matrix = pattern.zero_matrix();
   Eigen::MatrixXd element;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    const auto [block, index] = mesh.place_of(bulk.cells[i]);
-    const auto nodes = block->cell(index);
-    const auto size =
-        static_cast<Eigen::Index>(nodes.size()) * element::component_count(bulk.section.physics);
+    const Cell cell(mesh, bulk, factors, i);
+    const auto size = cell.node_count() * element::component_count(bulk.section.physics);
     element.resize(size, size);
-    stiffness(block->type, CellPoints(mesh, nodes), bulk.law(i), bulk.section, element);
+    stiffness(cell.type, cell.points, cell.law, bulk.section, element);
     if (!factors.empty())
-      element *= factor_of(factors, bulk, i);
-    require_finite(element, mesh, bulk, i, "stiffness");
-    pattern.add(nodes, element, matrix);
+      element *= cell.factor;
+    require_finite(element, cell, mesh, "stiffness");
+    pattern.add(cell.nodes, element, matrix);
   }
   return matrix;
 }
@@ -164,13 +191,12 @@ SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const Block
   auto matrix = pattern.zero_matrix();
   Eigen::MatrixXd element;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    const auto [block, index] = mesh.place_of(bulk.cells[i]);
-    const auto nodes = block->cell(index);
-    element.resize(static_cast<Eigen::Index>(nodes.size()), static_cast<Eigen::Index>(nodes.size()));
-    mass(block->type, CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, element);
-    element *= factor_of(factors, bulk, i);
-    require_finite(element, mesh, bulk, i, "mass");
-    pattern.add_to_diagonals(nodes, element, matrix);
+    const Cell cell(mesh, bulk, factors, i);
+    element.resize(cell.node_count(), cell.node_count());
+    mass(cell.type, cell.points, cell.law.density, bulk.section, element);
+    element *= cell.factor;
+    require_finite(element, cell, mesh, "mass");
+    pattern.add_to_diagonals(cell.nodes, element, matrix);
   }
   return matrix;
 }
@@ -180,14 +206,13 @@ Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofM
   Eigen::VectorXd total = Eigen::VectorXd::Zero(dofs.dof_count);
   Eigen::VectorXd element;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    const auto [block, index] = mesh.place_of(bulk.cells[i]);
-    const auto nodes = block->cell(index);
-    element.resize(static_cast<Eigen::Index>(nodes.size()));
-    lumped_mass(block->type, CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, element);
-    element *= factor_of(factors, bulk, i);
-    require_finite(element, mesh, bulk, i, "mass");
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-      total.segment(dofs.first_dof[at(nodes[n])], dofs.components).array() +=
+    const Cell cell(mesh, bulk, factors, i);
+    element.resize(cell.node_count());
+    lumped_mass(cell.type, cell.points, cell.law.density, bulk.section, element);
+    element *= cell.factor;
+    require_finite(element, cell, mesh, "mass");
+    for (std::size_t n = 0; n < cell.nodes.size(); ++n)
+      total.segment(dofs.first_dof[at(cell.nodes[n])], dofs.components).array() +=
           element[static_cast<Eigen::Index>(n)];
   }
   return total;

@@ -20,26 +20,24 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
-using mesh::NodeIndex;
 
 /// Nodes of a gauge: few, as they are all coupled, but enough that none carries much.
 constexpr std::size_t node_count = 8;
 
-std::vector<NodeIndex> nodes_of(const Model& model, const Bodies& bodies, int body) {
-  std::vector<NodeIndex> nodes;
+std::vector<mesh::NodeIndex> nodes_of(const Model& model, const Bodies& bodies, int body) {
+  std::vector<mesh::NodeIndex> nodes;
   std::ranges::copy_if(model.dofs.nodes, std::back_inserter(nodes),
-                       [&](NodeIndex node) { return bodies.of(node) == body; });
+                       [&](mesh::NodeIndex node) { return bodies.of(node) == body; });
   return nodes;
 }
 
 /// Each next one as far from the others as can be.
-std::vector<NodeIndex> spread_out(const mesh::Mesh& mesh, std::span<const NodeIndex> nodes) {
-  const auto place = [&](NodeIndex node) -> const Vector3d& {
+std::vector<mesh::NodeIndex> spread_out(const mesh::Mesh& mesh, std::span<const mesh::NodeIndex> nodes) {
+  const auto place = [&](mesh::NodeIndex node) -> const Vector3d& {
     return mesh.points[static_cast<std::size_t>(node)];
   };
   std::vector<double> distance(nodes.size(), std::numeric_limits<double>::infinity());
-  std::vector<NodeIndex> chosen{nodes.front()};
+  std::vector<mesh::NodeIndex> chosen{nodes.front()};
   while (chosen.size() < std::min(node_count, nodes.size())) {
     for (std::size_t i = 0; i < nodes.size(); ++i)
       distance[i] = std::min(distance[i], (place(nodes[i]) - place(chosen.back())).norm());
@@ -50,7 +48,7 @@ std::vector<NodeIndex> spread_out(const mesh::Mesh& mesh, std::span<const NodeIn
 
 /// What some nodes move by in each motion, a column of length 1 each, node by node.
 MatrixXd moves_of(const Model& model, const RigidMotions& rigid, std::span<const RigidMotion> motions,
-                  std::span<const NodeIndex> nodes) {
+                  std::span<const mesh::NodeIndex> nodes) {
   const int components = model.dofs.components;
   MatrixXd moves(static_cast<Index>(nodes.size()) * components, static_cast<Index>(motions.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -65,7 +63,7 @@ MatrixXd moves_of(const Model& model, const RigidMotions& rigid, std::span<const
 MatrixXd beside(const MatrixXd& others, MatrixXd columns) {
   const MatrixXd all = columns;
   MatrixXd chosen(columns.rows(), columns.cols() - others.cols());
-  const auto take_out = [&](VectorXd direction) {
+  const auto take_out = [&](Eigen::VectorXd direction) {
     direction.normalize();
     columns -= direction * (direction.transpose() * columns).eval();
   };

@@ -28,6 +28,16 @@ json without(std::span<const char* const> parts, const std::string& text) {
   return study;
 }
 
+/// What is added at the end of a list has no index there but "-".
+json::json_pointer place_of(const json& difference, const json& old_study) {
+  json::json_pointer at(difference.at("path").get<std::string>());
+  if (at.back() == "-") {
+    at.pop_back();
+    at /= old_study.at(at).size();
+  }
+  return at;
+}
+
 std::string value_at(const json& study, const json::json_pointer& at) {
   return study.contains(at) ? study.at(at).dump() : "not there";
 }
@@ -40,7 +50,7 @@ std::optional<std::string> study_difference(const std::string& before, const std
   const auto differences = json::diff(old_study, new_study);
   if (differences.empty())
     return std::nullopt;
-  const json::json_pointer at(differences.front().at("path").get<std::string>());
+  const auto at = place_of(differences.front(), old_study);
   auto path = at.to_string().substr(1);
   std::ranges::replace(path, '/', '.');
   return fmt::format("{} was {} and is {} now", path, value_at(old_study, at), value_at(new_study, at));

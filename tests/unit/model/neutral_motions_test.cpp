@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "studies.hpp"
+#include "support/rings.hpp"
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -15,6 +15,7 @@ namespace rubato::model {
 namespace {
 
 using Eigen::Vector3d;
+using test::circle;
 using test::with;
 
 constexpr double round = 2 * std::numbers::pi;
@@ -34,12 +35,6 @@ std::string ring_deck(int cells, const std::string& end = "6.283185307179586") {
          "loads: [{gravity: {on: ring, y: -7.8e4}}]\n"
          "contact: {rest: {master: pin_skin, slave: ring_skin, friction: 0}}\n"
          "time: {scheme: static, step: 1, end: 1}\n";
-}
-
-using Shape = std::function<Vector3d(double angle, double radius)>;
-
-Vector3d circle(double angle, double radius) {
-  return {radius * std::cos(angle), -radius * std::sin(angle), 0};
 }
 
 /// Angles between nodes from half to one and a half times their mean.
@@ -68,23 +63,9 @@ Vector3d gear(double angle, double radius) {
 }
 
 /// What the deck has, the ring in another shape, ends that meet joined.
-Model shaped(const std::string& deck, const Shape& shape, std::vector<deck::Setting> changes = {}) {
+Model shaped(const std::string& deck, const test::RingShape& shape, std::vector<deck::Setting> changes = {}) {
   const auto study = deck::parse_deck(deck, "deck.yaml", changes).runs.front();
-  auto mesh = load_mesh(study.mesh);
-  const auto flat = mesh.points;
-  const auto first_of = [&](mesh::NodeIndex node) {
-    const auto& place = flat[static_cast<std::size_t>(node)];
-    for (std::size_t i = 0; place.x() > round - 1e-9 && i < flat.size(); ++i)
-      if (flat[i].x() < 1e-9 && std::abs(flat[i].y() - place.y()) < 1e-9)
-        return static_cast<mesh::NodeIndex>(i);
-    return node;
-  };
-  for (auto& block : mesh.blocks)
-    for (auto& node : block.nodes)
-      node = first_of(node);
-  for (auto& point : mesh.points)
-    point = point.y() < 1 ? circle(point.x() + 0.03, point.y()) : shape(point.x(), point.y());
-  return build_model(study, std::move(mesh));
+  return build_model(study, test::closed_rings(load_mesh(study.mesh), shape));
 }
 
 std::size_t held(const Model& model) {

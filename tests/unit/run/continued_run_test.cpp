@@ -18,13 +18,8 @@ namespace {
 using test::fault_of;
 using test::with;
 
-/// The upper block is pressed and pulled until it sticks and slips on the lower one; then time goes on.
-const std::string pressed =
-    with(test::two_blocks, "nodal_force: {on: tip, y: -1e7}", "surface_force: {on: roof, x: 2e5, y: -1e6}") +
-    R"(runs:
-  preload: {time: {scheme: static, alpha: ~, step: 0.5, end: 1}}
-  after: {time: {end: 2e-3, start: {from: preload}}}
-)";
+/// It sticks and slips.
+const std::string pressed = test::preloaded_blocks("2e-3");
 
 /// A point at the limit of friction may be said to stick or to slip; open or not is certain.
 std::vector<bool> open_points(const RunResult& result) {

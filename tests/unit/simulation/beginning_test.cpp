@@ -13,13 +13,7 @@ using test::expect_same;
 using test::fault_of;
 using test::with;
 
-/// The upper block is pressed onto the lower one; then time goes on.
-const std::string pressed =
-    with(test::two_blocks, "nodal_force: {on: tip, y: -1e7}", "surface_force: {on: roof, x: 2e5, y: -1e6}") +
-    R"(runs:
-  preload: {time: {scheme: static, alpha: ~, step: 0.5, end: 1}}
-  after: {time: {end: 2e-4, start: {from: preload}}}
-)";
+const std::string pressed = test::preloaded_blocks("2e-4");
 
 study::Study run_of(const std::string& deck, const std::string& name) {
   const auto runs = deck::parse_deck(deck, "deck.yaml").runs;

@@ -9,8 +9,8 @@
 
 #include "support/decks.hpp"
 #include "support/walk.hpp"
+#include "unit/step/any_state.hpp"
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -19,96 +19,22 @@ namespace {
 
 using Eigen::VectorXd;
 
-const std::string block = R"(
-mesh:
-  generate:
-    - {name: block, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [3, 2], sides: {left: clamp, right: pulled}}
-physics: plane_strain
-materials: {rubber: {young: 3, poisson: 0.3, density: 2, rayleigh: {stiffness: 0.1, mass: 0.2}}}
-functions: {wave: {times: [0, 1, 2], values: [0.3, 1, -1]}}
-supports:
-  - {on: clamp, fix: [x, y]}
-  - {on: pulled, x: {value: 0.5, function: wave}}
-loads: [{gravity: {y: -2, function: wave}}]
-time: {scheme: newmark, step: 0.5, end: 2}
-)";
-
-struct NamedScheme {
-  std::string name;
-  std::vector<deck::Setting> settings;
-};
-
-const std::vector<NamedScheme> schemes{
-    {"Newmark", {}},
-    {"NewmarkWithBetaAndGamma", {{"time.beta", "0.4"}, {"time.gamma", "0.7"}}},
-    {"Hht", {{"time.scheme", "hht"}, {"time.alpha", "-0.3"}}},
-    {"ModifiedAverageAcceleration",
-     {{"time.scheme", "modified_average_acceleration"}, {"time.alpha", "-0.2"}}},
-    {"GeneralizedAlpha", {{"time.scheme", "generalized_alpha"}, {"time.spectral_radius", "0.2"}}},
-    {"MoreauJean", {{"time.scheme", "moreau_jean"}}},
-    {"MoreauJeanBeyondTheMiddle", {{"time.scheme", "moreau_jean"}, {"time.theta", "0.8"}}},
-    {"Static", {{"time.scheme", "static"}}},
-};
+using test::AnyStates;
+using test::NamedScheme;
 
 class Ledger : public testing::TestWithParam<NamedScheme> {
 protected:
-  model::Model model_ =
-      model::build_model(deck::parse_deck(block, "deck.yaml", GetParam().settings).runs.front());
-  time::Scheme scheme_ = time::make_scheme(model_.study.time);
-  std::mt19937 random_{11};
-
-  VectorXd anything() {
-    std::normal_distribution<double> normal;
-    return VectorXd::NullaryExpr(model_.dofs.dof_count, [&] { return normal(random_); });
-  }
-
-  /// A state that fulfils nothing but what its parts mean.
-  State any_state() {
-    State state;
-    state.motion = {anything(), anything(), anything()};
-    if (!scheme_.dynamic)
-      state.motion = {state.motion.u, 0 * state.motion.v, 0 * state.motion.a};
-    state.contact_force = anything();
-    state.friction_force = anything();
-    state.external_force = anything();
-    state.residual_force = anything();
-    state.reaction = anything();
-    state.bulk = bulk_forces(model_, state);
-    return state;
-  }
-
-  /// Any motion that Newmark's formulas allow, with any forces.
-  State any_step_from(const State& before, double h) {
-    auto now = any_state();
-    now.t = before.t + h;
-    now.motion = time::predict(scheme_, h, before.motion);
-    time::correct(time::coefficients_of(scheme_, h), anything(), now.motion);
-    now.bulk = bulk_forces(model_, now);
-    for (const auto& support : model_.reduction.prescribed())
-      now.reaction[support.dof] = left_side(before, now)[support.dof];
-    return now;
-  }
-
-  /// m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F₁ + f₀ F₀, as the matrices give it.
-  VectorXd left_side(const State& before, const State& now) const {
-    VectorXd sum =
-        scheme_.forces.now * (model_.domain.initial_tangent() * now.motion.u - now.external_force) +
-        scheme_.contact_weight() * now.contact_force + scheme_.forces.before * before.residual_force;
-    if (scheme_.dynamic)
-      sum += scheme_.inertia.now * (model_.mass * now.motion.a) +
-             scheme_.inertia.before * (model_.mass * before.motion.a) +
-             scheme_.damping.now * (model_.damping * now.motion.v) +
-             scheme_.damping.before * (model_.damping * before.motion.v);
-    return sum;
-  }
+  AnyStates any_{GetParam()};
+  const model::Model& model_ = any_.model;
+  const time::Scheme& scheme_ = any_.scheme;
 };
 
 TEST_P(Ledger, ClosesWhateverAStepDoes) {
-  const auto start = any_state();
+  const auto start = any_.any_state();
   EnergyAccount account(model_, scheme_, start);
   auto before = start;
   for (const double h : {0.5, 0.1, 2.0, 0.7}) {
-    const auto now = any_step_from(before, h);
+    const auto now = any_.any_step_from(before, h);
     account.enter(before, now);
     EXPECT_LE(std::abs(account.ledger().balance()), 1e-12 * account.ledger().largest());
     before = now;
@@ -116,19 +42,19 @@ TEST_P(Ledger, ClosesWhateverAStepDoes) {
 }
 
 TEST_P(Ledger, HoldsTheWorkOfWhatIsLeftUnbalanced) {
-  const auto before = any_state();
-  const auto now = any_step_from(before, 0.5);
+  const auto before = any_.any_state();
+  const auto now = any_.any_step_from(before, 0.5);
   EnergyAccount account(model_, scheme_, before);
   account.enter(before, now);
-  const VectorXd left = left_side(before, now);
+  const VectorXd left = any_.left_side(before, now);
   const VectorXd moved = now.motion.u - before.motion.u;
   const double work = model_.reduction.gather(left).dot(model_.reduction.gather(moved));
   EXPECT_NEAR(account.ledger().unbalanced, work, 1e-11 * account.ledger().largest());
 }
 
 TEST_P(Ledger, MeasuresWorksByTheMeanOfBothEnds) {
-  const auto before = any_state();
-  const auto now = any_step_from(before, 0.5);
+  const auto before = any_.any_state();
+  const auto now = any_.any_step_from(before, 0.5);
   EnergyAccount account(model_, scheme_, before);
   account.enter(before, now);
   const auto& ledger = account.ledger();
@@ -145,7 +71,7 @@ TEST_P(Ledger, MeasuresWorksByTheMeanOfBothEnds) {
   EXPECT_NEAR(ledger.friction + ledger.impact, contact_work(before.contact_force, now.contact_force), 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Ledger, testing::ValuesIn(schemes),
+INSTANTIATE_TEST_SUITE_P(Of, Ledger, testing::ValuesIn(test::every_implicit_scheme),
                          [](const auto& chosen) { return chosen.param.name; });
 
 /// Vibration under a load that stays: all that is lost is what the scheme dissipates. In parts of the largest
@@ -155,7 +81,7 @@ double lost_part(std::vector<deck::Setting> changes, double& numerical_part) {
   changes.push_back({"supports", "[{on: clamp, fix: [x, y]}]"});
   changes.push_back({"loads", "[{gravity: {y: -2}}]"});
   changes.push_back({"time.end", "10"});
-  test::Walk walk(block, changes);
+  test::Walk walk(test::pulled_block, changes);
   EnergyAccount account(walk.model, walk.scheme, walk.state());
   while (!walk.finished()) {
     EXPECT_TRUE(walk.advance());
@@ -191,6 +117,50 @@ TEST(EnergyOfContact, OfPenaltySpringsIsWhatTheyTookUp) {
     EXPECT_LE(std::abs(account.ledger().balance()), 1e-10 * account.ledger().largest());
   }
   EXPECT_GT(largest, 0);
+}
+
+/// ½ ∫ k ⟨−g⟩² over the surface by the points of each rule, from gaps alone.
+TEST(EnergyOfContact, OfPenaltySpringsIsTheIntegralOverTheSurface) {
+  for (const char* integration : {"auto", "{gauss: 2}", "{gauss: 3}"}) {
+    std::vector<deck::Setting> changes{{"contact.interface.method", "penalty"}};
+    if (std::string(integration) != "auto")
+      changes.push_back({"contact.interface.integration", integration});
+    test::Walk walk(test::two_beams, changes);
+    const auto system = make_effective_system(walk.model, walk.scheme, walk.length());
+    EnergyAccount account(walk.model, walk.scheme, walk.state());
+    double largest = 0;
+    while (!walk.finished()) {
+      ASSERT_TRUE(walk.advance());
+      account.enter(walk.before, walk.state());
+      const auto& zone = walk.model.zones.front();
+      const auto& outcomes = walk.state().zones.front().outcomes;
+      double integral = 0;
+      for (std::size_t i = 0; i < outcomes.size(); ++i)
+        if (!zone.points[i].excluded && outcomes[i].gap < 0)
+          integral +=
+              0.5 * zone.points[i].area * system.zones.front().normal[i] * std::pow(outcomes[i].gap, 2);
+      EXPECT_NEAR(account.ledger().contact, integral, 1e-9 * account.ledger().largest()) << integration;
+      largest = std::max(largest, integral);
+    }
+    EXPECT_GT(largest, 1e-6 * account.ledger().largest()) << integration;
+  }
+}
+
+/// Between nodes points of exact contact sink in a little, as gaps close on average: there is no spring.
+TEST(EnergyOfContact, IsNoneWhereGapsCloseOnAverage) {
+  test::Walk walk(test::two_beams, {{"contact.interface.integration", "{gauss: 3}"}});
+  EnergyAccount account(walk.model, walk.scheme, walk.state());
+  double deepest = 0;
+  while (!walk.finished()) {
+    ASSERT_TRUE(walk.advance());
+    account.enter(walk.before, walk.state());
+    for (const auto& outcome : walk.state().zones.front().outcomes)
+      if (outcome.pressure > 0)
+        deepest = std::min(deepest, outcome.gap);
+    EXPECT_EQ(account.ledger().contact, 0);
+    EXPECT_LE(std::abs(account.ledger().balance()), 1e-10 * account.ledger().largest());
+  }
+  EXPECT_LT(deepest, 0) << "some points are to sink in";
 }
 
 TEST(EnergyRecord, KeepsTheLargestGainWithItsInstantAndCauses) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/rings.hpp"
 #include "support/two_blocks.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
@@ -226,28 +227,6 @@ TEST(FreeSaddle, DropsOnAPin) {
   }
 }
 
-/// Rectangles over [0, 2π] wrapped to whole rings: x is the angle, y the radius.
-mesh::Mesh closed(mesh::Mesh mesh) {
-  constexpr double round = 2 * std::numbers::pi;
-  const auto flat = mesh.points;
-  const auto first_of = [&](mesh::NodeIndex node) {
-    const auto& place = flat[static_cast<std::size_t>(node)];
-    for (std::size_t i = 0; place.x() > round - 1e-9 && i < flat.size(); ++i)
-      if (flat[i].x() < 1e-9 && std::abs(flat[i].y() - place.y()) < 1e-9)
-        return static_cast<mesh::NodeIndex>(i);
-    return node;
-  };
-  for (auto& block : mesh.blocks)
-    for (auto& node : block.nodes)
-      node = first_of(node);
-  constexpr double start = 0.03; // of the pin's facets, against those of the ring
-  for (auto& point : mesh.points) {
-    const double angle = point.x() + (point.y() < 1 ? start : 0.0);
-    point = Eigen::Vector3d(point.y() * std::cos(angle), -point.y() * std::sin(angle), 0.0);
-  }
-  return mesh;
-}
-
 /// A whole ring on a round pin: friction alone holds it.
 std::string ring_deck(int cells, double load) {
   return "mesh:\n"
@@ -272,7 +251,7 @@ TEST(FreeRing, HangsOnAPinWithoutFriction) {
   const std::vector<deck::Setting> smooth{{"contact.rest.friction", "0"}};
   for (const double load : {7.8e4, 1e6, 1e8}) {
     const auto study = deck::parse_deck(ring_deck(96, load), "deck.yaml", smooth).runs.front();
-    Walk walk(model::build_model(study, closed(model::load_mesh(study.mesh))));
+    Walk walk(model::build_model(study, test::closed_rings(model::load_mesh(study.mesh))));
     ASSERT_TRUE(walk.to_end()) << load;
     EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
     EXPECT_LE(most_iterations(walk), 10) << load;
@@ -289,7 +268,7 @@ TEST(FreeRing, DropsOnAPinWithoutFriction) {
         changes.push_back(
             {"mesh.generate.0.rectangle.to", "[6.283185307179586, " + std::to_string(1 - drop) + "]"});
         const auto study = deck::parse_deck(ring_deck(cells, load), "deck.yaml", changes).runs.front();
-        Walk walk(model::build_model(study, closed(model::load_mesh(study.mesh))));
+        Walk walk(model::build_model(study, test::closed_rings(model::load_mesh(study.mesh))));
         EXPECT_EQ(walk.model.notes.size(), 1U);
         ASSERT_TRUE(walk.to_end()) << cells << " " << drop << " " << load;
         EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
@@ -307,7 +286,7 @@ TEST(FreeRing, IsHeldByFrictionOnAPin) {
   for (const int cells : {43, 47, 55})
     for (const double load : {7.8e4, 1e6, 1e8}) {
       const auto study = deck::parse_deck(ring_deck(cells, load), "deck.yaml", {}).runs.front();
-      Walk walk(model::build_model(study, closed(model::load_mesh(study.mesh))));
+      Walk walk(model::build_model(study, test::closed_rings(model::load_mesh(study.mesh))));
       ASSERT_TRUE(walk.to_end()) << cells << " " << load;
       EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
       EXPECT_LE(most_iterations(walk), 25) << cells << " " << load;
@@ -327,7 +306,7 @@ TEST(FreeRing, HasALedgerThatClosesInManySteps) {
                                                {"mesh.generate.0.rectangle.to", "[6.283185307179586, 0.9]"},
                                                {"time.step", "0.1"}};
       const auto study = deck::parse_deck(ring_deck(cells, 7.8e4), "deck.yaml", changes).runs.front();
-      Walk walk(model::build_model(study, closed(model::load_mesh(study.mesh))));
+      Walk walk(model::build_model(study, test::closed_rings(model::load_mesh(study.mesh))));
       EnergyRecord record;
       while (!walk.finished()) {
         ASSERT_TRUE(walk.advance()) << cells << " " << friction;

@@ -4,7 +4,6 @@
 
 #include "support/decks.hpp"
 #include "support/walk.hpp"
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -127,18 +126,6 @@ TEST(ContactForces, BalanceInForceAlwaysAndInMomentButForPointsBesideTheMastersE
     EXPECT_LT(imbalance(walk).force, 1e-14);
     EXPECT_LT(imbalance(walk).moment, 0.05 / 2);
   }
-}
-
-/// From the last step's statuses some of these steps go round in cycles; from the guess they don't.
-TEST(StiffFrictionSprings, NeedNoCutsWhereTheGuessKnowsBetter) {
-  Walk walk(test::two_beams, {{"mesh.refine", "2"},
-                              {"contact.interface.method", "nodal_lagrange"},
-                              {"contact.interface.coefficients", "{tangential: 1.4e12}"},
-                              {"time.start", "at_rest_unloaded"},
-                              {"time.step", "1e-4"},
-                              {"time.end", "3e-3"}});
-  ASSERT_TRUE(walk.to_end());
-  EXPECT_TRUE(std::ranges::all_of(walk.reports, &StepReport::converged));
 }
 
 /// A block that a pressure holds on its ground, dragged at its top.
