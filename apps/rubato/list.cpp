@@ -3,7 +3,7 @@
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/study/contact_methods.hpp"
-#include "rubato/time/scheme.hpp"
+#include "rubato/study/schemes.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ int list() {
     fmt::print("  {:<10} dimension {}, {:>2} nodes{}\n", cell.name, cell.dimension, cell.node_count,
                cell::has_reference_cell(cell.type) ? "" : "   (in mesh files only)");
   fmt::print("\nTime schemes (time.scheme)\n");
-  for (const auto& scheme : time::all_schemes())
+  for (const auto& scheme : study::schemes)
     fmt::print("  {:<31} {:<36} {}\n", scheme.name, scheme.code_aster, scheme.summary);
   fmt::print("\nContact methods (contact.ZONE.method)\n");
   for (const auto& method : study::contact_methods)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Implicit time schemes as rows of one table.
+/// Implicit time schemes: what the words of study/schemes.hpp mean.
 ///
 /// A scheme is Newmark's pair β, γ and the weights of the terms of equilibrium at the end (now) and at the
 /// start (before) of a step of length h:
@@ -11,9 +11,6 @@
 #include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
-
-#include <span>
-#include <string_view>
 
 namespace rubato::time {
 
@@ -66,14 +63,5 @@ Motion predict(const Scheme& scheme, double step, const Motion& start);
 
 /// u += d, v and a accordingly.
 void correct(const StepCoefficients& coefficients, const Eigen::VectorXd& d, Motion& motion);
-
-struct SchemeEntry {
-  study::SchemeKind kind;
-  std::string_view name;
-  std::string_view code_aster;
-  std::string_view summary;
-};
-/// Every scheme there is, for `rubato list` and the guide.
-std::span<const SchemeEntry> all_schemes();
 
 } // namespace rubato::time

@@ -85,7 +85,7 @@ TEST(SchemeTable, ChungAndHulbertFollowFromTheSpectralRadius) {
 }
 
 TEST(SchemeTable, WeightsOfEveryDynamicSchemeSumToOne) {
-  for (const auto& entry : all_schemes()) {
+  for (const auto& entry : study::schemes) {
     if (study::is_explicit(entry.kind))
       continue;
     const auto scheme = test::scheme_of(entry.kind, -0.2);
@@ -101,12 +101,14 @@ TEST(SchemeTable, HasNoWeightsOfAnExplicitScheme) {
 TEST(SchemeTable, NamesEachSchemeOnce) {
   std::set<std::string_view> names;
   std::set<study::SchemeKind> kinds;
-  for (const auto& entry : all_schemes()) {
+  for (const auto& entry : study::schemes) {
     names.insert(entry.name);
     kinds.insert(entry.kind);
   }
-  EXPECT_EQ(names.size(), all_schemes().size());
-  EXPECT_EQ(kinds.size(), all_schemes().size());
+  for (const auto& entry : study::schemes)
+    EXPECT_EQ(study::entry_of(entry.kind).name, entry.name);
+  EXPECT_EQ(names.size(), study::schemes.size());
+  EXPECT_EQ(kinds.size(), study::schemes.size());
 }
 
 TEST(Step, KeepsNewmarksFormulasWhateverTheCorrection) {

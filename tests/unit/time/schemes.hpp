@@ -2,6 +2,7 @@
 /// Schemes by name and one step of a single mass on a spring.
 #pragma once
 
+#include "rubato/study/schemes.hpp"
 #include "rubato/time/scheme.hpp"
 
 namespace rubato::test {
