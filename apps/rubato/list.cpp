@@ -3,6 +3,7 @@
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/study/contact_methods.hpp"
+#include "rubato/study/material_laws.hpp"
 #include "rubato/study/schemes.hpp"
 
 #include <fmt/format.h>
@@ -41,8 +42,9 @@ int list() {
                                       {"plane_strain", "2D, with thickness"},
                                       {"axisymmetric", "2D, x is the radius"}})
     fmt::print("  {:<31} {}\n", name, summary);
-  fmt::print("\nMaterial laws (materials.NAME)\n  {:<31} {}\n", "isotropic linear elasticity",
-             "young, poisson");
+  fmt::print("\nMaterial laws (materials.NAME.law)\n");
+  for (const auto& law : study::material_laws)
+    fmt::print("  {:<31} {:<36} {}\n", law.name, law.code_aster, law.summary);
   fmt::print("\nMesh files\n");
   for (const auto& format : rubato::mesh::all_formats())
     fmt::print("  {:<31} {}\n", format.extension, format.summary);

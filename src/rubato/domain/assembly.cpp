@@ -53,9 +53,8 @@ void require_finite(const Values& element, const mesh::Mesh& mesh, const Bulk& b
                     std::string_view what) {
   if (element.allFinite())
     return;
-  const auto& law = bulk.law(i);
-  throw InputError(fmt::format("{}: its {} is not finite (young {:g}, poisson {:g}, density {:g})",
-                               cell_label(mesh, bulk.cells[i]), what, law.young, law.poisson, law.density));
+  throw InputError(fmt::format("{}: its {} is not finite ({})", cell_label(mesh, bulk.cells[i]), what,
+                               material::described(bulk.law(i))));
 }
 
 } // namespace
@@ -167,7 +166,7 @@ SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const Block
     const auto [block, index] = mesh.place_of(bulk.cells[i]);
     const auto nodes = block->cell(index);
     element.resize(static_cast<Eigen::Index>(nodes.size()), static_cast<Eigen::Index>(nodes.size()));
-    mass(block->type, CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, element);
+    mass(block->type, CellPoints(mesh, nodes), material::density(bulk.law(i)), bulk.section, element);
     element *= factor_of(factors, bulk, i);
     require_finite(element, mesh, bulk, i, "mass");
     pattern.add_to_diagonals(nodes, element, matrix);
@@ -183,7 +182,7 @@ Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofM
     const auto [block, index] = mesh.place_of(bulk.cells[i]);
     const auto nodes = block->cell(index);
     element.resize(static_cast<Eigen::Index>(nodes.size()));
-    lumped_mass(block->type, CellPoints(mesh, nodes), bulk.law(i).density, bulk.section, element);
+    lumped_mass(block->type, CellPoints(mesh, nodes), material::density(bulk.law(i)), bulk.section, element);
     element *= factor_of(factors, bulk, i);
     require_finite(element, mesh, bulk, i, "mass");
     for (std::size_t n = 0; n < nodes.size(); ++n)

@@ -69,7 +69,8 @@ Json echo(const MeshSource& mesh) {
 }
 
 Json echo(const Material& material) {
-  Json map{{"young", material.young}, {"poisson", material.poisson}};
+  Json map{{"law", word(law_words, material.law)}};
+  put_numbers(map, entry_of(material.law), material);
   put_optional(map, "density", material.density);
   map["rayleigh"] = {{"stiffness", material.rayleigh_stiffness}, {"mass", material.rayleigh_mass}};
   map["cells"] = material.everywhere ? Json("all") : Json(material.cells);

@@ -50,10 +50,14 @@ struct MeshSource {
 
 enum class Physics { solid, plane_stress, plane_strain, axisymmetric };
 
+/// What gives stresses from strains; study/material_laws.hpp has a row for each.
+enum class LawKind { elastic };
+
 struct Material {
   std::string name;
-  double young = 0;   ///< E [pressure] > 0
-  double poisson = 0; ///< −1 < ν < 0.5
+  LawKind law = LawKind::elastic;
+  double young = 0;   ///< elastic: E [pressure] > 0
+  double poisson = 0; ///< elastic: −1 < ν < 0.5
   std::optional<double> density;
   double rayleigh_stiffness = 0;  ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
   double rayleigh_mass = 0;       ///< [1/time]

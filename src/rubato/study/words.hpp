@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/study/contact_methods.hpp"
+#include "rubato/study/material_laws.hpp"
 #include "rubato/study/schemes.hpp"
 #include "rubato/study/study.hpp"
 
@@ -50,6 +51,8 @@ constexpr auto words_of(const std::array<Entry, N>& entries, Value Entry::*membe
 }
 inline constexpr auto contact_method_words = words_of(contact_methods, &ContactMethodEntry::method);
 inline constexpr auto friction_method_words = words_of(friction_methods, &FrictionMethodEntry::method);
+
+inline constexpr auto law_words = words_of(material_laws, &LawEntry::law);
 
 inline constexpr std::array<Word<ContactNormal>, 3> contact_normal_words{
     {{"master", ContactNormal::master},

@@ -51,6 +51,7 @@ TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {
   EXPECT_EQ(json["title"], "two beams");
   EXPECT_EQ(json["mesh"]["generate"][0]["cells"], "quad8");
   EXPECT_EQ(json["mesh"]["generate"][1]["cells"], "quad4");
+  EXPECT_EQ(json["materials"]["steel"]["law"], "elastic");
   EXPECT_EQ(json["materials"]["steel"]["young"], 200e9);
   EXPECT_EQ(json["supports"][1]["y"]["function"], "ramp");
   EXPECT_EQ(json["loads"][0]["nodal_force"]["y"], -1e7);

@@ -7,7 +7,6 @@
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"
 
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +22,7 @@ public:
   const Study& study;
 
   /// `paths` are the values that the rule is about; it is told at the first.
-  void broken(std::initializer_list<std::string> paths, std::string text);
+  void broken(std::vector<std::string> paths, std::string text);
 
   /// A number within its bounds, finite in any case.
   void number(const std::string& path, double value, const Range& range = {});
