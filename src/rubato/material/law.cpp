@@ -12,6 +12,8 @@ Law make_law(const study::Material& material) {
   switch (material.law) {
   case study::LawKind::elastic:
     return LinearElastic{material.young, material.poisson, density};
+  case study::LawKind::orthotropic:
+    return make_orthotropic(material.orthotropy, density);
   }
   throw std::logic_error("a material law without its row in make_law");
 }

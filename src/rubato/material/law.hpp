@@ -7,6 +7,7 @@
 #pragma once
 
 #include "rubato/material/linear_elastic.hpp"
+#include "rubato/material/orthotropic.hpp"
 #include "rubato/material/voigt.hpp"
 
 #include <optional>
@@ -15,7 +16,7 @@
 
 namespace rubato::material {
 
-using Law = std::variant<LinearElastic>;
+using Law = std::variant<LinearElastic, Orthotropic>;
 
 /// The law of a material that keeps the study's rules (study/validate.hpp).
 Law make_law(const study::Material& material);

@@ -51,13 +51,33 @@ struct MeshSource {
 enum class Physics { solid, plane_stress, plane_strain, axisymmetric };
 
 /// What gives stresses from strains; study/material_laws.hpp has a row for each.
-enum class LawKind { elastic };
+enum class LawKind { elastic, orthotropic };
+
+/// Orthotropic elasticity: moduli along axes x', y', z' and the turn of these. poisson_xy is the contraction
+/// along y' under a stress along x'. Plane stress needs nothing of z', only solids need shear_yz and
+/// shear_xz.
+struct Orthotropy {
+  double young_x = 0; ///< E_x [pressure] > 0
+  double young_y = 0;
+  std::optional<double> young_z;
+  double poisson_xy = 0; ///< ν_xy = −ε_yy/ε_xx under σ_xx
+  std::optional<double> poisson_yz;
+  std::optional<double> poisson_xz;
+  double shear_xy = 0; ///< G_xy [pressure] > 0
+  std::optional<double> shear_yz;
+  std::optional<double> shear_xz;
+  double angle_z = 0; ///< [degrees] of the turn about z, the first; about the new y, about the new x
+  double angle_y = 0;
+  double angle_x = 0;
+  bool operator==(const Orthotropy&) const = default;
+};
 
 struct Material {
   std::string name;
   LawKind law = LawKind::elastic;
-  double young = 0;   ///< elastic: E [pressure] > 0
-  double poisson = 0; ///< elastic: −1 < ν < 0.5
+  double young = 0;      ///< elastic: E [pressure] > 0
+  double poisson = 0;    ///< elastic: −1 < ν < 0.5
+  Orthotropy orthotropy; ///< orthotropic
   std::optional<double> density;
   double rayleigh_stiffness = 0;  ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
   double rayleigh_mass = 0;       ///< [1/time]

@@ -39,6 +39,11 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
     decks.push_back(replaced(smallest_deck, "newmark", scheme));
     decks.push_back(replaced(decks.back(), "step: 1e-3", "step: auto"));
   }
+  const auto timber = replaced(smallest_deck, "young: 200e9, poisson: 0.3",
+                               "law: orthotropic, young_x: 9, young_y: 4, young_z: 1, poisson_xy: 0.3, "
+                               "poisson_yz: 0.2, poisson_xz: 0.1, shear_xy: 3, shear_yz: 2, shear_xz: 1");
+  decks.push_back(timber);
+  decks.push_back(replaced(timber, "shear_xz: 1", "shear_xz: 1, angle_z: 10, angle_y: -20, angle_x: 30"));
   decks.push_back(smallest_deck + "solver: condensed\n");
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);

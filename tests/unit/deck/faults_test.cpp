@@ -92,7 +92,10 @@ const Mistake type_mistakes[] = {
      "newton: found '25', expected a map"},
     {"[0, 1, 2]", "0", "0, values", "functions.ramp.times: found '0', expected a list"},
     {"young: 200e9", "law: elastik\n    young: 200e9", "elastik",
-     "materials.steel.law: found 'elastik', expected elastic; did you mean 'elastic'?"},
+     "materials.steel.law: found 'elastik', expected one of elastic, orthotropic; did you mean 'elastic'?"},
+    {"young: 200e9\n    poisson: 0.25", "law: ortotropic\n    young_x: 9", "ortotropic",
+     "materials.steel.law: found 'ortotropic', expected one of elastic, orthotropic; did you mean "
+     "'orthotropic'?"},
     {"title: two beams", "title: [two]", "[two]", "title: found a list, expected text"},
     {"on: Above, value", "on: '', value", "'', value",
      "loads.3.pressure.on: found the text '', expected a name"},
@@ -108,6 +111,35 @@ const Mistake range_mistakes[] = {
     {"0.25", "0.5", "0.5\n    density",
      "materials.steel.poisson: found '0.5', expected a number between -1 and 0.5"},
     {"0.25", "-1", "-1\n", "materials.steel.poisson: found '-1', expected a number between -1 and 0.5"},
+    {"    density: 7800", "    shear_xy: 1\n    density: 7800", "1\n    density",
+     "materials.steel.shear_xy: the law elastic takes no shear_xy, orthotropic takes it; a run removes it by "
+     "'shear_xy: ~'"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: -9\n    young_y: 4\n    poisson_xy: 0.3\n    shear_xy: 2\n    # end",
+     "-9", "materials.steel.young_x: found '-9', expected a number > 0"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 0.3\n    # end", "law: ortho",
+     "materials.steel: 'shear_xy' is missing"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 0.3\n    shear_xy: 2\n    yung_z: "
+     "3\n    # end",
+     "yung_z", "unknown key 'materials.steel.yung_z'; did you mean 'young_z'?"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 0.3\n    shear_xy: 2\n    young: 3\n "
+     "   # end",
+     "3\n    # end",
+     "materials.steel.young: the law orthotropic takes no young, elastic takes it; a run removes it by "
+     "'young: ~'"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 1.6\n    shear_xy: 2\n    # end",
+     "1.6",
+     "materials.steel.poisson_xy: found 1.6, expected a number between -1.5 and 1.5, the roots of "
+     "young_x/young_y: else a strain has no positive energy"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 0.3\n    shear_xy: 2\n    angle_y: "
+     "30\n    # end",
+     "30\n    # end",
+     "materials.steel.angle_y: found 30, but axes turn in the plane only in plane_stress, expected angle_z"},
     {"7800", "-7800", "-7800", "materials.steel.density: found '-7800', expected a number >= 0"},
     {"thickness: 0.5", "thickness: 0", "0\nmaterials", "thickness: found '0', expected a number > 0"},
     {"friction: 0.2", "friction: -0.2", "-0.2",
