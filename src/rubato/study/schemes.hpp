@@ -31,13 +31,15 @@ inline constexpr std::array modified_average_acceleration_numbers{
     number<TimeStepping, &TimeStepping::alpha>("alpha", at_most(0), true)};
 inline constexpr std::array generalized_alpha_numbers{
     number<TimeStepping, &TimeStepping::spectral_radius>("spectral_radius", from_to(0, 1))};
+inline constexpr std::array wbz_alpha_numbers{
+    number<TimeStepping, &TimeStepping::alpha>("alpha", from_to(-1, 0), true)};
 inline constexpr std::array moreau_jean_numbers{
     number<TimeStepping, &TimeStepping::theta>("theta", from_to(0.5, 1))};
 /// `record` has a default that follows from the length of the run, and so is no number of the row.
 inline constexpr std::array central_difference_numbers{
     number<TimeStepping, &TimeStepping::safety>("safety", Range{.low = 0, .high = 1, .low_allowed = false})};
 
-inline constexpr std::array<SchemeEntry, 7> schemes{{
+inline constexpr std::array<SchemeEntry, 8> schemes{{
     {.kind = SchemeKind::newmark,
      .name = "newmark",
      .code_aster = "NEWMARK",
@@ -58,6 +60,11 @@ inline constexpr std::array<SchemeEntry, 7> schemes{{
      .code_aster = "",
      .summary = "Chung and Hulbert, from the spectral radius ρ_∞",
      .numbers = generalized_alpha_numbers},
+    {.kind = SchemeKind::wbz_alpha,
+     .name = "wbz_alpha",
+     .code_aster = "",
+     .summary = "Wood, Bossak and Zienkiewicz: α in −1…0 weighs the inertia and damps high frequencies",
+     .numbers = wbz_alpha_numbers},
     {.kind = SchemeKind::moreau_jean,
      .name = "moreau_jean",
      .code_aster = "",

@@ -215,6 +215,7 @@ enum class SchemeKind {
   hht,
   modified_average_acceleration,
   generalized_alpha,
+  wbz_alpha,
   moreau_jean, ///< velocities jump where bodies hit
   static_steps,
   central_difference
@@ -239,7 +240,7 @@ enum class StartKind {
 
 struct TimeStepping {
   SchemeKind scheme = SchemeKind::moreau_jean;
-  double alpha = 0;             ///< hht −1/3…0, modified_average_acceleration ≤ 0
+  double alpha = 0;             ///< hht −1/3…0, modified_average_acceleration ≤ 0, wbz_alpha −1…0
   std::optional<double> beta;   ///< newmark only
   std::optional<double> gamma;  ///< newmark only
   double spectral_radius = 0.5; ///< generalized_alpha: ρ_∞ in 0…1

@@ -56,6 +56,11 @@ Scheme make_scheme(const study::TimeStepping& settings) {
     return with_alpha(settings.alpha);
   case SchemeKind::generalized_alpha:
     return generalized_alpha(settings.spectral_radius);
+  case SchemeKind::wbz_alpha: {
+    auto scheme = with_alpha(settings.alpha);
+    scheme.inertia = {1 - settings.alpha, settings.alpha};
+    return scheme;
+  }
   case SchemeKind::moreau_jean:
     return theta_method(settings.theta);
   case SchemeKind::static_steps: {

@@ -32,8 +32,9 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   std::vector<std::string> decks{box, replaced(smallest_deck, "solid", "axisymmetric"),
                                  replaced(smallest_deck, "solid", "plane_strain\nthickness: 3"),
                                  replaced(smallest_deck, "step: 1e-3, end: 0.012", "instants: [0.1, 0.3]")};
-  for (const auto* scheme : {"newmark, beta: 0.3, gamma: 0.6", "hht, alpha: -0.1",
-                             "modified_average_acceleration, alpha: -0.1", "generalized_alpha", "static"})
+  for (const auto* scheme :
+       {"newmark, beta: 0.3, gamma: 0.6", "hht, alpha: -0.1", "modified_average_acceleration, alpha: -0.1",
+        "generalized_alpha", "wbz_alpha, alpha: -0.2", "static"})
     decks.push_back(replaced(smallest_deck, "newmark", scheme));
   for (const auto* scheme : {"central_difference", "central_difference, safety: 0.5, record: 1e-4"}) {
     decks.push_back(replaced(smallest_deck, "newmark", scheme));

@@ -83,7 +83,7 @@ const Mistake type_mistakes[] = {
     {"last: false", "last: no", "no}", "fields.last: found 'no', expected one of true, false"},
     {"scheme: hht", "scheme: hth", "hth",
      "time.scheme: found 'hth', expected one of newmark, hht, modified_average_acceleration, "
-     "generalized_alpha, "
+     "generalized_alpha, wbz_alpha, "
      "moreau_jean, static, central_difference; did you mean 'hht'?"},
     {"formats: [vtu, med]", "formats: [vtu, vtk]", "vtk",
      "fields.formats.1: found 'vtk', expected one of vtu, med; "
@@ -154,6 +154,8 @@ const Mistake range_mistakes[] = {
     {"-0.3", "-0.34", "-0.34", "time.alpha: found '-0.34', expected a number from -0.333333 to 0"},
     {"scheme: hht\n  alpha: -0.3", "scheme: modified_average_acceleration\n  alpha: 0.1", "0.1\n  begin",
      "time.alpha: found '0.1', expected a number <= 0"},
+    {"scheme: hht\n  alpha: -0.3", "scheme: wbz_alpha\n  alpha: -1.1", "-1.1",
+     "time.alpha: found '-1.1', expected a number from -1 to 0"},
     {"scheme: hht\n  alpha: -0.3", "scheme: generalized_alpha\n  spectral_radius: 1.1", "1.1",
      "time.spectral_radius: found '1.1', expected a number from 0 to 1"},
     {"scheme: hht\n  alpha: -0.3", "scheme: newmark\n  beta: 0", "0\n  begin",
@@ -201,7 +203,8 @@ const Mistake range_mistakes[] = {
 
 const Mistake sense_mistakes[] = {
     {"scheme: hht", "scheme: newmark", "-0.3",
-     "time.alpha: the scheme newmark takes no alpha, hht and modified_average_acceleration take it; a run "
+     "time.alpha: the scheme newmark takes no alpha, hht, modified_average_acceleration and wbz_alpha take "
+     "it; a run "
      "removes it "
      "by 'alpha: ~'"},
     {"alpha: -0.3", "alpha: -0.3\n  beta: 0.25", "0.25\n  begin",
@@ -334,8 +337,8 @@ TEST(DeckFaults, AllOfADeckComeTogetherInTheOrderOfTheFile) {
                 "axisymmetric",
                 "study.yaml:3:13: materials.steel: 'density' is missing: the scheme newmark moves masses",
                 "study.yaml:3:28: materials.steel.young: found '-1', expected a number > 0",
-                "study.yaml:4:32: time.alpha: the scheme newmark takes no alpha, hht and "
-                "modified_average_acceleration take it; a run removes it by 'alpha: ~'",
+                "study.yaml:4:32: time.alpha: the scheme newmark takes no alpha, hht, "
+                "modified_average_acceleration and wbz_alpha take it; a run removes it by 'alpha: ~'",
                 "study.yaml:4:41: time.step: found '0', expected a number > 0",
                 "study.yaml:4:49: time.end: found -1, expected more than the begin, 0"}));
 }
@@ -352,8 +355,8 @@ TEST(DeckFaults, AFaultOfSomeRunsNamesThem) {
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0],
             place_of(deck, "-0.3") +
-                ": time.alpha: the scheme newmark takes no alpha, hht and modified_average_acceleration "
-                "take it; a run removes it by 'alpha: ~' (runs b, c)");
+                ": time.alpha: the scheme newmark takes no alpha, hht, modified_average_acceleration and "
+                "wbz_alpha take it; a run removes it by 'alpha: ~' (runs b, c)");
 }
 
 TEST(DeckFaults, ThicknessOnlyBelongsToPlanes) {

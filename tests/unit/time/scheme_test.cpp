@@ -84,6 +84,17 @@ TEST(SchemeTable, ChungAndHulbertFollowFromTheSpectralRadius) {
   }
 }
 
+TEST(SchemeTable, WoodBossakZienkiewiczWeighInertiaAndNothingElse) {
+  for (const double alpha : {0., -0.1, -0.3, -1.}) {
+    const auto scheme = test::wbz(alpha);
+    EXPECT_DOUBLE_EQ(scheme.beta, (1 - alpha) * (1 - alpha) / 4);
+    EXPECT_DOUBLE_EQ(scheme.gamma, 0.5 - alpha);
+    expect_weights(scheme.inertia, 1 - alpha, alpha);
+    expect_weights(scheme.forces, 1, 0);
+    expect_weights(scheme.damping, 1, 0);
+  }
+}
+
 TEST(SchemeTable, WeightsOfEveryDynamicSchemeSumToOne) {
   for (const auto& entry : study::schemes) {
     if (study::is_explicit(entry.kind))
@@ -113,8 +124,8 @@ TEST(SchemeTable, NamesEachSchemeOnce) {
 
 TEST(Step, KeepsNewmarksFormulasWhateverTheCorrection) {
   const double h = 0.37, u0 = 1.3, v0 = -0.7, a0 = 2.9;
-  for (const auto& scheme :
-       {test::newmark(), test::hht(-0.3), test::modified(-0.2), test::generalized_alpha(0.6)})
+  for (const auto& scheme : {test::newmark(), test::hht(-0.3), test::modified(-0.2),
+                             test::generalized_alpha(0.6), test::wbz(-0.4)})
     for (const double d : {0., 0.8, -11.}) {
       auto end = predict(scheme, h, test::motion(u0, v0, a0));
       correct(coefficients_of(scheme, h), Eigen::VectorXd::Constant(1, d), end);

@@ -29,6 +29,10 @@ inline time::Scheme generalized_alpha(double spectral_radius) {
   return time::make_scheme(settings);
 }
 
+inline time::Scheme wbz(double alpha) {
+  return scheme_of(study::SchemeKind::wbz_alpha, alpha);
+}
+
 inline time::Scheme moreau_jean(double theta) {
   study::TimeStepping settings;
   settings.scheme = study::SchemeKind::moreau_jean;
