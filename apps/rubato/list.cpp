@@ -3,7 +3,8 @@
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/study/contact_methods.hpp"
-#include "rubato/time/scheme.hpp"
+#include "rubato/study/material_laws.hpp"
+#include "rubato/study/schemes.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ int list() {
     fmt::print("  {:<10} dimension {}, {:>2} nodes{}\n", cell.name, cell.dimension, cell.node_count,
                cell::has_reference_cell(cell.type) ? "" : "   (in mesh files only)");
   fmt::print("\nTime schemes (time.scheme)\n");
-  for (const auto& scheme : time::all_schemes())
+  for (const auto& scheme : study::schemes)
     fmt::print("  {:<31} {:<36} {}\n", scheme.name, scheme.code_aster, scheme.summary);
   fmt::print("\nContact methods (contact.ZONE.method)\n");
   for (const auto& method : study::contact_methods)
@@ -46,8 +47,9 @@ int list() {
                                       {"plane_strain", "2D, with thickness"},
                                       {"axisymmetric", "2D, x is the radius"}})
     fmt::print("  {:<31} {}\n", name, summary);
-  fmt::print("\nMaterial laws (materials.NAME)\n  {:<31} {}\n", "isotropic linear elasticity",
-             "young, poisson");
+  fmt::print("\nMaterial laws (materials.NAME.law)\n");
+  for (const auto& law : study::material_laws)
+    fmt::print("  {:<31} {:<36} {}\n", law.name, law.code_aster, law.summary);
   fmt::print("\nMesh files\n");
   for (const auto& format : rubato::mesh::all_formats())
     fmt::print("  {:<31} {}\n", format.extension, format.summary);

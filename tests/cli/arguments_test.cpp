@@ -95,8 +95,8 @@ TEST_F(CommandLine, RefusesRunsThatTheDeckDoesNotHave) {
 TEST_F(CommandLine, ListsWhatItKnows) {
   const auto outcome = run_program({"list"}, folder_.path());
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const auto* word :
-       {"HEXA27", "generalized_alpha", "augmented_lagrangian", "sphere", "plane_strain", ".med"})
+  for (const auto* word : {"HEXA27", "generalized_alpha", "augmented_lagrangian", "sphere", "plane_strain",
+                           "orthotropic", ".med"})
     EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
 }
 

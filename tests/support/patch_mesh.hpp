@@ -181,7 +181,7 @@ inline std::vector<bool> boundary_nodes(const mesh::Mesh& mesh) {
 
 /// Every cell of the mesh, of one law.
 inline domain::Bulk whole_bulk(const mesh::Mesh& mesh, const element::Section& section,
-                               const material::LinearElastic& law) {
+                               const material::Law& law) {
   domain::Bulk bulk{
       section, std::vector<mesh::CellIndex>(static_cast<std::size_t>(mesh.cell_count())), {law}, {}};
   std::iota(bulk.cells.begin(), bulk.cells.end(), 0);

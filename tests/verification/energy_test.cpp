@@ -44,6 +44,7 @@ TEST_P(EnergyOfModelingF, Closes) {
 const std::vector<Variation> variations{
     {"Newmark", {{"time.scheme", "newmark"}, {"time.alpha", ""}}},
     {"GeneralizedAlpha", {{"time.scheme", "generalized_alpha"}, {"time.alpha", ""}}},
+    {"WbzAlpha", {{"time.scheme", "wbz_alpha"}}},
     {"ModifiedAverageAcceleration", {{"time.scheme", "modified_average_acceleration"}}},
     {"Static", {{"time.scheme", "static"}, {"time.alpha", ""}, {"time.start", ""}}},
     {"ConsistentStart", {{"time.start", "consistent"}}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Materials, functions of time, supports and loads.
 #include "rubato/deck/parts.hpp"
+#include "rubato/deck/rows.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +16,11 @@ study::Material read_material(const NamedValue& entry) {
   study::Material material;
   material.name = entry.name.text;
   MapReader map(entry.value);
-  read(map.require("young"), material.young);
-  read(map.require("poisson"), material.poisson);
+  const auto law = map.find("law");
+  if (!law || read(law, material.law, study::law_words))
+    read_numbers_of(map, study::material_laws, study::entry_of(material.law), "the law", material);
+  else
+    pass_numbers(map, study::material_laws);
   read(map.find("density"), material.density);
   if (const auto rayleigh = map.find("rayleigh")) {
     MapReader damping(*rayleigh);

@@ -1,83 +1,29 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/parts.hpp"
+#include "rubato/deck/rows.hpp"
 
 #include <fmt/format.h>
 
 namespace rubato::deck {
 namespace {
 
-/// A number that only some schemes take.
-struct SchemeKey {
-  std::string_view key;
-  std::string_view takers;
-};
-constexpr std::array<SchemeKey, 7> scheme_keys{{{"alpha", "hht and modified_average_acceleration take it"},
-                                                {"beta", "newmark takes it"},
-                                                {"gamma", "newmark takes it"},
-                                                {"spectral_radius", "generalized_alpha takes it"},
-                                                {"theta", "moreau_jean takes it"},
-                                                {"safety", "central_difference takes it"},
-                                                {"record", "central_difference takes it"}}};
 /// Results an explicit run keeps when the deck doesn't say how many: its steps are too many to keep each.
 constexpr double usual_records = 1000;
-
-bool takes(study::SchemeKind scheme, std::string_view key) {
-  switch (scheme) {
-  case study::SchemeKind::newmark:
-    return key == "beta" || key == "gamma";
-  case study::SchemeKind::hht:
-  case study::SchemeKind::modified_average_acceleration:
-    return key == "alpha";
-  case study::SchemeKind::generalized_alpha:
-    return key == "spectral_radius";
-  case study::SchemeKind::moreau_jean:
-    return key == "theta";
-  case study::SchemeKind::central_difference:
-    return key == "safety" || key == "record";
-  case study::SchemeKind::static_steps:
-    return false;
-  }
-  return false;
-}
 
 void read_scheme(MapReader& map, Context& context, study::TimeStepping& time) {
   const auto named = map.find("scheme");
   if (named && !read(named, time.scheme, study::scheme_words)) {
-    for (const auto& known : scheme_keys)
-      map.find(known.key);
+    pass_numbers(map, study::schemes);
+    map.find("record");
     return;
   }
   context.scheme = time.scheme;
   const bool jumps = time.scheme == study::SchemeKind::moreau_jean;
   time.contact_mass = jumps ? study::ContactMass::redistributed : study::ContactMass::consistent;
-  const auto scheme = study::word_of(study::scheme_words, time.scheme);
-  for (const auto& [key, takers] : scheme_keys)
-    if (!takes(time.scheme, key))
-      map.refuse(key, fmt::format("the scheme {} takes no {}, {}; a run removes it by '{}: ~'", scheme, key,
-                                  takers, key));
-  switch (time.scheme) {
-  case study::SchemeKind::newmark:
-    read(map.find("beta"), time.beta);
-    read(map.find("gamma"), time.gamma);
-    break;
-  case study::SchemeKind::hht:
-    read(map.require("alpha"), time.alpha);
-    break;
-  case study::SchemeKind::modified_average_acceleration:
-    read(map.require("alpha"), time.alpha);
-    break;
-  case study::SchemeKind::generalized_alpha:
-    read(map.find("spectral_radius"), time.spectral_radius);
-    break;
-  case study::SchemeKind::moreau_jean:
-    read(map.find("theta"), time.theta);
-    break;
-  case study::SchemeKind::central_difference:
-    read(map.find("safety"), time.safety);
-    break;
-  case study::SchemeKind::static_steps:
-    break;
-  }
+  const auto& scheme = study::entry_of(time.scheme);
+  read_numbers_of(map, study::schemes, scheme, "the scheme", time);
+  if (!study::is_explicit(time.scheme))
+    refuse_of_others(map, "record", "the scheme", scheme.name, "central_difference takes it");
 }
 
 /// `step: auto` or a number, `end` and `record` of an explicit run.

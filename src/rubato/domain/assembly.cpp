@@ -85,7 +85,7 @@ struct Cell {
   CellType type;
   std::span<const NodeIndex> nodes;
   CellPoints points;
-  const material::LinearElastic& law;
+  const material::Law& law;
   double factor; ///< of its law
 };
 
@@ -94,9 +94,8 @@ template <class Values>
 void require_finite(const Values& element, const Cell& cell, const mesh::Mesh& mesh, std::string_view what) {
   if (element.allFinite())
     return;
-  const auto& law = cell.law;
-  throw InputError(fmt::format("{}: its {} is not finite (young {:g}, poisson {:g}, density {:g})",
-                               cell_label(mesh, cell.index), what, law.young, law.poisson, law.density));
+  throw InputError(fmt::format("{}: its {} is not finite ({})", cell_label(mesh, cell.index), what,
+                               material::described(cell.law)));
 }
 
 } // namespace
@@ -193,7 +192,7 @@ SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const Block
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
     const Cell cell(mesh, bulk, factors, i);
     element.resize(cell.node_count(), cell.node_count());
-    mass(cell.type, cell.points, cell.law.density, bulk.section, element);
+    mass(cell.type, cell.points, material::density(cell.law), bulk.section, element);
     element *= cell.factor;
     require_finite(element, cell, mesh, "mass");
     pattern.add_to_diagonals(cell.nodes, element, matrix);
@@ -208,7 +207,7 @@ Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofM
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
     const Cell cell(mesh, bulk, factors, i);
     element.resize(cell.node_count());
-    lumped_mass(cell.type, cell.points, cell.law.density, bulk.section, element);
+    lumped_mass(cell.type, cell.points, material::density(cell.law), bulk.section, element);
     element *= cell.factor;
     require_finite(element, cell, mesh, "mass");
     for (std::size_t n = 0; n < cell.nodes.size(); ++n)

@@ -17,12 +17,10 @@ namespace rubato::domain {
 struct Bulk {
   element::Section section;
   std::vector<mesh::CellIndex> cells;
-  std::vector<material::LinearElastic> laws;
+  std::vector<material::Law> laws;
   std::vector<std::int32_t> law_of_cell; ///< index in `laws`, one a cell of `cells`
 
-  const material::LinearElastic& law(std::size_t i) const {
-    return laws[static_cast<std::size_t>(law_of_cell[i])];
-  }
+  const material::Law& law(std::size_t i) const { return laws[static_cast<std::size_t>(law_of_cell[i])]; }
 };
 
 /// The coordinates of one cell's nodes, copied beside each other.

@@ -47,7 +47,7 @@ void gather(const DofMap& dofs, std::span<const NodeIndex> nodes, const Eigen::V
 }
 
 /// Full stresses at the quadrature points, 6 × points.
-MatrixXd point_stresses(const material::LinearElastic& law, study::Physics physics, const MatrixXd& strain) {
+MatrixXd point_stresses(const material::Law& law, study::Physics physics, const MatrixXd& strain) {
   MatrixXd result(6, strain.cols());
   for (Index q = 0; q < strain.cols(); ++q)
     result.col(q) = material::full_stress(law, physics, material::stress(law, physics, strain.col(q)));

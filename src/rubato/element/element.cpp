@@ -3,13 +3,16 @@
 ///   A_ab(i,j) = ∫ ∂_a N_i ∂_b N_j,
 /// one matrix product over all quadrature points; then
 ///   K_ab(i,j) = λ A_ab(i,j) + μ A_ba(i,j) + μ δ_ab Σ_c A_cc(i,j).
-/// Axisymmetric cells add the hoop row N_i / r to the gradients: ε_zz = u_x / r.
+/// Axisymmetric cells add the hoop row N_i / r to the gradients: ε_zz = u_x / r. A tangent D that is not
+/// isotropic needs no more: with B_i = Σ_r g_i^r L_r, L_r constant,
+///   K(i,j) = Σ_rs A_rs(i,j) L_rᵀ D L_s.
 #include "rubato/element/element.hpp"
 
 #include "rubato/cell/shape_table.hpp"
 
 #include <Eigen/LU>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -112,22 +115,70 @@ Columns<Rows * most_nodes> scaled_gradients(const cell::ShapeTable& table, Point
   return scaled;
 }
 
-/// K_ab(i,j) from A_ab(i,j), both for one pair of nodes.
-template <int D, int Rows> Square<D> stiffness_block(const material::Lame& lame, const Square<Rows>& a) {
-  const Square<D> plane = a.template topLeftCorner<D, D>();
-  Square<D> block = lame.lambda * plane + lame.mu * plane.transpose();
-  block.diagonal().array() += lame.mu * plane.trace();
-  if constexpr (Rows > D) {
-    block.row(0) += lame.lambda * a.row(D).template head<D>();
-    block.col(0) += lame.lambda * a.col(D).template head<D>();
-    block(0, 0) += (lame.lambda + 2 * lame.mu) * a(D, D);
+/// K_ab(i,j) from A_ab(i,j), both for one pair of nodes, of an isotropic law.
+template <int D, int Rows> struct IsotropicBlock {
+  material::Lame lame;
+
+  Square<D> operator()(const Square<Rows>& a) const {
+    const Square<D> plane = a.template topLeftCorner<D, D>();
+    Square<D> block = lame.lambda * plane + lame.mu * plane.transpose();
+    block.diagonal().array() += lame.mu * plane.trace();
+    if constexpr (Rows > D) {
+      block.row(0) += lame.lambda * a.row(D).template head<D>();
+      block.col(0) += lame.lambda * a.col(D).template head<D>();
+      block(0, 0) += (lame.lambda + 2 * lame.mu) * a(D, D);
+    }
+    return block;
   }
-  return block;
+};
+
+/// L_r: what the r-th gradient of a shape function gives to the strains of its node's displacements.
+template <int D, int Rows> Eigen::Matrix<double, Eigen::Dynamic, D, 0, 6, D> strain_of_gradient(int r) {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, D, 0, 6, D>;
+  if constexpr (D == 3) {
+    Matrix l = Matrix::Zero(6, 3);
+    l(r, r) = 1;
+    constexpr std::array<std::array<int, 2>, 3> shears{{{0, 1}, {1, 2}, {0, 2}}};
+    for (int s = 0; s < 3; ++s)
+      for (int end = 0; end < 2; ++end)
+        if (shears[s][end] == r)
+          l(3 + s, shears[s][1 - end]) = 1;
+    return l;
+  } else {
+    Matrix l = Matrix::Zero(Rows + 1, 2); // xx yy xy, or xx yy zz xy
+    if (r == D) {
+      l(2, 0) = 1;
+    } else {
+      l(r, r) = 1;
+      l(Rows, 1 - r) = 1;
+    }
+    return l;
+  }
 }
 
-template <int D, int Rows>
-void stiffness_of(const cell::ShapeTable& table, Points points, const material::Lame& lame,
-                  const Section& section, Eigen::Ref<Eigen::MatrixXd> k) {
+/// The same of any symmetric tangent.
+template <int D, int Rows> struct GeneralBlock {
+  std::array<Square<D>, static_cast<std::size_t>(Rows* Rows)> terms; ///< L_rᵀ D L_s at r + Rows s
+
+  explicit GeneralBlock(const material::Tangent& tangent) {
+    for (int s = 0; s < Rows; ++s)
+      for (int r = 0; r < Rows; ++r)
+        terms[static_cast<std::size_t>(r + Rows * s)] =
+            strain_of_gradient<D, Rows>(r).transpose() * tangent * strain_of_gradient<D, Rows>(s);
+  }
+
+  Square<D> operator()(const Square<Rows>& a) const {
+    Square<D> block = Square<D>::Zero();
+    for (int s = 0; s < Rows; ++s)
+      for (int r = 0; r < Rows; ++r)
+        block += a(r, s) * terms[static_cast<std::size_t>(r + Rows * s)];
+    return block;
+  }
+};
+
+template <int D, int Rows, class Block>
+void stiffness_of(const cell::ShapeTable& table, Points points, const Block& block_of, const Section& section,
+                  Eigen::Ref<Eigen::MatrixXd> k) {
   const auto scaled = scaled_gradients<D, Rows>(table, points, section);
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Rows * most_nodes, Rows * most_nodes>
       gram(scaled.rows(), scaled.rows());
@@ -135,10 +186,20 @@ void stiffness_of(const cell::ShapeTable& table, Points points, const material::
   const auto nodes = static_cast<Index>(points.size());
   for (Index j = 0; j < nodes; ++j)
     for (Index i = 0; i <= j; ++i) {
-      const auto block = stiffness_block<D, Rows>(lame, gram.template block<Rows, Rows>(Rows * i, Rows * j));
+      const Square<D> block = block_of(gram.template block<Rows, Rows>(Rows * i, Rows * j));
       k.block<D, D>(D * i, D * j) = block;
       k.block<D, D>(D * j, D * i) = block.transpose();
     }
+}
+
+/// Calls `work` with the components and the rows of gradients of the physics, known at compile time.
+template <class Work> void with_rows(CellType type, Physics physics, const Work& work) {
+  with_dimension(type, [&]<int D>(std::integral_constant<int, D> dimension) {
+    if constexpr (D == 2)
+      if (physics == Physics::axisymmetric)
+        return work(dimension, std::integral_constant<int, 3>{});
+    work(dimension, dimension);
+  });
 }
 
 template <int D>
@@ -219,17 +280,27 @@ double measure(const Section& section, double x) {
   }
 }
 
-void stiffness(CellType type, Points points, const material::LinearElastic& law, const Section& section,
+void stiffness(CellType type, Points points, const material::Law& law, const Section& section,
+               Eigen::Ref<Eigen::MatrixXd> k) {
+  const auto lame = material::isotropic(law, section.physics);
+  if (!lame)
+    return stiffness(type, points, material::tangent(law, section.physics), section, k);
+  check_dimension(type, section.physics);
+  with_rows(type, section.physics,
+            [&]<int D, int Rows>(std::integral_constant<int, D>, std::integral_constant<int, Rows>) {
+              stiffness_of<D, Rows>(cell::stiffness_table(type), points, IsotropicBlock<D, Rows>{*lame},
+                                    section, k);
+            });
+}
+
+void stiffness(CellType type, Points points, const material::Tangent& tangent, const Section& section,
                Eigen::Ref<Eigen::MatrixXd> k) {
   check_dimension(type, section.physics);
-  const auto& table = cell::stiffness_table(type);
-  const auto lame = material::lame(law, section.physics);
-  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
-    if constexpr (D == 2)
-      if (section.physics == Physics::axisymmetric)
-        return stiffness_of<D, 3>(table, points, lame, section, k);
-    stiffness_of<D, D>(table, points, lame, section, k);
-  });
+  with_rows(type, section.physics,
+            [&]<int D, int Rows>(std::integral_constant<int, D>, std::integral_constant<int, Rows>) {
+              stiffness_of<D, Rows>(cell::stiffness_table(type), points, GeneralBlock<D, Rows>(tangent),
+                                    section, k);
+            });
 }
 
 void mass(CellType type, Points points, double density, const Section& section,

@@ -31,8 +31,12 @@ int component_count(study::Physics physics);
 /// What a length² or length³ of the model's drawing stands for: 1, the thickness, or 2πr at radius `x`.
 double measure(const Section& section, double x);
 
-/// Element stiffness ∫ Bᵀ D B into `k`, square of size nodes · d.
-void stiffness(CellType type, std::span<const Eigen::Vector3d> points, const material::LinearElastic& law,
+/// Element stiffness ∫ Bᵀ D B into `k`, square of size nodes · d, of a law with a constant tangent D.
+void stiffness(CellType type, std::span<const Eigen::Vector3d> points, const material::Law& law,
+               const Section& section, Eigen::Ref<Eigen::MatrixXd> k);
+
+/// The same of any symmetric D, square of size strain_size.
+void stiffness(CellType type, std::span<const Eigen::Vector3d> points, const material::Tangent& tangent,
                const Section& section, Eigen::Ref<Eigen::MatrixXd> k);
 
 /// Consistent mass ∫ ρ N_i N_j into `m`, square of size nodes: the same for each component, so the whole

@@ -125,7 +125,7 @@ void add_gravity(const mesh::Mesh& mesh, const domain::DofMap& dofs, const domai
     const auto nodes = block->cell(index);
     const auto size = static_cast<Index>(nodes.size());
     consistent.resize(size, size);
-    element::mass(block->type, domain::CellPoints(mesh, nodes), bulk.law(i).density, bulk.section,
+    element::mass(block->type, domain::CellPoints(mesh, nodes), material::density(bulk.law(i)), bulk.section,
                   consistent);
     const VectorXd node_mass = consistent.rowwise().sum();
     for (Index n = 0; n < size; ++n)

@@ -1,88 +1,53 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/law.hpp"
 
-#include <cmath>
+#include <stdexcept>
 
 namespace rubato::material {
-namespace {
 
 using study::Physics;
 
-/// Direct strains come first in every Voigt vector.
-int direct_count(Physics physics) {
-  return physics == Physics::solid || physics == Physics::axisymmetric ? 3 : 2;
-}
-
-} // namespace
-
-int strain_size(Physics physics) {
-  switch (physics) {
-  case Physics::solid:
-    return 6;
-  case Physics::axisymmetric:
-    return 4;
-  default:
-    return 3;
+Law make_law(const study::Material& material) {
+  const double density = material.density.value_or(0.0);
+  switch (material.law) {
+  case study::LawKind::elastic:
+    return LinearElastic{material.young, material.poisson, density};
+  case study::LawKind::orthotropic:
+    return make_orthotropic(material.orthotropy, density);
   }
+  throw std::logic_error("a material law without its row in make_law");
 }
 
-Lame lame(const LinearElastic& law, Physics physics) {
-  const double nu = law.poisson;
-  const double mu = law.young / (2 * (1 + nu));
-  if (physics == Physics::plane_stress)
-    return {law.young * nu / (1 - nu * nu), mu};
-  return {law.young * nu / ((1 + nu) * (1 - 2 * nu)), mu};
+double density(const Law& law) {
+  return std::visit([](const auto& one) { return one.density; }, law);
 }
 
-double energy(const LinearElastic& law, Physics physics, const Voigt& strain) {
-  return 0.5 * strain.dot(stress(law, physics, strain));
+int state_size(const Law& law) {
+  return std::visit([](const auto& one) { return state_size(one); }, law);
 }
 
-Voigt stress(const LinearElastic& law, Physics physics, const Voigt& strain) {
-  const auto [lambda, mu] = lame(law, physics);
-  const int direct = direct_count(physics);
-  Voigt result = mu * strain;
-  result.head(direct) *= 2;
-  result.head(direct).array() += lambda * strain.head(direct).sum();
-  return result;
+std::optional<Lame> isotropic(const Law& law, Physics physics) {
+  return std::visit([&](const auto& one) { return isotropic(one, physics); }, law);
 }
 
-Tangent tangent(const LinearElastic& law, Physics physics) {
-  const auto [lambda, mu] = lame(law, physics);
-  const int size = strain_size(physics);
-  const int direct = direct_count(physics);
-  Tangent result = Tangent::Zero(size, size);
-  result.diagonal().setConstant(mu);
-  result.diagonal().head(direct) *= 2;
-  result.topLeftCorner(direct, direct).array() += lambda;
-  return result;
+double energy(const Law& law, Physics physics, const Voigt& strain) {
+  return std::visit([&](const auto& one) { return energy(one, physics, strain); }, law);
 }
 
-FullStress full_stress(const LinearElastic& law, Physics physics, const Voigt& stress) {
-  FullStress full = FullStress::Zero();
-  switch (physics) {
-  case Physics::solid:
-    full = stress;
-    break;
-  case Physics::axisymmetric:
-    full.head<4>() = stress;
-    break;
-  case Physics::plane_strain:
-    full[2] = law.poisson * (stress[0] + stress[1]);
-    [[fallthrough]];
-  case Physics::plane_stress:
-    full[0] = stress[0];
-    full[1] = stress[1];
-    full[3] = stress[2];
-    break;
-  }
-  return full;
+Voigt stress(const Law& law, Physics physics, const Voigt& strain) {
+  return std::visit([&](const auto& one) { return stress(one, physics, strain); }, law);
 }
 
-double von_mises(const FullStress& stress) {
-  const double direct = std::pow(stress[0] - stress[1], 2) + std::pow(stress[1] - stress[2], 2) +
-                        std::pow(stress[2] - stress[0], 2);
-  return std::sqrt(0.5 * direct + 3 * stress.tail<3>().squaredNorm());
+Tangent tangent(const Law& law, Physics physics) {
+  return std::visit([&](const auto& one) { return tangent(one, physics); }, law);
+}
+
+FullStress full_stress(const Law& law, Physics physics, const Voigt& stress) {
+  return std::visit([&](const auto& one) { return full_stress(one, physics, stress); }, law);
+}
+
+std::string described(const Law& law) {
+  return std::visit([](const auto& one) { return described(one); }, law);
 }
 
 } // namespace rubato::material

@@ -107,7 +107,7 @@ domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::v
   Assignment assignment(study, mesh, faults);
   for (std::size_t i = 0; i < study.materials.size(); ++i) {
     const auto& material = study.materials[i];
-    bulk.laws.push_back({material.young, material.poisson, material.density.value_or(0.0)});
+    bulk.laws.push_back(material::make_law(material));
     assignment.give(static_cast<int>(i));
   }
   if (faults.empty())
@@ -136,7 +136,7 @@ void check_masses(const Model& model, std::vector<Fault>& faults) {
   std::vector<char> told(model.bulk.laws.size(), 0);
   for (std::size_t i = 0; i < model.bulk.cells.size(); ++i) {
     const auto law = static_cast<std::size_t>(model.bulk.law_of_cell[i]);
-    if (model.bulk.laws[law].density > 0 || told[law] != 0)
+    if (material::density(model.bulk.laws[law]) > 0 || told[law] != 0)
       continue;
     const auto freedom = freedom_of(model, model.bulk.cells[i]);
     if (freedom.empty())

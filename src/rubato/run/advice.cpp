@@ -3,6 +3,7 @@
 
 #include "rubato/contact/springs.hpp"
 #include "rubato/model/rigid_motions.hpp"
+#include "rubato/study/schemes.hpp"
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"
 
@@ -19,6 +20,8 @@ using step::Outcome;
 
 /// Cuts into so many parts have shown that a shorter step does not help.
 constexpr double short_enough = 64;
+/// What `time.on_failure.levels` is unless a deck says otherwise.
+const int usual_levels = study::TimeStepping{}.cut_levels;
 /// Loops that came to no end may want that many times the rounds they had.
 constexpr int more_rounds = 3;
 
@@ -173,15 +176,9 @@ bool only_residual(const step::StepReport& report) {
 /// The keys of time that moreau_jean does not take, as a run removes them.
 std::string without_numbers(const study::TimeStepping& time) {
   std::string removed;
-  const auto remove = [&](bool given, std::string_view key) {
-    if (given)
-      removed += fmt::format(", {}: ~", key);
-  };
-  using enum study::SchemeKind;
-  remove(time.scheme == newmark && time.beta, "beta");
-  remove(time.scheme == newmark && time.gamma, "gamma");
-  remove(time.scheme == hht || time.scheme == modified_average_acceleration, "alpha");
-  remove(time.scheme == generalized_alpha, "spectral_radius");
+  for (const auto& number : study::entry_of(time.scheme).numbers)
+    if (number.get(time))
+      removed += fmt::format(", {}: ~", number.key);
   return removed;
 }
 
@@ -200,7 +197,7 @@ void on_step(const study::TimeStepping& time, const results::Failure& failure, A
     advice.add("a shorter time.step");
   else
     advice.add(fmt::format("more time.instants around {:g}", failure.end));
-  advice.add("time.on_failure.levels: 12");
+  advice.add(fmt::format("time.on_failure.levels: {}", usual_levels));
 }
 
 void on_place(const model::Model& model, const step::StepReport& report, Advice& advice) {

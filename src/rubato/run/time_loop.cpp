@@ -10,6 +10,7 @@
 #include "rubato/run/energy_watch.hpp"
 #include "rubato/run/failure.hpp"
 #include "rubato/simulation/simulation.hpp"
+#include "rubato/study/schemes.hpp"
 
 #include <fmt/format.h>
 
@@ -141,8 +142,7 @@ private:
 
   void tell_scheme() const {
     const auto& settings = model_.study.time;
-    const auto scheme =
-        std::ranges::find(time::all_schemes(), settings.scheme, &time::SchemeEntry::kind)->name;
+    const auto scheme = study::entry_of(settings.scheme).name;
     const bool massless = settings.contact_mass == study::ContactMass::redistributed;
     watch_.say(
         fmt::format("{}: scheme {}{}", name(), scheme, massless ? ", contact surfaces without mass" : ""));

@@ -32,6 +32,13 @@ template <class T> void put_optional(Json& map, const char* key, const std::opti
     map[key] = *value;
 }
 
+/// The numbers that a row of a table takes.
+template <class Row, class Record> void put_numbers(Json& map, const Row& row, const Record& record) {
+  for (const auto& number : row.numbers)
+    if (const auto value = number.get(record))
+      map[std::string(number.key)] = *value;
+}
+
 Json echo(const Body& body) {
   std::string cells(cell::topology(body.cells).name);
   std::ranges::transform(cells, cells.begin(), [](unsigned char letter) { return std::tolower(letter); });
@@ -62,7 +69,8 @@ Json echo(const MeshSource& mesh) {
 }
 
 Json echo(const Material& material) {
-  Json map{{"young", material.young}, {"poisson", material.poisson}};
+  Json map{{"law", word(law_words, material.law)}};
+  put_numbers(map, entry_of(material.law), material);
   put_optional(map, "density", material.density);
   map["rayleigh"] = {{"stiffness", material.rayleigh_stiffness}, {"mass", material.rayleigh_mass}};
   map["cells"] = material.everywhere ? Json("all") : Json(material.cells);
@@ -181,35 +189,12 @@ Json echo(const ContactZone& zone, Physics physics) {
   return map;
 }
 
-void put_scheme(Json& map, const TimeStepping& time) {
-  map["scheme"] = word(scheme_words, time.scheme);
-  switch (time.scheme) {
-  case SchemeKind::newmark:
-    put_optional(map, "beta", time.beta);
-    put_optional(map, "gamma", time.gamma);
-    break;
-  case SchemeKind::hht:
-  case SchemeKind::modified_average_acceleration:
-    map["alpha"] = time.alpha;
-    break;
-  case SchemeKind::generalized_alpha:
-    map["spectral_radius"] = time.spectral_radius;
-    break;
-  case SchemeKind::moreau_jean:
-    map["theta"] = time.theta;
-    break;
-  case SchemeKind::central_difference:
-    map["safety"] = time.safety;
-    map["record"] = time.record;
-    break;
-  case SchemeKind::static_steps:
-    break;
-  }
-}
-
 Json echo(const TimeStepping& time) {
   auto map = Json::object();
-  put_scheme(map, time);
+  map["scheme"] = word(scheme_words, time.scheme);
+  put_numbers(map, entry_of(time.scheme), time);
+  if (is_explicit(time.scheme))
+    map["record"] = time.record;
   map["contact_mass"] = word(contact_mass_words, time.contact_mass);
   map["begin"] = time.begin;
   if (time.instants.empty()) {

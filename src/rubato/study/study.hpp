@@ -50,10 +50,34 @@ struct MeshSource {
 
 enum class Physics { solid, plane_stress, plane_strain, axisymmetric };
 
+/// What gives stresses from strains; study/material_laws.hpp has a row for each.
+enum class LawKind { elastic, orthotropic };
+
+/// Orthotropic elasticity: moduli along axes x', y', z' and the turn of these. poisson_xy is the contraction
+/// along y' under a stress along x'. Plane stress needs nothing of z', only solids need shear_yz and
+/// shear_xz.
+struct Orthotropy {
+  double young_x = 0; ///< E_x [pressure] > 0
+  double young_y = 0;
+  std::optional<double> young_z;
+  double poisson_xy = 0; ///< ν_xy = −ε_yy/ε_xx under σ_xx
+  std::optional<double> poisson_yz;
+  std::optional<double> poisson_xz;
+  double shear_xy = 0; ///< G_xy [pressure] > 0
+  std::optional<double> shear_yz;
+  std::optional<double> shear_xz;
+  double angle_z = 0; ///< [degrees] of the turn about z, the first; about the new y, about the new x
+  double angle_y = 0;
+  double angle_x = 0;
+  bool operator==(const Orthotropy&) const = default;
+};
+
 struct Material {
   std::string name;
-  double young = 0;   ///< E [pressure] > 0
-  double poisson = 0; ///< −1 < ν < 0.5
+  LawKind law = LawKind::elastic;
+  double young = 0;      ///< elastic: E [pressure] > 0
+  double poisson = 0;    ///< elastic: −1 < ν < 0.5
+  Orthotropy orthotropy; ///< orthotropic
   std::optional<double> density;
   double rayleigh_stiffness = 0;  ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
   double rayleigh_mass = 0;       ///< [1/time]
@@ -198,6 +222,7 @@ enum class SchemeKind {
   hht,
   modified_average_acceleration,
   generalized_alpha,
+  wbz_alpha,
   moreau_jean, ///< velocities jump where bodies hit
   static_steps,
   central_difference
@@ -222,7 +247,7 @@ enum class StartKind {
 
 struct TimeStepping {
   SchemeKind scheme = SchemeKind::moreau_jean;
-  double alpha = 0;             ///< hht −1/3…0, modified_average_acceleration ≤ 0
+  double alpha = 0;             ///< hht −1/3…0, modified_average_acceleration ≤ 0, wbz_alpha −1…0
   std::optional<double> beta;   ///< newmark only
   std::optional<double> gamma;  ///< newmark only
   double spectral_radius = 0.5; ///< generalized_alpha: ρ_∞ in 0…1

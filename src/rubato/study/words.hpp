@@ -4,6 +4,8 @@
 #pragma once
 
 #include "rubato/study/contact_methods.hpp"
+#include "rubato/study/material_laws.hpp"
+#include "rubato/study/schemes.hpp"
 #include "rubato/study/study.hpp"
 
 #include <array>
@@ -39,15 +41,18 @@ inline constexpr std::array<Word<LoadKind>, 5> load_words{{{"nodal_force", LoadK
                                                            {"pressure", LoadKind::pressure},
                                                            {"gravity", LoadKind::gravity}}};
 
-/// The words of a table of methods.
-template <class Entry, std::size_t N> constexpr auto words_of(const std::array<Entry, N>& entries) {
-  std::array<Word<decltype(Entry::method)>, N> words{};
+/// The words of a table whose rows have a name and, as `member`, what it stands for.
+template <class Entry, class Value, std::size_t N>
+constexpr auto words_of(const std::array<Entry, N>& entries, Value Entry::*member) {
+  std::array<Word<Value>, N> words{};
   for (std::size_t i = 0; i < N; ++i)
-    words[i] = {entries[i].name, entries[i].method};
+    words[i] = {entries[i].name, entries[i].*member};
   return words;
 }
-inline constexpr auto contact_method_words = words_of(contact_methods);
-inline constexpr auto friction_method_words = words_of(friction_methods);
+inline constexpr auto contact_method_words = words_of(contact_methods, &ContactMethodEntry::method);
+inline constexpr auto friction_method_words = words_of(friction_methods, &FrictionMethodEntry::method);
+
+inline constexpr auto law_words = words_of(material_laws, &LawEntry::law);
 
 inline constexpr std::array<Word<ContactNormal>, 3> contact_normal_words{
     {{"master", ContactNormal::master},
@@ -69,14 +74,7 @@ inline constexpr std::array<Word<Iteration>, 2> iteration_words{
 inline constexpr std::array<Word<Solver>, 3> solver_words{
     {{"auto", Solver::automatic}, {"condensed", Solver::condensed}, {"full", Solver::full}}};
 
-inline constexpr std::array<Word<SchemeKind>, 7> scheme_words{
-    {{"newmark", SchemeKind::newmark},
-     {"hht", SchemeKind::hht},
-     {"modified_average_acceleration", SchemeKind::modified_average_acceleration},
-     {"generalized_alpha", SchemeKind::generalized_alpha},
-     {"moreau_jean", SchemeKind::moreau_jean},
-     {"static", SchemeKind::static_steps},
-     {"central_difference", SchemeKind::central_difference}}};
+inline constexpr auto scheme_words = words_of(schemes, &SchemeEntry::kind);
 
 inline constexpr std::array<Word<ContactMass>, 2> contact_mass_words{
     {{"consistent", ContactMass::consistent}, {"redistributed", ContactMass::redistributed}}};

@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/time/scheme.hpp"
 
-#include <array>
 #include <stdexcept>
 
 namespace rubato::time {
 namespace {
 
 using study::SchemeKind;
-
-constexpr std::array<SchemeEntry, 7> entries{{
-    {SchemeKind::newmark, "newmark", "NEWMARK", "average acceleration, or any β and γ"},
-    {SchemeKind::hht, "hht", "HHT, MODI_EQUI='OUI'", "α in −1/3…0 damps high frequencies"},
-    {SchemeKind::modified_average_acceleration, "modified_average_acceleration", "HHT, MODI_EQUI='NON'",
-     "hht's β and γ with equilibrium at the end of the step"},
-    {SchemeKind::generalized_alpha, "generalized_alpha", "",
-     "Chung and Hulbert, from the spectral radius ρ_∞"},
-    {SchemeKind::moreau_jean, "moreau_jean", "",
-     "θ-method on velocities, which jump where bodies hit: keeps energy with exact contact"},
-    {SchemeKind::static_steps, "static", "STAT_NON_LINE", "load steps in pseudo-time, no inertia"},
-    {SchemeKind::central_difference, "central_difference", "DIFF_CENT",
-     "explicit: lumped mass, short stable steps that cost a product each"},
-}};
 
 Scheme with_alpha(double alpha) {
   Scheme scheme;
@@ -71,6 +56,11 @@ Scheme make_scheme(const study::TimeStepping& settings) {
     return with_alpha(settings.alpha);
   case SchemeKind::generalized_alpha:
     return generalized_alpha(settings.spectral_radius);
+  case SchemeKind::wbz_alpha: {
+    auto scheme = with_alpha(settings.alpha);
+    scheme.inertia = {1 - settings.alpha, settings.alpha};
+    return scheme;
+  }
   case SchemeKind::moreau_jean:
     return theta_method(settings.theta);
   case SchemeKind::static_steps: {
@@ -118,10 +108,6 @@ void correct(const StepCoefficients& coefficients, const Eigen::VectorXd& d, Mot
   motion.u += d;
   motion.v += coefficients.velocity * d;
   motion.a += coefficients.acceleration * d;
-}
-
-std::span<const SchemeEntry> all_schemes() {
-  return entries;
 }
 
 } // namespace rubato::time

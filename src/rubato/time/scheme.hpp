@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Implicit time schemes as rows of one table.
+/// Implicit time schemes: what the words of study/schemes.hpp mean.
 ///
 /// A scheme is Newmark's pair β, γ and the weights of the terms of equilibrium at the end (now) and at the
 /// start (before) of a step of length h:
@@ -11,9 +11,6 @@
 #include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
-
-#include <span>
-#include <string_view>
 
 namespace rubato::time {
 
@@ -39,7 +36,9 @@ struct Scheme {
 
 /// newmark: β, γ given (default average acceleration). hht: Hilber, Hughes and Taylor (1977) with α ≤ 0,
 /// damping unweighted as Code_Aster does. modified_average_acceleration: the same β, γ, equilibrium at the
-/// end of the step. generalized_alpha: Chung and Hulbert (1993) from ρ_∞. moreau_jean: u₁ = u₀ + h (θ v₁ +
+/// end of the step. generalized_alpha: Chung and Hulbert (1993) from ρ_∞. wbz_alpha: the same β, γ as hht and
+/// inertia (1−α) a₁ + α a₀ with α ≤ 0 (W. L. Wood, M. Bossak, O. C. Zienkiewicz, An alpha modification of
+/// Newmark's method, Int. J. Numer. Methods Eng. 15 (1980) 1562–1566). moreau_jean: u₁ = u₀ + h (θ v₁ +
 /// (1−θ) v₀), a₁ = (v₁ − v₀)/h, forces and damping weighted alike (M. Jean, The non-smooth contact dynamics
 /// method, Comput. Methods Appl. Mech. Eng. 177 (1999) 235–257). static_steps: no inertia. Throws
 /// std::invalid_argument for central_difference, which step/explicit computes.
@@ -66,14 +65,5 @@ Motion predict(const Scheme& scheme, double step, const Motion& start);
 
 /// u += d, v and a accordingly.
 void correct(const StepCoefficients& coefficients, const Eigen::VectorXd& d, Motion& motion);
-
-struct SchemeEntry {
-  study::SchemeKind kind;
-  std::string_view name;
-  std::string_view code_aster;
-  std::string_view summary;
-};
-/// Every scheme there is, for `rubato list` and the guide.
-std::span<const SchemeEntry> all_schemes();
 
 } // namespace rubato::time

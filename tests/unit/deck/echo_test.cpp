@@ -32,13 +32,19 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   std::vector<std::string> decks{box, replaced(smallest_deck, "solid", "axisymmetric"),
                                  replaced(smallest_deck, "solid", "plane_strain\nthickness: 3"),
                                  replaced(smallest_deck, "step: 1e-3, end: 0.012", "instants: [0.1, 0.3]")};
-  for (const auto* scheme : {"newmark, beta: 0.3, gamma: 0.6", "hht, alpha: -0.1",
-                             "modified_average_acceleration, alpha: -0.1", "generalized_alpha", "static"})
+  for (const auto* scheme :
+       {"newmark, beta: 0.3, gamma: 0.6", "hht, alpha: -0.1", "modified_average_acceleration, alpha: -0.1",
+        "generalized_alpha", "wbz_alpha, alpha: -0.2", "static"})
     decks.push_back(replaced(smallest_deck, "newmark", scheme));
   for (const auto* scheme : {"central_difference", "central_difference, safety: 0.5, record: 1e-4"}) {
     decks.push_back(replaced(smallest_deck, "newmark", scheme));
     decks.push_back(replaced(decks.back(), "step: 1e-3", "step: auto"));
   }
+  const auto timber = replaced(smallest_deck, "young: 200e9, poisson: 0.3",
+                               "law: orthotropic, young_x: 9, young_y: 4, young_z: 1, poisson_xy: 0.3, "
+                               "poisson_yz: 0.2, poisson_xz: 0.1, shear_xy: 3, shear_yz: 2, shear_xz: 1");
+  decks.push_back(timber);
+  decks.push_back(replaced(timber, "shear_xz: 1", "shear_xz: 1, angle_z: 10, angle_y: -20, angle_x: 30"));
   decks.push_back(smallest_deck + "solver: condensed\n");
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);
@@ -51,6 +57,7 @@ TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {
   EXPECT_EQ(json["title"], "two beams");
   EXPECT_EQ(json["mesh"]["generate"][0]["cells"], "quad8");
   EXPECT_EQ(json["mesh"]["generate"][1]["cells"], "quad4");
+  EXPECT_EQ(json["materials"]["steel"]["law"], "elastic");
   EXPECT_EQ(json["materials"]["steel"]["young"], 200e9);
   EXPECT_EQ(json["supports"][1]["y"]["function"], "ramp");
   EXPECT_EQ(json["loads"][0]["nodal_force"]["y"], -1e7);

@@ -43,6 +43,8 @@ const Mistake key_mistakes[] = {
     {"every: 20", "evry: 20", "evry", "unknown key 'checkpoint.evry'; did you mean 'every'?"},
     {"checkpoint:", "checkpint:", "checkpint", "unknown key 'checkpint'; did you mean 'checkpoint'?"},
     {"mass: 2", "Mas: 2", "Mas", "unknown key 'materials.steel.rayleigh.Mas'; did you mean 'mass'?"},
+    {"    density: 7800", "    yuong: 1\n    density: 7800", "yuong",
+     "unknown key 'materials.steel.yuong'; did you mean 'young'?"},
     {"nodal_force", "nodl_force", "nodl", "unknown key 'loads.0.nodl_force'; did you mean 'nodal_force'?"},
     {"right_top: Force", "rigth_top: Force", "rigth",
      "unknown key 'mesh.generate.0.points.rigth_top'; did you mean 'right_top'?"},
@@ -81,7 +83,7 @@ const Mistake type_mistakes[] = {
     {"last: false", "last: no", "no}", "fields.last: found 'no', expected one of true, false"},
     {"scheme: hht", "scheme: hth", "hth",
      "time.scheme: found 'hth', expected one of newmark, hht, modified_average_acceleration, "
-     "generalized_alpha, "
+     "generalized_alpha, wbz_alpha, "
      "moreau_jean, static, central_difference; did you mean 'hht'?"},
     {"formats: [vtu, med]", "formats: [vtu, vtk]", "vtk",
      "fields.formats.1: found 'vtk', expected one of vtu, med; "
@@ -89,6 +91,11 @@ const Mistake type_mistakes[] = {
     {"newton: {max_iterations: 25, residual: 1e-9}", "newton: 25", "25\nprobes",
      "newton: found '25', expected a map"},
     {"[0, 1, 2]", "0", "0, values", "functions.ramp.times: found '0', expected a list"},
+    {"young: 200e9", "law: elastik\n    young: 200e9", "elastik",
+     "materials.steel.law: found 'elastik', expected one of elastic, orthotropic; did you mean 'elastic'?"},
+    {"young: 200e9\n    poisson: 0.25", "law: ortotropic\n    young_x: 9", "ortotropic",
+     "materials.steel.law: found 'ortotropic', expected one of elastic, orthotropic; did you mean "
+     "'orthotropic'?"},
     {"title: two beams", "title: [two]", "[two]", "title: found a list, expected text"},
     {"on: Above, value", "on: '', value", "'', value",
      "loads.3.pressure.on: found the text '', expected a name"},
@@ -104,6 +111,35 @@ const Mistake range_mistakes[] = {
     {"0.25", "0.5", "0.5\n    density",
      "materials.steel.poisson: found '0.5', expected a number between -1 and 0.5"},
     {"0.25", "-1", "-1\n", "materials.steel.poisson: found '-1', expected a number between -1 and 0.5"},
+    {"    density: 7800", "    shear_xy: 1\n    density: 7800", "1\n    density",
+     "materials.steel.shear_xy: the law elastic takes no shear_xy, orthotropic takes it; a run removes it by "
+     "'shear_xy: ~'"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: -9\n    young_y: 4\n    poisson_xy: 0.3\n    shear_xy: 2\n    # end",
+     "-9", "materials.steel.young_x: found '-9', expected a number > 0"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 0.3\n    # end", "law: ortho",
+     "materials.steel: 'shear_xy' is missing"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 0.3\n    shear_xy: 2\n    yung_z: "
+     "3\n    # end",
+     "yung_z", "unknown key 'materials.steel.yung_z'; did you mean 'young_z'?"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 0.3\n    shear_xy: 2\n    young: 3\n "
+     "   # end",
+     "3\n    # end",
+     "materials.steel.young: the law orthotropic takes no young, elastic takes it; a run removes it by "
+     "'young: ~'"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 1.6\n    shear_xy: 2\n    # end",
+     "1.6",
+     "materials.steel.poisson_xy: found 1.6, expected a number between -1.5 and 1.5, the roots of "
+     "young_x/young_y: else a strain has no positive energy"},
+    {"young: 200e9\n    poisson: 0.25",
+     "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 0.3\n    shear_xy: 2\n    angle_y: "
+     "30\n    # end",
+     "30\n    # end",
+     "materials.steel.angle_y: found 30, but axes turn in the plane only in plane_stress, expected angle_z"},
     {"7800", "-7800", "-7800", "materials.steel.density: found '-7800', expected a number >= 0"},
     {"thickness: 0.5", "thickness: 0", "0\nmaterials", "thickness: found '0', expected a number > 0"},
     {"friction: 0.2", "friction: -0.2", "-0.2",
@@ -118,6 +154,8 @@ const Mistake range_mistakes[] = {
     {"-0.3", "-0.34", "-0.34", "time.alpha: found '-0.34', expected a number from -0.333333 to 0"},
     {"scheme: hht\n  alpha: -0.3", "scheme: modified_average_acceleration\n  alpha: 0.1", "0.1\n  begin",
      "time.alpha: found '0.1', expected a number <= 0"},
+    {"scheme: hht\n  alpha: -0.3", "scheme: wbz_alpha\n  alpha: -1.1", "-1.1",
+     "time.alpha: found '-1.1', expected a number from -1 to 0"},
     {"scheme: hht\n  alpha: -0.3", "scheme: generalized_alpha\n  spectral_radius: 1.1", "1.1",
      "time.spectral_radius: found '1.1', expected a number from 0 to 1"},
     {"scheme: hht\n  alpha: -0.3", "scheme: newmark\n  beta: 0", "0\n  begin",
@@ -165,7 +203,8 @@ const Mistake range_mistakes[] = {
 
 const Mistake sense_mistakes[] = {
     {"scheme: hht", "scheme: newmark", "-0.3",
-     "time.alpha: the scheme newmark takes no alpha, hht and modified_average_acceleration take it; a run "
+     "time.alpha: the scheme newmark takes no alpha, hht, modified_average_acceleration and wbz_alpha take "
+     "it; a run "
      "removes it "
      "by 'alpha: ~'"},
     {"alpha: -0.3", "alpha: -0.3\n  beta: 0.25", "0.25\n  begin",
@@ -298,8 +337,8 @@ TEST(DeckFaults, AllOfADeckComeTogetherInTheOrderOfTheFile) {
                 "axisymmetric",
                 "study.yaml:3:13: materials.steel: 'density' is missing: the scheme newmark moves masses",
                 "study.yaml:3:28: materials.steel.young: found '-1', expected a number > 0",
-                "study.yaml:4:32: time.alpha: the scheme newmark takes no alpha, hht and "
-                "modified_average_acceleration take it; a run removes it by 'alpha: ~'",
+                "study.yaml:4:32: time.alpha: the scheme newmark takes no alpha, hht, "
+                "modified_average_acceleration and wbz_alpha take it; a run removes it by 'alpha: ~'",
                 "study.yaml:4:41: time.step: found '0', expected a number > 0",
                 "study.yaml:4:49: time.end: found -1, expected more than the begin, 0"}));
 }
@@ -316,8 +355,8 @@ TEST(DeckFaults, AFaultOfSomeRunsNamesThem) {
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0],
             place_of(deck, "-0.3") +
-                ": time.alpha: the scheme newmark takes no alpha, hht and modified_average_acceleration "
-                "take it; a run removes it by 'alpha: ~' (runs b, c)");
+                ": time.alpha: the scheme newmark takes no alpha, hht, modified_average_acceleration and "
+                "wbz_alpha take it; a run removes it by 'alpha: ~' (runs b, c)");
 }
 
 TEST(DeckFaults, ThicknessOnlyBelongsToPlanes) {

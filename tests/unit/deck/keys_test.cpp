@@ -123,6 +123,12 @@ TEST(DeckKeys, Materials) {
   EXPECT_TRUE(parse_one(replaced(full_deck, "[upper, lower]", "all")).materials.at(0).everywhere);
 }
 
+TEST(DeckKeys, TheLawOfAMaterialIsElasticUnlessSaid) {
+  EXPECT_EQ(parse_one(full_deck).materials.at(0).law, study::LawKind::elastic);
+  const auto said = replaced(full_deck, "young: 200e9", "law: elastic\n    young: 200e9");
+  EXPECT_EQ(parse_one(said), parse_one(full_deck));
+}
+
 TEST(DeckKeys, MaterialsKeepTheOrderOfTheFile) {
   const auto deck = replaced(smallest_deck, "density: 7800}",
                              "density: 7800, cells: a}, brass: {young: 1e11, "

@@ -58,8 +58,9 @@ protected:
 };
 
 TEST_F(TwoMaterials, AreToldByCellWhenTheirMatricesAreNotFinite) {
-  bulk_.laws[1].young = 1e308;
-  bulk_.laws[1].density = std::numeric_limits<double>::infinity();
+  auto& law = std::get<material::LinearElastic>(bulk_.laws[1]);
+  law.young = 1e308;
+  law.density = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(test::fault_of([&] {
                 assemble_stiffness(mesh_, bulk_, pattern_, std::array{1., 1e10});
               }).starts_with("cell 2 (QUAD4) at ("));
@@ -98,8 +99,9 @@ TEST_F(TwoMaterials, AreScaledEachByItsOwnFactor) {
   const std::vector<double> factors{0.25, 4.};
   auto scaled = bulk_;
   for (std::size_t law = 0; law < 2; ++law) {
-    scaled.laws[law].young *= factors[law];
-    scaled.laws[law].density *= factors[law];
+    auto& elastic = std::get<material::LinearElastic>(scaled.laws[law]);
+    elastic.young *= factors[law];
+    elastic.density *= factors[law];
   }
   const MatrixXd k = assemble_stiffness(mesh_, bulk_, pattern_, factors);
   EXPECT_LT((k - MatrixXd(assemble_stiffness(mesh_, scaled, pattern_))).norm(), 1e-14 * k.norm());
@@ -158,7 +160,8 @@ TEST(NodalStress, AveragesOverTheCellsOfANode) {
     builder.add_cell({2, 4, 5, 3});
     return std::move(builder).mesh();
   }();
-  const auto bulk = test::whole_bulk(mesh, {Physics::plane_stress, 1.}, {100., 0., 0.});
+  const auto bulk =
+      test::whole_bulk(mesh, {Physics::plane_stress, 1.}, material::LinearElastic{100., 0., 0.});
   const auto dofs = number_dofs(mesh, bulk.cells, 2);
   VectorXd u = VectorXd::Zero(dofs.dof_count);
   for (const int node : {2, 3})

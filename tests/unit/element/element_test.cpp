@@ -67,6 +67,32 @@ TEST_P(EveryElement, HasTheStiffnessOfTheStrainEnergyAtItsPoints) {
   }
 }
 
+TEST_P(EveryElement, HasTheSameStiffnessFromTheTangentOfItsLaw) {
+  const MatrixXd expected = stiffness_matrix();
+  MatrixXd k(nodes_ * d_, nodes_ * d_);
+  stiffness(type_, points_, material::tangent(law, section_.physics), section_, k);
+  EXPECT_LT((k - expected).norm(), 1e-14 * expected.norm());
+}
+
+/// A symmetric tangent without any symmetry of the material: u·K u is twice the integral of ½ ε·D ε.
+TEST_P(EveryElement, HasTheStiffnessOfAnySymmetricTangent) {
+  std::srand(5);
+  const int size = material::strain_size(section_.physics);
+  const MatrixXd root = MatrixXd::Random(size, size);
+  const material::Tangent tangent = root * root.transpose();
+  MatrixXd k(nodes_ * d_, nodes_ * d_);
+  stiffness(type_, points_, tangent, section_, k);
+  VectorXd volume(rule_size_);
+  point_volumes(type_, points_, section_, volume);
+  const VectorXd u = VectorXd::Random(nodes_ * d_);
+  const MatrixXd strain = strains_of(u);
+  double twice = 0;
+  for (Eigen::Index q = 0; q < rule_size_; ++q)
+    twice += volume[q] * strain.col(q).dot(tangent * strain.col(q));
+  EXPECT_NEAR(u.dot(k * u), twice, 1e-12 * twice);
+  EXPECT_LT((k - k.transpose()).norm(), 1e-14 * k.norm());
+}
+
 TEST_P(EveryElement, HasASymmetricStiffnessWithOnlyRigidMotionsFree) {
   const MatrixXd k = stiffness_matrix();
   EXPECT_LT((k - k.transpose()).norm(), 1e-15 * k.norm());
@@ -165,7 +191,7 @@ TEST(QuadrangleFourNode, HasTheTextbookStiffnessOfASquare) {
   const double e = 12, nu = 0.25;
   const std::vector<Eigen::Vector3d> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   MatrixXd k(8, 8);
-  stiffness(CellType::quad4, square, {e, nu, 0}, {Physics::plane_stress, 2.}, k);
+  stiffness(CellType::quad4, square, material::LinearElastic{e, nu, 0}, {Physics::plane_stress, 2.}, k);
   EXPECT_NEAR(k(0, 0), 2 * e / (1 - nu * nu) * (0.5 - nu / 6), 1e-13);
   EXPECT_NEAR(k(0, 1), 2 * e / (1 - nu * nu) * (1 + nu) / 8, 1e-13);
 }

@@ -40,6 +40,7 @@ inline const std::vector<NamedScheme> every_implicit_scheme{
     {"ModifiedAverageAcceleration",
      {{"time.scheme", "modified_average_acceleration"}, {"time.alpha", "-0.2"}}},
     {"GeneralizedAlpha", {{"time.scheme", "generalized_alpha"}, {"time.spectral_radius", "0.2"}}},
+    {"WbzAlpha", {{"time.scheme", "wbz_alpha"}, {"time.alpha", "-0.3"}}},
     {"MoreauJean", {{"time.scheme", "moreau_jean"}}},
     {"MoreauJeanBeyondTheMiddle", {{"time.scheme", "moreau_jean"}, {"time.theta", "0.8"}}},
     {"Static", {{"time.scheme", "static"}}},

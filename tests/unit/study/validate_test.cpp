@@ -58,6 +58,27 @@ Study sound_study() {
   return study;
 }
 
+/// E_x = 9, E_y = 4, E_z = 1.
+Orthotropy& make_timber(Material& material) {
+  material.law = LawKind::orthotropic;
+  auto& o = material.orthotropy;
+  o.young_x = 9, o.young_y = 4, o.young_z = 1;
+  o.poisson_xy = 0.3, o.poisson_yz = 0.2, o.poisson_xz = 0.1;
+  o.shear_xy = 3, o.shear_yz = 2, o.shear_xz = 1;
+  return o;
+}
+
+TEST(SoundStudy, KeepsEveryRuleWithAnOrthotropicMaterial) {
+  auto study = sound_study();
+  make_timber(study.materials[0]);
+  EXPECT_TRUE(broken_rules(study).empty());
+  study.physics = Physics::plane_stress;
+  for (auto* number : {&study.materials[0].orthotropy.young_z, &study.materials[0].orthotropy.poisson_yz,
+                       &study.materials[0].orthotropy.poisson_xz, &study.materials[0].orthotropy.shear_yz})
+    number->reset();
+  EXPECT_TRUE(broken_rules(study).empty());
+}
+
 TEST(SoundStudy, KeepsEveryRule) {
   const auto broken = broken_rules(sound_study());
   EXPECT_TRUE(broken.empty()) << broken.front().paths.front() << ": " << broken.front().text;
@@ -127,6 +148,30 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) { s.materials[0].young = -1; }},
         Bad{"materials.steel.young", "expected a number > 0", [](Study& s) { s.materials[0].young = nan; }},
         Bad{"materials.steel.poisson", "between -1 and 0.5", [](Study& s) { s.materials[0].poisson = 0.5; }},
+        Bad{"materials.steel.young_x", "expected a number > 0",
+            [](Study& s) { s.materials[0].law = LawKind::orthotropic; }},
+        Bad{"materials.steel", "'young_z' is missing: the law orthotropic needs it in plane_strain",
+            [](Study& s) { make_timber(s.materials[0]).young_z.reset(); }},
+        Bad{"materials.steel", "'shear_yz' is missing: the law orthotropic needs it in solid",
+            [](Study& s) {
+              s.physics = Physics::solid;
+              s.mesh = {};
+              s.mesh.file = "beams.med";
+              make_timber(s.materials[0]).shear_yz.reset();
+            }},
+        Bad{"materials.steel.poisson_yz", "the roots of young_y/young_z",
+            [](Study& s) { make_timber(s.materials[0]).poisson_yz = -2.1; }},
+        Bad{"materials.steel.poisson_xz", "the roots of young_x/young_z",
+            [](Study& s) { make_timber(s.materials[0]).poisson_xz = 3.1; }},
+        Bad{"materials.steel.poisson_xy", "1 - nu_xy nu_yx",
+            [](Study& s) {
+              auto& o = make_timber(s.materials[0]);
+              o.poisson_xy = 1, o.poisson_yz = 1, o.poisson_xz = 1.5;
+            }},
+        Bad{"materials.steel.angle_x", "axes turn in the plane only in plane_strain",
+            [](Study& s) { make_timber(s.materials[0]).angle_x = 5; }},
+        Bad{"materials.steel.angle_z", "expected a number",
+            [](Study& s) { make_timber(s.materials[0]).angle_z = nan; }},
         Bad{"materials.steel", "'density' is missing", [](Study& s) { s.materials[0].density.reset(); }},
         Bad{"materials.steel", "second entry", [](Study& s) { s.materials.push_back(s.materials[0]); }},
         Bad{"materials.st/eel", "letters, digits", [](Study& s) { s.materials[0].name = "st/eel"; }},

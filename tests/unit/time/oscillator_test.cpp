@@ -60,6 +60,29 @@ TEST(Oscillator, ConvergesAtSecondOrder) {
   EXPECT_NEAR(order(test::moreau_jean(0.5)), 2, 0.02);
 }
 
+TEST(Oscillator, ConvergesAtSecondOrderUnderWoodBossakZienkiewiczDampedOrNot) {
+  for (const double alpha : {-0.05, -0.3, -1.})
+    EXPECT_NEAR(order(test::wbz(alpha)), 2, 0.03) << alpha;
+}
+
+/// Of steps that resolve the motion; longer ones may overshoot in their first few.
+TEST(Oscillator, LosesEnergyUnderWoodBossakZienkiewicz) {
+  for (const double alpha : {-0.05, -0.1, -0.3, -0.6})
+    for (const double omega : {0.1, 0.5, 1.}) {
+      const test::Oscillator spring{omega};
+      auto motion = test::motion(1, 0, -spring.stiffness());
+      const auto energy = [&] {
+        return motion.v[0] * motion.v[0] + spring.stiffness() * motion.u[0] * motion.u[0];
+      };
+      const double start = energy();
+      for (int i = 0; i < 300; ++i) {
+        motion = test::step(test::wbz(alpha), spring, 1, motion);
+        EXPECT_LE(energy(), start) << alpha << " " << omega;
+      }
+      EXPECT_LT(energy(), 0.9999 * start) << alpha << " " << omega;
+    }
+}
+
 /// hht's γ = 1/2 − α makes up for the weights of the forces; damping, which is unweighted, keeps first order.
 TEST(Oscillator, ConvergesAtSecondOrderUnderHilberHughesTaylorWhenUndamped) {
   const auto error = [](double alpha, int steps) {
@@ -132,18 +155,24 @@ TEST(Amplification, DampsHighFrequenciesByTheRadiusAskedFor) {
   for (const double alpha : {-0.05, -0.2, -0.3, -1. / 3})
     EXPECT_NEAR(spectral_radius(amplification(test::hht(alpha), 1e4)), (1 + alpha) / (1 - alpha), 2e-3)
         << alpha;
+  for (const double alpha : {0., -0.05, -0.3, -0.6})
+    EXPECT_NEAR(spectral_radius(amplification(test::wbz(alpha), 1e4)), (1 + alpha) / (1 - alpha), 1e-6)
+        << alpha;
+  EXPECT_LT(spectral_radius(amplification(test::wbz(-1), 1e5)), 1e-3);
 }
 
 TEST(Amplification, IsStableAtEveryStep) {
-  for (const auto& scheme : {test::newmark(), test::hht(-0.05), test::hht(-0.3), test::modified(-0.3),
-                             test::generalized_alpha(0), test::generalized_alpha(0.8)})
+  for (const auto& scheme :
+       {test::newmark(), test::hht(-0.05), test::hht(-0.3), test::modified(-0.3), test::generalized_alpha(0),
+        test::generalized_alpha(0.8), test::wbz(-0.05), test::wbz(-0.3), test::wbz(-1)})
     for (double omega = 1e-3; omega < 1e4; omega *= 1.3)
       EXPECT_LE(spectral_radius(amplification(scheme, omega)), 1 + 1e-9) << omega;
 }
 
-TEST(Amplification, OfTheTwoFamiliesAgreesWhereTheyAreOneScheme) {
+TEST(Amplification, OfAllFamiliesAgreesWhereTheyAreOneScheme) {
   for (const double omega : {0.1, 2., 30.}) {
     EXPECT_LT((amplification(test::hht(0), omega) - amplification(test::newmark(), omega)).norm(), 1e-12);
+    EXPECT_LT((amplification(test::wbz(0), omega) - amplification(test::newmark(), omega)).norm(), 1e-12);
     EXPECT_LT((amplification(test::modified(0), omega) - amplification(test::newmark(), omega)).norm(),
               1e-12);
   }

@@ -2,6 +2,7 @@
 /// Schemes by name and one step of a single mass on a spring.
 #pragma once
 
+#include "rubato/study/schemes.hpp"
 #include "rubato/time/scheme.hpp"
 
 namespace rubato::test {
@@ -26,6 +27,10 @@ inline time::Scheme generalized_alpha(double spectral_radius) {
   settings.scheme = study::SchemeKind::generalized_alpha;
   settings.spectral_radius = spectral_radius;
   return time::make_scheme(settings);
+}
+
+inline time::Scheme wbz(double alpha) {
+  return scheme_of(study::SchemeKind::wbz_alpha, alpha);
 }
 
 inline time::Scheme moreau_jean(double theta) {

@@ -8,8 +8,8 @@
 
 namespace rubato::study {
 
-void Rules::broken(std::initializer_list<std::string> paths, std::string text) {
-  judgement_.broken.push_back({paths, std::move(text)});
+void Rules::broken(std::vector<std::string> paths, std::string text) {
+  judgement_.broken.push_back({std::move(paths), std::move(text)});
 }
 
 void Rules::note_bounds(const std::string& path, const Range& range) {

@@ -7,7 +7,6 @@
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"
 
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,13 +22,20 @@ public:
   const Study& study;
 
   /// `paths` are the values that the rule is about; it is told at the first.
-  void broken(std::initializer_list<std::string> paths, std::string text);
+  void broken(std::vector<std::string> paths, std::string text);
 
   /// A number within its bounds, finite in any case.
   void number(const std::string& path, double value, const Range& range = {});
   void whole_number(const std::string& path, int value, const Range& range);
   /// Each of a list of numbers; paths are made only where one is broken: tables may be long.
   void numbers(const std::string& path, std::span<const double> values);
+  /// The numbers that a row of a table takes, where the record below `path` has them.
+  template <class Row, class Record>
+  void numbers_of(const Row& row, const std::string& path, const Record& record) {
+    for (const auto& entry : row.numbers)
+      if (const auto value = entry.get(record))
+        number(path + "." + std::string(entry.key), *value, entry.range);
+  }
   /// Numbers that ascend, each greater than the one before.
   void ascending(const std::string& path, std::span<const double> values);
   /// An instant of the run.

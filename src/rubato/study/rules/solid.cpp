@@ -10,9 +10,24 @@
 namespace rubato::study {
 namespace {
 
+void check_law(Rules& rules, const Material& material, const std::string& path) {
+  const auto& law = entry_of(material.law);
+  rules.numbers_of(law, path, material);
+  if (law.faults == nullptr)
+    return;
+  for (const auto& fault : law.faults(material, rules.study.physics)) {
+    std::vector<std::string> paths;
+    if (fault.missing)
+      paths.push_back(path);
+    for (const auto key : fault.keys)
+      paths.push_back(path + "." + std::string(key));
+    paths.insert(paths.end(), {path + ".law", "physics"});
+    rules.broken(paths, fault.text);
+  }
+}
+
 void check_material(Rules& rules, const Material& material, const std::string& path) {
-  rules.number(path + ".young", material.young, above(0));
-  rules.number(path + ".poisson", material.poisson, between(-1, 0.5));
+  check_law(rules, material, path);
   if (material.density)
     rules.number(path + ".density", *material.density, at_least(0)); // where 0 is enough only the mesh tells
   else if (rules.study.time.scheme != SchemeKind::static_steps)

@@ -15,35 +15,6 @@ constexpr double most_steps = 1e9;
 /// An end that is not a whole number of steps away by rounding only.
 constexpr double rounding = 1e-9;
 
-void check_scheme(Rules& rules) {
-  const auto& time = rules.study.time;
-  switch (time.scheme) {
-  case SchemeKind::newmark:
-    if (time.beta)
-      rules.number("time.beta", *time.beta, between(0, 1));
-    if (time.gamma)
-      rules.number("time.gamma", *time.gamma, from_to(0.5, 2)); // below 1/2 it feeds energy in
-    break;
-  case SchemeKind::hht:
-    rules.number("time.alpha", time.alpha, from_to(-1.0 / 3.0, 0));
-    break;
-  case SchemeKind::modified_average_acceleration:
-    rules.number("time.alpha", time.alpha, at_most(0));
-    break;
-  case SchemeKind::generalized_alpha:
-    rules.number("time.spectral_radius", time.spectral_radius, from_to(0, 1));
-    break;
-  case SchemeKind::moreau_jean:
-    rules.number("time.theta", time.theta, from_to(0.5, 1));
-    break;
-  case SchemeKind::central_difference:
-    rules.number("time.safety", time.safety, Range{.low = 0, .high = 1, .low_allowed = false});
-    break;
-  case SchemeKind::static_steps:
-    break;
-  }
-}
-
 /// A length of time that must fit into the run, and not too often.
 void check_fits(Rules& rules, const std::string& path, double part) {
   const double length = rules.study.time.end - rules.study.time.begin;
@@ -119,7 +90,7 @@ void check_contact_mass(Rules& rules) {
 } // namespace
 
 void check_time(Rules& rules) {
-  check_scheme(rules);
+  rules.numbers_of(entry_of(rules.study.time.scheme), "time", rules.study.time);
   check_contact_mass(rules);
   check_course(rules);
   check_start(rules);

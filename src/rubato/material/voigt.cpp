@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/material/voigt.hpp"
+
+#include <cmath>
+
+namespace rubato::material {
+
+using study::Physics;
+
+int direct_count(Physics physics) {
+  return physics == Physics::solid || physics == Physics::axisymmetric ? 3 : 2;
+}
+
+int strain_size(Physics physics) {
+  switch (physics) {
+  case Physics::solid:
+    return 6;
+  case Physics::axisymmetric:
+    return 4;
+  default:
+    return 3;
+  }
+}
+
+FullStress with_zeros(Physics physics, const Voigt& stress) {
+  FullStress full = FullStress::Zero();
+  switch (physics) {
+  case Physics::solid:
+    full = stress;
+    break;
+  case Physics::axisymmetric:
+    full.head<4>() = stress;
+    break;
+  default:
+    full.head<2>() = stress.head<2>();
+    full[3] = stress[2];
+    break;
+  }
+  return full;
+}
+
+double von_mises(const FullStress& stress) {
+  const double direct = std::pow(stress[0] - stress[1], 2) + std::pow(stress[1] - stress[2], 2) +
+                        std::pow(stress[2] - stress[0], 2);
+  return std::sqrt(0.5 * direct + 3 * stress.tail<3>().squaredNorm());
+}
+
+} // namespace rubato::material
