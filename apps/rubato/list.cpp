@@ -6,6 +6,7 @@
 #include "rubato/time/scheme.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "commands.hpp"
 #include <tuple>
@@ -45,7 +46,7 @@ int list() {
              "young, poisson");
   fmt::print("\nMesh files\n");
   for (const auto& format : rubato::mesh::all_formats())
-    fmt::print("  {:<31} {}\n", format.extension, format.summary);
+    fmt::print("  {:<31} {}\n", fmt::format("{}", fmt::join(format.endings, ", ")), format.summary);
   return done;
 }
 

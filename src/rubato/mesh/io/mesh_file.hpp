@@ -5,9 +5,9 @@
 #include "rubato/mesh/mesh.hpp"
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubato::mesh {
 
@@ -21,14 +21,18 @@ Mesh read_mesh(const std::filesystem::path& path, const std::string& mesh_name =
 /// ending. Throws InputError for any other ending, and as write_med and write_vtu do.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
-struct FormatEntry {
-  std::string_view extension;
+/// A mesh format: how its files are recognised, and what reads and writes them.
+struct Format {
+  std::vector<std::string_view> endings;  ///< of file names, in lower case: ".med"
+  std::vector<std::string_view> openings; ///< first bytes of a file whose ending says nothing; at most 16
+  /// `mesh_name` chooses among several meshes of a file. nullptr: such files are not read.
+  Mesh (*read)(const std::filesystem::path& path, const std::string& mesh_name);
+  void (*write)(const std::filesystem::path& path, const Mesh& mesh); ///< nullptr: not written
   std::string_view summary;
-  bool is_read;
-  bool is_written;
+  bool is_built_in = true; ///< else `read` says what this build lacks
 };
 /// Every mesh format of this build, for `rubato list`.
-std::span<const FormatEntry> all_formats();
+std::vector<Format> all_formats();
 
 /// The endings of the files that this build reads: ".med, .rmed, .mmed, .msh".
 std::string readable_endings();
