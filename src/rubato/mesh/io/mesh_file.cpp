@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/mesh/io/gmsh.hpp"
+#include "rubato/mesh/io/mail.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/msh.hpp"
 #include "rubato/mesh/io/vtu.hpp"
@@ -34,6 +35,11 @@ const std::vector<Format>& formats() {
        [](const fs::path& path, const std::string&) { return read_msh(path); },
        nullptr,
        "Gmsh 2 and 4.1, text and binary, read"},
+      {{".mail"},
+       {"TITRE", "COOR_2D", "COOR_3D"},
+       [](const fs::path& path, const std::string&) { return read_mail(path); },
+       [](const fs::path& path, const Mesh& mesh) { write_mail(path, mesh); },
+       "Code_Aster, read and written"},
       {{".vtu"},
        {},
        nullptr,
