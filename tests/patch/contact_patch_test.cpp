@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "patch/contact_blocks.hpp"
+#include "patch/pyramids.hpp"
 
 namespace rubato {
 namespace {
@@ -14,15 +15,14 @@ std::string name_of(const testing::TestParamInfo<CellType>& instance) {
   return std::string(cell::topology(instance.param).name);
 }
 
-class ConformingBlocks : public testing::TestWithParam<CellType> {
-protected:
-  static void expect_uniform(const ContactBlocks& blocks) {
-    const auto outcome = test::press(blocks);
-    ASSERT_TRUE(outcome.converged) << outcome.failure << "\n" << test::deck_of(blocks);
-    EXPECT_LT(outcome.pressure, 1e-10);
-    EXPECT_LT(outcome.displacement, 1e-10);
-  }
-};
+void expect_uniform(const ContactBlocks& blocks) {
+  const auto outcome = test::press(blocks);
+  ASSERT_TRUE(outcome.converged) << outcome.failure << "\n" << test::deck_of(blocks);
+  EXPECT_LT(outcome.pressure, 1e-10);
+  EXPECT_LT(outcome.displacement, 1e-10);
+}
+
+class ConformingBlocks : public testing::TestWithParam<CellType> {};
 
 TEST_P(ConformingBlocks, HandOnAUniformPressure) {
   expect_uniform({GetParam(), 2, 2, 0, ""});
@@ -50,6 +50,24 @@ INSTANTIATE_TEST_SUITE_P(Solid, ConformingBlocks,
                                          CellType::tetra4, CellType::tetra10, CellType::penta6,
                                          CellType::penta15),
                          name_of);
+
+/// Blocks of pyramids that touch with their triangles or with their bases.
+ContactBlocks pyramids(bool triangles, double friction, double turned) {
+  const auto change = [triangles](const mesh::Mesh& mesh) {
+    return test::PyramidCut(mesh, 2, triangles).cut();
+  };
+  return {CellType::hexa8, 2, 2, friction, "", turned, change};
+}
+
+TEST(PyramidBlocks, HandOnAUniformPressureThroughTriangles) {
+  expect_uniform(pyramids(true, 0, 0));
+  expect_uniform(pyramids(true, 0.3, 0.5));
+}
+
+TEST(PyramidBlocks, HandOnAUniformPressureThroughQuadrangles) {
+  expect_uniform(pyramids(false, 0, 0));
+  expect_uniform(pyramids(false, 0.3, 0.5));
+}
 
 /// Points against faces cannot hand on a uniform pressure through meshes that don't match; how far they are
 /// from it is known and no more.

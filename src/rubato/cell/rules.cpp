@@ -2,8 +2,12 @@
 /// Lines: Gauss–Legendre. Triangles: D. A. Dunavant, High degree efficient symmetrical Gaussian quadrature
 /// rules for the triangle, Int. J. Numer. Methods Eng. 21 (1985) 1129–1148, degrees 1, 2, 4, 6. Tetrahedra:
 /// A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T3:1-1, T3:2-1 and T3:5-1 (15 points).
-/// All have positive weights and inner points.
+/// Pyramids: conical products of Gauss–Legendre and Gauss–Jacobi rules (Stroud, ch. 2), the latter by the
+/// eigenvalues of G. H. Golub and J. H. Welsch, Calculation of Gauss quadrature rules, Math. Comp. 23 (1969)
+/// 221–230. All have positive weights and inner points.
 #include "rubato/cell/rules.hpp"
+
+#include <Eigen/Eigenvalues>
 
 #include <array>
 #include <cmath>
@@ -99,6 +103,26 @@ Rule collapsed_tetrahedron_rule(int n) {
   return rule;
 }
 
+/// n points on [0, 1] for integrals with the weight z², exact to degree 2n−1; z is xi[0].
+Rule jacobi_rule(int n) {
+  // Coefficients of the monic Jacobi polynomials with α = 0, β = 2 on [−1, 1].
+  Eigen::VectorXd diagonal(n), below(n > 1 ? n - 1 : 0);
+  for (int k = 0; k < n; ++k)
+    diagonal[k] = 4. / ((2 * k + 2) * (2 * k + 4));
+  for (int k = 1; k < n; ++k) {
+    const double product = k * (k + 2.), sum = 2 * k + 2.;
+    below[k - 1] = 2 * product / (sum * std::sqrt((sum + 1) * (sum - 1)));
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, below);
+  Rule rule;
+  for (int i = 0; i < n; ++i) {
+    const double first = solver.eigenvectors()(0, i);
+    rule.push_back({Vector3d(0.5 * (1 + solver.eigenvalues()[i]), 0, 0), first * first / 3});
+  }
+  return rule;
+}
+
 int line_points(int degree) {
   return degree / 2 + 1;
 }
@@ -167,6 +191,18 @@ Rule segment_of_degree(int degree) {
 
 Rule quadrangle_of_degree(int degree) {
   return square_rule(line_points(degree));
+}
+
+Rule pyramid_of_degree(int degree) {
+  const int n = line_points(degree);
+  const auto square = square_rule(n);
+  Rule rule;
+  for (const auto& level : jacobi_rule(n))
+    for (const auto& [xi, weight] : square) {
+      const double s = level.xi[0];
+      rule.push_back({Vector3d(s * xi[0], s * xi[1], 1 - s), weight * level.weight});
+    }
+  return rule;
 }
 
 Rule prism_of_degree(int degree) {

@@ -22,6 +22,7 @@ Rule segment_of_degree(int degree);
 Rule triangle_of_degree(int degree);
 Rule quadrangle_of_degree(int degree);
 Rule tetrahedron_of_degree(int degree);
+Rule pyramid_of_degree(int degree);
 Rule prism_of_degree(int degree);
 Rule hexahedron_of_degree(int degree);
 
