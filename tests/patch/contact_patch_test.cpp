@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Uniform pressure through an interface. On conforming meshes every cell passes: the nodal and Gauss rules
 /// of the contact faces integrate their shape functions exactly.
+#include "rubato/cell/parts.hpp"
+#include "rubato/mesh/convert.hpp"
+
 #include <gtest/gtest.h>
 
 #include "patch/contact_blocks.hpp"
@@ -52,9 +55,22 @@ INSTANTIATE_TEST_SUITE_P(Solid, ConformingBlocks,
                          name_of);
 
 /// Blocks of pyramids that touch with their triangles or with their bases.
-ContactBlocks pyramids(bool triangles, double friction, double turned) {
-  const auto change = [triangles](const mesh::Mesh& mesh) {
-    return test::PyramidCut(mesh, 2, triangles).cut();
+void expect_faces(const mesh::Mesh& mesh, CellType type) {
+  for (const auto* side : {"lower_face", "upper_face"})
+    for (const auto face : mesh.cell_group(side)->items)
+      EXPECT_EQ(mesh.type_of(face), type) << side;
+}
+
+ContactBlocks pyramids(bool triangles, double friction, double turned, bool quadratic = false) {
+  const auto change = [=](const mesh::Mesh& mesh) {
+    const auto cut = test::PyramidCut(mesh, 2, triangles).cut();
+    const auto linear = triangles ? CellType::tria3 : CellType::quad4;
+    expect_faces(cut, linear);
+    if (!quadratic)
+      return cut;
+    const auto finer = mesh::to_quadratic(cut);
+    expect_faces(finer, cell::quadratic_type(linear));
+    return finer;
   };
   return {CellType::hexa8, 2, 2, friction, "", turned, change};
 }
@@ -62,11 +78,15 @@ ContactBlocks pyramids(bool triangles, double friction, double turned) {
 TEST(PyramidBlocks, HandOnAUniformPressureThroughTriangles) {
   expect_uniform(pyramids(true, 0, 0));
   expect_uniform(pyramids(true, 0.3, 0.5));
+  expect_uniform(pyramids(true, 0, 0, true));
+  expect_uniform(pyramids(true, 0.3, 0.5, true));
 }
 
 TEST(PyramidBlocks, HandOnAUniformPressureThroughQuadrangles) {
   expect_uniform(pyramids(false, 0, 0));
   expect_uniform(pyramids(false, 0.3, 0.5));
+  expect_uniform(pyramids(false, 0, 0, true));
+  expect_uniform(pyramids(false, 0.3, 0.5, true));
 }
 
 /// Points against faces cannot hand on a uniform pressure through meshes that don't match; how far they are

@@ -35,7 +35,7 @@ struct ReferenceCell {
   int mass_degree;
 };
 
-/// Throws std::invalid_argument for a type that has no mechanics here (point1, pyra13, penta18).
+/// Throws std::invalid_argument for a type that has no mechanics here (point1, penta18).
 const ReferenceCell& reference_cell(CellType type);
 
 bool has_reference_cell(CellType type);

@@ -3,7 +3,7 @@
 /// hexahedra and tetrahedra (G. Bedrosian, Shape functions and integration formulas for three-dimensional
 /// finite element analysis, Int. J. Numer. Methods Eng. 35 (1992) 95–108; Code_Aster documentation R3.01.01).
 /// On the square u = ξ/s, v = η/s, s = 1−ζ, to which each level of the pyramid is spread, they are
-/// polynomials.
+/// polynomials. PYRA13: serendipity (building_blocks.hpp) on these, Bedrosian's quadratic functions.
 #include "rubato/cell/families/building_blocks.hpp"
 #include "rubato/cell/families/families.hpp"
 #include "rubato/cell/rules.hpp"
@@ -47,13 +47,56 @@ void gradients5(const Vector3d& xi, std::span<double> dn) {
   dn[14] = 1;
 }
 
+/// A mid-edge node of the base is at 0 in one direction and on a side of the square in the other.
+struct BaseEdge {
+  int along;   ///< 0: the edge runs along ξ, 1: along η
+  double side; ///< of the square: −1 or 1
+};
+constexpr std::array<BaseEdge, 4> base_edges{{{0, -1}, {1, 1}, {0, 1}, {1, -1}}};
+
+void values13(const Vector3d& xi, std::span<double> n) {
+  const auto [u, v, s] = spread(xi);
+  values5(xi, n);
+  for (std::size_t e = 0; e < base_edges.size(); ++e) {
+    const auto [along, side] = base_edges[e];
+    const double p = along == 0 ? u : v, q = along == 0 ? v : u;
+    n[5 + e] = 0.5 * s * s * (1 - p * p) * (1 + side * q);
+    n[9 + e] = 4 * xi[2] * n[e];
+  }
+  subtract_half_of_mid_edges<1>(CellType::pyra13, n);
+}
+
+void gradients13(const Vector3d& xi, std::span<double> dn) {
+  const auto [u, v, s] = spread(xi);
+  std::array<double, 5> linear{};
+  values5(xi, linear);
+  gradients5(xi, dn);
+  for (std::size_t e = 0; e < base_edges.size(); ++e) {
+    const auto [along, side] = base_edges[e];
+    const double p = along == 0 ? u : v, q = along == 0 ? v : u;
+    const auto on_base = dn.subspan(3 * (5 + e), 3), upright = dn.subspan(3 * (9 + e), 3);
+    on_base[static_cast<std::size_t>(along)] = -s * p * (1 + side * q);
+    on_base[static_cast<std::size_t>(1 - along)] = 0.5 * s * side * (1 - p * p);
+    on_base[2] = -s * (1 + 0.5 * side * q * (1 + p * p));
+    for (std::size_t a = 0; a < 3; ++a)
+      upright[a] = 4 * xi[2] * dn[3 * e + a];
+    upright[2] += 4 * linear[e];
+  }
+  subtract_half_of_mid_edges<3>(CellType::pyra13, dn);
+}
+
 } // namespace
 
 std::span<const ReferenceCell> pyra_cells() {
-  static const std::array<Vector3d, 5> nodes{Vector3d(-1, -1, 0), Vector3d(1, -1, 0), Vector3d(1, 1, 0),
-                                             Vector3d(-1, 1, 0), Vector3d(0, 0, 1)};
-  static const std::array<ReferenceCell, 1> cells{{
-      {CellType::pyra5, 3, 5, values5, gradients5, nullptr, nodes, pyramid_of_degree, 2, 2},
+  static const std::array<Vector3d, 13> nodes{
+      Vector3d(-1, -1, 0),     Vector3d(1, -1, 0),        Vector3d(1, 1, 0),        Vector3d(-1, 1, 0),
+      Vector3d(0, 0, 1),       Vector3d(0, -1, 0),        Vector3d(1, 0, 0),        Vector3d(0, 1, 0),
+      Vector3d(-1, 0, 0),      Vector3d(-0.5, -0.5, 0.5), Vector3d(0.5, -0.5, 0.5), Vector3d(0.5, 0.5, 0.5),
+      Vector3d(-0.5, 0.5, 0.5)};
+  static const std::array<ReferenceCell, 2> cells{{
+      {CellType::pyra5, 3, 5, values5, gradients5, nullptr, std::span(nodes).first(5), pyramid_of_degree, 2,
+       2},
+      {CellType::pyra13, 3, 13, values13, gradients13, nullptr, nodes, pyramid_of_degree, 4, 4},
   }};
   return cells;
 }
