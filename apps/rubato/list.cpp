@@ -7,6 +7,7 @@
 #include "rubato/study/schemes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "commands.hpp"
 #include <tuple>
@@ -52,7 +53,7 @@ int list() {
     fmt::print("  {:<31} {:<36} {}\n", law.name, law.code_aster, law.summary);
   fmt::print("\nMesh files\n");
   for (const auto& format : rubato::mesh::all_formats())
-    fmt::print("  {:<31} {}\n", format.extension, format.summary);
+    fmt::print("  {:<31} {}\n", fmt::format("{}", fmt::join(format.endings, ", ")), format.summary);
   return done;
 }
 

@@ -113,7 +113,7 @@ TEST_F(CommandLine, DescribesAndWritesMeshes) {
       {{"mesh", "deck.yaml", "blocks.stl"},
        2,
        "",
-       "error: mesh file 'blocks.stl' cannot be written: its ending is '.stl', .med or .vtu was expected\n"});
+       "error: mesh file 'blocks.stl' cannot be written: its ending is '.stl', .med, .mail or .vtu was expected\n"});
   expect({{"mesh", "deck.yaml", "blocks.med", "--convert", "cubic"},
           2,
           "",

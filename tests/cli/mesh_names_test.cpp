@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "program.hpp"
+#include <algorithm>
 
 namespace rubato {
 namespace {
@@ -81,10 +82,52 @@ TEST_F(MeshOfOthers, IsToldByInfoAsARunSeesIt) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
 }
 
+const std::string blocks = R"(mesh:
+  generate:
+    - name: upper
+      box: {from: [0, 0, 1], to: [1, 1, 2]}
+      divisions: [2, 2, 1]
+      cells: hexa20
+      sides: {top: load, bottom: upper_contact}
+    - name: lower
+      box: {from: [0, 0, 0], to: [1, 1, 1]}
+      divisions: [3, 3, 1]
+      cells: penta15
+      sides: {bottom: held, top: lower_contact}
+physics: solid
+materials:
+  steel: {young: 200e9, poisson: 0.3, density: 7800, cells: all}
+supports:
+  - {on: held, fix: [x, y, z]}
+  - {on: upper_contact, fix: [x, y]}
+loads:
+  - pressure: {on: load, value: 1e8}
+contact:
+  interface: {master: upper_contact, slave: lower_contact}
+probes: {top: {point: [1, 1, 2]}, mean: {on: load, take: mean}}
+time: {scheme: hht, alpha: -0.1, step: 1e-4, end: 2e-4}
+)";
+
+TEST(MeshOfCodeAster, GivesTheResultsOfTheSameMeshInMed) {
+  const test::ScratchFolder folder;
+  test::write_text(folder / "blocks.yaml", blocks);
+  for (const std::string format : {"med", "mail"}) {
+    const auto file = "blocks." + format;
+    const auto written = run_program({"mesh", "blocks.yaml", file}, folder.path());
+    EXPECT_EQ(written.exit_code, 0) << written.err;
+    const auto outcome =
+        run_program({"run", "blocks.yaml", "--set", "mesh.file=" + file, "-o", format, "-q"}, folder.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  const auto probes = test::text_of(folder / "mail/run/probes.csv");
+  EXPECT_EQ(probes, test::text_of(folder / "med/run/probes.csv"));
+  EXPECT_EQ(std::ranges::count(probes, '\n'), 4) << probes;
+}
+
 TEST_F(MeshOfOthers, HasTheFormatsThatAreBuiltIn) {
   const auto help = run({"info", "--help"}).out;
   const auto version = run({"--version"}).out;
-  EXPECT_NE(help.find(".med, .rmed, .mmed, .msh"), std::string::npos) << help;
+  EXPECT_NE(help.find(".med, .rmed, .mmed, .msh, .mail"), std::string::npos) << help;
   EXPECT_EQ(help.find(".geo") != std::string::npos, mesh::is_gmsh_built_in());
   EXPECT_EQ(version.find("(.geo): built in") != std::string::npos, mesh::is_gmsh_built_in()) << version;
   EXPECT_EQ(version.find("(.geo): not built in") == std::string::npos, mesh::is_gmsh_built_in()) << version;

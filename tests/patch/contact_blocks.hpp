@@ -12,6 +12,7 @@
 
 #include "support/walk.hpp"
 #include <cmath>
+#include <functional>
 #include <string>
 
 namespace rubato::test {
@@ -24,6 +25,7 @@ struct ContactBlocks {
   double friction = 0;
   std::string zone;  ///< further entries of the contact zone, each with a comma before it
   double turned = 0; ///< the whole is turned by that angle, in space about an axis along none of the blocks
+  std::function<mesh::Mesh(const mesh::Mesh&)> change = {}; ///< what becomes of the mesh before it is turned
 };
 
 inline Eigen::AngleAxisd rotation_of(const ContactBlocks& blocks) {
@@ -84,6 +86,8 @@ inline PatchOutcome press(const ContactBlocks& blocks) {
   const std::vector<deck::Setting> no_cuts{{"time.on_failure", "{levels: 0}"}};
   const auto study = deck::parse_deck(deck_of(blocks), "deck.yaml", no_cuts).runs.front();
   auto mesh = model::load_mesh(study.mesh);
+  if (blocks.change)
+    mesh = blocks.change(mesh);
   const Eigen::AngleAxisd rotation = rotation_of(blocks);
   for (auto& point : mesh.points)
     point = rotation * point;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Uniform pressure through an interface. On conforming meshes every cell passes: the nodal and Gauss rules
 /// of the contact faces integrate their shape functions exactly.
+#include "rubato/cell/parts.hpp"
+#include "rubato/mesh/convert.hpp"
+
 #include <gtest/gtest.h>
 
 #include "patch/contact_blocks.hpp"
+#include "patch/pyramids.hpp"
 
 namespace rubato {
 namespace {
@@ -14,15 +18,14 @@ std::string name_of(const testing::TestParamInfo<CellType>& instance) {
   return std::string(cell::topology(instance.param).name);
 }
 
-class ConformingBlocks : public testing::TestWithParam<CellType> {
-protected:
-  static void expect_uniform(const ContactBlocks& blocks) {
-    const auto outcome = test::press(blocks);
-    ASSERT_TRUE(outcome.converged) << outcome.failure << "\n" << test::deck_of(blocks);
-    EXPECT_LT(outcome.pressure, 1e-10);
-    EXPECT_LT(outcome.displacement, 1e-10);
-  }
-};
+void expect_uniform(const ContactBlocks& blocks) {
+  const auto outcome = test::press(blocks);
+  ASSERT_TRUE(outcome.converged) << outcome.failure << "\n" << test::deck_of(blocks);
+  EXPECT_LT(outcome.pressure, 1e-10);
+  EXPECT_LT(outcome.displacement, 1e-10);
+}
+
+class ConformingBlocks : public testing::TestWithParam<CellType> {};
 
 TEST_P(ConformingBlocks, HandOnAUniformPressure) {
   expect_uniform({GetParam(), 2, 2, 0, ""});
@@ -50,6 +53,41 @@ INSTANTIATE_TEST_SUITE_P(Solid, ConformingBlocks,
                                          CellType::tetra4, CellType::tetra10, CellType::penta6,
                                          CellType::penta15),
                          name_of);
+
+/// Blocks of pyramids that touch with their triangles or with their bases.
+void expect_faces(const mesh::Mesh& mesh, CellType type) {
+  for (const auto* side : {"lower_face", "upper_face"})
+    for (const auto face : mesh.cell_group(side)->items)
+      EXPECT_EQ(mesh.type_of(face), type) << side;
+}
+
+ContactBlocks pyramids(bool triangles, double friction, double turned, bool quadratic = false) {
+  const auto change = [=](const mesh::Mesh& mesh) {
+    const auto cut = test::PyramidCut(mesh, 2, triangles).cut();
+    const auto linear = triangles ? CellType::tria3 : CellType::quad4;
+    expect_faces(cut, linear);
+    if (!quadratic)
+      return cut;
+    const auto finer = mesh::to_quadratic(cut);
+    expect_faces(finer, cell::quadratic_type(linear));
+    return finer;
+  };
+  return {CellType::hexa8, 2, 2, friction, "", turned, change};
+}
+
+TEST(PyramidBlocks, HandOnAUniformPressureThroughTriangles) {
+  expect_uniform(pyramids(true, 0, 0));
+  expect_uniform(pyramids(true, 0.3, 0.5));
+  expect_uniform(pyramids(true, 0, 0, true));
+  expect_uniform(pyramids(true, 0.3, 0.5, true));
+}
+
+TEST(PyramidBlocks, HandOnAUniformPressureThroughQuadrangles) {
+  expect_uniform(pyramids(false, 0, 0));
+  expect_uniform(pyramids(false, 0.3, 0.5));
+  expect_uniform(pyramids(false, 0, 0, true));
+  expect_uniform(pyramids(false, 0.3, 0.5, true));
+}
 
 struct Deviation {
   CellType cells;

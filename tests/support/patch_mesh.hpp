@@ -21,8 +21,8 @@ namespace rubato::test {
 using Map = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 using Corners = std::vector<mesh::NodeIndex>;
 
-/// Corner lists of the simplices, prisms or boxes that fill one box of a grid; `box` holds its 4 or 8 corners
-/// in the order of QUAD4 or HEXA8.
+/// Corner lists of the simplices, pyramids, prisms or boxes that fill one box of a grid; `box` holds its 4 or
+/// 8 corners in the order of QUAD4 or HEXA8 and, for pyramids, a node inside.
 inline std::vector<Corners> pieces_of_box(const cell::CellTopology& cell, const Corners& box) {
   using Pieces = std::vector<std::vector<std::size_t>>;
   Pieces pieces;
@@ -30,6 +30,9 @@ inline std::vector<Corners> pieces_of_box(const cell::CellTopology& cell, const 
     return {box};
   if (cell.dimension == 2)
     pieces = {{0, 1, 2}, {0, 2, 3}};
+  else if (cell.corner_count == 5)
+    pieces = {{0, 1, 2, 3, 8}, {4, 7, 6, 5, 8}, {0, 4, 5, 1, 8},
+              {1, 5, 6, 2, 8}, {2, 6, 7, 3, 8}, {3, 7, 4, 0, 8}};
   else if (cell.corner_count == 6)
     pieces = {{0, 1, 2, 4, 5, 6}, {0, 2, 3, 4, 6, 7}};
   else // the six paths from corner 0 to corner 6 along the edges (H. W. Kuhn)
@@ -118,6 +121,8 @@ inline mesh::Mesh patch_mesh(CellType type, int n, const Map& map) {
         if (solid)
           for (std::size_t c = 0; c < 4; ++c)
             box.push_back(box[c] + corner(0, 0, 1));
+        if (cell.corner_count == 5)
+          box.push_back(builder.add_node(map(Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5) / n)));
         for (const auto& corners : pieces_of_box(cell, box))
           builder.add_cell(corners);
       }

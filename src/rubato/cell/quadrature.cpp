@@ -1,234 +1,31 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Lines: Gauss–Legendre. Triangles: D. A. Dunavant, High degree efficient symmetrical Gaussian quadrature
-/// rules for the triangle, Int. J. Numer. Methods Eng. 21 (1985) 1129–1148, degrees 1, 2, 4, 6. Tetrahedra:
-/// A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T3:1-1, T3:2-1 and T3:5-1 (15 points).
-/// All have positive weights and inner points.
 #include "rubato/cell/quadrature.hpp"
 
+#include "rubato/cell/parts.hpp"
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/cell/rules.hpp"
 
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
 namespace rubato::cell {
 namespace {
 
-using Eigen::Vector3d;
-using Rule = std::vector<QuadraturePoint>;
-
-enum class Shape { segment, triangle, quadrangle, tetrahedron, prism, hexahedron };
-
-Shape shape_of(CellType type) {
-  switch (type) {
-  case CellType::seg2:
-  case CellType::seg3:
-    return Shape::segment;
-  case CellType::tria3:
-  case CellType::tria6:
-  case CellType::tria7:
-    return Shape::triangle;
-  case CellType::quad4:
-  case CellType::quad8:
-  case CellType::quad9:
-    return Shape::quadrangle;
-  case CellType::tetra4:
-  case CellType::tetra10:
-    return Shape::tetrahedron;
-  case CellType::penta6:
-  case CellType::penta15:
-    return Shape::prism;
-  case CellType::hexa8:
-  case CellType::hexa20:
-  case CellType::hexa27:
-    return Shape::hexahedron;
-  default:
-    throw std::invalid_argument("no quadrature on cells of type " + std::string(cell::topology(type).name));
-  }
-}
-
-/// P_n(x) and its derivative by the three-term recurrence.
-std::array<double, 2> legendre(int n, double x) {
-  double before = 1, here = x;
-  for (int k = 2; k <= n; ++k) {
-    const double next = ((2 * k - 1) * x * here - (k - 1) * before) / k;
-    before = here;
-    here = next;
-  }
-  return {here, n * (x * here - before) / (x * x - 1)};
-}
-
-/// Roots of P_n by Newton from Tricomi's estimate; points ascending.
-Rule line_rule(int n) {
-  Rule rule(static_cast<std::size_t>(n));
-  for (int i = 0; i < n; ++i) {
-    double x = 2 * i + 1 == n ? 0. : -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
-    for (int iteration = 0; iteration < 10 && x != 0; ++iteration) {
-      const auto [p, slope] = legendre(n, x);
-      x -= p / slope;
-    }
-    const double slope = n == 1 ? 1. : legendre(n, x)[1];
-    rule[static_cast<std::size_t>(i)] = {Vector3d(x, 0, 0), 2 / ((1 - x * x) * slope * slope)};
-  }
-  return rule;
-}
-
-/// Points of `base` repeated along direction `axis`, which runs slowest.
-Rule extruded(const Rule& base, const Rule& line, int axis) {
-  Rule rule;
-  rule.reserve(base.size() * line.size());
-  for (const auto& level : line)
-    for (auto point : base) {
-      point.xi[axis] = level.xi[0];
-      point.weight *= level.weight;
-      rule.push_back(point);
-    }
-  return rule;
-}
-
-Rule square_rule(int n) {
-  return extruded(line_rule(n), line_rule(n), 1);
-}
-
-Rule cube_rule(int n) {
-  return extruded(square_rule(n), line_rule(n), 2);
-}
-
-/// Exact to degree 2n−2: one degree is spent on the Jacobian of the collapsed square.
-Rule collapsed_triangle_rule(int n) {
-  Rule rule = square_rule(n);
-  for (auto& [xi, weight] : rule) {
-    const double x = 0.5 * (1 + xi[0]);
-    weight *= 0.25 * (1 - x);
-    xi = {x, 0.5 * (1 - x) * (1 + xi[1]), 0.};
-  }
-  return rule;
-}
-
-Rule triangle_six_points() {
-  constexpr double a = 0.44594849091596488632, weight_a = 0.22338158967801146570 / 2;
-  constexpr double b = 0.09157621350977074346, weight_b = 0.10995174365532186764 / 2;
-  return {{Vector3d(b, b, 0), weight_b},         {Vector3d(1 - 2 * b, b, 0), weight_b},
-          {Vector3d(b, 1 - 2 * b, 0), weight_b}, {Vector3d(a, 1 - 2 * a, 0), weight_a},
-          {Vector3d(a, a, 0), weight_a},         {Vector3d(1 - 2 * a, a, 0), weight_a}};
-}
-
-Rule triangle_twelve_points() {
-  constexpr double a = 0.24928674517091042129, weight_a = 0.11678627572637936603 / 2;
-  constexpr double b = 0.06308901449150222834, weight_b = 0.05084490637020681692 / 2;
-  constexpr double c = 0.05314504984481694735, d = 0.31035245103378440542,
-                   weight_c = 0.08285107561837357519 / 2;
-  constexpr double e = 1 - c - d;
-  Rule rule;
-  for (const auto& [p, weight] : {std::array{a, weight_a}, std::array{b, weight_b}})
-    for (const auto& xi : {Vector3d(p, p, 0), Vector3d(1 - 2 * p, p, 0), Vector3d(p, 1 - 2 * p, 0)})
-      rule.push_back({xi, weight});
-  for (const auto& [x, y] : {std::array{c, d}, std::array{d, c}, std::array{c, e}, std::array{e, c},
-                             std::array{d, e}, std::array{e, d}})
-    rule.push_back({Vector3d(x, y, 0), weight_c});
-  return rule;
-}
-
-Rule triangle_rule(int degree) {
-  if (degree <= 1)
-    return {{Vector3d(1. / 3, 1. / 3, 0), 0.5}};
-  if (degree == 2)
-    return {{Vector3d(1. / 6, 1. / 6, 0), 1. / 6},
-            {Vector3d(2. / 3, 1. / 6, 0), 1. / 6},
-            {Vector3d(1. / 6, 2. / 3, 0), 1. / 6}};
-  if (degree <= 4)
-    return triangle_six_points();
-  if (degree <= 6)
-    return triangle_twelve_points();
-  return collapsed_triangle_rule(degree / 2 + 1 + degree % 2);
-}
-
-/// The four points with volume coordinates (p, p, p, 1 − 3p).
-void add_corner_orbit(Rule& rule, double p, double weight) {
-  for (const auto& xi :
-       {Vector3d(p, p, p), Vector3d(1 - 3 * p, p, p), Vector3d(p, 1 - 3 * p, p), Vector3d(p, p, 1 - 3 * p)})
-    rule.push_back({xi, weight});
-}
-
-Rule tetrahedron_four_points() {
-  Rule rule;
-  add_corner_orbit(rule, (5 - std::sqrt(5.)) / 20, 1. / 24);
-  return rule;
-}
-
-Rule tetrahedron_fifteen_points() {
-  const double root = std::sqrt(15.);
-  Rule rule{{Vector3d::Constant(0.25), 8. / 405}};
-  add_corner_orbit(rule, (7 - root) / 34, (2665 + 14 * root) / 226800);
-  add_corner_orbit(rule, (7 + root) / 34, (2665 - 14 * root) / 226800);
-  const double c = (5 - root) / 20, d = (5 + root) / 20;
-  for (const auto& xi : {Vector3d(c, c, d), Vector3d(c, d, c), Vector3d(d, c, c), Vector3d(d, d, c),
-                         Vector3d(d, c, d), Vector3d(c, d, d)})
-    rule.push_back({xi, 5. / 567});
-  return rule;
-}
-
-/// Exact to degree 2n−3: two degrees are spent on the Jacobian of the collapsed cube.
-Rule collapsed_tetrahedron_rule(int n) {
-  Rule rule = cube_rule(n);
-  for (auto& [xi, weight] : rule) {
-    const double x = 0.5 * (1 + xi[0]);
-    const double y = 0.5 * (1 - x) * (1 + xi[1]);
-    weight *= 0.125 * (1 - x) * (1 - x - y);
-    xi = {x, y, 0.5 * (1 - x - y) * (1 + xi[2])};
-  }
-  return rule;
-}
-
-Rule tetrahedron_rule(int degree) {
-  if (degree <= 1)
-    return {{Vector3d::Constant(0.25), 1. / 6}};
-  if (degree == 2)
-    return tetrahedron_four_points();
-  if (degree <= 5)
-    return tetrahedron_fifteen_points();
-  return collapsed_tetrahedron_rule((degree + 4) / 2);
-}
-
-int line_points(int degree) {
-  return degree / 2 + 1;
-}
-
-/// Degrees at which the integrals on affine cells are exact. HEXA8 and QUAD4 keep the customary 2 points a
-/// direction, the quadratic ones 3.
-int stiffness_degree(CellType type) {
-  switch (type) {
-  case CellType::tria3:
-  case CellType::tetra4:
-    return 0;
-  case CellType::tria6:
-  case CellType::tetra10:
-  case CellType::penta6:
-    return 2;
-  default:
-    return 2 * cell::topology(type).order;
-  }
-}
-
-int mass_degree(CellType type) {
-  return type == CellType::tria7 ? 6 : 2 * cell::topology(type).order;
-}
-
 using RuleTable = std::array<Rule, static_cast<std::size_t>(CellType::hexa27) + 1>;
 
-RuleTable every_rule(int (*degree)(CellType)) {
+RuleTable every_rule(int ReferenceCell::*degree) {
   RuleTable table;
-  for (const auto& cell : cell::all_topologies())
-    if (has_reference_cell(cell.type))
-      table[static_cast<std::size_t>(cell.type)] = rule_of_degree(cell.type, degree(cell.type));
+  for (const auto& shape : cell::all_topologies())
+    if (has_reference_cell(shape.type)) {
+      const auto& cell = reference_cell(shape.type);
+      table[static_cast<std::size_t>(cell.type)] = cell.rule_of_degree(cell.*degree);
+    }
   return table;
 }
 
 std::span<const QuadraturePoint> rule_in(const RuleTable& table, CellType type) {
-  static_cast<void>(shape_of(type));
-  return table[static_cast<std::size_t>(type)];
+  return table[static_cast<std::size_t>(reference_cell(type).type)];
 }
 
 } // namespace
@@ -236,35 +33,21 @@ std::span<const QuadraturePoint> rule_in(const RuleTable& table, CellType type) 
 Rule rule_of_degree(CellType type, int degree) {
   if (degree < 0)
     throw std::invalid_argument("a quadrature rule needs a degree of at least 0");
-  switch (shape_of(type)) {
-  case Shape::segment:
-    return line_rule(line_points(degree));
-  case Shape::triangle:
-    return triangle_rule(degree);
-  case Shape::quadrangle:
-    return square_rule(line_points(degree));
-  case Shape::tetrahedron:
-    return tetrahedron_rule(degree);
-  case Shape::prism:
-    return extruded(triangle_rule(degree), line_rule(line_points(degree)), 2);
-  case Shape::hexahedron:
-    return cube_rule(line_points(degree));
-  }
-  return {};
+  return reference_cell(type).rule_of_degree(degree);
 }
 
 Rule gauss_rule(CellType type, int n) {
   if (n < 1)
     throw std::invalid_argument("a Gauss rule needs at least one point");
-  switch (shape_of(type)) {
-  case Shape::segment:
+  switch (linear_type(type)) {
+  case CellType::seg2:
     return line_rule(n);
-  case Shape::quadrangle:
+  case CellType::quad4:
     return square_rule(n);
-  case Shape::hexahedron:
+  case CellType::hexa8:
     return cube_rule(n);
-  case Shape::triangle:
-    return n <= 4 ? triangle_rule(n == 1 ? 1 : 2 * n - 2) : collapsed_triangle_rule(n);
+  case CellType::tria3:
+    return n <= 4 ? triangle_of_degree(n == 1 ? 1 : 2 * n - 2) : collapsed_triangle_rule(n);
   default:
     throw std::invalid_argument("no Gauss points a direction on cells of type " +
                                 std::string(cell::topology(type).name));
@@ -272,12 +55,12 @@ Rule gauss_rule(CellType type, int n) {
 }
 
 std::span<const QuadraturePoint> stiffness_rule(CellType type) {
-  static const RuleTable table = every_rule(stiffness_degree);
+  static const RuleTable table = every_rule(&ReferenceCell::stiffness_degree);
   return rule_in(table, type);
 }
 
 std::span<const QuadraturePoint> mass_rule(CellType type) {
-  static const RuleTable table = every_rule(mass_degree);
+  static const RuleTable table = every_rule(&ReferenceCell::mass_degree);
   return rule_in(table, type);
 }
 

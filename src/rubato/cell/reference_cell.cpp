@@ -16,7 +16,7 @@ using Table = std::array<const ReferenceCell*, static_cast<std::size_t>(CellType
 [[gnu::cold]] Table every_reference_cell() {
   Table table{};
   for (const auto family :
-       {seg_cells(), tria_cells(), quad_cells(), tetra_cells(), penta_cells(), hexa_cells()})
+       {seg_cells(), tria_cells(), quad_cells(), tetra_cells(), pyra_cells(), penta_cells(), hexa_cells()})
     for (const auto& cell : family)
       table[static_cast<std::size_t>(cell.type)] = &cell;
   return table;

@@ -9,11 +9,12 @@
 ///   TRIA6   0 1 2 | 01 12 20 | TRIA7: + centre
 ///   QUAD8   0 1 2 3 | 01 12 23 30 | QUAD9: + centre
 ///   TETRA10 0..3 | 01 12 20 03 13 23
+///   PYRA13  0..3 (ζ=0), 4 (apex) | 01 12 23 30 | 04 14 24 34
 ///   PENTA15 0 1 2 (ζ=−1), 3 4 5 (ζ=+1) | 01 12 20 | 34 45 53 | 03 14 25
 ///   HEXA20  0..3 (ζ=−1), 4..7 (ζ=+1) | 01 12 23 30 | 45 56 67 74 | 04 15 26 37
 ///   HEXA27  HEXA20 + face centres ξ=−1, ξ=+1, η=−1, η=+1, ζ=−1, ζ=+1 + body centre
 /// Reference cells: SEG [−1,1]; TRIA ξ,η ≥ 0, ξ+η ≤ 1; QUAD [−1,1]²; TETRA ξ,η,ζ ≥ 0, ξ+η+ζ ≤ 1;
-/// PENTA TRIA × [−1,1]; HEXA [−1,1]³.
+/// PYRA |ξ|, |η| ≤ 1−ζ, 0 ≤ ζ ≤ 1; PENTA TRIA × [−1,1]; HEXA [−1,1]³.
 #pragma once
 
 #include "rubato/core/cell_type.hpp"

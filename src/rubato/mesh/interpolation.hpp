@@ -12,7 +12,7 @@
 namespace rubato::mesh {
 
 /// Σ N_i(ξ) x_i over the nodes of a cell; `points` are those of the mesh. Throws
-/// std::invalid_argument for cells without shape functions (point1, pyramids, PENTA18).
+/// std::invalid_argument for cells without shape functions (point1, PENTA18).
 Eigen::Vector3d position(CellType type, std::span<const NodeIndex> nodes,
                          const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& xi);
 

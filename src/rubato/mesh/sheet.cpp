@@ -63,7 +63,7 @@ public:
         spread_from(f);
     for (std::size_t f = 0; f < sheets_.faces.size(); ++f)
       if (turned_[f])
-        turn(mesh_, sheets_.faces[f]);
+        turn(sheets_.faces[f]);
   }
 
 private:
@@ -123,7 +123,7 @@ Sheets sheets_of(const Mesh& mesh, std::span<const CellIndex> cells) {
   return sheets;
 }
 
-void turn(const Mesh& mesh, SurfaceFace& face) {
+void turn(SurfaceFace& face) {
   const auto before = face.node_list;
   if (cell::topology(face.type).dimension == 1) {
     std::swap(face.node_list[0], face.node_list[1]);

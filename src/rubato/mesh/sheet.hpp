@@ -26,7 +26,7 @@ struct Sheets {
 Sheets sheets_of(const Mesh& mesh, std::span<const CellIndex> cells);
 
 /// Turns a face's normal to the other side.
-void turn(const Mesh& mesh, SurfaceFace& face);
+void turn(SurfaceFace& face);
 
 /// Of the corners [area in 3D, length in 2D]: as long as the face is large.
 Eigen::Vector3d normal_of(const Mesh& mesh, const SurfaceFace& face);

@@ -120,7 +120,7 @@ void turn_to_slave(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> sl
     if (looks_away(mesh, sheets, sheet, slave))
       for (std::size_t f = 0; f < sheets.faces.size(); ++f)
         if (sheets.sheet_of_face[f] == sheet)
-          mesh::turn(mesh, sheets.faces[f]);
+          mesh::turn(sheets.faces[f]);
 }
 
 /// Nothing but supports moves the nodes of a sheet.

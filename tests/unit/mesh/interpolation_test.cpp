@@ -88,9 +88,9 @@ TEST(Position, PutsTheCentreOfAnEightNodeFaceWhereTheSerendipityRuleDoes) {
   EXPECT_DOUBLE_EQ(centre[1], 4 * 0.5);
 }
 
-TEST(Position, IsRefusedInPyramids) {
-  const auto pyramid = reference_shape(CellType::pyra5);
-  EXPECT_THROW(position(CellType::pyra5, pyramid.nodes, pyramid.points, Vector3d::Zero()),
+TEST(Position, IsRefusedInEighteenNodePrisms) {
+  const auto prism = reference_shape(CellType::penta18);
+  EXPECT_THROW(position(CellType::penta18, prism.nodes, prism.points, Vector3d::Zero()),
                std::invalid_argument);
 }
 

@@ -2,6 +2,7 @@
 // Mutated mesh files: each ends in a mesh or in one sentence, whatever the bytes. RUBATO_MUTATIONS says how
 // many there are of each kind, 2,000 for a thorough look.
 #include "rubato/core/error.hpp"
+#include "rubato/mesh/io/mail.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/msh.hpp"
 #include "rubato/mesh/quality.hpp"
@@ -187,6 +188,17 @@ TEST(MutatedMedFile, EndsInAMeshOrASentence) {
   const int mutations = mutation_count(100);
   const auto found =
       endings(bytes_of(folder / "sound.med"), mutations, [](const auto& path) { return read_med(path); });
+  EXPECT_EQ(found.meshes + found.sentences, mutations);
+  EXPECT_GT(found.sentences, mutations / 4);
+  EXPECT_GT(found.meshes, 0);
+}
+
+TEST(MutatedMailFile, EndsInAMeshOrASentence) {
+  const test::ScratchFolder folder;
+  write_mail(folder / "sound.mail", test::one_cell(CellType::hexa27, 3));
+  const int mutations = mutation_count(500);
+  const auto found =
+      endings(bytes_of(folder / "sound.mail"), mutations, [](const auto& path) { return read_mail(path); });
   EXPECT_EQ(found.meshes + found.sentences, mutations);
   EXPECT_GT(found.sentences, mutations / 4);
   EXPECT_GT(found.meshes, 0);

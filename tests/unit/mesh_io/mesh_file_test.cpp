@@ -29,11 +29,11 @@ TEST(MeshFile, OfUnknownFormatIsRefused) {
   std::ofstream(folder / "a.stl") << "solid";
   EXPECT_NE(fault_of([&] {
               read_mesh(folder / "a.stl");
-            }).find("is of no format that this program reads: .med, .rmed, .mmed, .msh"),
+            }).find("is of no format that this program reads: .med, .rmed, .mmed, .msh, .mail"),
             std::string::npos);
   EXPECT_NE(fault_of([&] { read_mesh(folder / "b.stl"); }).find("does not exist"), std::string::npos);
   EXPECT_NE(fault_of([&] { read_mesh(folder.path()); }).find("is a directory"), std::string::npos);
-  EXPECT_NE(fault_of([&] { write_mesh(folder / "a.stl", {}); }).find(".med or .vtu was expected"),
+  EXPECT_NE(fault_of([&] { write_mesh(folder / "a.stl", {}); }).find(".med, .mail or .vtu was expected"),
             std::string::npos);
 }
 

@@ -12,6 +12,7 @@ std::span<const ReferenceCell> seg_cells();
 std::span<const ReferenceCell> tria_cells();
 std::span<const ReferenceCell> quad_cells();
 std::span<const ReferenceCell> tetra_cells();
+std::span<const ReferenceCell> pyra_cells();
 std::span<const ReferenceCell> penta_cells();
 std::span<const ReferenceCell> hexa_cells();
 

@@ -3,6 +3,7 @@
 /// (building_blocks.hpp).
 #include "rubato/cell/families/building_blocks.hpp"
 #include "rubato/cell/families/families.hpp"
+#include "rubato/cell/rules.hpp"
 
 namespace rubato::cell {
 namespace {
@@ -61,10 +62,11 @@ std::span<const ReferenceCell> hexa_cells() {
   static const auto nodes = node_coordinates();
   static const std::array<ReferenceCell, 3> cells{{
       {CellType::hexa8, 3, 8, product_values<8, linear_line>, product_gradients<8, linear_line>, nullptr,
-       std::span(nodes).first(8)},
-      {CellType::hexa20, 3, 20, values20, gradients20, nullptr, std::span(nodes).first(20)},
+       std::span(nodes).first(8), hexahedron_of_degree, 2, 2},
+      {CellType::hexa20, 3, 20, values20, gradients20, nullptr, std::span(nodes).first(20),
+       hexahedron_of_degree, 4, 4},
       {CellType::hexa27, 3, 27, product_values<27, quadratic_line>, product_gradients<27, quadratic_line>,
-       nullptr, nodes},
+       nullptr, nodes, hexahedron_of_degree, 4, 4},
   }};
   return cells;
 }

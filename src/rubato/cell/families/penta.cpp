@@ -2,6 +2,7 @@
 /// PENTA6: area coordinates times linear functions of ζ. PENTA15: serendipity (building_blocks.hpp).
 #include "rubato/cell/families/building_blocks.hpp"
 #include "rubato/cell/families/families.hpp"
+#include "rubato/cell/rules.hpp"
 
 namespace rubato::cell {
 namespace {
@@ -69,8 +70,9 @@ std::array<Vector3d, 15> node_coordinates() {
 std::span<const ReferenceCell> penta_cells() {
   static const auto nodes = node_coordinates();
   static const std::array<ReferenceCell, 2> cells{{
-      {CellType::penta6, 3, 6, product_values<6>, product_gradients<6>, nullptr, std::span(nodes).first(6)},
-      {CellType::penta15, 3, 15, values15, gradients15, nullptr, nodes},
+      {CellType::penta6, 3, 6, product_values<6>, product_gradients<6>, nullptr, std::span(nodes).first(6),
+       prism_of_degree, 2, 2},
+      {CellType::penta15, 3, 15, values15, gradients15, nullptr, nodes, prism_of_degree, 4, 4},
   }};
   return cells;
 }

@@ -2,6 +2,7 @@
 /// QUAD4 and QUAD9: products of Lagrange functions of one variable. QUAD8: serendipity (building_blocks.hpp).
 #include "rubato/cell/families/building_blocks.hpp"
 #include "rubato/cell/families/families.hpp"
+#include "rubato/cell/rules.hpp"
 
 namespace rubato::cell {
 namespace {
@@ -67,10 +68,11 @@ std::span<const ReferenceCell> quad_cells() {
   static const auto nodes = node_coordinates();
   static const std::array<ReferenceCell, 3> cells{{
       {CellType::quad4, 2, 4, product_values<4, linear_line>, product_gradients<4, linear_line>,
-       product_hessians<4, linear_line>, std::span(nodes).first(4)},
-      {CellType::quad8, 2, 8, values8, gradients8, hessians8, std::span(nodes).first(8)},
+       product_hessians<4, linear_line>, std::span(nodes).first(4), quadrangle_of_degree, 2, 2},
+      {CellType::quad8, 2, 8, values8, gradients8, hessians8, std::span(nodes).first(8), quadrangle_of_degree,
+       4, 4},
       {CellType::quad9, 2, 9, product_values<9, quadratic_line>, product_gradients<9, quadratic_line>,
-       product_hessians<9, quadratic_line>, nodes},
+       product_hessians<9, quadratic_line>, nodes, quadrangle_of_degree, 4, 4},
   }};
   return cells;
 }

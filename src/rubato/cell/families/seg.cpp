@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/families/building_blocks.hpp"
 #include "rubato/cell/families/families.hpp"
+#include "rubato/cell/rules.hpp"
 
 #include <algorithm>
 
@@ -27,9 +28,9 @@ std::span<const ReferenceCell> seg_cells() {
   static const std::array<Vector3d, 3> nodes{Vector3d(-1, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 0, 0)};
   static const std::array<ReferenceCell, 2> cells{{
       {CellType::seg2, 1, 2, values<linear_line>, gradients<linear_line>, hessians<linear_line>,
-       std::span(nodes).first(2)},
+       std::span(nodes).first(2), segment_of_degree, 2, 2},
       {CellType::seg3, 1, 3, values<quadratic_line>, gradients<quadratic_line>, hessians<quadratic_line>,
-       nodes},
+       nodes, segment_of_degree, 4, 4},
   }};
   return cells;
 }

@@ -2,6 +2,7 @@
 /// TETRA4: volume coordinates L0 = 1−ξ−η−ζ, ξ, η, ζ. TETRA10: complete quadratics (building_blocks.hpp).
 #include "rubato/cell/families/building_blocks.hpp"
 #include "rubato/cell/families/families.hpp"
+#include "rubato/cell/rules.hpp"
 
 #include <algorithm>
 
@@ -49,8 +50,9 @@ std::span<const ReferenceCell> tetra_cells() {
       Vector3d(0.5, 0, 0),   Vector3d(0.5, 0.5, 0), Vector3d(0, 0.5, 0), Vector3d(0, 0, 0.5),
       Vector3d(0.5, 0, 0.5), Vector3d(0, 0.5, 0.5)};
   static const std::array<ReferenceCell, 2> cells{{
-      {CellType::tetra4, 3, 4, values4, gradients4, nullptr, std::span(nodes).first(4)},
-      {CellType::tetra10, 3, 10, values10, gradients10, nullptr, nodes},
+      {CellType::tetra4, 3, 4, values4, gradients4, nullptr, std::span(nodes).first(4), tetrahedron_of_degree,
+       0, 2},
+      {CellType::tetra10, 3, 10, values10, gradients10, nullptr, nodes, tetrahedron_of_degree, 2, 4},
   }};
   return cells;
 }

@@ -4,6 +4,7 @@
 /// it.
 #include "rubato/cell/families/building_blocks.hpp"
 #include "rubato/cell/families/families.hpp"
+#include "rubato/cell/rules.hpp"
 
 #include <algorithm>
 
@@ -82,9 +83,11 @@ std::span<const ReferenceCell> tria_cells() {
       Vector3d(0, 0, 0),     Vector3d(1, 0, 0),   Vector3d(0, 1, 0),          Vector3d(0.5, 0, 0),
       Vector3d(0.5, 0.5, 0), Vector3d(0, 0.5, 0), Vector3d(1. / 3, 1. / 3, 0)};
   static const std::array<ReferenceCell, 3> cells{{
-      {CellType::tria3, 2, 3, values3, gradients3, hessians3, std::span(nodes).first(3)},
-      {CellType::tria6, 2, 6, values6, gradients6, hessians6, std::span(nodes).first(6)},
-      {CellType::tria7, 2, 7, values7, gradients7, hessians7, nodes},
+      {CellType::tria3, 2, 3, values3, gradients3, hessians3, std::span(nodes).first(3), triangle_of_degree,
+       0, 2},
+      {CellType::tria6, 2, 6, values6, gradients6, hessians6, std::span(nodes).first(6), triangle_of_degree,
+       2, 4},
+      {CellType::tria7, 2, 7, values7, gradients7, hessians7, nodes, triangle_of_degree, 4, 6},
   }};
   return cells;
 }

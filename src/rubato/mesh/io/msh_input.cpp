@@ -2,6 +2,7 @@
 #include "rubato/mesh/io/msh_input.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/mesh/io/file_content.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <charconv>
 #include <cstring>
-#include <fstream>
 
 namespace rubato::mesh::msh {
 namespace {
@@ -27,31 +27,10 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-std::string content_of(const std::filesystem::path& path, const std::filesystem::path& called) {
-  const auto refuse = [&](std::string_view why) {
-    throw InputError(fmt::format("mesh file '{}' {}", called.string(), why));
-  };
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-    refuse("does not exist");
-  if (!std::filesystem::is_regular_file(status))
-    refuse(std::filesystem::is_directory(status) ? "is a directory, a Gmsh file was expected"
-                                                 : "is not a regular file, a Gmsh file was expected");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    refuse("cannot be read: permission denied");
-  std::string text(std::filesystem::file_size(path), '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.gcount() != static_cast<std::streamsize>(text.size()))
-    refuse("cannot be read to its end");
-  return text;
-}
-
 } // namespace
 
 Input::Input(const std::filesystem::path& path, const std::filesystem::path& called)
-    : called_(called.empty() ? path : called), text_(content_of(path, called_)) {}
+    : called_(called.empty() ? path : called), text_(file_content(path, called_, "a Gmsh file")) {}
 
 void Input::skip_blanks() {
   while (at_ < text_.size() && is_blank(text_[at_]))
