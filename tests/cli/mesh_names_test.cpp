@@ -32,7 +32,7 @@ mesh::Mesh squares() {
   mesh::MeshBuilder builder(3);
   const std::vector<std::string> names{"N6", "N5", "N4", "N3", "N2", "N1"};
   for (int i = 0; i < 6; ++i)
-    builder.add_node({i % 3 == 0 ? -1.2e-15 : i % 3, i / 3, 4 + 1e-14 * i}, i + 1,
+    builder.add_node({i % 3 == 0 ? -1.2e-15 : i % 3, double(i / 3), 4 + 1e-14 * i}, i + 1,
                      names[static_cast<std::size_t>(i)]);
   builder.add_cell(CellType::quad4, std::array{0, 3, 4, 1}, 11);
   builder.add_cell(CellType::quad4, std::array{1, 4, 5, 2}, 12);

@@ -456,7 +456,7 @@ TEST(DeckFaults, MethodsThatDoNotGoTogetherAreToldApart) {
                 "nodal_lagrange"});
   EXPECT_EQ(faults_of_zone("method: nodal_penalty, integration: {gauss: 2}"),
             Sentences{"contact.a.integration: nodal_penalty has one relation a node, expected nodes; "
-                      "augmented_lagrangian and penalty take Gauss points"});
+                      "augmented_lagrangian and penalty take points between the nodes"});
   EXPECT_EQ(
       faults_of_zone("method: nodal_lagrange, iterate: {geometry: newton}"),
       Sentences{"contact.a.iterate.geometry: nodal_lagrange holds its relations during a loop, expected "

@@ -96,7 +96,7 @@ TEST(Sheet, TurnedLooksToTheOtherSide) {
   for (const auto& mesh : {strip({{0, 1}}, 2), band(false)}) {
     auto face = sheets_of(mesh, all_cells(mesh)).faces.front();
     const Eigen::Vector3d before = normal_of(mesh, face);
-    turn(mesh, face);
+    turn(face);
     EXPECT_LE((normal_of(mesh, face) + before).norm(), 1e-15);
   }
 }

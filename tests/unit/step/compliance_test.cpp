@@ -73,7 +73,7 @@ TEST_P(ComplianceOf, MovesTheSurfaceByForcesGivenEitherWay) {
                                      {200, 4}, {41, 1},  {359, -3}, {7, 2}};
   Eigen::VectorXd force = Eigen::VectorXd::Zero(size);
   for (const auto& at : entries)
-    force[at.position] += at.force;
+    force[at.interface_dof] += at.force;
   const Eigen::VectorXd start = Eigen::VectorXd::LinSpaced(size, -1, 1);
   const Eigen::VectorXd expected = start + 0.7 * s * force;
   Eigen::VectorXd d = start;

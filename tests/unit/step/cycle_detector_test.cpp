@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/interface/condensed.hpp"
 #include "rubato/step/common/cycle_detector.hpp"
 #include "rubato/step/common/nested_loops.hpp"
+#include "rubato/step/common/newton.hpp"
 #include "rubato/step/full/whole_system.hpp"
+#include "rubato/step/interface/condensed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -87,8 +88,11 @@ template <class Solver> StepReport attempt(test::Walk& walk, Start start) {
   Solver solver(walk.model, walk.scheme, system, walk.state(), 1, side, pulse);
   auto trial = predict(walk.model, walk.scheme, system, walk.state(), 1);
   return solve_levels(
-      walk.model, side, [&](State& to, const Frozen& frozen) { return solver.run(to, held); }, walk.state(),
-      trial);
+      walk.model, side,
+      [&](State& to, const Frozen& frozen) {
+        return run_newton(solver, walk.model.study.newton.max_iterations, pulse, to, frozen);
+      },
+      walk.state(), trial);
 }
 
 TEST(Cycles, EndAnAttemptAndNameTheirPoints) {
@@ -106,7 +110,7 @@ TEST(Cycles, EndAnAttemptAndNameTheirPoints) {
 TEST(Cycles, AreTheSameOfPointsAndOfTheWholeMotion) {
   test::Walk walk(pulled_corner);
   const auto condensed = attempt<Condensed>(walk, Start::last_step);
-  const auto whole = attempt<Newton>(walk, Start::last_step);
+  const auto whole = attempt<WholeSystem>(walk, Start::last_step);
   EXPECT_EQ(condensed.outcome, Outcome::cycling);
   EXPECT_EQ(whole.outcome, Outcome::cycling);
   EXPECT_EQ(condensed.iterations, whole.iterations);

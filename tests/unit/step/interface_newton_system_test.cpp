@@ -109,9 +109,8 @@ void expect_solved(InterfaceNewtonSystem& system, Bulk& bulk, const VectorXd& d0
     EXPECT_LE((r.d_du.middleRows(3, 3) * q + r.by_multiplier.bottomRows(3) * m + r.equations)
                   .lpNorm<Eigen::Infinity>(),
               1e-7 * size);
-    EXPECT_LE(
-        (r.d_du.bottomRows(2) * q - change->places.segment(point.first_slope, 2)).lpNorm<Eigen::Infinity>(),
-        1e-7 * size);
+    EXPECT_LE((r.d_du.bottomRows(2) * q - change->xi.segment(point.first_slope, 2)).lpNorm<Eigen::Infinity>(),
+              1e-7 * size);
   }
 }
 
@@ -122,7 +121,7 @@ protected:
     for (std::size_t i = 0; i < GetParam().count; ++i) {
       all.push_back(made_up(random, static_cast<int>(bulk.matrix.rows()) - 5, GetParam().slope_size));
       // In units that make the compliance of order one.
-      all.back().spread /= bulk.s.diagonal().maxCoeff();
+      all.back().interpolation /= bulk.s.diagonal().maxCoeff();
     }
     return all;
   }
@@ -384,11 +383,11 @@ TEST(ActiveInterfaceCompliance, TakesMoreAndKeepsWhatItHas) {
   ActiveInterfaceCompliance surface(bulk.compliance);
   surface.add(std::vector<int>{9, 4, 9});
   surface.touch_added();
-  EXPECT_EQ(surface.positions(), (std::vector<int>{4, 9}));
+  EXPECT_EQ(surface.interface_dofs(), (std::vector<int>{4, 9}));
   surface.add(std::vector<int>{6, 4});
   surface.touch_added();
-  EXPECT_EQ(surface.positions(), (std::vector<int>{4, 6, 9}));
-  EXPECT_EQ(surface.place_of(6), 1);
+  EXPECT_EQ(surface.interface_dofs(), (std::vector<int>{4, 6, 9}));
+  EXPECT_EQ(surface.active_dof_of(6), 1);
   const Eigen::Vector3d force(1, -2, 3);
   VectorXd moved;
   surface.multiply(force, moved);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The three nested levels by Newton or by loops, and every method they carry, must end at one answer.
 #include "rubato/step/common/nested_loops.hpp"
+#include "rubato/step/common/newton.hpp"
 #include "rubato/step/full/whole_system.hpp"
 
 #include <gtest/gtest.h>
@@ -125,10 +126,13 @@ TEST(ALoopOfTheStatusThatDoesNotSettle, SaysSo) {
   State trial = predict(walk.model, walk.scheme, system, walk.state(), t);
   const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {});
   Pulse pulse;
-  Newton newton(walk.model, walk.scheme, system, walk.state(), t, side, pulse);
+  WholeSystem whole(walk.model, walk.scheme, system, walk.state(), t, side, pulse);
   const auto report = solve_levels(
-      walk.model, side, [&](State& to, const Frozen& frozen) { return newton.run(to, held); }, walk.state(),
-      trial);
+      walk.model, side,
+      [&](State& to, const Frozen& frozen) {
+        return run_newton(whole, walk.model.study.newton.max_iterations, pulse, to, frozen);
+      },
+      walk.state(), trial);
   EXPECT_EQ(report.outcome, Outcome::status_unsettled);
 }
 
