@@ -3,6 +3,7 @@
 
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/study/contact_methods.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,23 +53,25 @@ std::vector<IntegrationPoint> on_nodes(CellType face, int /*order*/) {
   return nodal_rule(face);
 }
 
-int any_order(int /*face_order*/) {
-  return 0;
-}
-int one_more(int face_order) {
-  return face_order + 1;
-}
-
 /// In the order of the rules.
 constexpr std::array<Integration, 2> integrations{{
-    {study::ContactIntegration::nodes, &on_nodes, &any_order},
-    {study::ContactIntegration::gauss, &gauss_rule, &one_more},
+    {study::ContactIntegration::nodes, &on_nodes, true},
+    {study::ContactIntegration::gauss, &gauss_rule, false},
 }};
 
 } // namespace
 
 const Integration& integration(study::ContactIntegration by) {
   return integrations[static_cast<std::size_t>(by)];
+}
+
+int least_order(study::ContactIntegration by, CellType face) {
+  const auto& entry = study::entry_of(by);
+  const auto enough = static_cast<std::size_t>(cell::topology(face).node_count);
+  int order = std::min(1, entry.most_order);
+  while (order < entry.most_order && integration(by).points(face, order).size() < enough)
+    ++order;
+  return order;
 }
 
 std::vector<IntegrationPoint> nodal_rule(CellType face) {

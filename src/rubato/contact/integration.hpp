@@ -22,10 +22,14 @@ struct IntegrationPoint {
 struct Integration {
   study::ContactIntegration by;
   std::vector<IntegrationPoint> (*points)(CellType face, int order);
-  /// The least order whose points tell the multipliers of a face of that polynomial order apart.
-  int (*least_order)(int face_order);
+  /// Whether a point on a node stands for the node's share of a face: on a surface of revolution that is the
+  /// integral of its shape function.
+  bool shares_of_nodes;
 };
 const Integration& integration(study::ContactIntegration by);
+
+/// The least order of a rule with points enough to tell the multipliers of a face's nodes apart.
+int least_order(study::ContactIntegration by, CellType face);
 
 /// Points on the nodes with the weights of the closed Newton–Cotes rule of the face (Code_Aster's
 /// INTEGRATION='AUTO'). TRIA6 and TRIA7 have no such rule with positive weights and take the six-point Gauss

@@ -44,10 +44,11 @@ double area_factor(const mesh::Mesh& mesh, const Face& face, const Eigen::Vector
 }
 
 /// What the face adds to a point's area. Rules on nodes are exact for shape functions times a constant; the
-/// radius is none, and 0 on the axis of revolution: a node's ring is the integral of its shape function.
-double area_of(const mesh::Mesh& mesh, const Face& face, const IntegrationPoint& point,
+/// radius is none, and 0 on the axis of revolution: the ring that a node has a share of (`share`) is the
+/// integral of its shape function.
+double area_of(const mesh::Mesh& mesh, const Face& face, const IntegrationPoint& point, bool share,
                const ZoneGeometry& geometry) {
-  if (geometry.measure == Measure::unit || point.node < 0)
+  if (!share || point.node < 0)
     return point.weight * area_factor(mesh, face, point.xi, geometry);
   double sum = 0;
   for (const auto& at : gauss_rule(face.type, ring_points))
@@ -156,21 +157,26 @@ SlavePoint point_inside(const Surface& slave, const Face& face, const Integratio
   return point;
 }
 
+std::vector<IntegrationPoint> one_a_node(CellType face, int /*order*/) {
+  return node_rule(face);
+}
+
 /// Nodal methods have one relation a node, whatever its share of the surface.
-std::vector<IntegrationPoint> points_of(CellType face, const study::ContactZone& settings) {
-  return study::entry_of(settings.method).nodal
-             ? node_rule(face)
-             : integration(settings.integration.by).points(face, settings.integration.order);
+Integration rule_of(const study::ContactZone& settings) {
+  const auto& chosen = integration(settings.integration.by);
+  return study::entry_of(settings.method).nodal ? Integration{chosen.by, &one_a_node, true} : chosen;
 }
 
 std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const study::ContactZone& settings,
                                     const Surface& slave, std::span<const NodeIndex> excluded,
                                     const ZoneGeometry& geometry) {
+  const auto rule = rule_of(settings);
+  const bool shares_of_rings = rule.shares_of_nodes && geometry.measure == Measure::ring;
   std::vector<SlavePoint> points;
   std::map<NodeIndex, std::size_t> point_of_node;
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     const auto& face = slave.faces[f];
-    for (const auto& at : points_of(face.type, settings)) {
+    for (const auto& at : rule.points(face.type, settings.integration.order)) {
       std::size_t index = points.size();
       if (at.node >= 0) {
         const auto node = face.nodes[static_cast<std::size_t>(at.node)];
@@ -181,13 +187,13 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const study::Contact
         points.push_back(point_inside(slave, face, at, excluded));
       }
       auto& point = points[index];
-      point.area += area_of(mesh, face, at, geometry);
+      point.area += area_of(mesh, face, at, shares_of_rings, geometry);
       point.stands_on.push_back({static_cast<int>(f), at.xi});
       if (at.stands_for >= 0 && is_excluded(excluded, face.nodes[static_cast<std::size_t>(at.stands_for)]))
         point.excluded = true;
     }
   }
-  if (geometry.measure == Measure::ring)
+  if (shares_of_rings)
     give_axis_nodes_area(mesh, slave, point_of_node, geometry, points);
   exclude_without_area(points);
   return points;

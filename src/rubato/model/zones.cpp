@@ -166,14 +166,13 @@ std::vector<mesh::NodeIndex> excluded_nodes(const mesh::Mesh& mesh, const study:
 /// With fewer points than the multipliers of a face can tell apart, their equations would be dependent.
 void check_rule(const study::ContactZone& zone, const contact::Surface& slave, std::vector<Fault>& faults) {
   for (const auto& face : slave.faces) {
-    const auto& topology = cell::topology(face.type);
-    const int least = contact::integration(zone.integration.by).least_order(topology.order);
+    const int least = contact::least_order(zone.integration.by, face.type);
     if (zone.integration.order >= least)
       continue;
     faults.push_back(fault_at("contact." + zone.name,
                               fmt::format("found {{{}: {}}}, expected at least {} on the {} faces of '{}'",
                                           study::entry_of(zone.integration.by).name, zone.integration.order,
-                                          least, topology.name, zone.slave)));
+                                          least, cell::topology(face.type).name, zone.slave)));
     return;
   }
 }
