@@ -39,6 +39,13 @@ TEST_P(ConformingBlocks, HandOnAUniformPressureThroughGaussPoints) {
   expect_uniform({GetParam(), 2, 2, 0, ", integration: {gauss: 3}"});
 }
 
+TEST_P(ConformingBlocks, HandOnAUniformPressureThroughSimpsonsPoints) {
+  if (GetParam() == CellType::tetra10) // its faces are TRIA6
+    EXPECT_THROW(test::press({GetParam(), 2, 2, 0, ", integration: {simpson: 2}"}), InputError);
+  else
+    expect_uniform({GetParam(), 2, 2, 0, ", integration: {simpson: 2}"});
+}
+
 TEST_P(ConformingBlocks, HandOnAUniformPressureHoweverTheyAreTurned) {
   expect_uniform({GetParam(), 2, 2, 0, "", 0.5});
   expect_uniform({GetParam(), 2, 2, 0.3, "", 2.5});

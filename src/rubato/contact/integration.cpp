@@ -3,10 +3,12 @@
 
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/simpson.hpp"
 #include "rubato/study/contact_methods.hpp"
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <stdexcept>
 
 namespace rubato::contact {
@@ -49,14 +51,35 @@ std::vector<IntegrationPoint> triangle_six_points() {
   return points;
 }
 
+/// Integrals of the shape functions.
+Eigen::VectorXd shares(CellType face, const std::vector<IntegrationPoint>& points) {
+  const auto& cell = cell::reference_cell(face);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(cell.node_count);
+  std::array<double, 9> values{};
+  for (const auto& point : points) {
+    cell.values({point.xi[0], point.xi[1], 0},
+                std::span(values).first(static_cast<std::size_t>(cell.node_count)));
+    for (int i = 0; i < cell.node_count; ++i)
+      sum[i] += point.weight * values[static_cast<std::size_t>(i)];
+  }
+  return sum;
+}
+
+/// Whether it integrates the shape functions, which four Gauss points a direction do.
+bool is_exact(CellType face, const std::vector<IntegrationPoint>& points) {
+  constexpr double rounding = 1e-12;
+  return (shares(face, points) - shares(face, gauss_rule(face, 4))).lpNorm<Eigen::Infinity>() < rounding;
+}
+
 std::vector<IntegrationPoint> on_nodes(CellType face, int /*order*/) {
   return nodal_rule(face);
 }
 
 /// In the order of the rules.
-constexpr std::array<Integration, 2> integrations{{
+constexpr std::array<Integration, 3> integrations{{
     {study::ContactIntegration::nodes, &on_nodes, true},
     {study::ContactIntegration::gauss, &gauss_rule, false},
+    {study::ContactIntegration::simpson, &simpson_rule, false},
 }};
 
 } // namespace
@@ -65,13 +88,15 @@ const Integration& integration(study::ContactIntegration by) {
   return integrations[static_cast<std::size_t>(by)];
 }
 
-int least_order(study::ContactIntegration by, CellType face) {
-  const auto& entry = study::entry_of(by);
-  const auto enough = static_cast<std::size_t>(cell::topology(face).node_count);
-  int order = std::min(1, entry.most_order);
-  while (order < entry.most_order && integration(by).points(face, order).size() < enough)
-    ++order;
-  return order;
+std::optional<int> least_order(study::ContactIntegration by, CellType face) {
+  const int most = study::entry_of(by).most_order;
+  const auto nodes = static_cast<std::size_t>(cell::topology(face).node_count);
+  for (int order = std::min(1, most); order <= most; ++order) {
+    const auto points = integration(by).points(face, order);
+    if (is_exact(face, points) && (points.size() >= nodes || most == 0))
+      return order;
+  }
+  return std::nullopt;
 }
 
 std::vector<IntegrationPoint> nodal_rule(CellType face) {

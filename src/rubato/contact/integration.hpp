@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace rubato::contact {
@@ -28,8 +29,10 @@ struct Integration {
 };
 const Integration& integration(study::ContactIntegration by);
 
-/// The least order of a rule with points enough to tell the multipliers of a face's nodes apart.
-int least_order(study::ContactIntegration by, CellType face);
+/// The least order of a rule (0 of one that has none) with points enough to tell the multipliers of a face's
+/// nodes apart, and exact for its shape functions, so that it hands on a uniform pressure. Nothing where no
+/// order is.
+std::optional<int> least_order(study::ContactIntegration by, CellType face);
 
 /// Points on the nodes with the weights of the closed Newton–Cotes rule of the face (Code_Aster's
 /// INTEGRATION='AUTO'). TRIA6 and TRIA7 have no such rule with positive weights and take the six-point Gauss

@@ -144,7 +144,7 @@ struct ContactIntegrationEntry {
   int most_order; ///< orders go from 1 to that; 0: it has none
 };
 
-inline constexpr std::array<ContactIntegrationEntry, 2> contact_integrations{{
+inline constexpr std::array<ContactIntegrationEntry, 3> contact_integrations{{
     {.method = ContactIntegration::nodes,
      .name = "nodes",
      .code_aster = "INTEGRATION='AUTO'",
@@ -155,6 +155,11 @@ inline constexpr std::array<ContactIntegrationEntry, 2> contact_integrations{{
      .code_aster = "INTEGRATION='GAUSS'",
      .summary = "n Gauss points a direction",
      .most_order = 7},
+    {.method = ContactIntegration::simpson,
+     .name = "simpson",
+     .code_aster = "INTEGRATION='SIMPSON'",
+     .summary = "ends and middles of n parts a direction",
+     .most_order = 4},
 }};
 
 /// Rows stand in the order of the methods.

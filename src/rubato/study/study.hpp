@@ -178,8 +178,9 @@ struct Obstacle {
 
 /// Where contact points stand on a slave face.
 enum class ContactIntegration {
-  nodes, ///< on the slave nodes
-  gauss  ///< Gauss points, `order` a direction
+  nodes,  ///< on the slave nodes
+  gauss,  ///< Gauss points, `order` a direction
+  simpson ///< ends and middles of `order` parts a direction
 };
 struct ContactRule {
   ContactIntegration by = ContactIntegration::nodes;

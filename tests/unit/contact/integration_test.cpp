@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/integration.hpp"
+#include "rubato/contact/simpson.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -70,6 +72,43 @@ TEST_P(ContactRule, IsAsExactAsItsGaussPointsAllow) {
       EXPECT_EQ(point.stands_for, -1);
     }
   }
+}
+
+/// Code_Aster's weights on triangles integrate linear functions only.
+TEST_P(ContactRule, OfSimpsonHasItsDegreeWhateverTheParts) {
+  const auto face = GetParam();
+  for (int parts = 1; parts <= 4; ++parts) {
+    const auto rule = simpson_rule(face, parts);
+    expect_exact(face, rule, is_triangle(face) ? 1 : 3);
+    const int line = 2 * parts + 1;
+    const int expected = cell::topology(face).dimension == 1 ? line
+                         : is_triangle(face)                 ? line * (line + 1) / 2
+                                                             : line * line;
+    EXPECT_EQ(rule.size(), static_cast<std::size_t>(expected));
+    for (const auto& point : rule)
+      EXPECT_GT(point.weight, 0);
+  }
+}
+
+/// Where Simpson's rule is the closed Newton–Cotes rule of a quadratic face.
+TEST(SimpsonRule, OfOnePartIsTheRuleOnTheNodesOfQuadraticFaces) {
+  for (const auto face : {CellType::seg3, CellType::quad9})
+    for (const auto& point : nodal_rule(face)) {
+      const auto rule = simpson_rule(face, 1);
+      const auto same = std::ranges::find(rule, point.node, &IntegrationPoint::node);
+      ASSERT_NE(same, rule.end());
+      EXPECT_NEAR(same->weight, point.weight, 1e-15);
+      EXPECT_EQ(same->stands_for, point.stands_for);
+    }
+}
+
+TEST_P(ContactRule, NeedsAPointForEachNodeAndItsShapeFunctions) {
+  const auto face = GetParam();
+  EXPECT_EQ(least_order(study::ContactIntegration::nodes, face), 0);
+  EXPECT_EQ(least_order(study::ContactIntegration::gauss, face),
+            face == CellType::tria7 ? 4 : cell::topology(face).order + 1);
+  const bool refused = face == CellType::tria6 || face == CellType::tria7;
+  EXPECT_EQ(least_order(study::ContactIntegration::simpson, face), refused ? std::nullopt : std::optional(1));
 }
 
 TEST_P(ContactRule, StandsOnTheNodesThatItNames) {
