@@ -4,8 +4,7 @@
 #include "rubato/cell/parts.hpp"
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/cell/shape_table.hpp"
-
-#include <Eigen/QR>
+#include "rubato/linalg/dense_decompositions.hpp"
 
 namespace rubato::domain {
 namespace {
@@ -25,7 +24,7 @@ MatrixXd extrapolation_of(const cell::ReferenceCell& cell) {
     nodes.push_back({xi, 1.});
   const MatrixXd at_points = cell::tabulate(corners, cell::stiffness_rule(cell.type)).values.transpose();
   const MatrixXd at_nodes = cell::tabulate(corners, nodes).values.transpose();
-  return at_nodes * at_points.completeOrthogonalDecomposition().pseudoInverse();
+  return at_nodes * linalg::pseudo_inverse(at_points);
 }
 
 using Table = std::array<MatrixXd, static_cast<std::size_t>(CellType::hexa27) + 1>;

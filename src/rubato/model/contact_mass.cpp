@@ -2,10 +2,10 @@
 #include "rubato/model/contact_mass.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/model.hpp"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -142,7 +142,7 @@ std::optional<VectorXd> factors_of(const Body& body, Index count) {
             x.col(p).cwiseProduct(weighed.col(q)) + x.col(q).cwiseProduct(weighed.col(p));
         slope.row(row++) = gradient.transpose() * basis;
       }
-    factors += basis * slope.completeOrthogonalDecomposition().solve(missing);
+    factors += basis * linalg::least_norm_solution(slope, missing);
   }
   return std::nullopt;
 }

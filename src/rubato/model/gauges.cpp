@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/gauges.hpp"
 
+#include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/neutral_motions.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -67,9 +66,8 @@ MatrixXd beside(const MatrixXd& others, MatrixXd columns) {
     direction.normalize();
     columns -= direction * (direction.transpose() * columns).eval();
   };
-  MatrixXd basis = Eigen::HouseholderQR<MatrixXd>(others).householderQ() *
-                   MatrixXd::Identity(others.rows(), others.cols());
-  for (Index k = 0; k < basis.cols(); ++k)
+  const MatrixXd basis = linalg::orthogonal_factor(others);
+  for (Index k = 0; k < others.cols(); ++k)
     take_out(basis.col(k));
   for (Index k = 0; k < chosen.cols(); ++k) {
     Index largest = 0;
@@ -85,7 +83,7 @@ MatrixXd gauges_of(const MatrixXd& neutral, const MatrixXd& rigid) {
   MatrixXd motions(neutral.rows(), rigid.cols());
   motions << neutral, beside(neutral, rigid);
   const MatrixXd gram = motions.transpose() * motions;
-  return motions * gram.ldlt().solve(MatrixXd::Identity(gram.rows(), neutral.cols()));
+  return motions * linalg::solve_symmetric(gram, MatrixXd::Identity(gram.rows(), neutral.cols()));
 }
 
 std::string note_on(const Model& model, const RigidMotions& rigid, std::span<const RigidMotion> neutral) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/neutral_motions.hpp"
 
+#include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/model/surface_normals.hpp"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -131,13 +129,13 @@ MatrixXd with_quotient(const MatrixXd& a, const MatrixXd& b, const MatrixXd& sub
                        double high) {
   if (subspace.cols() == 0)
     return subspace;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(subspace.transpose() * a * subspace,
-                                                                  subspace.transpose() * b * subspace);
+  const auto [values, vectors] =
+      linalg::generalized_eigen(subspace.transpose() * a * subspace, subspace.transpose() * b * subspace);
   std::vector<Index> chosen;
-  for (Index i = 0; i < solver.eigenvalues().size(); ++i)
-    if (solver.eigenvalues()[i] >= low && solver.eigenvalues()[i] <= high)
+  for (Index i = 0; i < values.size(); ++i)
+    if (values[i] >= low && values[i] <= high)
       chosen.push_back(i);
-  return subspace * solver.eigenvectors()(Eigen::all, chosen);
+  return subspace * vectors(Eigen::all, chosen);
 }
 
 constexpr double square(double value) {
@@ -146,8 +144,7 @@ constexpr double square(double value) {
 
 /// A surface on one line or at one place doesn't tell motions apart.
 bool tells_motions_apart(const MatrixXd& moved) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(moved, Eigen::EigenvaluesOnly);
-  const auto& values = solver.eigenvalues();
+  const auto values = linalg::symmetric_eigenvalues(moved);
   return values[0] > square(not_resisted) * values[values.size() - 1];
 }
 
@@ -196,8 +193,7 @@ MatrixXd without_work(const Model& model, const RigidMotions& rigid, std::span<c
     const double facets = (coefficients.transpose() * faceted * coefficients).diagonal().maxCoeff();
     if (done.norm() <= off_its_place * facets * most)
       continue;
-    const Eigen::HouseholderQR<MatrixXd> qr(done);
-    const MatrixXd directions = qr.householderQ();
+    const MatrixXd directions = linalg::orthogonal_factor(done);
     coefficients = coefficients * directions.rightCols(coefficients.cols() - 1);
   }
   return coefficients;

@@ -2,8 +2,8 @@
 #include "rubato/model/rigid_motions.hpp"
 
 #include "rubato/contact/kinematics.hpp"
+#include "rubato/linalg/dense_decompositions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
@@ -32,8 +32,7 @@ Index mode_count(const Model& model) {
 
 /// What resists a body's own motions alone.
 int rank_of(const MatrixXd& gram) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram, Eigen::EigenvaluesOnly);
-  const auto& values = solver.eigenvalues();
+  const auto values = linalg::symmetric_eigenvalues(gram);
   const double largest = values[values.size() - 1];
   return largest > 0 ? static_cast<int>((values.array() > rank_tolerance * largest).count()) : 0;
 }
@@ -130,23 +129,22 @@ MatrixXd RigidMotions::block_of(int body) const {
 std::vector<RigidMotion> RigidMotions::loose_alone() const {
   std::vector<RigidMotion> loose;
   for (int body = 0; body < bodies_.count(); ++body) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(block_of(body));
     const auto count = modes_ - rank_of(block_of(body));
     if (count > 0)
-      for (const auto& motion : columns_told_apart(solver.eigenvectors().leftCols(count)))
+      for (const auto& motion :
+           columns_told_apart(linalg::symmetric_eigen(block_of(body)).vectors.leftCols(count)))
         loose.push_back(motion_of(body, motion));
   }
   return loose;
 }
 
 std::vector<RigidMotion> RigidMotions::loose() const {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram_);
-  const auto& values = solver.eigenvalues();
+  const auto [values, vectors] = linalg::symmetric_eigen(gram_);
   const double allowed = rank_tolerance * values[columns() - 1];
   const Index count = (values.array() <= allowed).count();
   if (count == 0)
     return {};
-  const MatrixXd motions = solver.eigenvectors().leftCols(count);
+  const MatrixXd motions = vectors.leftCols(count);
   Index body = 0;
   double largest = 0;
   for (Index b = 0; b < bodies_.count(); ++b)

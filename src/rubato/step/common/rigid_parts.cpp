@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/rigid_parts.hpp"
 
-#include <Eigen/Cholesky>
+#include "rubato/linalg/dense_decompositions.hpp"
+
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,7 +35,7 @@ void take_out(const VectorXd& row, MatrixXd& motions) {
   const MatrixXd moved = motions.transpose() * row;
   if (moved.norm() <= rounding * row.norm())
     return;
-  const MatrixXd turned = Eigen::HouseholderQR<MatrixXd>(moved).householderQ();
+  const MatrixXd turned = linalg::orthogonal_factor(moved);
   motions = (motions * turned.rightCols(motions.cols() - 1)).eval();
 }
 
@@ -152,7 +152,7 @@ void RigidParts::fit_bodies() {
     const MatrixXd gram = n.transpose() * grams[body] * n;
     bodies_[body].fit = MatrixXd::Zero(modes, modes);
     if (n.cols() > 0 && !bodies_[body].held)
-      bodies_[body].fit = n * gram.ldlt().solve(n.transpose());
+      bodies_[body].fit = n * linalg::solve_symmetric(gram, n.transpose());
   }
 }
 

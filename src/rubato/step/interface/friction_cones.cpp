@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/friction_cones.hpp"
 
-#include <Eigen/LU>
+#include "rubato/linalg/dense_decompositions.hpp"
 
 #include <utility>
 
@@ -36,7 +36,7 @@ public:
         forces_ -= left_;
         return true;
       }
-      take(Eigen::PartialPivLU<MatrixXd>(slope_).solve(-left_));
+      take(linalg::solve_square(slope_, -left_));
     }
     return false;
   }
@@ -110,7 +110,7 @@ std::optional<VectorXd> solve_friction(const FrictionCones& cones, const VectorX
   Iteration near(cones, start);
   if (near.run(pulse))
     return near.forces();
-  Iteration sticking(cones, -Eigen::PartialPivLU<MatrixXd>(cones.matrix).solve(cones.values));
+  Iteration sticking(cones, -linalg::solve_square(cones.matrix, cones.values));
   if (sticking.run(pulse))
     return sticking.forces();
   return std::nullopt;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/interface_newton_system.hpp"
 
+#include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/linalg/equilibration.hpp"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -362,7 +361,7 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solved_whole
 std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::least(const Change& left,
                                                                           Index rows) const {
   const MatrixXd matrix = matrix_of(rows);
-  const VectorXd solution = matrix.completeOrthogonalDecomposition().solve(joined(left, rows));
+  const VectorXd solution = linalg::least_norm_solution(matrix, joined(left, rows));
   return solution.allFinite() ? std::optional(split(solution, rows)) : std::nullopt;
 }
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Decompositions of small dense matrices by Eigen, compiled once: each place that instantiates one takes as
+/// long to compile as a file of its own.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rubato::linalg {
+
+struct SymmetricEigen {
+  Eigen::VectorXd values;  ///< ascending
+  Eigen::MatrixXd vectors; ///< a column each
+};
+
+/// A v = λ v with vectors of length one. Only the lower triangle of A is read.
+SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& a);
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
+/// A v = λ B v with v·B v = 1, B positive definite.
+SymmetricEigen generalized_eigen(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// Q of A = Q R (Householder): square and orthogonal; its first columns span those of A, where these are
+/// independent, the others what is perpendicular to them.
+Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& a);
+
+/// X of A X = B for symmetric A (LDLᵀ).
+Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+/// x of A x = b for square A (LU with row exchanges).
+Eigen::VectorXd solve_square(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// The smallest x that leaves least of A x = b, whatever the rank of A.
+Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a);
+
+} // namespace rubato::linalg
