@@ -73,19 +73,13 @@ void open_contact(const PointState& point, const PointLaw& law, PointResponse& r
   response.d_equations(0, pressure) = -1 / law.normal;
 }
 
-/// T_n = λ and g = 0
-void close_by_multiplier(const PointState& point, const PointLaw& /*law*/, PointResponse& response) {
-  response.traction[0] = point.pressure;
+/// T_n = λ − c g and g = 0
+void close_by_augmentation(const PointState& point, const PointLaw& law, PointResponse& response) {
+  response.traction[0] = -law.normal * point.gap + point.pressure;
+  response.d_traction(0, gap) = -law.normal;
   response.d_traction(0, pressure) = 1;
   response.equations[0] = -point.gap;
   response.d_equations(0, gap) = -1;
-}
-
-/// T_n = λ − c g and g = 0
-void close_by_augmentation(const PointState& point, const PointLaw& law, PointResponse& response) {
-  close_by_multiplier(point, law, response);
-  response.traction[0] = -law.normal * point.gap + point.pressure;
-  response.d_traction(0, gap) = -law.normal;
 }
 
 void close_by_spring(const PointState& point, const PointLaw& law, PointResponse& response) {
@@ -162,11 +156,6 @@ bool rubs(const PointState& point, Status status, const PointLaw& law) {
 }
 
 // T_n of a point that closes is to be more than what rounding of its gap makes.
-
-/// Conjugate gradients find forces that are positive or zero.
-bool has_force(const PointState& point, const PointLaw& /*law*/) {
-  return point.pressure > 0;
-}
 
 bool compresses_spring(const PointState& point, const PointLaw& law) {
   return force_of_spring(point, law) > 0;
@@ -261,7 +250,7 @@ constexpr std::array<NormalLaw, 5> normal_laws{{
      &pressure_of_multiplier},
     {ContactMethod::nodal_penalty, &spring, tolerances.penalty_stiffening, &compresses_spring,
      &close_by_spring, &pressure_of_spring},
-    {ContactMethod::nodal_pcg, &augmentation, 1, &has_force, &close_by_multiplier, &pressure_of_multiplier},
+    {ContactMethod::nodal_pcg, &augmentation, 1, &presses, &close_by_augmentation, &pressure_of_multiplier},
 }};
 
 constexpr std::array<FrictionLaw, 3> friction_laws{{

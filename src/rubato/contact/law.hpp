@@ -3,8 +3,8 @@
 /// with multipliers, the equations that determine them. Laws know nothing about meshes.
 ///
 /// Normal part. Exact methods: T_n = λ − c g with the equation g = 0 in contact, λ = 0 apart (Alart and
-/// Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991, in the form of Code_Aster R5.03.52); nodal_pcg finds λ
-/// by itself, T_n = λ. Penalty ones: T_n = k ⟨−g⟩.
+/// Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991, in the form of Code_Aster R5.03.52).
+/// Penalty ones: T_n = k ⟨−g⟩.
 /// Tangential part, P being the pressure friction is measured by (λ, or T_n of a penalty): augmented
 /// Lagrangian −μ P ρ, ρ = Λ + c_t Δs in stick with the equation Δs = 0, ρ = r/|r|, r = Λ + c_t Δs in slip
 /// with Λ = ρ. Penalty: the same without Λ. Nodal penalty: −E Δs in stick, −μ P Δs/|Δs| in slip.

@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 // Debian packs no header for the LAPACK that OpenBLAS holds; this is its Fortran interface.
 extern "C" void dposv_(const char* triangle, const int* size, const int* right_sides, double* matrix,
@@ -40,6 +41,13 @@ Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd 
   if (info != 0)
     right_side.setConstant(std::numeric_limits<double>::quiet_NaN());
   return right_side;
+}
+
+Eigen::VectorXd solve_among(std::span<const Eigen::Index> unknowns, const Eigen::MatrixXd& matrix,
+                            const Eigen::VectorXd& values) {
+  Eigen::MatrixXd among = matrix(unknowns, unknowns);
+  Eigen::VectorXd right_side = -values(unknowns);
+  return solve_positive_definite(std::move(among), std::move(right_side));
 }
 
 } // namespace rubato::linalg

@@ -4,10 +4,16 @@
 
 #include <Eigen/Core>
 
+#include <span>
+
 namespace rubato::linalg {
 
 /// x of A x = b; only the lower triangle of A is read. Full of NaN when A is not positive definite. Throws
 /// std::invalid_argument when sizes do not match.
 Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd right_side);
+
+/// x of A x + b = 0 for the rows and columns of `unknowns`, in their order; else the same.
+Eigen::VectorXd solve_among(std::span<const Eigen::Index> unknowns, const Eigen::MatrixXd& matrix,
+                            const Eigen::VectorXd& values);
 
 } // namespace rubato::linalg

@@ -135,10 +135,7 @@ std::string solver_text(const Model& model, const EffectiveSystem& system) {
     return "full: the effective matrix is not positive definite without contact";
   if (model.zones.empty())
     return "the bulk factored once a step length";
-  if (can_condense(model, system))
-    return "condensed on contact points: the bulk is linear and factored once a step length";
-  return "projected conjugate gradients on contact forces: the bulk is linear and factored once a step "
-         "length";
+  return "condensed on contact points: the bulk is linear and factored once a step length";
 }
 
 } // namespace

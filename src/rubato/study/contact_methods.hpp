@@ -17,15 +17,15 @@ struct ContactMethodEntry {
   std::string_view name;
   std::string_view code_aster;
   std::string_view summary;
-  bool exact;           ///< gaps close exactly, by a multiplier λ; else its springs are part of the answer
-  bool nodal;           ///< one relation a slave node without regard to areas, held while Newton iterates
-  bool finds_forces;    ///< solves for its forces by itself, without friction: Newton gets them as they are
-  bool between_nodes;   ///< takes points between the nodes
-  Iteration geometry;   ///< how it follows the surfaces unless the study says so
-  bool status_loop;     ///< takes statuses from a loop
-  bool explicit_steps;  ///< forces follow from the motion alone
-  bool impulses;        ///< forces may be impulses
-  ContactMethod softer; ///< the one whose gaps need not close
+  bool exact;            ///< gaps close exactly, by a multiplier λ; else its springs are part of the answer
+  bool nodal;            ///< one relation a slave node without regard to areas, held while Newton iterates
+  bool exact_prediction; ///< Newton starts from exact forces: of all zones together, without friction
+  bool between_nodes;    ///< takes points between the nodes
+  Iteration geometry;    ///< how it follows the surfaces unless the study says so
+  bool status_loop;      ///< takes statuses from a loop
+  bool explicit_steps;   ///< forces follow from the motion alone
+  bool impulses;         ///< forces may be impulses
+  ContactMethod softer;  ///< the one whose gaps need not close
   std::array<FrictionMethod, 2> friction; ///< the methods it goes with, the usual one first
 };
 
@@ -46,7 +46,7 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .summary = "exact contact by pressures on the slave side",
      .exact = true,
      .nodal = false,
-     .finds_forces = false,
+     .exact_prediction = false,
      .between_nodes = true,
      .geometry = Iteration::newton,
      .status_loop = true,
@@ -60,7 +60,7 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .summary = "pressure grows with penetration",
      .exact = false,
      .nodal = false,
-     .finds_forces = false,
+     .exact_prediction = false,
      .between_nodes = true,
      .geometry = Iteration::newton,
      .status_loop = true,
@@ -74,7 +74,7 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .summary = "exact contact by one force a slave node",
      .exact = true,
      .nodal = true,
-     .finds_forces = false,
+     .exact_prediction = false,
      .between_nodes = false,
      .geometry = Iteration::fixed_point,
      .status_loop = true,
@@ -88,7 +88,7 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .summary = "a slave node's force grows with penetration",
      .exact = false,
      .nodal = true,
-     .finds_forces = false,
+     .exact_prediction = false,
      .between_nodes = false,
      .geometry = Iteration::fixed_point,
      .status_loop = true,
@@ -102,7 +102,7 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .summary = "nodal_lagrange without friction by projected conjugate gradients",
      .exact = true,
      .nodal = true,
-     .finds_forces = true,
+     .exact_prediction = true,
      .between_nodes = false,
      .geometry = Iteration::fixed_point,
      .status_loop = false,

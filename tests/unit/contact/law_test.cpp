@@ -123,12 +123,28 @@ TEST(HeldThreshold, TakesThePlaceOfThePressure) {
   }
 }
 
-TEST(ConjugateGradientsForces, AreTheTractionWhateverTheGap) {
+TEST(NodalPcgLaw, IsThatOfNodalLagrange) {
   auto law = steel;
-  law.method = ContactMethod::nodal_pcg;
+  law.method = ContactMethod::nodal_lagrange;
   law.friction = 0;
-  EXPECT_EQ(wanted_status({-0.1, {0, 0}, 0, {0, 0}}, law), Status::open);
-  EXPECT_DOUBLE_EQ(respond({-0.1, {0, 0}, 5, {0, 0}}, Status::slip, law).traction[0], 5);
+  auto by_cg = law;
+  by_cg.method = ContactMethod::nodal_pcg;
+  int closed = 0;
+  for (const double gap : {-0.1, 0.0, 0.2})
+    for (const double pressure : {-1.0, 0.0, 5.0}) {
+      const PointState point{gap, {0.1, 0}, pressure, {0, 0}};
+      const auto status = wanted_status(point, law);
+      closed += status != Status::open ? 1 : 0;
+      EXPECT_EQ(wanted_status(point, by_cg), status) << gap << ' ' << pressure;
+      const auto expected = respond(point, status, law);
+      const auto found = respond(point, status, by_cg);
+      EXPECT_EQ(found.traction, expected.traction) << gap << ' ' << pressure;
+      EXPECT_EQ(found.d_traction, expected.d_traction) << gap << ' ' << pressure;
+      EXPECT_EQ(found.equations, expected.equations) << gap << ' ' << pressure;
+      EXPECT_EQ(found.d_equations, expected.d_equations) << gap << ' ' << pressure;
+    }
+  EXPECT_GT(closed, 2);
+  EXPECT_LT(closed, 9);
 }
 
 struct LawVariant {

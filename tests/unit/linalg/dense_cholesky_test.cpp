@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 #include <stdexcept>
 
@@ -32,6 +33,13 @@ TEST(DenseCholesky, KnowsIndefiniteMatrices) {
     matrix(1, 1) = -1;
     EXPECT_TRUE(solve_positive_definite(matrix, Eigen::VectorXd::Ones(size)).array().isNaN().all()) << size;
   }
+}
+
+TEST(DenseCholesky, SolvesAmongSomeUnknownsInTheirOrder) {
+  const Eigen::MatrixXd matrix = Eigen::Vector4d(1, 4, 9, 16).asDiagonal();
+  const Eigen::VectorXd values = Eigen::Vector4d(3, -8, 5, 32);
+  const std::array<Eigen::Index, 2> unknowns{3, 1};
+  EXPECT_EQ(solve_among(unknowns, matrix, values), Eigen::VectorXd(Eigen::Vector2d(-2, 2)));
 }
 
 TEST(DenseCholesky, OfNothingSolvesNothing) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The sweeps that Newton starts from, on small problems with known answers.
 #include "rubato/step/interface/contact_predictor.hpp"
+#include "rubato/step/interface/tresca_problem.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/interface/active_set.hpp"
 #include "rubato/step/interface/friction_cones.hpp"
+#include "rubato/step/interface/normal_problem.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 #include "rubato/step/full/whole_system.hpp"
 
 #include "rubato/step/full/linear_step.hpp"
-#include "rubato/step/interface/projected_cg.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -16,8 +15,8 @@ using model::Model;
 } // namespace
 
 WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                         const State& committed, double t, const ContactEvaluator& side, Pulse& pulse)
-    : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
+                         const State& committed, double t, const ContactEvaluator& side, Pulse&)
+    : model_(model), scheme_(scheme), system_(system), side_(side),
       equilibrium_(model, scheme, system, committed, t),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {}
 
@@ -98,13 +97,9 @@ bool WholeSystem::within_rounding(const State& trial, const Frozen& frozen) cons
 std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen&, double part) {
   const LinearProblem problem{model_, system_.matrix, scheme_.contact_weight(), contact_,
                               equilibrium_.residual()};
-  std::optional<LinearSolution> solution;
-  if (finds_forces(model_))
-    solution = solve_projected_cg(problem, system_.compliance.get(), now_.points, trial.zones, pulse_);
-  else
-    solution = solve_full(problem);
+  const auto solution = solve_full(problem);
   if (!solution || !solution->displacement.allFinite() || !solution->multipliers.allFinite())
-    return pulse_.stopped() ? Outcome::interrupted : Outcome::singular_matrix;
+    return Outcome::singular_matrix;
   const VectorXd d = model_.reduction.scatter(part * solution->displacement);
   time::correct(system_.coefficients, d, trial.motion);
   for (std::size_t z = 0; z < model_.zones.size(); ++z)

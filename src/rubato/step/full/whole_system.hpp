@@ -17,7 +17,7 @@ namespace rubato::step {
 
 class WholeSystem {
 public:
-  /// Everything must outlive this.
+  /// Everything must outlive this. It has no loop of its own that would need the pulse.
   WholeSystem(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
               const State& committed, double t, const ContactEvaluator& side, Pulse& pulse);
 
@@ -43,7 +43,6 @@ private:
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
   const ContactEvaluator& side_;
-  Pulse& pulse_;
   Equilibrium equilibrium_;
   contact::ContactSystem contact_;
   ContactForce force_;

@@ -2,7 +2,6 @@
 #include "rubato/step/interface/condensed.hpp"
 
 #include "rubato/core/tolerances.hpp"
-#include "rubato/step/interface/projected_cg.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +20,17 @@ using model::Model;
 /// carries the contact forces, the rest of the way loses no digits.
 constexpr double nearly_balanced = 1e-6;
 
+NormalSolution normal_solution(const Model& model, const EffectiveSystem& system) {
+  if (predicts_exactly(model))
+    return NormalSolution::projected_cg;
+  return system.has_free_bodies ? NormalSolution::active_set : NormalSolution::near;
+}
+
 /// Nothing of an attempt before is seen but the storage it left.
-CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme, int components) {
+CondensedScratch& scratch_of(const Model& model, EffectiveSystem& system, const time::Scheme& scheme) {
   if (!system.scratch)
-    system.scratch = std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(),
-                                                        components, system.has_free_bodies);
+    system.scratch = std::make_shared<CondensedScratch>(
+        *system.compliance, scheme.contact_weight(), model.dofs.components, normal_solution(model, system));
   system.scratch->forget();
   return *system.scratch;
 }
@@ -33,9 +38,9 @@ CondensedScratch& scratch_of(EffectiveSystem& system, const time::Scheme& scheme
 } // namespace
 
 CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components,
-                                   bool free_bodies)
+                                   NormalSolution how_far)
     : surface(compliance), points(compliance, surface, force_weight),
-      predictor(compliance, force_weight, components, free_bodies) {}
+      predictor(compliance, force_weight, components, how_far) {}
 
 void CondensedScratch::forget() {
   surface.forget();
@@ -44,14 +49,14 @@ void CondensedScratch::forget() {
 }
 
 bool can_condense(const Model& model, const EffectiveSystem& system) {
-  return system.compliance && !model.zones.empty() && !finds_forces(model);
+  return system.compliance && !model.zones.empty();
 }
 
 std::optional<Start> other_start(const Model& model, const EffectiveSystem& system) {
-  const bool predicts =
-      can_condense(model, system) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
-        return zone.settings.status.by == study::Iteration::newton;
-      });
+  const bool predicts = can_condense(model, system) && !predicts_exactly(model) &&
+                        std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
+                          return zone.settings.status.by == study::Iteration::newton;
+                        });
   if (!predicts)
     return std::nullopt;
   return starts_from_prediction(model, Start::usual) ? Start::last_step : Start::predicted;
@@ -60,27 +65,31 @@ std::optional<Start> other_start(const Model& model, const EffectiveSystem& syst
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                      const State& committed, double t, const ContactEvaluator& side, Pulse& pulse)
     : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
-      equilibrium_(model, scheme, system, committed, t),
-      scratch_(scratch_of(system, scheme, model.dofs.components)), scale_(committed.force_scale),
-      reach_(reach_of(model, system)), surface_(model, scheme, system) {}
+      equilibrium_(model, scheme, system, committed, t), scratch_(scratch_of(model, system, scheme)),
+      scale_(committed.force_scale), reach_(reach_of(model, system)), surface_(model, scheme, system) {}
 
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
-  if (!started_) {
-    start_from(trial);
-    if (!equilibrium_.residual().allFinite())
-      return Outcome::not_finite;
-    side_.start_iterations();
-    if (starts_from_prediction(model_, side_.variant().start))
-      predict_contact(trial, frozen);
-    if (pulse_.stopped())
-      return Outcome::interrupted;
-  }
+  if (!started_ || predicts_exactly(model_))
+    if (const auto outcome = begin(trial, frozen))
+      return outcome;
   if (!system_.has_free_bodies)
     side_.start_iterations();
   reach_.start();
   return std::nullopt;
+}
+
+std::optional<Outcome> Condensed::begin(State& trial, const Frozen& frozen) {
+  // A base of free bodies may carry forces; a prediction counts whole ones.
+  if (!started_ || system_.has_free_bodies)
+    start_from(trial);
+  if (!equilibrium_.residual().allFinite())
+    return Outcome::not_finite;
+  side_.start_iterations();
+  if (starts_from_prediction(model_, side_.variant().start))
+    predict_contact(trial, frozen);
+  return pulse_.stopped() ? std::optional(Outcome::interrupted) : std::nullopt;
 }
 
 /// The bulk is solved for; where that leaves too much, the iterations go on from there.

@@ -22,10 +22,11 @@
 
 namespace rubato::step {
 
-/// Whether A is factored and the method of contact is not one that solves for its forces itself.
+/// Whether A is factored and there is contact.
 bool can_condense(const model::Model& model, const EffectiveSystem& system);
 
-/// What a step on the points alone can start from beside the usual; nothing where no status is predicted.
+/// What a step on the points alone can start from beside the usual; nothing where no status is predicted, or
+/// always exactly.
 std::optional<Start> other_start(const model::Model& model, const EffectiveSystem& system);
 
 /// A point in contact and its force z (contact/factored_response.hpp).
@@ -47,7 +48,7 @@ struct CondensedScratch {
   std::vector<MultiplierShare> shares; ///< of one point
 
   /// The compliance must outlive this.
-  CondensedScratch(Compliance& compliance, double force_weight, int components, bool free_bodies);
+  CondensedScratch(Compliance& compliance, double force_weight, int components, NormalSolution how_far);
   void forget();
 };
 
@@ -76,6 +77,7 @@ private:
   const ContactIterate& now() const { return scratch_.now; }
   const Eigen::VectorXd& force() const { return scratch_.force; }
 
+  std::optional<Outcome> begin(State& trial, const Frozen& frozen);
   void start_from(const State& trial);
   void predict_contact(State& trial, const Frozen& frozen);
   void collect_forces(const Frozen& frozen);

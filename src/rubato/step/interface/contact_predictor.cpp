@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/contact_predictor.hpp"
 
-#include "rubato/linalg/dense_cholesky.hpp"
-#include "rubato/step/interface/active_set.hpp"
 #include "rubato/step/interface/friction_cones.hpp"
+#include "rubato/step/interface/tresca_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -17,99 +15,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-/// Along the slips of a point.
-using Tangential = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
 
-constexpr int most_sweeps = 50;
-/// Change in a sweep, in parts of the largest force, that a prediction needs no better than.
-constexpr double good_enough = 1e-2;
-constexpr int most_sets = 30;
 /// Points that the forces of others push into the master join in so many rounds.
 constexpr int most_rounds = 8;
+/// Each round adds a point, so that there is an end.
+constexpr int unlimited = std::numeric_limits<int>::max();
 /// Misfit of forces and motions where frames are held, in parts of the largest force, of free bodies.
 constexpr double well_balanced = 1e-3;
 /// Those join first that are pushed in by this part of the deepest.
 constexpr double deep = 0.6;
-
-/// F of matrix F + values = 0 among those of a set.
-VectorXd solve_among(std::span<const int> set, const MatrixXd& matrix, const VectorXd& values) {
-  const auto size = static_cast<Index>(set.size());
-  MatrixXd among(size, size);
-  VectorXd right(size);
-  for (Index j = 0; j < size; ++j) {
-    const int of = set[static_cast<std::size_t>(j)];
-    right[j] = -values[of];
-    for (Index i = 0; i < size; ++i)
-      among(i, j) = matrix(set[static_cast<std::size_t>(i)], of);
-  }
-  return linalg::solve_positive_definite(std::move(among), std::move(right));
-}
-
-/// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle. Whether it
-/// does.
-bool normal_active_set(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Pulse& pulse) {
-  VectorXd forces = settled;
-  VectorXd open = gaps;
-  open.noalias() += matrix * forces;
-  std::vector<int> set;
-  set.reserve(static_cast<std::size_t>(forces.size()));
-  for (int round = 0; round < most_sets && pulse.beat(); ++round) {
-    set.clear();
-    for (Index k = 0; k < forces.size(); ++k)
-      if (matrix(k, k) > 0 && (forces[k] > 0 || (forces[k] == 0 && open[k] < 0)))
-        set.push_back(static_cast<int>(k));
-    const VectorXd pressed = solve_among(set, matrix, gaps);
-    forces.setZero();
-    for (std::size_t k = 0; k < set.size(); ++k)
-      forces[set[k]] = pressed[static_cast<Index>(k)];
-    open = gaps;
-    open.noalias() += matrix * forces;
-    for (const int k : set)
-      open[k] = 0;
-    if ((forces.array() >= 0).all() && (open.array() >= 0).all()) {
-      settled = forces;
-      return true;
-    }
-  }
-  return false;
-}
-
-/// The same between bounds.
-void tresca_active_set(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits,
-                       VectorXd& settled, Pulse& pulse) {
-  VectorXd forces = settled;
-  VectorXd moved = slips;
-  moved.noalias() += matrix * forces;
-  VectorXd next, held;
-  std::vector<int> sticking;
-  sticking.reserve(static_cast<std::size_t>(forces.size()));
-  for (int round = 0; round < most_sets && pulse.beat(); ++round) {
-    sticking.clear();
-    next.setZero(forces.size()); // at the bounds first
-    for (Index k = 0; k < forces.size(); ++k) {
-      const double pulled = forces[k] - moved[k] / std::max(matrix(k, k), 1e-300);
-      if (matrix(k, k) > 0 && std::abs(pulled) < limits[k])
-        sticking.push_back(static_cast<int>(k));
-      else
-        next[k] = std::copysign(limits[k], pulled);
-    }
-    held = slips;
-    held.noalias() += matrix * next;
-    const VectorXd pulled_back = solve_among(sticking, matrix, held);
-    if (!pulled_back.allFinite()) // points that say the same
-      return;
-    for (std::size_t k = 0; k < sticking.size(); ++k)
-      next[sticking[k]] = pulled_back[static_cast<Index>(k)];
-    const bool same = (next - forces).lpNorm<Eigen::Infinity>() <= 1e-9 * limits.maxCoeff();
-    forces = next;
-    moved = slips;
-    moved.noalias() += matrix * forces;
-    if (same) {
-      settled = forces;
-      return;
-    }
-  }
-}
 
 } // namespace
 
@@ -128,22 +42,24 @@ void add_force(std::span<const PredictorPoint> points, int first, int last, Vect
   }
 }
 
-ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int components, bool to_the_end)
-    : compliance_(compliance), factor_(factor), components_(components), to_the_end_(to_the_end) {}
+ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int components,
+                                   NormalSolution how_far)
+    : compliance_(compliance), factor_(factor), components_(components), how_far_(how_far) {}
 
 void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
                                Pulse& pulse) {
   forget();
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
-  for (int round = 0; round < most_rounds && pulse.beat() && choose_more(points, d); ++round) {
+  const int rounds = how_far_ == NormalSolution::projected_cg ? unlimited : most_rounds;
+  for (int round = 0; round < rounds && pulse.beat() && choose_more(points, d); ++round) {
     find_normal_forces(unpressed, pulse);
     d = unpressed;
     add_motion(points, 0, 0, d);
   }
   d += free - unpressed;
   find_friction(points, d, pulse);
-  if (to_the_end_ && !sliding_.empty())
+  if (how_far_ != NormalSolution::near && !sliding_.empty())
     solve_coupled(points, free, pulse);
 }
 
@@ -364,9 +280,7 @@ void ContactPredictor::find_normal_forces(const VectorXd& without, Pulse& pulse)
     forces[k] = point.force[0];
     matrix(k, k) += point.penalty_compliance;
   }
-  normal_gauss_seidel(matrix, gaps, forces);
-  if (!normal_active_set(matrix, gaps, forces, pulse) && to_the_end_)
-    solve_complementarity(matrix, gaps, forces, pulse);
+  solve_normal_problem(matrix, gaps, how_far_, forces, pulse);
   for (Index k = 0; k < count; ++k)
     chosen_[static_cast<std::size_t>(k)]->force[0] = forces[k];
 }
@@ -396,60 +310,10 @@ void ContactPredictor::find_friction(std::span<PredictorPoint> points, const Vec
     forces.segment(k * tangents, tangents) = point.force.segment(1, tangents);
     limits[k] = point.friction * point.force[0];
   }
-  tresca_gauss_seidel(tangential_compliance_, slips, limits, static_cast<int>(tangents), forces);
-  if (tangents == 1)
-    tresca_active_set(tangential_compliance_, slips, limits, forces, pulse);
+  solve_tresca_problem(tangential_compliance_, slips, limits, static_cast<int>(tangents), forces, pulse);
   for (Index k = 0; k < limits.size(); ++k)
     chosen_[sliding_[static_cast<std::size_t>(k)]]->force.segment(1, tangents) =
         forces.segment(k * tangents, tangents);
-}
-
-void normal_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces) {
-  VectorXd open = values;
-  open.noalias() += matrix * forces;
-  for (int round = 0; round < most_sweeps; ++round) {
-    bool turned = false;
-    double largest_change = 0;
-    for (Index i = 0; i < forces.size(); ++i) {
-      if (matrix(i, i) <= 0)
-        continue; // between parts that are held
-      const double wanted = std::max(0.0, forces[i] - open[i] / matrix(i, i));
-      const double change = wanted - forces[i];
-      if (change == 0)
-        continue;
-      turned = turned || (wanted > 0) != (forces[i] > 0);
-      largest_change = std::max(largest_change, std::abs(change));
-      forces[i] = wanted;
-      open += change * matrix.col(i);
-    }
-    if (!turned && largest_change <= good_enough * forces.maxCoeff())
-      return;
-  }
-}
-
-void tresca_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, const VectorXd& limits, int tangents,
-                         VectorXd& forces) {
-  VectorXd slips = values;
-  slips.noalias() += matrix * forces;
-  for (int round = 0; round < most_sweeps; ++round) {
-    double largest_change = 0;
-    for (Index i = 0; i < limits.size(); ++i) {
-      const Index first = i * tangents;
-      const double stiffest = matrix.diagonal().segment(first, tangents).maxCoeff();
-      if (stiffest <= 0)
-        continue;
-      Tangential wanted = forces.segment(first, tangents) - slips.segment(first, tangents) / stiffest;
-      if (const double length = wanted.norm(); length > limits[i])
-        wanted *= limits[i] / length;
-      const Tangential change = wanted - forces.segment(first, tangents);
-      largest_change = std::max(largest_change, change.lpNorm<Eigen::Infinity>());
-      forces.segment(first, tangents) = wanted;
-      for (Index a = 0; a < tangents; ++a)
-        slips += change[a] * matrix.col(first + a);
-    }
-    if (largest_change <= good_enough * limits.maxCoeff())
-      return;
-  }
 }
 
 } // namespace rubato::step

@@ -6,6 +6,7 @@
 #include "rubato/contact/stencil.hpp"
 #include "rubato/step/interface/compliance.hpp"
 #include "rubato/step/interface/friction_cones.hpp"
+#include "rubato/step/interface/normal_problem.hpp"
 #include "rubato/step/pulse.hpp"
 
 #include <Eigen/Core>
@@ -45,15 +46,17 @@ void add_force(std::span<const PredictorPoint> points, int first, int last, Eige
 class ContactPredictor {
 public:
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
-  /// dimensions as `components`. Pressing forces are found `to_the_end` where sweeps and sets at once don't:
-  /// of bodies that only contact holds, each of whose points moves all others by more than its own strain.
-  /// `compliance` must outlive this.
-  ContactPredictor(Compliance& compliance, double factor, int components, bool to_the_end = false);
+  /// dimensions as `components`. How far pressing forces are solved for: `near` is enough for a start;
+  /// `active_set` is for bodies that only contact holds, each of whose points moves all others by more than
+  /// its own strain: there pressing and rubbing are solved for together, too; with `projected_cg` points join
+  /// until none penetrates. `compliance` must outlive this.
+  ContactPredictor(Compliance& compliance, double factor, int components,
+                   NormalSolution how_far = NormalSolution::near);
 
   /// Improves the forces of the points, which have been measured with the surface at d: first the pressing
   /// ones, so that no gap is negative, then those along the slips for the pressing ones found, so that none
   /// exceeds μ times them and slips go against them (Tresca's problem). Points that have no force and don't
-  /// penetrate get none. Both by projected Gauss–Seidel sweeps, then by active sets. What points do to one
+  /// penetrate get none. What points do to one
   /// another is computed when they press or penetrate first in a call: kept for the next one, it leads to
   /// other points that stick.
   /// Nothing that comes of it counts when the pulse has stopped.
@@ -85,7 +88,7 @@ private:
   Compliance& compliance_;
   double factor_;
   Eigen::Index components_;
-  bool to_the_end_;
+  NormalSolution how_far_;
   std::vector<PredictorPoint*> chosen_;   ///< those that may touch
   std::vector<std::size_t> sliding_;      ///< of those chosen
   Eigen::MatrixXd normal_compliance_;     ///< gaps of chosen points for unit pressing forces on each
@@ -95,15 +98,5 @@ private:
   Eigen::VectorXd moved_;                 ///< of the surface by the last push
   std::vector<double> gaps_;              ///< storage of choose_more
 };
-
-/// Sweeps on w = values + matrix F,  F ≥ 0, w ≥ 0, F·w = 0, until one changes neither which F are positive
-/// nor any of them by more than a hundredth of the largest. The matrix is symmetric with a positive diagonal.
-void normal_gauss_seidel(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,
-                         Eigen::VectorXd& forces);
-
-/// Sweeps on the minimum of F·values + F·matrix F/2, the forces of a point (`tangents` in a row) no longer
-/// than its limit, likewise.
-void tresca_gauss_seidel(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,
-                         const Eigen::VectorXd& limits, int tangents, Eigen::VectorXd& forces);
 
 } // namespace rubato::step

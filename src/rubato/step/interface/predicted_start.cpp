@@ -135,8 +135,8 @@ private:
 } // namespace
 
 PredictorScratch::PredictorScratch(Compliance& compliance, double force_weight, int components,
-                                   bool free_bodies)
-    : predictor(compliance, force_weight, components, free_bodies) {}
+                                   NormalSolution how_far)
+    : predictor(compliance, force_weight, components, how_far) {}
 
 Reach reach_of(const model::Model& model, const EffectiveSystem& system) {
   double edge = std::numeric_limits<double>::infinity();

@@ -19,7 +19,7 @@ struct PredictorScratch {
   PointsOfZones touching;
 
   /// The compliance must outlive this.
-  PredictorScratch(Compliance& compliance, double force_weight, int components, bool free_bodies);
+  PredictorScratch(Compliance& compliance, double force_weight, int components, NormalSolution how_far);
 };
 
 /// Largest moves of the surfaces of bodies that only contact holds, by half an edge of the finest zone;

@@ -160,8 +160,12 @@ VectorXd force_on_surface(std::span<const PredictorPoint> points, Index interfac
   return -force;
 }
 
+bool predicts_exactly(const Model& model) {
+  return !model.zones.empty() && study::entry_of(model.zones.front().settings.method).exact_prediction;
+}
+
 bool starts_from_prediction(const Model& model, Start start) {
-  return start == Start::predicted ||
+  return start == Start::predicted || predicts_exactly(model) ||
          (start == Start::usual && std::ranges::none_of(model.zones, starts_from_last_step));
 }
 

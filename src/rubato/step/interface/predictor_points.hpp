@@ -33,6 +33,10 @@ void move_frames(const model::Model& model, const Compliance& compliance, const 
 /// What their forces put on the surface, internal side, one an interface dof [force].
 Eigen::VectorXd force_on_surface(std::span<const PredictorPoint> points, Eigen::Index interface_dofs);
 
+/// Whether contact is by a method whose normal problem the prediction solves to its end, in every round of
+/// loops: all zones then have it.
+bool predicts_exactly(const model::Model& model);
+
 /// Whether an attempt that starts so guesses its contact first.
 bool starts_from_prediction(const model::Model& model, Start start);
 

@@ -54,7 +54,7 @@ private:
   void check_friction() {
     rules_.number(at("friction"), zone_.friction, at_least(0));
     rules_.number(at("restitution"), zone_.restitution, from_to(0, 1));
-    if (method_.finds_forces && zone_.friction > 0)
+    if (method_.exact_prediction && zone_.friction > 0)
       rules_.broken({at("friction"), at("method")},
                     fmt::format("found {}, {} is without friction, expected 0 or the method nodal_lagrange",
                                 zone_.friction, method_.name));
@@ -155,12 +155,12 @@ private:
   std::string path_;
 };
 
-/// All zones are solved together by conjugate gradients, or none.
+/// Conjugate gradients find the forces of all zones together, or of none.
 void check_methods_together(Rules& rules) {
   const auto& zones = rules.study.contact;
-  if (std::ranges::none_of(zones, finds_forces) || std::ranges::all_of(zones, finds_forces))
+  if (std::ranges::none_of(zones, predicts_exactly) || std::ranges::all_of(zones, predicts_exactly))
     return;
-  const auto other = std::ranges::find_if_not(zones, finds_forces);
+  const auto other = std::ranges::find_if_not(zones, predicts_exactly);
   const auto path = "contact." + other->name;
   rules.broken({path, path + ".method"},
                fmt::format("found the method {} beside nodal_pcg, which solves for all zones together, "

@@ -60,9 +60,9 @@ private:
   Judgement judgement_;
 };
 
-/// Whether the zone's method solves for its forces by itself, as conjugate gradients do.
-constexpr bool finds_forces(const ContactZone& zone) {
-  return entry_of(zone.method).finds_forces;
+/// Whether Newton starts from exact forces of the zone, as conjugate gradients find them.
+constexpr bool predicts_exactly(const ContactZone& zone) {
+  return entry_of(zone.method).exact_prediction;
 }
 
 void check_mesh(Rules& rules);

@@ -107,7 +107,7 @@ void check_solution(Rules& rules) {
   if (is_explicit(study.time.scheme) && study.solver != Solver::automatic)
     rules.broken({"solver", "time.scheme"}, fmt::format("the scheme {} solves no system, expected auto",
                                                         word_of(scheme_words, study.time.scheme)));
-  if (study.solver == Solver::full && std::ranges::any_of(study.contact, finds_forces))
+  if (study.solver == Solver::full && std::ranges::any_of(study.contact, predicts_exactly))
     rules.broken({"solver"},
                  "found full, but nodal_pcg works on the factored bulk, expected auto or condensed");
 }

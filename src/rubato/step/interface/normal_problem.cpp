@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/interface/normal_problem.hpp"
+
+#include "rubato/core/tolerances.hpp"
+#include "rubato/linalg/dense_cholesky.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace rubato::step {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int most_sweeps = 50;
+/// Change in a sweep, in parts of the largest force, that a prediction needs no better than.
+constexpr double good_enough = 1e-2;
+constexpr int most_sets = 30;
+
+/// Part of the largest value that rounding makes of zero.
+constexpr double rounding = 1e-12;
+/// Rounds that changes by one point at a time take at most, in unknowns.
+constexpr Index most_changes = 3;
+
+/// Gaps that conjugate gradients leave, in parts of the largest one without forces.
+constexpr double gap_tolerance = 1e-13;
+/// Products of the power method that bounds ‖matrix‖ from below; the step length leaves the rest as margin.
+constexpr int norm_products = 12;
+constexpr int iterations_per_unknown = 20;
+constexpr int least_iterations = 500;
+
+/// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle. Whether it
+/// does.
+bool normal_active_set(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Pulse& pulse) {
+  VectorXd forces = settled;
+  VectorXd open = gaps;
+  open.noalias() += matrix * forces;
+  std::vector<Index> set;
+  set.reserve(static_cast<std::size_t>(forces.size()));
+  for (int round = 0; round < most_sets && pulse.beat(); ++round) {
+    set.clear();
+    for (Index k = 0; k < forces.size(); ++k)
+      if (matrix(k, k) > 0 && (forces[k] > 0 || (forces[k] == 0 && open[k] < 0)))
+        set.push_back(k);
+    const VectorXd pressed = linalg::solve_among(set, matrix, gaps);
+    forces.setZero();
+    for (std::size_t k = 0; k < set.size(); ++k)
+      forces[set[k]] = pressed[static_cast<Index>(k)];
+    open = gaps;
+    open.noalias() += matrix * forces;
+    for (const Index k : set)
+      open[k] = 0;
+    if ((forces.array() >= 0).all() && (open.array() >= 0).all()) {
+      settled = forces;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Changes by one point at a time.
+class ActiveSet {
+public:
+  ActiveSet(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces)
+      : matrix_(matrix), values_(values), forces_(forces) {
+    for (Index k = 0; k < forces.size(); ++k)
+      if (forces[k] > 0 && matrix(k, k) > 0)
+        set_.push_back(k);
+      else
+        forces[k] = 0;
+  }
+
+  bool run(Pulse& pulse) {
+    const Index most = 2 * most_changes * (forces_.size() + 1);
+    for (Index round = 0; round < most && pulse.beat(); ++round) {
+      const VectorXd wanted = wanted_forces();
+      if (!wanted.allFinite())
+        return false;
+      if (!approach(wanted))
+        continue;
+      if (!join_most_violated())
+        return true;
+    }
+    return false;
+  }
+
+private:
+  /// Of the set, without a bound.
+  VectorXd wanted_forces() const { return linalg::solve_among(set_, matrix_, values_); }
+
+  /// Goes there as far as no force pulls. Whether that is all the way; else what has come to zero leaves.
+  bool approach(const VectorXd& wanted) {
+    double part = 1;
+    for (std::size_t k = 0; k < set_.size(); ++k)
+      if (const double now = forces_[set_[k]], then = wanted[static_cast<Index>(k)]; then < 0)
+        part = std::min(part, now / (now - then));
+    for (std::size_t k = 0; k < set_.size(); ++k) {
+      const double now = forces_[set_[k]];
+      const double then = wanted[static_cast<Index>(k)];
+      const bool leaves = then < 0 && now <= part * (now - then);
+      forces_[set_[k]] = leaves ? 0.0 : std::max(0.0, now + part * (then - now));
+    }
+    if (part == 1)
+      return true;
+    std::erase_if(set_, [&](Index k) { return forces_[k] == 0; });
+    return false;
+  }
+
+  bool join_most_violated() {
+    VectorXd open = values_;
+    open.noalias() += matrix_ * forces_;
+    open(set_).setZero();
+    Index worst = -1;
+    double least = -rounding * values_.lpNorm<Eigen::Infinity>();
+    for (Index k = 0; k < open.size(); ++k)
+      if (matrix_(k, k) > 0 && open[k] < least) {
+        least = open[k];
+        worst = k;
+      }
+    if (worst >= 0)
+      set_.push_back(worst);
+    return worst >= 0;
+  }
+
+  const MatrixXd& matrix_;
+  const VectorXd& values_;
+  VectorXd& forces_;
+  std::vector<Index> set_;
+};
+
+/// The gradient's part on unknowns that are free to move, and its part that pushes bound ones inwards.
+struct Gradients {
+  VectorXd free;
+  VectorXd chopped;
+  Gradients(const VectorXd& x, const VectorXd& gradient)
+      : free(VectorXd::Zero(x.size())), chopped(VectorXd::Zero(x.size())) {
+    for (Index i = 0; i < x.size(); ++i)
+      (x[i] > 0 ? free[i] : chopped[i]) = x[i] > 0 ? gradient[i] : std::min(gradient[i], 0.0);
+  }
+  double largest() const {
+    return std::max(free.lpNorm<Eigen::Infinity>(), chopped.lpNorm<Eigen::Infinity>());
+  }
+  /// The free gradient as far as one step of that length can follow it.
+  VectorXd reduced_free(const VectorXd& x, double length) const {
+    return (free.array() > 0).select(free.cwiseMin(x / length), free);
+  }
+};
+
+/// MPRGP with Γ = 1.
+class Minimisation {
+public:
+  Minimisation(const MatrixXd& matrix, const VectorXd& values, VectorXd start)
+      : matrix_(matrix), values_(values), x_(std::move(start)), gradient_(matrix * x_ + values) {
+    length_ = 1 / operator_norm();
+  }
+
+  std::optional<VectorXd> run(const CgLimits& limits, Pulse& pulse) {
+    restart();
+    for (int iteration = 0; iteration < limits.max_iterations; ++iteration) {
+      const Gradients gradients(x_, gradient_);
+      if (gradients.largest() <= limits.tolerance)
+        return x_;
+      const bool proportional =
+          gradients.chopped.squaredNorm() <= gradients.reduced_free(x_, length_).dot(gradients.free);
+      if (proportional)
+        conjugate_step();
+      else
+        proportion(gradients.chopped);
+      if (!pulse.beat())
+        return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+private:
+  double operator_norm() const {
+    VectorXd v = VectorXd::LinSpaced(x_.size(), 1, 2);
+    double norm = 0;
+    for (int i = 0; i < norm_products; ++i) {
+      v.normalize();
+      v = matrix_ * v;
+      norm = v.norm();
+    }
+    return std::max(norm, std::numeric_limits<double>::min());
+  }
+
+  VectorXd preconditioned() const {
+    const Gradients gradients(x_, gradient_);
+    VectorXd z = gradients.free.cwiseQuotient(matrix_.diagonal());
+    for (Index i = 0; i < z.size(); ++i)
+      if (!(x_[i] > 0))
+        z[i] = 0;
+    return z;
+  }
+
+  void restart() { direction_ = preconditioned(); }
+
+  void conjugate_step() {
+    const VectorXd product = matrix_ * direction_;
+    const double curvature = direction_.dot(product);
+    const double wanted = gradient_.dot(direction_) / curvature;
+    const double feasible = largest_feasible_step();
+    if (wanted <= feasible) {
+      x_ = (x_ - wanted * direction_).cwiseMax(0.0);
+      gradient_ -= wanted * product;
+      const VectorXd z = preconditioned();
+      direction_ = z - z.dot(product) / curvature * direction_;
+      return;
+    }
+    x_ = (x_ - feasible * direction_).cwiseMax(0.0);
+    gradient_ -= feasible * product;
+    x_ = (x_ - length_ * Gradients(x_, gradient_).free).cwiseMax(0.0);
+    gradient_ = matrix_ * x_ + values_;
+    restart();
+  }
+
+  double largest_feasible_step() const {
+    double step = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < x_.size(); ++i)
+      if (direction_[i] > 0)
+        step = std::min(step, x_[i] / direction_[i]);
+    return step;
+  }
+
+  void proportion(const VectorXd& chopped) {
+    const VectorXd product = matrix_ * chopped;
+    const double step = gradient_.dot(chopped) / chopped.dot(product);
+    x_ = (x_ - step * chopped).cwiseMax(0.0);
+    gradient_ -= step * product;
+    restart();
+  }
+
+  const MatrixXd& matrix_;
+  const VectorXd& values_;
+  VectorXd x_;
+  VectorXd gradient_;
+  VectorXd direction_;
+  double length_ = 1; ///< of a gradient step that never overshoots
+};
+
+/// Points that can move along their normals: a normal that only rounding turns out of what is held does not.
+std::vector<Index> movable(const MatrixXd& matrix) {
+  const double least = tolerances.empty_row * tolerances.empty_row * matrix.diagonal().maxCoeff();
+  std::vector<Index> points;
+  for (Index k = 0; k < matrix.rows(); ++k)
+    if (matrix(k, k) > least)
+      points.push_back(k);
+  return points;
+}
+
+/// Whether it came to its end; else the forces stay as they were.
+bool conjugate_gradients(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces, Pulse& pulse) {
+  const auto points = movable(matrix);
+  const VectorXd gaps = values(points);
+  const CgLimits limits{gap_tolerance * gaps.lpNorm<Eigen::Infinity>(),
+                        least_iterations + iterations_per_unknown * static_cast<int>(points.size())};
+  const auto found = minimise_over_nonnegative(matrix(points, points), gaps, forces(points), limits, pulse);
+  if (!found)
+    return false;
+  forces.setZero();
+  forces(points) = *found;
+  return true;
+}
+
+} // namespace
+
+bool solve_normal_problem(const MatrixXd& matrix, const VectorXd& values, NormalSolution how_far,
+                          VectorXd& forces, Pulse& pulse) {
+  if (how_far == NormalSolution::projected_cg && conjugate_gradients(matrix, values, forces, pulse))
+    return true;
+  normal_gauss_seidel(matrix, values, forces);
+  if (normal_active_set(matrix, values, forces, pulse))
+    return true;
+  return how_far != NormalSolution::near && solve_complementarity(matrix, values, forces, pulse);
+}
+
+void normal_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces) {
+  VectorXd open = values;
+  open.noalias() += matrix * forces;
+  for (int round = 0; round < most_sweeps; ++round) {
+    bool turned = false;
+    double largest_change = 0;
+    for (Index i = 0; i < forces.size(); ++i) {
+      if (matrix(i, i) <= 0)
+        continue; // between parts that are held
+      const double wanted = std::max(0.0, forces[i] - open[i] / matrix(i, i));
+      const double change = wanted - forces[i];
+      if (change == 0)
+        continue;
+      turned = turned || (wanted > 0) != (forces[i] > 0);
+      largest_change = std::max(largest_change, std::abs(change));
+      forces[i] = wanted;
+      open += change * matrix.col(i);
+    }
+    if (!turned && largest_change <= good_enough * forces.maxCoeff())
+      return;
+  }
+}
+
+bool solve_complementarity(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces, Pulse& pulse) {
+  return ActiveSet(matrix, values, forces).run(pulse);
+}
+
+std::optional<VectorXd> minimise_over_nonnegative(const MatrixXd& matrix, const VectorXd& values,
+                                                  VectorXd start, const CgLimits& limits, Pulse& pulse) {
+  return Minimisation(matrix, values, std::move(start)).run(limits, pulse);
+}
+
+} // namespace rubato::step
