@@ -53,10 +53,13 @@ struct Passage {
 
 } // namespace
 
+bool sticks_in_passing(const Zone& zone) {
+  return zone.settings.friction > 0 && friction_law(zone.settings.friction_method).sticks_in_passing;
+}
+
 void stick_in_passing(const ZoneLaw& law, const IterateOfZone& before, const IterateOfZone& now,
                       const domain::DofMap& dofs, std::span<Status> status) {
-  const auto& settings = law.zone->settings;
-  if (!(settings.friction > 0) || !friction_law(settings.friction_method).sticks_in_passing)
+  if (!sticks_in_passing(*law.zone))
     return;
   const VectorXd move = now.u - before.u;
   for (std::size_t i = 0; i < status.size(); ++i) {

@@ -20,8 +20,11 @@ namespace rubato::contact {
 struct IterateOfZone {
   std::span<const PointEvaluation> points;
   std::span<const Status> status;
-  const Eigen::VectorXd& u;
+  const Eigen::VectorXd& u; ///< one a dof
 };
+
+/// Whether points of a zone may stick on their way from one slip to the opposite one.
+bool sticks_in_passing(const Zone& zone);
 
 /// Of points that slip now and were in contact in the iterate before, makes those stick
 /// - that had no pressure there to rub with, when their friction can pull them back over the slip that they

@@ -110,7 +110,8 @@ void ContactEvaluator::measure_by(const Measure& measure, const State& trial, co
   const auto configuration = at_end(trial);
   into.points.resize(model_.zones.size());
   into.status.resize(model_.zones.size());
-  into.u = trial.motion.u;
+  if (std::ranges::any_of(model_.zones, contact::sticks_in_passing))
+    into.u = trial.motion.u;
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const auto& zone = model_.zones[z];
     if (has_frozen_frames(z, frozen))
