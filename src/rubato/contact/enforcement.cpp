@@ -121,21 +121,21 @@ void evaluate_pairs(const Zone& zone, std::span<const Pair> pairs, const VectorX
 }
 
 void measure_again(const Zone& zone, const VectorXd& multipliers, const Configuration& configuration,
-                   std::span<PointEvaluation> held) {
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    if (held[i].kinematics)
-      measure_in_frozen_frame(*held[i].kinematics, configuration);
-    held[i].variables = measured(zone, zone.points[i], multipliers, held[i].kinematics);
+                   std::span<PointEvaluation> frozen) {
+  for (std::size_t i = 0; i < frozen.size(); ++i) {
+    if (frozen[i].kinematics)
+      measure_in_frozen_frame(*frozen[i].kinematics, configuration);
+    frozen[i].variables = measured(zone, zone.points[i], multipliers, frozen[i].kinematics);
   }
 }
 
-/// Takes a held place along with the obstacle it is on.
+/// Takes a frozen place along with the obstacle it is on.
 void carry(Kinematics& k, const Vector3d& displacement) {
   k.closest_point += displacement;
   k.obstacle_displacement = displacement;
 }
 
-/// Sets from where a held frame counts gap and slip, so that they are those of the law of velocities.
+/// Sets from where a frozen frame counts gap and slip, so that they are those of the law of velocities.
 /// `relative`: the point's velocity at the start against what it faces, which comes `displacement` in the
 /// step.
 void count_from(const Vector3d& relative, const Vector3d& displacement, const VelocityLaw& law,
@@ -246,17 +246,17 @@ std::vector<PointEvaluation> with_frozen_frames(std::vector<PointEvaluation> poi
   return points;
 }
 
-std::vector<PointEvaluation> evaluate_in_frozen_frames(std::vector<PointEvaluation> held, const Zone& zone,
+std::vector<PointEvaluation> evaluate_in_frozen_frames(std::vector<PointEvaluation> frozen, const Zone& zone,
                                                        const VectorXd& multipliers,
                                                        const Configuration& configuration) {
-  measure_again(zone, multipliers, configuration, held);
-  return held;
+  measure_again(zone, multipliers, configuration, frozen);
+  return frozen;
 }
 
-void evaluate_in_frozen_frames(const std::vector<PointEvaluation>& held, const Zone& zone,
+void evaluate_in_frozen_frames(const std::vector<PointEvaluation>& frozen, const Zone& zone,
                                const VectorXd& multipliers, const Configuration& configuration,
                                std::vector<PointEvaluation>& into) {
-  into = held;
+  into = frozen;
   measure_again(zone, multipliers, configuration, into);
 }
 

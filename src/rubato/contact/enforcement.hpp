@@ -92,16 +92,16 @@ void measure(NeighbourList& neighbours, const Eigen::VectorXd& multipliers,
 void differentiate(const Zone& zone, std::size_t point, const Configuration& configuration,
                    PointEvaluation& evaluation);
 
-/// The points with the place on the master, normal and tangents they have now, held.
+/// The points with the place on the master, normal and tangents they have now, frozen.
 std::vector<PointEvaluation> with_frozen_frames(std::vector<PointEvaluation> points);
 
 /// Measures the points anew in frames that with_frozen_frames gave.
-std::vector<PointEvaluation> evaluate_in_frozen_frames(std::vector<PointEvaluation> held, const Zone& zone,
+std::vector<PointEvaluation> evaluate_in_frozen_frames(std::vector<PointEvaluation> frozen, const Zone& zone,
                                                        const Eigen::VectorXd& multipliers,
                                                        const Configuration& configuration);
 
 /// The same in the storage of `into`.
-void evaluate_in_frozen_frames(const std::vector<PointEvaluation>& held, const Zone& zone,
+void evaluate_in_frozen_frames(const std::vector<PointEvaluation>& frozen, const Zone& zone,
                                const Eigen::VectorXd& multipliers, const Configuration& configuration,
                                std::vector<PointEvaluation>& into);
 

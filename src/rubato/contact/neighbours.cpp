@@ -89,7 +89,7 @@ void NeighbourList::pair(std::size_t point) {
     note_visit(point);
 }
 
-/// The point has come to another face than it was on, or has left the one that kept_face it.
+/// The point has come to another face than it was on, or has left the one that kept it.
 void NeighbourList::note_visit(std::size_t point) {
   auto& visits = visits_[point];
   visits.kept_face = -1;

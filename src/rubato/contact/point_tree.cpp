@@ -3,8 +3,6 @@
 
 #include <nanoflann.hpp>
 
-#include <utility>
-
 namespace rubato::contact {
 namespace {
 
@@ -22,6 +20,20 @@ struct Cloud {
 };
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3>;
+
+/// What nanoflann tells the points within a distance: nothing but the caller's list grows.
+struct Appending {
+  double squared_distance;
+  std::vector<std::uint32_t>& indices;
+
+  bool full() const { return true; }
+  double worstDist() const { return squared_distance; }
+  bool addPoint(double squared, std::uint32_t index) {
+    if (squared < squared_distance)
+      indices.push_back(index);
+    return true;
+  }
+};
 
 } // namespace
 
@@ -43,11 +55,8 @@ PointTree::Nearest PointTree::nearest(const Eigen::Vector3d& x) const {
 
 void PointTree::append_within(const Eigen::Vector3d& x, double distance,
                               std::vector<std::uint32_t>& indices) const {
-  std::vector<std::pair<std::uint32_t, double>> found;
-  const nanoflann::SearchParams unsorted(32, 0, false); // the first is ignored, the second: no approximation
-  index_->tree.radiusSearch(x.data(), distance * distance, found, unsorted);
-  for (const auto& [index, squared] : found)
-    indices.push_back(index);
+  Appending found{distance * distance, indices};
+  index_->tree.findNeighbors(found, x.data(), nanoflann::SearchParams());
 }
 
 } // namespace rubato::contact

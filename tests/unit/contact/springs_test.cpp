@@ -26,6 +26,7 @@ TEST(TablesOfMethods, HaveARowEachInTheOrderOfTheMethods) {
   for (const auto& entry : study::contact_methods) {
     EXPECT_EQ(&study::entry_of(entry.method), &entry) << entry.name;
     EXPECT_EQ(normal_law(entry.method).method, entry.method) << entry.name;
+    EXPECT_NE(normal_law(entry.method).coefficient->is_spring, entry.exact) << entry.name;
     EXPECT_FALSE(study::entry_of(entry.softer).exact) << entry.name;
     EXPECT_EQ(study::entry_of(entry.softer).nodal, entry.nodal) << entry.name;
     for (const auto friction : entry.friction)
@@ -34,6 +35,7 @@ TEST(TablesOfMethods, HaveARowEachInTheOrderOfTheMethods) {
   for (const auto& entry : study::friction_methods) {
     EXPECT_EQ(&study::entry_of(entry.method), &entry) << entry.name;
     EXPECT_EQ(friction_law(entry.method).method, entry.method) << entry.name;
+    EXPECT_NE(friction_law(entry.method).role->is_spring, entry.exact) << entry.name;
   }
 }
 

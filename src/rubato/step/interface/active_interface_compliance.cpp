@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What one point's unit forces move, row after row of them: one column a active_dof.
+/// What one point's unit forces move, row after row of them: one column an active dof.
 template <int Rows>
 void apply_compliance(const ActiveInterfaceCompliance& surface, const PointRows& point,
                       MatrixXd& by_active_dof, Eigen::Matrix<double, Rows, Eigen::Dynamic>& by_row) {

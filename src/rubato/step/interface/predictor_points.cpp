@@ -18,7 +18,7 @@ using model::Model;
 /// A friction force this little below its limit, relatively, is at it.
 constexpr double rounding = 1e-9;
 /// Where gaps close on average, more points than the surface has motions share each node: what keeps the
-/// forces of points unique, in parts of what the nodes point_compliance.
+/// forces of points unique, in parts of what the nodes give.
 constexpr double averaged_compliance = 0.1;
 /// The same of friction: more would let points that stick slip.
 constexpr double averaged_friction_compliance = 0.01;
