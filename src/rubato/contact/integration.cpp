@@ -35,19 +35,11 @@ std::vector<IntegrationPoint> quadrangle_nodes(bool with_centre) {
   return points;
 }
 
-/// Strang and Fix's six-point rule of degree 4, in Code_Aster's order.
-std::vector<IntegrationPoint> triangle_six_points() {
-  constexpr double a = 0.445948490915965;
-  constexpr double b = 0.091576213509771;
-  constexpr double near_corner = 0.054975871827661;
-  constexpr double near_middle = 0.111690794839005;
-  const std::array<Vector2d, 6> places{Vector2d(b, b),         Vector2d(1 - 2 * b, b),
-                                       Vector2d(b, 1 - 2 * b), Vector2d(a, 1 - 2 * a),
-                                       Vector2d(a, a),         Vector2d(1 - 2 * a, a)};
-  std::vector<IntegrationPoint> points;
-  points.reserve(places.size());
-  for (int i = 0; i < 6; ++i)
-    points.push_back({places[static_cast<std::size_t>(i)], i < 3 ? near_corner : near_middle, -1, i});
+/// The rule of degree 4, whose order of points is Code_Aster's.
+std::vector<IntegrationPoint> triangle_six_points(CellType face) {
+  auto points = gauss_rule(face, 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i].stands_for = static_cast<int>(i);
   return points;
 }
 
@@ -115,7 +107,7 @@ std::vector<IntegrationPoint> nodal_rule(CellType face) {
     return quadrangle_nodes(true);
   case CellType::tria6:
   case CellType::tria7:
-    return triangle_six_points();
+    return triangle_six_points(face);
   default:
     throw std::invalid_argument("contact faces are segments, triangles and quadrangles");
   }
