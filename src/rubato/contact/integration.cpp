@@ -67,17 +67,26 @@ std::vector<IntegrationPoint> on_nodes(CellType face, int /*order*/) {
   return nodal_rule(face);
 }
 
+std::vector<IntegrationPoint> one_a_node(CellType face, int /*order*/) {
+  return node_rule(face);
+}
+
 /// In the order of the rules.
 constexpr std::array<Integration, 3> integrations{{
-    {study::ContactIntegration::nodes, &on_nodes, true},
-    {study::ContactIntegration::gauss, &gauss_rule, false},
-    {study::ContactIntegration::simpson, &simpson_rule, false},
+    {study::ContactIntegration::nodes, &on_nodes, true, false},
+    {study::ContactIntegration::gauss, &gauss_rule, false, false},
+    {study::ContactIntegration::simpson, &simpson_rule, false, false},
 }};
 
 } // namespace
 
 const Integration& integration(study::ContactIntegration by) {
   return integrations[static_cast<std::size_t>(by)];
+}
+
+Integration integration_of(const study::ContactZone& settings) {
+  const auto by = settings.integration.by;
+  return study::entry_of(settings.method).nodal ? Integration{by, &one_a_node, true, true} : integration(by);
 }
 
 std::optional<int> least_order(study::ContactIntegration by, CellType face) {

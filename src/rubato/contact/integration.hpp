@@ -26,8 +26,14 @@ struct Integration {
   /// Whether a point on a node stands for the node's share of a face: on a surface of revolution that is the
   /// integral of its shape function.
   bool shares_of_nodes;
+  /// Whether points count as one each instead of by their areas: their tractions are forces then.
+  bool unit_weights;
 };
 const Integration& integration(study::ContactIntegration by);
+
+/// The one that a zone's settings ask for. Nodal methods have one relation a node, whatever its share of the
+/// surface, and take `node_rule`.
+Integration integration_of(const study::ContactZone& settings);
 
 /// The least order of a rule (0 of one that has none) with points enough to tell the multipliers of a face's
 /// nodes apart, and exact for its shape functions, so that it hands on a uniform pressure. Nothing where no

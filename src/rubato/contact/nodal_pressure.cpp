@@ -12,7 +12,7 @@ constexpr int pressure_variable = 0;
 /// Forces of nodal methods are no pressures.
 bool has_pressure_multipliers(const Zone& zone) {
   const auto variables = zone.multiplier_variables();
-  return !variables.empty() && variables.front() == pressure_variable && !zone.is_nodal();
+  return !variables.empty() && variables.front() == pressure_variable && !zone.unit_weights;
 }
 
 std::vector<double> multipliers(const Zone& zone, const ZoneState& state) {

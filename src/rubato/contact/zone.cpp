@@ -157,26 +157,15 @@ SlavePoint point_inside(const Surface& slave, const Face& face, const Integratio
   return point;
 }
 
-std::vector<IntegrationPoint> one_a_node(CellType face, int /*order*/) {
-  return node_rule(face);
-}
-
-/// Nodal methods have one relation a node, whatever its share of the surface.
-Integration rule_of(const study::ContactZone& settings) {
-  const auto& chosen = integration(settings.integration.by);
-  return study::entry_of(settings.method).nodal ? Integration{chosen.by, &one_a_node, true} : chosen;
-}
-
-std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const study::ContactZone& settings,
+std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const Integration& rule, int order,
                                     const Surface& slave, std::span<const NodeIndex> excluded,
                                     const ZoneGeometry& geometry) {
-  const auto rule = rule_of(settings);
   const bool shares_of_rings = rule.shares_of_nodes && geometry.measure == Measure::ring;
   std::vector<SlavePoint> points;
   std::map<NodeIndex, std::size_t> point_of_node;
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     const auto& face = slave.faces[f];
-    for (const auto& at : rule.points(face.type, settings.integration.order)) {
+    for (const auto& at : rule.points(face.type, order)) {
       std::size_t index = points.size();
       if (at.node >= 0) {
         const auto node = face.nodes[static_cast<std::size_t>(at.node)];
@@ -206,13 +195,15 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
   Zone zone;
   zone.settings = settings;
   zone.space_dimension = geometry.space_dimension;
-  zone.points = make_points(mesh, settings, slave, excluded_nodes, geometry);
+  const auto rule = integration_of(settings);
+  zone.unit_weights = rule.unit_weights;
+  zone.points = make_points(mesh, rule, settings.integration.order, slave, excluded_nodes, geometry);
   zone.points_own_multipliers =
       std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
   zone.master = std::move(master);
   zone.slave = std::move(slave);
   for (auto& point : zone.points)
-    point.weight = zone.is_nodal() ? 1.0 : point.area;
+    point.weight = rule.unit_weights ? 1.0 : point.area;
   if (settings.normal != study::ContactNormal::master)
     for (auto& point : zone.points)
       add_turning_nodes(zone.slave, point);

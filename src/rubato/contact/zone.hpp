@@ -57,6 +57,8 @@ struct Zone {
   /// Whether every point stands on a node and has its multipliers for itself. Otherwise gaps close on average
   /// over the faces only.
   bool points_own_multipliers = false;
+  /// Whether points count as one each, without regard to areas: what is a pressure elsewhere is a force.
+  bool unit_weights = false;
 
   /// What gaps and slips are small against: the shortest edge of the master, of the slave before an obstacle.
   double edge() const { return obstacle ? slave.shortest_edge : master.shortest_edge; }
@@ -64,8 +66,6 @@ struct Zone {
   /// Which of λ, Λ₁, Λ₂ (0, 1, 2) are unknowns of a slave node, in their order there.
   std::span<const int> multiplier_variables() const;
   int multipliers_per_node() const { return static_cast<int>(multiplier_variables().size()); }
-  /// Whether it has one relation a slave node, without regard to areas.
-  bool is_nodal() const { return study::entry_of(settings.method).nodal; }
   /// Whether there are multipliers, each with one point.
   bool owns_multipliers() const { return points_own_multipliers && multipliers_per_node() > 0; }
   /// Whether there are multipliers that several points interpolate.

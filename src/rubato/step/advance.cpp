@@ -30,7 +30,8 @@ public:
   Attempts(const Model& model, const time::Scheme& scheme, EffectiveSystem& system, const State& committed,
            double t, const GoesOn& goes_on)
       : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), pulse_(goes_on),
-        other_start_(other_start(model, system)) {}
+        other_start_(other_start(model, system)),
+        has_augmentation_(std::ranges::any_of(model.zones, contact::has_augmentation)) {}
 
   StepReport plainly(State& trial) { return afresh({}, trial); }
 
@@ -38,7 +39,7 @@ public:
 
   /// Other augmentations start from the last step too, and are tried instead where there are any.
   bool has_other_start() const {
-    return other_start_ && !(other_start_ == Start::last_step && has_augmentation());
+    return other_start_ && !(other_start_ == Start::last_step && has_augmentation_);
   }
 
   /// The first that doesn't fail ends it.
@@ -51,7 +52,7 @@ public:
   }
 
   /// Without one, every attempt is the same.
-  bool has_augmentation() const { return std::ranges::any_of(model_.zones, contact::has_augmentation); }
+  bool has_augmentation() const { return has_augmentation_; }
 
   /// Points on the border of two faces may never settle on one of them while everything moves at once.
   StepReport loop_geometry(State& trial) {
@@ -125,6 +126,7 @@ private:
   double t_;
   Pulse pulse_;
   std::optional<Start> other_start_;
+  bool has_augmentation_;
   int spent_ = 0;
 };
 

@@ -26,7 +26,7 @@ struct ContactForce {
     add(all);
     if (!zone.settings.history_force)
       add(forgotten);
-    if (zone.is_nodal())
+    if (zone.unit_weights)
       add(nodal);
   }
 };

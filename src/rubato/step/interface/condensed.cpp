@@ -53,13 +53,13 @@ bool can_condense(const Model& model, const EffectiveSystem& system) {
 }
 
 std::optional<Start> other_start(const Model& model, const EffectiveSystem& system) {
-  const bool predicts = can_condense(model, system) && !predicts_exactly(model) &&
-                        std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
-                          return zone.settings.status.by == study::Iteration::newton;
-                        });
-  if (!predicts)
-    return std::nullopt;
-  return starts_from_prediction(model, Start::usual) ? Start::last_step : Start::predicted;
+  const bool predicts =
+      can_condense(model, system) && std::ranges::any_of(model.zones, [](const contact::Zone& zone) {
+        return zone.settings.status.by == study::Iteration::newton;
+      });
+  const bool usual = starts_from_prediction(model, Start::usual);
+  const auto other = usual ? Start::last_step : Start::predicted;
+  return predicts && starts_from_prediction(model, other) != usual ? std::optional(other) : std::nullopt;
 }
 
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
@@ -71,7 +71,8 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
-  if (!started_ || predicts_exactly(model_))
+  // A method that predicts whatever the start does so in every round of loops.
+  if (!started_ || starts_from_prediction(model_, Start::last_step))
     if (const auto outcome = begin(trial, frozen))
       return outcome;
   if (!system_.has_free_bodies)
