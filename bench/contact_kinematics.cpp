@@ -6,7 +6,7 @@
 ///   UpdateNeighbours, FindPairs   the pairs alone, with and without what the last iterate knew
 /// Arguments: 0 SEG2 (SDNL140 F), 1 QUAD4 (C), 2 QUAD4, C refined by 8, 3 QUAD9.
 /// Counter: seconds of processor time for one point.
-#include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/discretisation.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 

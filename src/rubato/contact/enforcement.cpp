@@ -79,24 +79,6 @@ private:
   ContactSystem& system_;
 };
 
-PointState measured(const Zone& zone, const SlavePoint& point, const VectorXd& multipliers,
-                    const std::optional<Kinematics>& kinematics) {
-  const auto variables = zone.multiplier_variables();
-  Vector3d values = Vector3d::Zero();
-  for (std::size_t j = 0; j < point.multipliers.size(); ++j) {
-    Index next = point.multipliers[j] * static_cast<Index>(variables.size());
-    for (const int variable : variables)
-      values[variable] += point.multiplier_shape[j] * multipliers[next++];
-  }
-  PointState state;
-  state.pressure = values[0];
-  state.semi = values.tail<2>();
-  state.gap = kinematics ? kinematics->gap : std::numeric_limits<double>::infinity();
-  if (kinematics)
-    state.slip = kinematics->slip;
-  return state;
-}
-
 using Measure = decltype(measure_kinematics);
 
 /// `measure` says how much of the kinematics is wanted.
@@ -109,7 +91,7 @@ void evaluate_pair(const Zone& zone, std::size_t point, const Pair& pair, const 
     into.kinematics.emplace();
   if (into.kinematics)
     measure(zone, zone.points[point], pair, configuration, *into.kinematics);
-  into.variables = measured(zone, zone.points[point], multipliers, into.kinematics);
+  into.variables = variables_of(zone, zone.points[point], multipliers, into.kinematics);
 }
 
 void evaluate_pairs(const Zone& zone, std::span<const Pair> pairs, const VectorXd& multipliers,
@@ -125,29 +107,8 @@ void measure_again(const Zone& zone, const VectorXd& multipliers, const Configur
   for (std::size_t i = 0; i < frozen.size(); ++i) {
     if (frozen[i].kinematics)
       measure_in_frozen_frame(*frozen[i].kinematics, configuration);
-    frozen[i].variables = measured(zone, zone.points[i], multipliers, frozen[i].kinematics);
+    frozen[i].variables = variables_of(zone, zone.points[i], multipliers, frozen[i].kinematics);
   }
-}
-
-/// Takes a frozen place along with the obstacle it is on.
-void carry(Kinematics& k, const Vector3d& displacement) {
-  k.closest_point += displacement;
-  k.obstacle_displacement = displacement;
-}
-
-/// Sets from where a frozen frame counts gap and slip, so that they are those of the law of velocities.
-/// `relative`: the point's velocity at the start against what it faces, which comes `displacement` in the
-/// step.
-void count_from(const Vector3d& relative, const Vector3d& displacement, const VelocityLaw& law,
-                double restitution, Kinematics& k) {
-  carry(k, displacement);
-  k.gap_origin = k.gap;
-  if (law.massless)
-    return;
-  const double normal = k.normal.dot(relative);
-  const double rebound = restitution * std::max(0.0, -normal);
-  k.gap_origin += law.step * std::min(0.0, (1 - law.theta) * normal + law.theta * rebound);
-  k.slip_origin = law.step * (1 - law.theta) * (k.tangents.transpose() * relative);
 }
 
 /// A uniform pressure puts no force on such a node, so that its own says nothing: its neighbours' does,
@@ -165,6 +126,24 @@ void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcome
 }
 
 } // namespace
+
+PointState variables_of(const Zone& zone, const SlavePoint& point, const VectorXd& multipliers,
+                        const std::optional<Kinematics>& kinematics) {
+  const auto variables = zone.multiplier_variables();
+  Vector3d values = Vector3d::Zero();
+  for (std::size_t j = 0; j < point.multipliers.size(); ++j) {
+    Index next = point.multipliers[j] * static_cast<Index>(variables.size());
+    for (const int variable : variables)
+      values[variable] += point.multiplier_shape[j] * multipliers[next++];
+  }
+  PointState state;
+  state.pressure = values[0];
+  state.semi = values.tail<2>();
+  state.gap = kinematics ? kinematics->gap : std::numeric_limits<double>::infinity();
+  if (kinematics)
+    state.slip = kinematics->slip;
+  return state;
+}
 
 double resistance(const SlavePoint& point, const domain::DofMap& dofs,
                   const Eigen::Ref<const VectorXd>& diagonal) {
@@ -205,14 +184,6 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const domain::DofMap& 
   return coefficients;
 }
 
-std::vector<PointEvaluation> evaluate(const Zone& zone, const VectorXd& multipliers,
-                                      const Configuration& configuration) {
-  std::vector<PointEvaluation> evaluations;
-  evaluate_pairs(zone, find_pairs(zone, configuration), multipliers, configuration, evaluate_kinematics,
-                 evaluations);
-  return evaluations;
-}
-
 void evaluate(NeighbourList& neighbours, const VectorXd& multipliers, const Configuration& configuration,
               std::vector<PointEvaluation>& into) {
   neighbours.update(configuration);
@@ -236,7 +207,10 @@ void measure(NeighbourList& neighbours, const VectorXd& multipliers, const Confi
 
 void differentiate(const Zone& zone, std::size_t point, const Configuration& configuration,
                    PointEvaluation& evaluation) {
-  evaluate_kinematics(zone, zone.points[point], evaluation.pair, configuration, *evaluation.kinematics);
+  if (zone.mortar)
+    evaluation.kinematics = with_frozen_frame(std::move(*evaluation.kinematics));
+  else
+    evaluate_kinematics(zone, zone.points[point], evaluation.pair, configuration, *evaluation.kinematics);
 }
 
 std::vector<PointEvaluation> with_frozen_frames(std::vector<PointEvaluation> points) {
@@ -258,33 +232,6 @@ void evaluate_in_frozen_frames(const std::vector<PointEvaluation>& frozen, const
                                std::vector<PointEvaluation>& into) {
   into = frozen;
   measure_again(zone, multipliers, configuration, into);
-}
-
-std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
-                                             const VectorXd& velocity, const VelocityLaw& law,
-                                             std::span<double> standing) {
-  const auto& zone = neighbours.zone();
-  std::vector<PointEvaluation> points;
-  measure(neighbours, VectorXd::Zero(zone.multiplier_count()), start, points);
-  const Vector3d displacement =
-      zone.obstacle ? zone.obstacle->displacement(start.t, start.t + law.step) : Vector3d::Zero().eval();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].kinematics)
-      continue;
-    const auto& k = *points[i].kinematics;
-    const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - displacement / law.step;
-    const bool stands = k.gap <= standing[i] + tolerances.touching_gap * zone.edge();
-    const bool arrives = k.gap + law.step / 2 * k.normal.dot(relative) <= 0;
-    if (!stands)
-      standing[i] = arrives ? k.gap : 0.0;
-    if (!stands && !arrives) {
-      points[i].kinematics.reset();
-      continue;
-    }
-    points[i].kinematics = with_frozen_frame(std::move(*points[i].kinematics));
-    count_from(relative, displacement, law, zone.settings.restitution, *points[i].kinematics);
-  }
-  return points;
 }
 
 PointLaw ZoneLaw::of_point(std::size_t index) const {
@@ -314,7 +261,8 @@ std::vector<Status> wanted_status(const ZoneLaw& law, std::span<const PointEvalu
 Vector3d force_of(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status) {
   const auto& k = *evaluation.kinematics;
   const auto traction = respond(evaluation.variables, status, law.of_point(point)).traction;
-  return -law.zone->points[point].weight * (traction[0] * k.normal + k.tangents * traction.tail<2>());
+  return -weight_of(law.zone->points[point], evaluation) *
+         (traction[0] * k.normal + k.tangents * traction.tail<2>());
 }
 
 std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const PointEvaluation> points,
@@ -357,8 +305,9 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
       continue;
     const auto traction = respond(points[i].variables, status[i], law.of_point(i)).traction;
     outcome.pressure = traction[0] * point.weight / point.area;
-    outcome.normal = point.weight * traction[0] * points[i].kinematics->normal;
-    outcome.tangential = point.weight * (points[i].kinematics->tangents * traction.tail<2>());
+    const double weight = weight_of(point, points[i]);
+    outcome.normal = weight * traction[0] * points[i].kinematics->normal;
+    outcome.tangential = weight * (points[i].kinematics->tangents * traction.tail<2>());
   }
   recover_axis_pressures(*law.zone, all);
   return all;

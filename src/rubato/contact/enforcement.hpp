@@ -68,14 +68,21 @@ struct PointEvaluation {
   Pair pair;
   std::optional<Kinematics> kinematics;
   PointState variables;
+  double cover = 1; ///< part of the point's area that faces the master: less than 1 in mortar only
 };
 
-/// Pairs the points and measures gaps, slips and multipliers.
-std::vector<PointEvaluation> evaluate(const Zone& zone, const Eigen::VectorXd& multipliers,
-                                      const Configuration& configuration);
+/// Gap, slip and multipliers of a point, the latter interpolated from the nodes that share it.
+PointState variables_of(const Zone& zone, const SlavePoint& point, const Eigen::VectorXd& multipliers,
+                        const std::optional<Kinematics>& kinematics);
 
-/// The same in the storage that an earlier evaluation of the zone left in `into`, with pairs from a list of
-/// neighbours kept from one configuration to the next: in steady state nothing is searched or allocated.
+/// What tractions of a point are multiplied with in that configuration.
+inline double weight_of(const SlavePoint& point, const PointEvaluation& evaluation) {
+  return point.weight * evaluation.cover;
+}
+
+/// Pairs the points and measures gaps, slips and multipliers, in the storage that an earlier evaluation of
+/// the zone left in `into`, with pairs from a list of neighbours kept from one configuration to the next: in
+/// steady state nothing is searched or allocated.
 void evaluate(NeighbourList& neighbours, const Eigen::VectorXd& multipliers,
               const Configuration& configuration, std::vector<PointEvaluation>& into);
 
@@ -104,28 +111,6 @@ std::vector<PointEvaluation> evaluate_in_frozen_frames(std::vector<PointEvaluati
 void evaluate_in_frozen_frames(const std::vector<PointEvaluation>& frozen, const Zone& zone,
                                const Eigen::VectorXd& multipliers, const Configuration& configuration,
                                std::vector<PointEvaluation>& into);
-
-/// Contact as a law of velocities in a step with u₁ = u₀ + h (θ v₁ + (1−θ) v₀).
-struct VelocityLaw {
-  double step = 0;
-  double theta = 0.5;
-  bool massless = false; ///< the slave surface has no momentum: nothing to lose where it hits
-};
-
-/// Frozen frames of the points that touch in a step, in which gap and slip are counted so that the
-/// same laws that close gaps and hold slips are laws of velocities. With v₀ the velocity at the start of the
-/// slave point relative to what it faces, e the restitution (Moreau's law with Newton's restitution):
-///   gap = h θ (v₁·n − e ⟨−v₀·n⟩),   slip_a = h θ v₁·τ_a;
-/// where v₀ parts the surfaces, or where they have no mass, gap = Δu·n: then pressures do no work in the
-/// step, and without mass slip_a = Δu·τ_a: friction takes energy in every step. All other points have no
-/// kinematics. `velocity`: one a dof; an obstacle has its mean velocity of the step, at the start and at the
-/// end.
-/// Points touch that are not beyond the gap they stand at (`standing`, 0 or where they closed before; one a
-/// point), and those whose velocity closes their gap in the first half of the step. The latter stand where
-/// they are: what is left open is written to `standing`.
-std::vector<PointEvaluation> velocity_frames(NeighbourList& neighbours, const Configuration& start,
-                                             const Eigen::VectorXd& velocity, const VelocityLaw& law,
-                                             std::span<double> standing);
 
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 

@@ -44,7 +44,7 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
                      const domain::DofMap& dofs, FactoredResponse& into) {
   const auto& k = *evaluation.kinematics;
   const auto variables = law.zone->multiplier_variables();
-  const double weight = law.zone->points[point].weight;
+  const double weight = weight_of(law.zone->points[point], evaluation);
   auto response = respond(evaluation.variables, status, law.of_point(point));
   follow_limit(response);
   const int d = k.stencil.components;
@@ -93,7 +93,7 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
 
 PointEquations open_equations(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation) {
   const auto variables = law.zone->multiplier_variables();
-  const double weight = law.zone->points[point].weight;
+  const double weight = weight_of(law.zone->points[point], evaluation);
   const auto response = respond(evaluation.variables, Status::open, law.of_point(point));
   const auto count = static_cast<Index>(variables.size());
   PointEquations equations;

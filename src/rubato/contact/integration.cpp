@@ -72,10 +72,11 @@ std::vector<IntegrationPoint> one_a_node(CellType face, int /*order*/) {
 }
 
 /// In the order of the rules.
-constexpr std::array<Integration, 3> integrations{{
+constexpr std::array<Integration, 4> integrations{{
     {study::ContactIntegration::nodes, &on_nodes, true, false},
     {study::ContactIntegration::gauss, &gauss_rule, false, false},
     {study::ContactIntegration::simpson, &simpson_rule, false, false},
+    {study::ContactIntegration::mortar, nullptr, false, false},
 }};
 
 } // namespace
@@ -90,6 +91,8 @@ Integration integration_of(const study::ContactZone& settings) {
 }
 
 std::optional<int> least_order(study::ContactIntegration by, CellType face) {
+  if (integration(by).points == nullptr)
+    return 0;
   const int most = study::entry_of(by).most_order;
   const auto nodes = static_cast<std::size_t>(cell::topology(face).node_count);
   for (int order = std::min(1, most); order <= most; ++order) {

@@ -22,6 +22,7 @@ struct IntegrationPoint {
 /// Points of a face: a row of the table of rules.
 struct Integration {
   study::ContactIntegration by;
+  /// Null of mortar, whose points are the slave's nodes and whose integrals follow the master.
   std::vector<IntegrationPoint> (*points)(CellType face, int order);
   /// Whether a point on a node stands for the node's share of a face: on a surface of revolution that is the
   /// integral of its shape function.

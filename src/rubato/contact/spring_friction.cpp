@@ -84,8 +84,8 @@ std::vector<double> friction_stiffness(const ZoneLaw& law, std::span<const Point
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (status[i] == Status::open)
       continue;
-    stiffness[i] =
-        std::abs(law.zone->points[i].weight) * friction.stiffness(points[i].variables, law.of_point(i));
+    stiffness[i] = std::abs(weight_of(law.zone->points[i], points[i])) *
+                   friction.stiffness(points[i].variables, law.of_point(i));
   }
   return stiffness;
 }

@@ -44,8 +44,8 @@ std::vector<GivenSpring> given_springs(const Zone& zone) {
 }
 
 double penetration_compliance(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point,
-                              double exact) {
-  return normal_of(zone).compliance(coefficients.normal[point] * zone.points[point].weight, exact);
+                              double weight, double exact) {
+  return normal_of(zone).compliance(coefficients.normal[point] * weight, exact);
 }
 
 double spring_stiffness(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point) {

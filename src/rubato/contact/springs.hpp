@@ -22,10 +22,10 @@ struct GivenSpring {
 };
 std::vector<GivenSpring> given_springs(const Zone& zone);
 
-/// How far a unit of force pushes the point in, by its normal spring; `exact` where gaps close.
-/// [length/force]
+/// How far a unit of force pushes the point in, by its normal spring, where its tractions are multiplied with
+/// `weight`; `exact` where gaps close. [length/force]
 double penetration_compliance(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point,
-                              double exact = 0);
+                              double weight, double exact = 0);
 
 /// The stiffest spring of a point whose stiffness does not depend on the pressure, normal or of friction; 0
 /// where it has none. [force/length]

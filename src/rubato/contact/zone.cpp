@@ -188,6 +188,29 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const Integration& r
   return points;
 }
 
+/// One a slave node. Areas are the integrals of the multipliers' functions.
+std::vector<SlavePoint> make_mortar_points(const mortar::SlaveReference& reference, const Surface& slave,
+                                           std::span<const NodeIndex> excluded) {
+  std::vector<SlavePoint> points;
+  for (std::size_t i = 0; i < slave.nodes.size(); ++i) {
+    auto point = point_on_node(slave, slave.nodes[i]);
+    point.area = reference.full_weight[i];
+    point.excluded = is_excluded(excluded, slave.nodes[i]);
+    points.push_back(std::move(point));
+  }
+  exclude_without_area(points);
+  return points;
+}
+
+mortar::SlaveReference mortar_reference(const mesh::Mesh& mesh, const Surface& slave,
+                                        const ZoneGeometry& geometry) {
+  std::vector<Eigen::Vector3d> undeformed;
+  for (const auto node : slave.nodes)
+    undeformed.push_back(mesh.points[static_cast<std::size_t>(node)]);
+  return mortar::make_slave_reference(slave, std::move(undeformed),
+                                      {geometry.thickness, geometry.measure == Measure::ring});
+}
+
 } // namespace
 
 Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surface master, Surface slave,
@@ -197,7 +220,12 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
   zone.space_dimension = geometry.space_dimension;
   const auto rule = integration_of(settings);
   zone.unit_weights = rule.unit_weights;
-  zone.points = make_points(mesh, rule, settings.integration.order, slave, excluded_nodes, geometry);
+  if (rule.points == nullptr) {
+    zone.mortar = mortar_reference(mesh, slave, geometry);
+    zone.points = make_mortar_points(*zone.mortar, slave, excluded_nodes);
+  } else {
+    zone.points = make_points(mesh, rule, settings.integration.order, slave, excluded_nodes, geometry);
+  }
   zone.points_own_multipliers =
       std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
   zone.master = std::move(master);

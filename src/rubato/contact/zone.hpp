@@ -3,6 +3,7 @@
 /// may be an obstacle.
 #pragma once
 
+#include "rubato/contact/mortar/operators.hpp"
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/contact/surface.hpp"
 #include "rubato/domain/dof_map.hpp"
@@ -59,6 +60,10 @@ struct Zone {
   bool points_own_multipliers = false;
   /// Whether points count as one each, without regard to areas: what is a pressure elsewhere is a force.
   bool unit_weights = false;
+  /// Of mortar: what the slave is undeformed. Points are the slave's nodes then, in their order.
+  std::optional<mortar::SlaveReference> mortar;
+  /// Components of the slave's nodes that supports hold, for the normals of mortar: one a node, or none.
+  std::vector<mortar::HeldComponents> held;
 
   /// What gaps and slips are small against: the shortest edge of the master, of the slave before an obstacle.
   double edge() const { return obstacle ? slave.shortest_edge : master.shortest_edge; }

@@ -164,6 +164,20 @@ std::vector<mesh::NodeIndex> excluded_nodes(const mesh::Mesh& mesh, const study:
   return all;
 }
 
+/// Supports that hold a component of a node keep its normal across: planes of symmetry have no part in it.
+std::vector<contact::mortar::HeldComponents> held_components(const contact::Surface& surface,
+                                                             const domain::DofMap& dofs,
+                                                             const constraint::Reduction& reduction) {
+  std::vector<contact::mortar::HeldComponents> held;
+  for (const auto node : surface.nodes) {
+    unsigned bits = 0;
+    for (int i = 0; i < dofs.components; ++i)
+      bits |= reduction.is_prescribed(dofs.dof(node, i)) ? 1U << static_cast<unsigned>(i) : 0U;
+    held.push_back(static_cast<contact::mortar::HeldComponents>(bits));
+  }
+  return held;
+}
+
 /// With fewer points than the multipliers of a face can tell apart, their equations would be dependent; and a
 /// rule that misses the shape functions would hand on no uniform pressure.
 void check_rule(const study::ContactZone& zone, const contact::Surface& slave, std::vector<Fault>& faults) {
@@ -247,6 +261,7 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
     else
       zones.push_back(
           contact::make_zone(mesh, settings, std::move(master), std::move(slave), excluded, geometry));
+    zones.back().held = held_components(zones.back().slave, dofs, reduction);
   }
   return zones;
 }

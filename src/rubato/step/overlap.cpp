@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/overlap.hpp"
 
+#include "rubato/contact/discretisation.hpp"
 #include "rubato/contact/springs.hpp"
 
 #include <algorithm>

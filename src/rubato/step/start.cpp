@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/start.hpp"
 
+#include "rubato/contact/discretisation.hpp"
+
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>

@@ -141,25 +141,40 @@ struct ContactIntegrationEntry {
   std::string_view name;
   std::string_view code_aster;
   std::string_view summary;
-  int most_order; ///< orders go from 1 to that; 0: it has none
+  int most_order;      ///< orders go from 1 to that; 0: it has none
+  bool explicit_steps; ///< forces of single points follow from the motion alone
+  bool chooses_normal; ///< normals may be the master's, the slave's or their average
 };
 
-inline constexpr std::array<ContactIntegrationEntry, 3> contact_integrations{{
+inline constexpr std::array<ContactIntegrationEntry, 4> contact_integrations{{
     {.method = ContactIntegration::nodes,
      .name = "nodes",
      .code_aster = "INTEGRATION='AUTO'",
      .summary = "contact points on the slave nodes",
-     .most_order = 0},
+     .most_order = 0,
+     .explicit_steps = true,
+     .chooses_normal = true},
     {.method = ContactIntegration::gauss,
      .name = "gauss",
      .code_aster = "INTEGRATION='GAUSS'",
      .summary = "n Gauss points a direction",
-     .most_order = 7},
+     .most_order = 7,
+     .explicit_steps = true,
+     .chooses_normal = true},
     {.method = ContactIntegration::simpson,
      .name = "simpson",
      .code_aster = "INTEGRATION='SIMPSON'",
      .summary = "ends and middles of n parts a direction",
-     .most_order = 4},
+     .most_order = 4,
+     .explicit_steps = true,
+     .chooses_normal = true},
+    {.method = ContactIntegration::mortar,
+     .name = "mortar",
+     .code_aster = "ALGO_CONT='LAC'",
+     .summary = "segment-to-segment integrals, a pressure a slave node",
+     .most_order = 0,
+     .explicit_steps = false,
+     .chooses_normal = false},
 }};
 
 /// Rows stand in the order of the methods.

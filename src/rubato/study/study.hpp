@@ -178,9 +178,10 @@ struct Obstacle {
 
 /// Where contact points stand on a slave face.
 enum class ContactIntegration {
-  nodes,  ///< on the slave nodes
-  gauss,  ///< Gauss points, `order` a direction
-  simpson ///< ends and middles of `order` parts a direction
+  nodes,   ///< on the slave nodes
+  gauss,   ///< Gauss points, `order` a direction
+  simpson, ///< ends and middles of `order` parts a direction
+  mortar   ///< a relation a slave node, from integrals over what faces of both sides share
 };
 struct ContactRule {
   ContactIntegration by = ContactIntegration::nodes;

@@ -2,6 +2,8 @@
 /// The contact equations of two faces as one dense system, to be held against differences.
 #pragma once
 
+#include "rubato/contact/discretisation.hpp"
+
 #include "two_faces.hpp"
 #include <vector>
 

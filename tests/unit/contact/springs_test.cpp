@@ -43,11 +43,11 @@ TEST(Springs, GiveWayAndHoldEnergyWhereGapsDoNotClose) {
   const ZoneState pressed{
       {}, {Status::slip, Status::open}, {{.gap = -0.1, .normal = {0, 3, 4}}, {.gap = 0.2}}};
   const auto soft = zone_by(study::ContactMethod::penalty);
-  EXPECT_DOUBLE_EQ(penetration_compliance(soft, coefficients, 0), 1 / (10 * 0.5));
+  EXPECT_DOUBLE_EQ(penetration_compliance(soft, coefficients, 0, 0.5), 1 / (10 * 0.5));
   EXPECT_DOUBLE_EQ(stored_energy(soft, pressed), 0.5 * 0.1 * 5);
   EXPECT_EQ(rest_gap(soft, pressed.outcomes[0]), 0);
   const auto exact = zone_by(study::ContactMethod::augmented_lagrangian);
-  EXPECT_EQ(penetration_compliance(exact, coefficients, 0), 0);
+  EXPECT_EQ(penetration_compliance(exact, coefficients, 0, 0.5), 0);
   EXPECT_EQ(stored_energy(exact, pressed), 0);
   EXPECT_EQ(rest_gap(exact, pressed.outcomes[0]), -0.1);
 }

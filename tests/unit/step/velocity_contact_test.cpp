@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Contact as a law of velocities: what moreau_jean asks of points that touch.
-#include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/velocity_frames.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>
@@ -45,9 +45,9 @@ struct Approaching : testing::Test {
   contact::PointState after(double end, const contact::VelocityLaw& law) {
     const auto& model = walk.model;
     const VectorXd rest = VectorXd::Zero(velocity.size());
-    contact::NeighbourList neighbours(model.zones[0]);
+    auto discretisation = contact::make_discretisation(model.zones[0]);
     std::vector<double> standing(model.zones[0].points.size());
-    const auto frames = contact::velocity_frames(neighbours, {&model.mesh, &model.dofs, &rest, &rest},
+    const auto frames = contact::velocity_frames(discretisation, {&model.mesh, &model.dofs, &rest, &rest},
                                                  velocity, law, standing);
     const VectorXd moved = law.step * (law.theta * end + (1 - law.theta)) * velocity;
     const auto points = contact::evaluate_in_frozen_frames(frames, model.zones[0],
@@ -87,8 +87,8 @@ struct Apart : Approaching {
     VectorXd apart = VectorXd::Zero(velocity.size());
     for (const auto node : model.zones[0].slave.nodes)
       apart[model.dofs.dof(node, 1)] = -gap;
-    contact::NeighbourList neighbours(model.zones[0]);
-    return contact::velocity_frames(neighbours, {&model.mesh, &model.dofs, &apart, &apart}, velocity,
+    auto discretisation = contact::make_discretisation(model.zones[0]);
+    return contact::velocity_frames(discretisation, {&model.mesh, &model.dofs, &apart, &apart}, velocity,
                                     {step, theta, true}, standing);
   }
 };

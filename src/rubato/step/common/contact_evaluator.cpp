@@ -3,6 +3,7 @@
 
 #include "rubato/contact/spring_friction.hpp"
 #include "rubato/contact/springs.hpp"
+#include "rubato/contact/velocity_frames.hpp"
 #include "rubato/core/tolerances.hpp"
 
 #include <algorithm>
@@ -81,10 +82,10 @@ ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& schem
                                      &committed.motion.u, committed.t, committed.t};
   const contact::VelocityLaw law{system.step, scheme.beta, !model.massless_nodes.empty()};
   const VectorXd velocity = law.massless ? mean_velocity(committed, law) : committed.motion.v;
-  for (std::size_t z = 0; z < system.neighbours.size(); ++z) {
+  for (std::size_t z = 0; z < system.discretisations.size(); ++z) {
     activation_gaps_.push_back(activation_gaps(committed.zones[z]));
     frames_.push_back(
-        contact::velocity_frames(system.neighbours[z], start, velocity, law, activation_gaps_.back()));
+        contact::velocity_frames(system.discretisations[z], start, velocity, law, activation_gaps_.back()));
   }
 }
 
@@ -126,14 +127,14 @@ void ContactEvaluator::measure_by(const Measure& measure, const State& trial, co
 
 void ContactEvaluator::evaluate(const State& trial, const Frozen& frozen, ContactIterate& into) const {
   const auto all = [&](std::size_t z, const auto& configuration) {
-    contact::evaluate(system_.neighbours[z], trial.zones[z].multipliers, configuration, into.points[z]);
+    contact::evaluate(system_.discretisations[z], trial.zones[z].multipliers, configuration, into.points[z]);
   };
   measure_by(all, trial, frozen, into);
 }
 
 void ContactEvaluator::measure(const State& trial, const Frozen& frozen, ContactIterate& into) const {
   const auto all = [&](std::size_t z, const auto& configuration) {
-    contact::measure(system_.neighbours[z], trial.zones[z].multipliers, configuration, into.points[z]);
+    contact::measure(system_.discretisations[z], trial.zones[z].multipliers, configuration, into.points[z]);
   };
   measure_by(all, trial, frozen, into);
 }
@@ -142,7 +143,7 @@ void ContactEvaluator::measure(const State& trial, const Frozen& frozen,
                                std::span<const std::vector<std::size_t>> points,
                                ContactIterate& iterate) const {
   const auto some = [&](std::size_t z, const auto& configuration) {
-    contact::measure(system_.neighbours[z], trial.zones[z].multipliers, configuration, points[z],
+    contact::measure(system_.discretisations[z], trial.zones[z].multipliers, configuration, points[z],
                      iterate.points[z]);
   };
   measure_by(some, trial, frozen, iterate);
@@ -182,14 +183,14 @@ bool ContactEvaluator::most_are_lost(const ContactIterate& now) const {
 }
 
 void ContactEvaluator::start_iterations() const {
-  for (auto& neighbours : system_.neighbours)
-    neighbours.forget_visits();
+  for (auto& discretisation : system_.discretisations)
+    contact::forget_visits(discretisation);
 }
 
 bool ContactEvaluator::release_beyond_borders() const {
   bool any = false;
-  for (auto& neighbours : system_.neighbours)
-    any = neighbours.release_beyond_borders() || any;
+  for (auto& discretisation : system_.discretisations)
+    any = contact::release_beyond_borders(discretisation) || any;
   return any;
 }
 
@@ -277,7 +278,7 @@ std::vector<double> ContactEvaluator::moved_out(std::size_t z, const ContactIter
 void ContactEvaluator::measure_places(State& trial) const {
   std::vector<PointEvaluation> points;
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
-    contact::measure(system_.neighbours[z], trial.zones[z].multipliers, at_end(trial), points);
+    contact::measure(system_.discretisations[z], trial.zones[z].multipliers, at_end(trial), points);
     for (std::size_t i = 0; i < points.size(); ++i) {
       trial.zones[z].outcomes[i].gap = points[i].variables.gap;
       trial.zones[z].outcomes[i].slip = points[i].variables.slip;

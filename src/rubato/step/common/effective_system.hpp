@@ -3,8 +3,7 @@
 /// follow from it.
 #pragma once
 
-#include "rubato/contact/enforcement.hpp"
-#include "rubato/contact/neighbours.hpp"
+#include "rubato/contact/discretisation.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/step/interface/compliance.hpp"
 #include "rubato/time/scheme.hpp"
@@ -31,7 +30,7 @@ struct EffectiveSystem {
   bool has_free_bodies = false; ///< whether there are such springs
   Eigen::VectorXd diagonal;     ///< of every dof, constrained ones included
   std::vector<contact::ZoneCoefficients> zones;
-  std::vector<contact::NeighbourList> neighbours; ///< of every zone, kept from one iterate to the next
+  std::vector<contact::Discretisation> discretisations; ///< of every zone, kept from one iterate to the next
   /// The factored matrix; nothing when every iteration solves the whole system.
   std::unique_ptr<Compliance> compliance;
   std::shared_ptr<CondensedScratch> scratch; ///< of condensed steps with this matrix

@@ -29,6 +29,7 @@ struct PredictorPoint {
   Eigen::Vector3d value = Eigen::Vector3d::Zero();     ///< where d = 0 [length]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< pressing ≥ 0, and along the slips [force]
   double gap = 0;                                      ///< where its frame was measured [length]
+  double weight = 0;                ///< what a pressure there is multiplied with [area], or 1
   double penalty_compliance = 0;    ///< penetration a unit of force makes: of penalties [length/force]
   double tangential_compliance = 0; ///< the same of friction; 0 where it holds exactly [length/force]
   double friction = 0;              ///< μ

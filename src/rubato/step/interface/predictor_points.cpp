@@ -25,8 +25,11 @@ constexpr double averaged_friction_compliance = 0.01;
 /// Part of its gap that leaves a point without doubt open where frames are frozen.
 constexpr double still_open = 0.5;
 
-void set_relations(const Model& model, const Compliance& compliance, const contact::Kinematics& k,
-                   const VectorXd& moved, PredictorPoint& predicted) {
+void set_relations(const Model& model, const Compliance& compliance,
+                   const contact::PointEvaluation& evaluation, const VectorXd& moved,
+                   PredictorPoint& predicted) {
+  const auto& k = *evaluation.kinematics;
+  predicted.weight = contact::weight_of(model.zones[predicted.zone].points[predicted.index], evaluation);
   predicted.frame << k.normal, k.tangents;
   predicted.stencil.take(k.stencil, model.dofs, compliance.interface_dof_of_dof());
   predicted.gap = k.gap;
@@ -66,9 +69,9 @@ Status status_of(const PredictorPoint& predicted) {
 }
 
 /// λ, Λ₁, Λ₂ of a point with that force.
-Eigen::Vector3d multipliers_of(const PredictorPoint& predicted, double weight) {
+Eigen::Vector3d multipliers_of(const PredictorPoint& predicted) {
   Eigen::Vector3d values = Eigen::Vector3d::Zero();
-  values[0] = predicted.force[0] / weight;
+  values[0] = predicted.force[0] / predicted.weight;
   if (const double limit = friction_limit(predicted); limit > 0)
     values.tail<2>() = -predicted.force.tail<2>() / limit;
   return values;
@@ -85,7 +88,7 @@ void take_mean_multipliers(const contact::Zone& zone, std::size_t z, std::span<c
     if (predicted.zone != z)
       continue;
     const auto& point = zone.points[predicted.index];
-    const auto values = multipliers_of(predicted, point.weight);
+    const auto values = multipliers_of(predicted);
     for (std::size_t j = 0; j < point.multipliers.size(); ++j)
       for (Index k = 0; k < count; ++k) {
         const int variable = variables[static_cast<std::size_t>(k)];
@@ -123,9 +126,10 @@ void take_points(const Model& model, const ContactEvaluator& side, const Frozen&
             1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       predicted.tangential_compliance =
           averaged ? averaged_friction_compliance * predicted.point_compliance : 0;
-      predicted.penalty_compliance = contact::penetration_compliance(
-          zone, *law.coefficients, i, averaged ? averaged_compliance * predicted.point_compliance : 0.0);
-      set_relations(model, compliance, *kinematics, moved, predicted);
+      set_relations(model, compliance, contact.points[z][i], moved, predicted);
+      predicted.penalty_compliance =
+          contact::penetration_compliance(zone, *law.coefficients, i, predicted.weight,
+                                          averaged ? averaged_compliance * predicted.point_compliance : 0.0);
       set_forces(state.zones[z].outcomes[i], *kinematics, predicted);
     }
   }
@@ -147,8 +151,8 @@ void move_frames(const Model& model, const Compliance& compliance, const Contact
     for (const auto index : touching[z]) {
       while (point->zone != z || point->index != index)
         ++point;
-      if (const auto& kinematics = contact.points[z][index].kinematics)
-        set_relations(model, compliance, *kinematics, moved, *point);
+      if (const auto& evaluation = contact.points[z][index]; evaluation.kinematics)
+        set_relations(model, compliance, evaluation, moved, *point);
       else
         release(*point);
     }
@@ -179,7 +183,7 @@ void take_prediction(const Model& model, std::span<const PredictorPoint> points,
     const auto& zone = model.zones[predicted.zone];
     if (!zone.points_own_multipliers)
       continue;
-    const auto values = multipliers_of(predicted, zone.points[predicted.index].weight);
+    const auto values = multipliers_of(predicted);
     Index next = static_cast<Index>(zone.points[predicted.index].node_position) * zone.multipliers_per_node();
     for (const int variable : zone.multiplier_variables())
       state.zones[predicted.zone].multipliers[next++] = values[variable];

@@ -82,6 +82,11 @@ private:
                     fmt::format("{} has one relation a node, expected nodes; augmented_lagrangian and "
                                 "penalty take points between the nodes",
                                 method_.name));
+    if (!rule.chooses_normal && zone_.normal != ContactNormal::master)
+      rules_.broken({at("normal"), at("integration")},
+                    fmt::format("found {} with the integration {}, whose normals are those of the slave's "
+                                "nodes, expected no 'normal'",
+                                word_of(contact_normal_words, zone_.normal), rule.name));
   }
 
   void check_coefficients() {
@@ -126,6 +131,11 @@ private:
                     fmt::format("found the method {} with friction by {}, but the scheme {} has forces only, "
                                 "expected penalty for both",
                                 method_.name, friction_method_.name, word_of(scheme_words, time.scheme)));
+    if (const auto& rule = entry_of(zone_.integration.by); !rule.explicit_steps)
+      rules_.broken({path_, at("integration"), "time.scheme"},
+                    fmt::format("found the integration {}, but the scheme {} computes forces point by point, "
+                                "expected integration: nodes",
+                                rule.name, word_of(scheme_words, time.scheme)));
   }
 
   /// Velocities that jump ask for impulses, which springs have none of; and only they know of restitution.

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/mortar/points.hpp"
+
+#include "rubato/contact/frozen_frame.hpp"
+#include "rubato/contact/mortar/frames.hpp"
+#include "rubato/contact/mortar/obstacle_mortar.hpp"
+#include "rubato/contact/mortar/slip.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rubato::contact::mortar {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// A node that is excluded keeps its function: its part of the surface touches nothing.
+std::vector<Keep> keep_of(const Zone& zone) {
+  std::vector<Keep> keep;
+  if (std::ranges::any_of(zone.points, &SlavePoint::excluded))
+    for (const auto& point : zone.points)
+      keep.push_back(point.excluded ? Keep::always : Keep::by_cover);
+  return keep;
+}
+
+template <class PositionOf>
+void collect(const Surface& surface, const PositionOf& position, std::vector<Vector3d>& into) {
+  into.resize(surface.nodes.size());
+  std::ranges::transform(surface.nodes, into.begin(), position);
+}
+
+Vector3d position_at_start(const Configuration& configuration, mesh::NodeIndex node) {
+  return configuration.position(node) - configuration.increment(node);
+}
+
+} // namespace
+
+Points::Points(const Zone& zone) : zone_(&zone), keep_(keep_of(zone)) {}
+
+void Points::update(const Configuration& configuration) {
+  const auto position = [&](mesh::NodeIndex node) { return configuration.position(node); };
+  collect(zone_->slave, position, slave_);
+  collect(zone_->master, position, master_);
+  take_start(configuration);
+  const Vector3d offset =
+      zone_->obstacle ? zone_->obstacle->offset(configuration.t) : Vector3d::Zero().eval();
+  integrate_at(slave_, master_, offset, now_);
+}
+
+void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
+                          Operators& into) {
+  const Options options{.held = zone_->held, .keep = keep_};
+  if (zone_->obstacle)
+    integrate(zone_->slave, *zone_->mortar, *zone_->obstacle, offset, slave, options, workspace_, into);
+  else
+    integrate(zone_->slave, *zone_->mortar, zone_->master, slave, master, options, workspace_, into);
+}
+
+/// The tangents of the nodes where the step starts: as long as it is the same start, they are kept.
+void Points::take_start(const Configuration& configuration) {
+  Positions start(zone_->slave.nodes.size());
+  collect(
+      zone_->slave, [&](mesh::NodeIndex node) { return position_at_start(configuration, node); }, start);
+  if (start_t_ == configuration.start_t && start == start_slave_)
+    return;
+  start_t_ = configuration.start_t;
+  start_slave_ = std::move(start);
+  start_tangents_.resize(start_slave_.size());
+  if (zone_->obstacle) {
+    Operators before;
+    integrate_at(start_slave_, {}, zone_->obstacle->offset(start_t_), before);
+    std::ranges::transform(before.nodes, start_tangents_.begin(), &Node::tangents);
+    return;
+  }
+  std::vector<Vector3d> normals;
+  nodal_normals(zone_->slave, start_slave_, zone_->held, normals);
+  for (std::size_t i = 0; i < start_tangents_.size(); ++i) {
+    const auto neighbour = static_cast<std::size_t>(zone_->mortar->tangent_neighbour[i]);
+    start_tangents_[i] =
+        frame_of(normals[i], start_slave_[neighbour] - start_slave_[i], zone_->space_dimension).tangents;
+  }
+}
+
+Vector3d Points::anchor_motion(const Configuration& configuration) const {
+  return zone_->obstacle ? zone_->obstacle->displacement(configuration.start_t, configuration.t)
+                         : Vector3d::Zero().eval();
+}
+
+void Points::measure(std::size_t position, const VectorXd& multipliers, const Configuration& configuration,
+                     PointEvaluation& into) const {
+  const auto& node = now_.nodes[position];
+  const auto& point = zone_->points[position];
+  into.pair = node.kept() ? Pair::before_obstacle() : Pair{};
+  into.cover = node.kept() ? node.weight / point.area : 1;
+  if (!node.kept()) {
+    into.kinematics.reset();
+    into.variables = variables_of(*zone_, point, multipliers, into.kinematics);
+    return;
+  }
+  if (!into.kinematics)
+    into.kinematics.emplace();
+  auto& k = *into.kinematics;
+  k.stencil = node.stencil;
+  k.parametric_dimension = zone_->space_dimension - 1;
+  k.normal = node.normal;
+  k.tangents = node.tangents;
+  k.closest_point = node.anchor;
+  k.obstacle_displacement = anchor_motion(configuration);
+  const Vector3d start = gap_vector(node, [&](auto at) { return position_at_start(configuration, at); }) +
+                         k.obstacle_displacement;
+  k.slip_origin = (start_tangents_[position] - node.tangents).transpose() * start;
+  const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
+  k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
+  k.gap = node.gap;
+  k.gap_origin = zone_->obstacle ? node.normal.dot(end) - node.gap : 0.0;
+  if (zone_->space_dimension == 2)
+    k.slip[1] = k.slip_origin[1] = 0;
+  into.variables = variables_of(*zone_, point, multipliers, into.kinematics);
+}
+
+void measure(Points& points, const VectorXd& multipliers, const Configuration& configuration,
+             std::vector<PointEvaluation>& into) {
+  points.update(configuration);
+  into.resize(points.zone().points.size());
+  for (std::size_t i = 0; i < into.size(); ++i)
+    points.measure(i, multipliers, configuration, into[i]);
+}
+
+void measure(Points& points, const VectorXd& multipliers, const Configuration& configuration,
+             std::span<const std::size_t> chosen, std::vector<PointEvaluation>& into) {
+  points.update(configuration);
+  for (const auto i : chosen)
+    points.measure(i, multipliers, configuration, into[i]);
+}
+
+void evaluate(Points& points, const VectorXd& multipliers, const Configuration& configuration,
+              std::vector<PointEvaluation>& into) {
+  measure(points, multipliers, configuration, into);
+  for (auto& point : into)
+    if (point.kinematics)
+      point.kinematics = with_frozen_frame(std::move(*point.kinematics));
+}
+
+} // namespace rubato::contact::mortar

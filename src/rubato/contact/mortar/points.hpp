@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The slave nodes of a mortar zone as contact points: each has the gap, slip, frame and stencil that the
+/// operators give it (operators.hpp), and counts with the part of its area that faces the master.
+///
+/// Operators and frames are made anew for every configuration and held within one: a point's gap and slip
+/// are linear in the displacements there.
+#pragma once
+
+#include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/mortar/operators.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace rubato::contact::mortar {
+
+class Points {
+public:
+  /// Of a zone with `mortar`, which must outlive it.
+  explicit Points(const Zone& zone);
+
+  /// Integrates the operators of a configuration.
+  void update(const Configuration& configuration);
+  /// A slave node at the configuration of the last update, by its position: no derivatives.
+  void measure(std::size_t position, const Eigen::VectorXd& multipliers, const Configuration& configuration,
+               PointEvaluation& into) const;
+
+  const Zone& zone() const { return *zone_; }
+  const Operators& operators() const { return now_; }
+
+private:
+  using Positions = std::vector<Eigen::Vector3d>;
+  void integrate_at(const Positions& slave, const Positions& master, const Eigen::Vector3d& offset,
+                    Operators& into);
+  void take_start(const Configuration& configuration);
+  Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
+
+  const Zone* zone_;
+  std::vector<Keep> keep_;
+  Workspace workspace_;
+  Operators now_;
+  Positions slave_, master_;
+  /// Where the slave's nodes were when the step began, and the tangents that they had there.
+  Positions start_slave_;
+  double start_t_ = 0;
+  std::vector<Eigen::Matrix<double, 3, 2>> start_tangents_;
+};
+
+void evaluate(Points& points, const Eigen::VectorXd& multipliers, const Configuration& configuration,
+              std::vector<PointEvaluation>& into);
+void measure(Points& points, const Eigen::VectorXd& multipliers, const Configuration& configuration,
+             std::vector<PointEvaluation>& into);
+void measure(Points& points, const Eigen::VectorXd& multipliers, const Configuration& configuration,
+             std::span<const std::size_t> chosen, std::vector<PointEvaluation>& into);
+
+} // namespace rubato::contact::mortar
