@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Dual functions on the covered part of one sub-facet (B. Wohlmuth, SIAM J. Numer. Anal. 38 (2000) 989–1012;
+/// on partly covered faces: T. Cichosz, M. Bischoff, Comput. Methods Appl. Mech. Eng. 200 (2011) 1317–1332):
+///   De_j = ∫H_j,   Me_ij = ∫H_i H_j,   A = diag(De) Me⁻¹,   Φ = A H   with   ∫Φ_i H_j = δ_ij De_j,  ΣΦ = 1
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace rubato::contact::mortar {
+
+/// Below this share of its full area a sub-facet has A = 1: Me is close to singular there.
+inline constexpr double least_dual_cover = 0.01;
+
+/// Integrals over the covered part of a sub-facet, by its nodes; 0 past node_count.
+struct FacetMoments {
+  Eigen::Vector4d first = Eigen::Vector4d::Zero();  ///< ∫H_j [area]
+  Eigen::Matrix4d second = Eigen::Matrix4d::Zero(); ///< ∫H_i H_j [area]
+
+  void add(double weight, const Eigen::Vector4d& values) {
+    const Eigen::Vector4d weighted = weight * values;
+    first += weighted;
+    second.noalias() += weighted * values.transpose();
+  }
+};
+
+/// C of Φ = C H. Nodes that are not kept have a row of zeros; their functions are shared among the kept ones
+/// first, H_k → H_k + (1/|K|) Σ_dropped H, so that ΣΦ = 1 all the same. Without kept nodes all of it is zero.
+/// `full_area`: ∫1 over the whole sub-facet.
+Eigen::Matrix4d dual_coefficients(int node_count, const FacetMoments& covered, double full_area,
+                                  const std::array<bool, 4>& kept);
+
+/// ∫Φ_j of those functions, by the sum of what each kept node has: ≥ 0.
+Eigen::Vector4d kept_areas(int node_count, const FacetMoments& covered, const std::array<bool, 4>& kept);
+
+} // namespace rubato::contact::mortar

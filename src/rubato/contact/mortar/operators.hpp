@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The operators of mortar contact: for every slave node its weight, its stencil on both surfaces, its frame.
+///
+///   D_jk = ∫Φ_j N_k,   M_jl = ∫Φ_j N_l,   w_j = ∫Φ_j ≥ 0        over the covered part of the slave
+///   B_ji = D_jk on slave nodes, −M_jl on master nodes,           Σ_i B_ji = 0
+///   G_j(x) = Σ_i B_ji x_i / w_j                                  mean of x_s − x_m [length]
+///   g_j = n_j·G_j(x)                                             > 0 open
+/// Φ: piecewise linear dual functions of sub-facets (dual.hpp), on segments of the deformed surfaces
+/// (segments.hpp). Measures are the slave's undeformed ones.
+#pragma once
+
+#include "rubato/contact/mortar/frames.hpp"
+#include "rubato/contact/mortar/segments.hpp"
+#include "rubato/contact/stencil.hpp"
+#include "rubato/contact/surface.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rubato::contact::mortar {
+
+/// Below this share of its full weight a node is dropped: it gives its function to its neighbours.
+inline constexpr double least_kept_share = 0.01;
+
+/// What a slave surface is undeformed. Made once.
+struct SlaveReference {
+  std::vector<Eigen::Vector3d> undeformed; ///< X by position in the surface's nodes
+  Measure measure;
+  int dimension = 3;                    ///< of space
+  std::vector<std::size_t> first_facet; ///< of each face, and the number of all sub-facets at the end
+  std::vector<double> facet_area;       ///< ∫1 of each sub-facet
+  std::vector<double> full_weight;      ///< ∫H_j over all faces, by position
+  std::vector<int> tangent_neighbour;   ///< by position
+  std::vector<std::uint8_t> on_axis;    ///< by position: whether it stands on the axis of revolution
+  double longest_face = 0;              ///< largest distance of two nodes of a face: the default reach
+};
+
+/// Throws InputError where a coordinate is not finite, with the face; std::invalid_argument for cells that
+/// are no faces.
+SlaveReference make_slave_reference(const Surface& slave, std::vector<Eigen::Vector3d> undeformed,
+                                    const Measure& measure = {});
+
+/// Who decides whether a node is kept.
+enum class Keep : std::uint8_t {
+  by_cover, ///< kept from 1 % of its full weight on
+  always,   ///< kept if anything of it is covered
+  never     ///< its function is given away: cross points of ties
+};
+
+/// Spans may be empty; else they have an entry for each slave node.
+struct Options {
+  double reach = 0; ///< largest gap or penetration of partners; 0: the longest slave face
+  std::span<const HeldComponents> held = {}; ///< for normals on planes of symmetry
+  std::span<const Keep> keep = {};
+  /// Whether a slave and a master face may meet; empty: all may. Self contact excludes neighbours by it.
+  std::function<bool(int slave_face, int master_face)> may_pair = {};
+};
+
+enum class Cover : std::uint8_t {
+  none,    ///< meets nothing: no unknown, no gap
+  dropped, ///< covered, but its function is given away: its pressure is the mean of its heirs'
+  kept
+};
+
+struct Node {
+  Stencil stencil;        ///< nodes of the slave, then of the master, with B_ji/w_j; empty unless kept
+  int slave_nodes = 0;    ///< how many of them are the slave's
+  double weight = 0;      ///< w_j [area]; 0 unless kept
+  double full_weight = 0; ///< ∫H_j over all faces [area]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< n_j = −m_j
+  Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
+  Cover cover = Cover::none;
+  /// With an obstacle: the mean place it faces; G_j is counted from there. 0 with a master.
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();
+  double gap = 0;         ///< g_j where it was integrated; 0 unless kept
+  std::vector<int> heirs; ///< of a dropped node: positions of the kept nodes that have its function
+
+  bool kept() const { return cover == Cover::kept; }
+};
+
+struct Operators {
+  std::vector<Node> nodes; ///< by position in slave.nodes
+  double covered_area = 0; ///< Σ w_j, all of the slave that is covered
+  int kept_count = 0;
+};
+
+/// Storage that integrations of one pair of surfaces use again and again.
+class Workspace {
+public:
+  Workspace();
+  ~Workspace();
+  Workspace(Workspace&&) noexcept;
+  Workspace& operator=(Workspace&&) noexcept;
+  struct Impl;
+  Impl& impl() { return *impl_; }
+
+private:
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The operators where nodes are at `slave_x` and `master_x`, by position in the surfaces' nodes.
+/// A covered face none of whose nodes, nor of the faces around it, has 1 % of its weight keeps all its
+/// covered nodes: a body smaller than a slave face is felt. Throws InputError where a position is not finite,
+/// with the face.
+void integrate(const Surface& slave, const SlaveReference& reference, const Surface& master,
+               std::span<const Eigen::Vector3d> slave_x, std::span<const Eigen::Vector3d> master_x,
+               const Options& options, Workspace& workspace, Operators& into);
+
+/// The same in new storage.
+Operators integrate(const Surface& slave, const SlaveReference& reference, const Surface& master,
+                    std::span<const Eigen::Vector3d> slave_x, std::span<const Eigen::Vector3d> master_x,
+                    const Options& options = {});
+
+/// G_j of values at the mesh's nodes: value(node). 0 of a node that is not kept.
+template <class Value> Eigen::Vector3d gap_vector(const Node& node, const Value& value) {
+  return node.kept() ? Eigen::Vector3d(node.stencil.sum(value) - node.anchor) : Eigen::Vector3d::Zero();
+}
+
+} // namespace rubato::contact::mortar
