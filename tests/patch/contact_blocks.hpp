@@ -13,6 +13,7 @@
 #include "support/walk.hpp"
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace rubato::test {
@@ -26,6 +27,7 @@ struct ContactBlocks {
   std::string zone;  ///< further entries of the contact zone, each with a comma before it
   double turned = 0; ///< the whole is turned by that angle, in space about an axis along none of the blocks
   std::function<mesh::Mesh(const mesh::Mesh&)> change = {}; ///< what becomes of the mesh before it is turned
+  std::optional<CellType> lower_cells = {};                 ///< of the same dimension, if others
 };
 
 inline Eigen::AngleAxisd rotation_of(const ContactBlocks& blocks) {
@@ -41,17 +43,19 @@ struct PatchOutcome {
 };
 
 inline std::string deck_of(const ContactBlocks& blocks) {
-  const auto& cell = cell::topology(blocks.cells);
-  const bool solid = cell.dimension == 3;
-  std::string cells(cell.name);
-  for (auto& letter : cells)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  const auto body = [&](const char* name, int from, int n, const char* sides) {
+  const bool solid = cell::topology(blocks.cells).dimension == 3;
+  const auto word = [](CellType type) {
+    std::string cells(cell::topology(type).name);
+    for (auto& letter : cells)
+      letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return cells;
+  };
+  const auto body = [&](const char* name, CellType type, int from, int n, const char* sides) {
     return fmt::format(
         "    - {{name: {0}, {1}: {{from: [0, {2}{3}], to: [1, {4}{5}]}}, divisions: [{6}, {6}{7}], "
         "cells: {8}, sides: {{left: left, {9}{10}}}}}\n",
         name, solid ? "box" : "rectangle", from, solid ? ", 0" : "", from + 1, solid ? ", 1" : "", n,
-        solid ? fmt::format(", {}", n) : "", cells, sides, solid ? ", back: back" : "");
+        solid ? fmt::format(", {}", n) : "", word(type), sides, solid ? ", back: back" : "");
   };
   const std::string others = solid ? "x, z" : "x";
   const Eigen::Vector3d up = rotation_of(blocks) * Eigen::Vector3d::UnitY();
@@ -76,8 +80,9 @@ supports:
 time: {{scheme: static, step: 1, end: 1}}
 newton: {{residual: 1e-12}}
 )",
-                     body("lower", 0, blocks.lower, "bottom: ground, top: lower_face"),
-                     body("upper", 1, blocks.upper, "top: roof, bottom: upper_face"),
+                     body("lower", blocks.lower_cells.value_or(blocks.cells), 0, blocks.lower,
+                          "bottom: ground, top: lower_face"),
+                     body("upper", blocks.cells, 1, blocks.upper, "top: roof, bottom: upper_face"),
                      solid ? "solid" : "plane_strain", ends, sides, blocks.friction, blocks.zone);
 }
 
