@@ -32,6 +32,9 @@ inline constexpr double largest_symmetry_turn = 30; // degrees
 void nodal_normals(const Surface& surface, std::span<const Eigen::Vector3d> x,
                    std::span<const HeldComponents> held, std::vector<Eigen::Vector3d>& normals);
 
+/// Takes the held components out of a unit normal where that turns it by less than 30°.
+void remove_held(HeldComponents held, Eigen::Vector3d& normal);
+
 /// For each node the position of the neighbour that τ₁ points at: of a corner the next node on an edge (the
 /// mid node where there is one), of a mid node a corner of its edge, of a centre node a mid node.
 std::vector<int> tangent_neighbours(const Surface& surface);

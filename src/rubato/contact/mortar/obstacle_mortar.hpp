@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The operators of mortar contact before an obstacle: no master, no segments; all Gauss points of the
-/// slave's sub-facets that are within reach.
+/// slave's sub-facets that are within reach and look at it.
 ///
 ///   g_j = Σ_q w_q Φ_j g(x_q) / w_j,      n_j = Σ_q w_q Φ_j n(x_q) / |…|,      stencil D_jk / w_j
 /// The stencil has scalar weights and each node one averaged normal: a node before an obstacle is then the

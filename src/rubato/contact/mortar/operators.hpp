@@ -87,6 +87,7 @@ struct Node {
 struct Operators {
   std::vector<Node> nodes; ///< by position in slave.nodes
   double covered_area = 0; ///< Σ w_j, all of the slave that is covered
+  double lost_area = 0;    ///< covered, but every node around was told never to be kept [area]
   int kept_count = 0;
 };
 

@@ -10,12 +10,14 @@
 #pragma once
 
 #include "rubato/cell/quadrature.hpp"
+#include "rubato/contact/mortar/clipping.hpp"
+#include "rubato/contact/mortar/plane_map.hpp"
 #include "rubato/contact/mortar/subfacets.hpp"
 #include "rubato/contact/projection.hpp"
 
 #include <Eigen/Core>
 
-#include <span>
+#include <array>
 #include <vector>
 
 namespace rubato::contact::mortar {
@@ -26,18 +28,21 @@ struct Measure {
   bool ring = false; ///< 2πR, R the undeformed x
 };
 
-/// ∫1 of the slave face's undeformed measure at ξ: |X,₁ × X,₂| or |X,ξ|, × thickness × 2πR.
+/// The undeformed measure of a slave face at ξ: |X,₁ × X,₂| or |X,ξ|, × thickness × 2πR.
 double undeformed_measure(CellType type, const FaceCoordinates& undeformed, const Eigen::Vector2d& xi,
                           const Measure& measure);
 
+/// A point on both faces, with the shape functions of both there; entries past the faces' nodes are not set.
 struct Point {
   Eigen::Vector2d xi = Eigen::Vector2d::Zero();  ///< on the slave face
   Eigen::Vector2d eta = Eigen::Vector2d::Zero(); ///< on the master face
+  std::array<double, 9> slave_values;            ///< N_k(ξ)
+  std::array<double, 9> master_values;           ///< N_l(η)
   double weight = 0;                             ///< [area]; negative in triangles that a fan takes back
   double distance = 0; ///< of the master from the slave along the direction of projection [length]
 };
 
-/// A face of the slave as its overlaps are looked for.
+/// A slave face as its overlaps are looked for.
 struct SlaveFace {
   CellType type = CellType::quad4;
   FaceCoordinates x;          ///< deformed
@@ -50,10 +55,41 @@ struct MasterFace {
   FaceCoordinates x; ///< deformed
 };
 
-/// Appends the points of a slave sub-facet before a master face; nothing where they do not overlap, do not
-/// face each other (n_s·n_m ≥ −0.1, 2D: ≥ 0), have no area, or are farther apart than `reach` at every point.
-/// Overlaps below 1e-10 of the sub-facet are left out.
-void append_overlap(const SlaveFace& slave, const SubFacet& facet, const MasterFace& master,
-                    const Measure& measure, double reach, std::vector<Point>& points);
+/// In 2D: appends the points of a slave sub-facet before a master face. Nothing where the two do not overlap,
+/// do not face each other (n_s·n_m ≥ 0), have no length, or are farther apart than `reach` at every point.
+/// Overlaps below 1e-10 of the slave's reference length are left out.
+void append_line_overlap(const SlaveFace& slave, const SubFacet& facet, const Measure& measure,
+                         const MasterFace& master, double reach, std::vector<Point>& points);
+
+/// In 3D: a slave sub-facet and its auxiliary plane. The slave face and its sub-facet must outlive it.
+class PlaneOverlaps {
+public:
+  PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, const Measure& measure, double reach);
+
+  /// Appends the points before a master face. Sub-facets of the master count nothing where n_s·n_m ≥ −0.1,
+  /// where they overlap less than 1e-10 of the slave's, or are farther away than reach at every point.
+  void append(const MasterFace& master, std::vector<Point>& points) const;
+
+private:
+  void append_part(const MasterFace& master, const PlaneMap& map, const Polygon& part,
+                   std::vector<Point>& points) const;
+  bool is_folded() const;
+  PlanePlace flat_place(const Eigen::Vector2d& p) const;
+  PlanePlace slave_place(const Eigen::Vector2d& p) const;
+  PlanePlace master_place(const MasterFace& master, const PlaneMap& map, const Eigen::Vector2d& p,
+                          const Eigen::Vector3d& x) const;
+
+  const SlaveFace& slave_;
+  const SubFacet& facet_;
+  Measure measure_;
+  double reach_;
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); ///< of the auxiliary plane
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Zero();   ///< rows: e₁, e₂, n of the plane; 0 without area
+  PlaneMap map_;                                     ///< of the slave face
+  Polygon polygon_;                                  ///< the sub-facet in the plane
+  double area_ = 0;                                  ///< of the polygon
+  double flat_determinant_ = 0;                      ///< of ∂p/∂ξ if the sub-facet were flat and affine
+  bool folded_ = false;
+};
 
 } // namespace rubato::contact::mortar

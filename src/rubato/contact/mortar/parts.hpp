@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Inside the folder only: covered parts of slave sub-facets with their integrals, who has their functions,
+/// and how the operators of nodes are put together from them.
+///
+/// Every integral with a multiplier's function is linear in H: what is integrated over a part is H times the
+/// shape functions, ∫H_i N_k and ∫H_i N_l; functions are shared and made dual afterwards by a matrix C, Φ = C
+/// H.
+#pragma once
+
+#include "rubato/contact/mortar/dual.hpp"
+#include "rubato/contact/mortar/operators.hpp"
+#include "rubato/contact/mortar/search.hpp"
+
+#include <vector>
+
+namespace rubato::contact::mortar {
+
+/// ∫H_i N_k: a row a node of the sub-facet, a column a node of the face.
+using Products = Eigen::Matrix<double, 4, 9>;
+
+/// What points of a sub-facet see of an obstacle, each times H_i: gap, normal, place, tangent.
+using SeenProducts = Eigen::Matrix<double, 4, 10>;
+
+struct Part {
+  int face = 0;
+  int facet = 0; ///< in the face
+  FacetMoments covered;
+  Products slave = Products::Zero();
+  std::size_t first_overlap = 0, last_overlap = 0; ///< in Parts::overlaps; of an obstacle: in Parts::seen
+};
+
+struct Overlap {
+  int master_face = 0;
+  Products master = Products::Zero();
+};
+
+/// Row j of C on one part: Φ_j = row · H.
+struct Share {
+  int node = 0;
+  int part = 0;
+  Eigen::Vector4d row = Eigen::Vector4d::Zero();
+};
+
+struct Workspace::Impl {
+  std::vector<Eigen::Vector3d> normals; ///< m_j
+  std::vector<MasterFace> masters;
+  FaceSearch search;
+  std::vector<int> candidates;
+  std::vector<Point> points;
+
+  std::vector<Part> parts; ///< those that are covered, face by face
+  std::vector<Overlap> overlaps;
+  std::vector<SeenProducts> seen;
+
+  std::vector<double> covered; ///< w_j⁰
+  std::vector<std::uint8_t> kept;
+  std::vector<Share> shares;
+  std::vector<std::size_t> first_share; ///< of each node in shares_by_node
+  std::vector<int> shares_by_node;
+  std::vector<int> takers;
+
+  std::vector<double> slave_values, master_values; ///< of one node, by position; 0 between nodes
+  std::vector<int> slave_touched, master_touched;
+
+  void clear_parts() {
+    parts.clear();
+    overlaps.clear();
+    seen.clear();
+  }
+};
+
+/// Which face a complaint is about.
+void require_finite(const Surface& surface, std::span<const Eigen::Vector3d> x, const char* which);
+
+/// A slave face at these positions.
+SlaveFace slave_face(const Face& face, const SlaveReference& reference, std::span<const Eigen::Vector3d> x,
+                     std::span<const Eigen::Vector3d> normals);
+
+/// The nodal normals, without r on the axis of revolution.
+void set_normals(const Surface& slave, const SlaveReference& reference, std::span<const Eigen::Vector3d> x,
+                 const Options& options, std::vector<Eigen::Vector3d>& normals);
+
+/// Decides who is kept, shares all functions, and starts each node with cover, weight, frame and heirs.
+void share_functions(const Surface& slave, const SlaveReference& reference,
+                     std::span<const Eigen::Vector3d> slave_x, const Options& options,
+                     Workspace::Impl& workspace, Operators& into);
+
+/// Fills the stencils from the shares. `master` may be null: there is an obstacle.
+void fill_stencils(const Surface& slave, const Surface* master, int components, Workspace::Impl& workspace,
+                   Operators& into);
+
+double reach_of(const Options& options, const SlaveReference& reference);
+
+} // namespace rubato::contact::mortar
