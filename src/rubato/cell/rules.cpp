@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Lines: Gauss–Legendre. Triangles: D. A. Dunavant, High degree efficient symmetrical Gaussian quadrature
-/// rules for the triangle, Int. J. Numer. Methods Eng. 21 (1985) 1129–1148, degrees 1, 2, 4, 6. Tetrahedra:
-/// A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T3:1-1, T3:2-1 and T3:5-1 (15 points).
-/// Pyramids: conical products of Gauss–Legendre and Gauss–Jacobi rules (Stroud, ch. 2), the latter by the
-/// eigenvalues of G. H. Golub and J. H. Welsch, Calculation of Gauss quadrature rules, Math. Comp. 23 (1969)
-/// 221–230. All have positive weights and inner points.
+/// rules for the triangle, Int. J. Numer. Methods Eng. 21 (1985) 1129–1148, degrees 1, 2, 4, 6, 8.
+/// Tetrahedra: A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), T3:1-1, T3:2-1 and T3:5-1
+/// (15 points). Pyramids: conical products of Gauss–Legendre and Gauss–Jacobi rules (Stroud, ch. 2), the
+/// latter by the eigenvalues of G. H. Golub and J. H. Welsch, Calculation of Gauss quadrature rules, Math.
+/// Comp. 23 (1969) 221–230. All have positive weights and inner points.
 #include "rubato/cell/rules.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -50,19 +50,42 @@ Rule triangle_six_points() {
           {Vector3d(a, a, 0), weight_a},         {Vector3d(1 - 2 * a, a, 0), weight_a}};
 }
 
+/// The three points with area coordinates (p, p, 1 − 2p).
+void add_mid_orbit(Rule& rule, double p, double weight) {
+  for (const auto& xi : {Vector3d(p, p, 0), Vector3d(1 - 2 * p, p, 0), Vector3d(p, 1 - 2 * p, 0)})
+    rule.push_back({xi, weight});
+}
+
+/// The six points with area coordinates (p, q, 1 − p − q).
+void add_general_orbit(Rule& rule, double p, double q, double weight) {
+  const double r = 1 - p - q;
+  for (const auto& [x, y] : {std::array{p, q}, std::array{q, p}, std::array{p, r}, std::array{r, p},
+                             std::array{q, r}, std::array{r, q}})
+    rule.push_back({Vector3d(x, y, 0), weight});
+}
+
 Rule triangle_twelve_points() {
   constexpr double a = 0.24928674517091042129, weight_a = 0.11678627572637936603 / 2;
   constexpr double b = 0.06308901449150222834, weight_b = 0.05084490637020681692 / 2;
   constexpr double c = 0.05314504984481694735, d = 0.31035245103378440542,
                    weight_c = 0.08285107561837357519 / 2;
-  constexpr double e = 1 - c - d;
   Rule rule;
   for (const auto& [p, weight] : {std::array{a, weight_a}, std::array{b, weight_b}})
-    for (const auto& xi : {Vector3d(p, p, 0), Vector3d(1 - 2 * p, p, 0), Vector3d(p, 1 - 2 * p, 0)})
-      rule.push_back({xi, weight});
-  for (const auto& [x, y] : {std::array{c, d}, std::array{d, c}, std::array{c, e}, std::array{e, c},
-                             std::array{d, e}, std::array{e, d}})
-    rule.push_back({Vector3d(x, y, 0), weight_c});
+    add_mid_orbit(rule, p, weight);
+  add_general_orbit(rule, c, d, weight_c);
+  return rule;
+}
+
+Rule triangle_sixteen_points() {
+  constexpr double a = 0.45929258829272315603, weight_a = 0.09509163426728462479 / 2;
+  constexpr double b = 0.17056930775176020662, weight_b = 0.10321737053471825028 / 2;
+  constexpr double c = 0.05054722831703097546, weight_c = 0.03245849762319808031 / 2;
+  constexpr double d = 0.00839477740995760534, e = 0.26311282963463811342,
+                   weight_d = 0.02723031417443499426 / 2;
+  Rule rule{{Vector3d(1. / 3, 1. / 3, 0), 0.14431560767778716825 / 2}};
+  for (const auto& [p, weight] : {std::array{a, weight_a}, std::array{b, weight_b}, std::array{c, weight_c}})
+    add_mid_orbit(rule, p, weight);
+  add_general_orbit(rule, d, e, weight_d);
   return rule;
 }
 
@@ -172,6 +195,8 @@ Rule triangle_of_degree(int degree) {
     return triangle_six_points();
   if (degree <= 6)
     return triangle_twelve_points();
+  if (degree <= 8)
+    return triangle_sixteen_points();
   return collapsed_triangle_rule(degree / 2 + 1 + degree % 2);
 }
 

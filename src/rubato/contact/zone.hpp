@@ -3,7 +3,7 @@
 /// may be an obstacle.
 #pragma once
 
-#include "rubato/contact/mortar/operators.hpp"
+#include "rubato/contact/mortar/slave_reference.hpp"
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/contact/surface.hpp"
 #include "rubato/domain/dof_map.hpp"

@@ -2,6 +2,7 @@
 /// Frames of slave nodes: averaged normals, and tangents that turn with the material.
 #pragma once
 
+#include "rubato/contact/mortar/slave_reference.hpp"
 #include "rubato/contact/surface.hpp"
 
 #include <Eigen/Core>
@@ -19,9 +20,6 @@ struct Frame {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< 0 where all faces at the node have no area
   Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
 };
-
-/// Components that supports hold or symmetry forbids, as bits: 1 x (r), 2 y, 4 z.
-using HeldComponents = std::uint8_t;
 
 /// Largest turn of a normal that takes a held component out of it; beyond, the normal stays as it is.
 inline constexpr double largest_symmetry_turn = 30; // degrees

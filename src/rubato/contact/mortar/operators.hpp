@@ -11,6 +11,7 @@
 
 #include "rubato/contact/mortar/frames.hpp"
 #include "rubato/contact/mortar/segments.hpp"
+#include "rubato/contact/mortar/slave_reference.hpp"
 #include "rubato/contact/stencil.hpp"
 #include "rubato/contact/surface.hpp"
 
@@ -27,24 +28,6 @@ namespace rubato::contact::mortar {
 
 /// Below this share of its full weight a node is dropped: it gives its function to its neighbours.
 inline constexpr double least_kept_share = 0.01;
-
-/// What a slave surface is undeformed. Made once.
-struct SlaveReference {
-  std::vector<Eigen::Vector3d> undeformed; ///< X by position in the surface's nodes
-  Measure measure;
-  int dimension = 3;                    ///< of space
-  std::vector<std::size_t> first_facet; ///< of each face, and the number of all sub-facets at the end
-  std::vector<double> facet_area;       ///< ∫1 of each sub-facet
-  std::vector<double> full_weight;      ///< ∫H_j over all faces, by position
-  std::vector<int> tangent_neighbour;   ///< by position
-  std::vector<std::uint8_t> on_axis;    ///< by position: whether it stands on the axis of revolution
-  double longest_face = 0;              ///< largest distance of two nodes of a face: the default reach
-};
-
-/// Throws InputError where a coordinate is not finite, with the face; std::invalid_argument for cells that
-/// are no faces.
-SlaveReference make_slave_reference(const Surface& slave, std::vector<Eigen::Vector3d> undeformed,
-                                    const Measure& measure = {});
 
 /// Who decides whether a node is kept.
 enum class Keep : std::uint8_t {

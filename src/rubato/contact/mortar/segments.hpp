@@ -12,6 +12,7 @@
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/contact/mortar/clipping.hpp"
 #include "rubato/contact/mortar/plane_map.hpp"
+#include "rubato/contact/mortar/slave_reference.hpp"
 #include "rubato/contact/mortar/subfacets.hpp"
 #include "rubato/contact/projection.hpp"
 
@@ -21,12 +22,6 @@
 #include <vector>
 
 namespace rubato::contact::mortar {
-
-/// What weights are multiplied with beside the undeformed area or length.
-struct Measure {
-  double thickness = 1;
-  bool ring = false; ///< 2πR, R the undeformed x
-};
 
 /// The undeformed measure of a slave face at ξ: |X,₁ × X,₂| or |X,ξ|, × thickness × 2πR.
 double undeformed_measure(CellType type, const FaceCoordinates& undeformed, const Eigen::Vector2d& xi,
@@ -73,6 +68,8 @@ public:
 private:
   void append_part(const MasterFace& master, const PlaneMap& map, const Polygon& part,
                    std::vector<Point>& points) const;
+  bool is_folded() const;
+  PlanePlace flat_place(const Eigen::Vector2d& p) const;
   PlanePlace slave_place(const Eigen::Vector2d& p) const;
   PlanePlace master_place(const MasterFace& master, const PlaneMap& map, const Eigen::Vector2d& p,
                           const Eigen::Vector3d& x) const;
@@ -86,6 +83,8 @@ private:
   PlaneMap map_;                                     ///< of the slave face
   Polygon polygon_;                                  ///< the sub-facet in the plane
   double area_ = 0;                                  ///< of the polygon
+  double flat_determinant_ = 0;                      ///< of ∂p/∂ξ if the sub-facet were flat and affine
+  bool folded_ = false;
 };
 
 } // namespace rubato::contact::mortar

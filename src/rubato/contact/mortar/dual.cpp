@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/mortar/dual.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <cstddef>
+
+namespace rubato::contact::mortar {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector4d;
+
+/// What the kept nodes have of all functions: a matrix with a row for each of them, in their order.
+struct Sharing {
+  Matrix4d given = Matrix4d::Zero();
+  std::array<int, 4> node{};
+  int count = 0;
+};
+
+Sharing share(int node_count, const std::array<bool, 4>& kept) {
+  Sharing sharing;
+  for (int j = 0; j < node_count; ++j)
+    if (kept[static_cast<std::size_t>(j)])
+      sharing.node[static_cast<std::size_t>(sharing.count++)] = j;
+  for (int row = 0; row < sharing.count; ++row)
+    for (int j = 0; j < node_count; ++j)
+      if (!kept[static_cast<std::size_t>(j)])
+        sharing.given(row, j) = 1. / sharing.count;
+      else if (sharing.node[static_cast<std::size_t>(row)] == j)
+        sharing.given(row, j) = 1;
+  return sharing;
+}
+
+/// diag(De) Me⁻¹ G, or G where Me cannot be inverted: slivers and areas that a fan takes back.
+template <int Size> Matrix4d dual_of(const Sharing& sharing, const FacetMoments& covered) {
+  using Square = Eigen::Matrix<double, Size, Size>;
+  const auto given = sharing.given.topRows<Size>();
+  const Eigen::Vector<double, Size> first = given * covered.first;
+  const Square second = given * covered.second * given.transpose();
+  const Eigen::LLT<Square> factor(second);
+  Matrix4d coefficients = Matrix4d::Zero();
+  coefficients.topRows<Size>() = given;
+  if (factor.info() != Eigen::Success)
+    return coefficients;
+  const Eigen::Matrix<double, Size, 4> inverse = factor.solve(given);
+  const Eigen::Matrix<double, Size, 4> dual = first.asDiagonal() * inverse;
+  if (dual.allFinite())
+    coefficients.topRows<Size>() = dual;
+  return coefficients;
+}
+
+Matrix4d dual_rows(const Sharing& sharing, const FacetMoments& covered) {
+  switch (sharing.count) {
+  case 1:
+    return sharing.given; // ΣH = 1: one function is its own dual
+  case 2:
+    return dual_of<2>(sharing, covered);
+  case 3:
+    return dual_of<3>(sharing, covered);
+  default:
+    return dual_of<4>(sharing, covered);
+  }
+}
+
+} // namespace
+
+Matrix4d dual_coefficients(int node_count, const FacetMoments& covered, double full_area,
+                           const std::array<bool, 4>& kept) {
+  const auto sharing = share(node_count, kept);
+  if (sharing.count == 0)
+    return Matrix4d::Zero();
+  const bool sliver = !(covered.first.sum() >= least_dual_cover * full_area);
+  const Matrix4d rows = sliver ? sharing.given : dual_rows(sharing, covered);
+  Matrix4d coefficients = Matrix4d::Zero();
+  for (int row = 0; row < sharing.count; ++row)
+    coefficients.row(sharing.node[static_cast<std::size_t>(row)]) = rows.row(row);
+  return coefficients;
+}
+
+Vector4d kept_areas(int node_count, const FacetMoments& covered, const std::array<bool, 4>& kept) {
+  const auto sharing = share(node_count, kept);
+  const Vector4d rows = sharing.given * covered.first;
+  Vector4d areas = Vector4d::Zero();
+  for (int row = 0; row < sharing.count; ++row)
+    areas[sharing.node[static_cast<std::size_t>(row)]] = rows[row];
+  return areas;
+}
+
+} // namespace rubato::contact::mortar

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/mortar/frames.hpp"
+
+#include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/projection.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace rubato::contact::mortar {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// A normal whose area vector is shorter than that, in squared face sizes, is rounding.
+constexpr double no_area = 1e-14;
+/// A direction's part across the normal below that, of its length, is none.
+constexpr double no_direction = 1e-8;
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+FaceCoordinates coordinates_of(const Face& face, std::span<const Vector3d> x) {
+  FaceCoordinates coordinates(3, face.node_count);
+  for (int i = 0; i < face.node_count; ++i)
+    coordinates.col(i) = x[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
+  return coordinates;
+}
+
+/// The unit normal of a face at ξ; 0 where it has no area.
+Vector3d unit_normal(CellType type, const FaceCoordinates& coordinates, const Vector2d& xi) {
+  const auto at = face_geometry(type, coordinates, xi);
+  const Vector3d area = at.tangents.col(0).cross(at.tangents.col(1));
+  const double size = parametric_dimension(type) == 2 ? at.tangents.squaredNorm() : at.tangents.col(0).norm();
+  const double length = area.norm();
+  return length > no_area * size ? Vector3d(area / length) : Vector3d::Zero();
+}
+
+Vector2d node_place(CellType type, std::size_t node) {
+  return cell::reference_cell(type).nodes[node].head<2>();
+}
+
+/// The local node that τ₁ of a local node points at (see tangent_neighbours).
+int neighbour_in(CellType type, int node) {
+  const auto& cell = cell::topology(type);
+  if (cell.dimension == 1)
+    return node == 0 ? 1 : 0;
+  if (node >= cell.corner_count + static_cast<int>(cell.edges.size()))
+    return cell.corner_count;
+  if (node >= cell.corner_count)
+    return cell.edges[static_cast<std::size_t>(node - cell.corner_count)][0];
+  return cell.order == 2 ? cell.corner_count + node : cell.edges[static_cast<std::size_t>(node)][1];
+}
+
+Vector3d any_across(const Vector3d& n) {
+  Eigen::Index smallest = 0;
+  n.cwiseAbs().minCoeff(&smallest);
+  return Vector3d::Unit(smallest).cross(n).normalized();
+}
+
+/// Where an edge of a face stands: the face, and ξ of the edge's middle.
+struct EdgePlace {
+  int face = 0;
+  Vector2d xi = Vector2d::Zero();
+};
+using Edge = std::array<mesh::NodeIndex, 2>;
+
+template <class Visit> void for_each_edge(const Face& face, int index, const Visit& visit) {
+  const auto& cell = cell::topology(face.type);
+  if (cell.dimension == 1) {
+    for (const std::size_t end : {0U, 1U})
+      visit(Edge{face.nodes[end], face.nodes[end]}, EdgePlace{index, node_place(face.type, end)});
+    return;
+  }
+  for (const auto& [from, to] : cell.edges) {
+    const Vector2d middle = 0.5 * (node_place(face.type, from) + node_place(face.type, to));
+    const auto [low, high] = std::minmax(face.nodes[from], face.nodes[to]);
+    visit(Edge{low, high}, EdgePlace{index, middle});
+  }
+}
+
+} // namespace
+
+/// The turn is small where n·n′/|n′| = |n′| is near 1.
+void remove_held(HeldComponents held, Vector3d& normal) {
+  Vector3d free = normal;
+  for (int c = 0; c < 3; ++c)
+    if ((held >> c & 1) != 0)
+      free[c] = 0;
+  const double length = free.norm();
+  if (length > std::cos(radians(largest_symmetry_turn)))
+    normal = free / length;
+}
+
+void nodal_normals(const Surface& surface, std::span<const Vector3d> x, std::span<const HeldComponents> held,
+                   std::vector<Vector3d>& normals) {
+  normals.assign(surface.nodes.size(), Vector3d::Zero());
+  for (const auto& face : surface.faces) {
+    const auto coordinates = coordinates_of(face, x);
+    for (std::size_t i = 0; i < face.node_span().size(); ++i)
+      normals[static_cast<std::size_t>(face.positions[i])] +=
+          unit_normal(face.type, coordinates, node_place(face.type, i));
+  }
+  for (std::size_t j = 0; j < normals.size(); ++j) {
+    const double length = normals[j].norm();
+    normals[j] = length > no_direction ? Vector3d(normals[j] / length) : Vector3d::Zero();
+    if (!held.empty())
+      remove_held(held[j], normals[j]);
+  }
+}
+
+std::vector<int> tangent_neighbours(const Surface& surface) {
+  std::vector<int> neighbours(surface.nodes.size());
+  for (std::size_t j = 0; j < neighbours.size(); ++j) {
+    const auto& face = surface.faces[static_cast<std::size_t>(surface.faces_of_node[j].front())];
+    const auto at = std::ranges::find(face.positions, static_cast<int>(j)) - face.positions.begin();
+    neighbours[j] = face.positions[static_cast<std::size_t>(neighbour_in(face.type, static_cast<int>(at)))];
+  }
+  return neighbours;
+}
+
+Frame frame_of(const Vector3d& outward, const Vector3d& along, int dimension) {
+  Frame frame;
+  frame.normal = -outward;
+  const Vector3d& n = frame.normal;
+  if (dimension == 2) {
+    frame.tangents.col(0) = Vector3d(-n[1], n[0], 0);
+  } else {
+    const Vector3d across = along - along.dot(n) * n;
+    const double length = across.norm();
+    frame.tangents.col(0) = length > no_direction * along.norm() ? Vector3d(across / length) : any_across(n);
+  }
+  frame.tangents.col(1) = n.cross(frame.tangents.col(0));
+  return frame;
+}
+
+std::optional<std::pair<int, int>> first_sharp_edge(const Surface& surface, std::span<const Vector3d> x,
+                                                    double degrees) {
+  const double least_cosine = std::cos(radians(degrees));
+  std::map<Edge, std::vector<EdgePlace>> edges;
+  for (std::size_t f = 0; f < surface.faces.size(); ++f)
+    for_each_edge(surface.faces[f], static_cast<int>(f),
+                  [&](const Edge& edge, const EdgePlace& place) { edges[edge].push_back(place); });
+  const auto normal_at = [&](const EdgePlace& place) {
+    const auto& face = surface.faces[static_cast<std::size_t>(place.face)];
+    return unit_normal(face.type, coordinates_of(face, x), place.xi);
+  };
+  std::optional<std::pair<int, int>> first;
+  for (const auto& [edge, places] : edges)
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      const Vector3d one = normal_at(places[0]), other = normal_at(places[i]);
+      const std::pair faces{places[0].face, places[i].face};
+      if (!one.isZero(0) && !other.isZero(0) && one.dot(other) < least_cosine && (!first || faces < *first))
+        first = faces;
+    }
+  return first;
+}
+
+} // namespace rubato::contact::mortar

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/mortar/segments.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::contact::mortar {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int max_iterations = 40;
+constexpr double largest_step = 1;
+/// Projections are looked for up to there on the slave's reference line.
+constexpr double farthest = 2;
+constexpr double last_step = 1e-8;
+/// Pieces shorter than that on the slave's reference line are rounding.
+constexpr double least_piece = 1e-10;
+/// How far outside, on the master's reference line, a place still belongs to the face.
+constexpr double outside = 0.5;
+
+double cross(const Vector3d& a, const Vector3d& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/// Values of nodes along a line, interpolated.
+struct Along {
+  Vector3d value = Vector3d::Zero();
+  Vector3d slope = Vector3d::Zero();
+};
+
+Along along(CellType type, const FaceCoordinates& nodes, double xi) {
+  if (type == CellType::seg2)
+    return {0.5 * (1 - xi) * nodes.col(0) + 0.5 * (1 + xi) * nodes.col(1),
+            0.5 * (nodes.col(1) - nodes.col(0))};
+  return {0.5 * xi * (xi - 1) * nodes.col(0) + 0.5 * xi * (xi + 1) * nodes.col(1) +
+              (1 - xi * xi) * nodes.col(2),
+          (xi - 0.5) * nodes.col(0) + (xi + 0.5) * nodes.col(1) - 2 * xi * nodes.col(2)};
+}
+
+struct Root {
+  double at = 0;
+  bool found = false;
+};
+
+/// Newton's method for f(s) = 0 where f tells value and slope.
+template <class Function> Root newton(double start, double limit, const Function& f) {
+  Root root{.at = start};
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
+    const auto [value, slope] = f(root.at);
+    const double step = -value / slope;
+    if (!std::isfinite(step))
+      return value == 0 ? Root{root.at, true} : root;
+    const double before = root.at;
+    root.at = std::clamp(before + std::clamp(step, -largest_step, largest_step), -limit, limit);
+    if (std::abs(step) <= last_step) {
+      root.found = true;
+      return root;
+    }
+    if (root.at == before) // held at the limit: the root is beyond
+      return {root.at, true};
+  }
+  return root;
+}
+
+/// Where the sign changes between −1 and 1, or the limit at the end that is nearer to a root.
+template <class Function> double by_bisection(double limit, const Function& f) {
+  double low = -1, high = 1;
+  const double at_low = f(low)[0], at_high = f(high)[0];
+  if (!(at_low * at_high < 0))
+    return std::abs(at_low) < std::abs(at_high) ? -limit : limit;
+  while (high - low > 1e-15 && 0.5 * (low + high) != low && 0.5 * (low + high) != high) {
+    const double middle = 0.5 * (low + high);
+    (f(middle)[0] * at_low > 0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// ξ of the slave with (x_s(ξ) − x) × n(ξ) = 0.
+double slave_place(const SlaveFace& slave, const Vector3d& x) {
+  const auto f = [&](double xi) {
+    const auto at = along(slave.type, slave.x, xi), normal = along(slave.type, slave.normals, xi);
+    const Vector3d apart = at.value - x;
+    return std::array{cross(apart, normal.value), cross(at.slope, normal.value) + cross(apart, normal.slope)};
+  };
+  const auto root = newton(0, farthest, f);
+  return root.found ? root.at : by_bisection(farthest, f);
+}
+
+/// η of the master with (x_m(η) − x) × n = 0, else its closest point.
+double master_place(const MasterFace& master, const Vector3d& x, const Vector3d& normal, double start) {
+  const auto root = newton(start, 1 + 2 * outside, [&](double eta) {
+    const auto at = along(master.type, master.x, eta);
+    return std::array{cross(at.value - x, normal), cross(at.slope, normal)};
+  });
+  if (root.found && std::abs(root.at) <= 1 + outside)
+    return root.at;
+  return project(master.type, master.x, x).clamped[0];
+}
+
+std::span<const cell::QuadraturePoint> line_rule(CellType slave, CellType master) {
+  static const auto linear = cell::gauss_rule(CellType::seg2, 3);
+  static const auto quadratic = cell::gauss_rule(CellType::seg2, 5);
+  return slave == CellType::seg2 && master == CellType::seg2 ? linear : quadratic;
+}
+
+bool has_length(const FaceCoordinates& x) {
+  return (x.col(1) - x.col(0)).squaredNorm() > 0;
+}
+
+/// A piece of the slave's reference line and the ends of the master's there.
+struct Piece {
+  double low = 0, high = 0;
+  std::array<double, 2> ends{};
+
+  /// η if it were linear in ξ.
+  double guess(double xi) const {
+    const double eta = -1 + 2 * (xi - ends[0]) / (ends[1] - ends[0]);
+    return std::isfinite(eta) ? std::clamp(eta, -1., 1.) : 0.;
+  }
+};
+
+bool face_each_other(const SlaveFace& slave, const MasterFace& master, const Piece& piece) {
+  const double middle = 0.5 * (piece.low + piece.high);
+  const Vector3d normal = along(slave.type, slave.normals, middle).value;
+  const Vector3d x = along(slave.type, slave.x, middle).value;
+  const double eta = master_place(master, x, normal, piece.guess(middle));
+  const Vector3d slope = along(master.type, master.x, eta).slope;
+  return slope.cross(Vector3d::UnitZ()).dot(normal) < 0;
+}
+
+void append_piece(const SlaveFace& slave, const Measure& measure, const MasterFace& master,
+                  const Piece& piece, double reach, std::vector<Point>& points) {
+  const auto first = points.size();
+  const double half = 0.5 * (piece.high - piece.low);
+  double nearest = INFINITY;
+  for (const auto& [r, weight] : line_rule(slave.type, master.type)) {
+    Point point;
+    const double xi = piece.low + half * (1 + r[0]);
+    const Vector3d x = along(slave.type, slave.x, xi).value;
+    const Vector3d normal = along(slave.type, slave.normals, xi).value;
+    point.xi[0] = xi;
+    point.eta[0] = master_place(master, x, normal, piece.guess(xi));
+    point.slave_values = face_values(slave.type, point.xi);
+    point.master_values = face_values(master.type, point.eta);
+    point.weight = half * weight * undeformed_measure(slave.type, slave.undeformed, point.xi, measure);
+    const Vector3d apart = along(master.type, master.x, point.eta[0]).value - x;
+    point.distance = normal.dot(apart) / normal.norm();
+    nearest = std::min(nearest, std::abs(point.distance));
+    points.push_back(point);
+  }
+  if (!(nearest <= reach))
+    points.resize(first);
+}
+
+} // namespace
+
+void append_line_overlap(const SlaveFace& slave, const SubFacet& facet, const Measure& measure,
+                         const MasterFace& master, double reach, std::vector<Point>& points) {
+  if (!has_length(slave.x) || !has_length(master.x))
+    return;
+  Piece piece;
+  piece.ends = {slave_place(slave, master.x.col(0)), slave_place(slave, master.x.col(1))};
+  const double half_facet = std::abs(facet.from_local(0, 0));
+  piece.low = std::max(facet.middle[0] - half_facet, std::min(piece.ends[0], piece.ends[1]));
+  piece.high = std::min(facet.middle[0] + half_facet, std::max(piece.ends[0], piece.ends[1]));
+  if (!(piece.high - piece.low >= least_piece) || !face_each_other(slave, master, piece))
+    return;
+  append_piece(slave, measure, master, piece, reach, points);
+}
+
+} // namespace rubato::contact::mortar

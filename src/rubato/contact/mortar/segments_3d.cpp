@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/mortar/segments.hpp"
+#include "rubato/contact/surface.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rubato::contact::mortar {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Largest n_s·n_m of faces that may touch.
+constexpr double facing = -0.1;
+/// Overlaps below that share of the sub-facet are rounding.
+constexpr double least_overlap = 1e-10;
+/// Where the map from a face to the plane turns over by that much at a corner, or is that near to it at a
+/// point, in parts of its mean, its inverse is not used.
+constexpr double fold = 1e-2, no_fold = 1e-6;
+/// A face whose area vector is shorter than that, in squared sizes, has no area.
+constexpr double no_area = 1e-14;
+
+int order_of(CellType type) {
+  return cell::topology(type).order;
+}
+
+/// Degree 6 is enough for linear faces on linear faces.
+std::span<const cell::QuadraturePoint> triangle_rule(CellType slave, CellType master) {
+  static const auto linear = cell::rule_of_degree(CellType::tria3, 6);
+  static const auto quadratic = cell::rule_of_degree(CellType::tria3, 8);
+  return order_of(slave) == 1 && order_of(master) == 1 ? linear : quadratic;
+}
+
+/// A node of a clipping facet; QUAD8 has a node 8 where its middle is.
+Vector3d clipping_node(const FaceCoordinates& nodes, std::uint8_t node) {
+  if (node < nodes.cols())
+    return nodes.col(node);
+  const Vector3d corners = nodes.leftCols<4>().rowwise().sum();
+  const Vector3d mids = nodes.rightCols<4>().rowwise().sum();
+  return 0.5 * mids - 0.25 * corners;
+}
+
+/// The polygon of a master sub-facet in the plane, the other way round: it faces the slave. Empty where it
+/// does not.
+Polygon facing_polygon(const FaceCoordinates& local, const SubFacet& facet) {
+  std::array<Vector3d, 4> corners;
+  corners.fill(Vector3d::Zero());
+  const auto count = static_cast<std::size_t>(facet.node_count);
+  for (std::size_t i = 0; i < count; ++i)
+    corners[i] = clipping_node(local, facet.nodes[i]);
+  const Vector3d one = corners[2] - corners[0];
+  const Vector3d other = (count == 4 ? corners[3] : corners[2]) - corners[1];
+  const Vector3d normal = one.cross(other);
+  Polygon polygon;
+  const double length = normal.norm();
+  if (!(length > no_area * one.squaredNorm()) || normal[2] >= facing * length)
+    return polygon;
+  for (std::size_t i = count; i-- > 0;)
+    polygon.add(corners[i].head<2>());
+  return polygon;
+}
+
+/// Whether the boxes of two polygons are apart.
+bool are_apart(const Polygon& one, const Polygon& other) {
+  Eigen::AlignedBox2d box, other_box;
+  for (const auto& corner : one.corners())
+    box.extend(corner);
+  for (const auto& corner : other.corners())
+    other_box.extend(corner);
+  return !box.intersects(other_box);
+}
+
+} // namespace
+
+double undeformed_measure(CellType type, const FaceCoordinates& undeformed, const Vector2d& xi,
+                          const Measure& measure) {
+  const auto& cell = cell::reference_cell(type);
+  std::array<double, 18> gradients;
+  const auto count = static_cast<std::size_t>(cell.node_count),
+             dimension = static_cast<std::size_t>(cell.dimension);
+  const Vector3d at(xi[0], xi[1], 0);
+  cell.gradients(at, std::span(gradients).first(count * dimension));
+  Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t a = 0; a < dimension; ++a)
+      tangents.col(static_cast<Eigen::Index>(a)) +=
+          gradients[i * dimension + a] * undeformed.col(static_cast<Eigen::Index>(i));
+  double scale = measure.thickness;
+  if (measure.ring)
+    scale *= 2 * std::numbers::pi * face_position(type, undeformed, xi)[0];
+  return scale * (dimension == 1 ? tangents.col(0).norm() : tangents.col(0).cross(tangents.col(1)).norm());
+}
+
+PlaneOverlaps::PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, const Measure& measure,
+                             double reach)
+    : slave_(slave), facet_(facet), measure_(measure), reach_(reach) {
+  const auto middle = face_geometry(slave.type, slave.x, facet.middle);
+  const Vector3d normal = middle.tangents.col(0).cross(middle.tangents.col(1));
+  const double length = normal.norm();
+  if (!(length > no_area * middle.tangents.squaredNorm()))
+    return;
+  for (int i = 0; i < facet.node_count; ++i)
+    centre_ += slave.x.col(facet.nodes[static_cast<std::size_t>(i)]) / facet.node_count;
+  axes_.row(2) = normal / length;
+  axes_.row(0) = middle.tangents.col(0).normalized();
+  axes_.row(1) = axes_.row(2).cross(axes_.row(0));
+  map_ = PlaneMap(slave.type, axes_ * (slave.x.colwise() - centre_));
+  for (int i = 0; i < facet.node_count; ++i)
+    polygon_.add(map_.local().col(facet.nodes[static_cast<std::size_t>(i)]).head<2>());
+  area_ = signed_area(polygon_);
+  const double reference_area = (facet.node_count == 4 ? 4 : 0.5) * facet.from_local.determinant();
+  flat_determinant_ = area_ / reference_area;
+  folded_ = is_folded();
+}
+
+void PlaneOverlaps::append(const MasterFace& master, std::vector<Point>& points) const {
+  if (!(area_ > 0))
+    return;
+  const PlaneMap map(master.type, axes_ * (master.x.colwise() - centre_));
+  for (const auto& facet : clipping_facets(master.type)) {
+    const auto clipper = facing_polygon(map.local(), facet);
+    if (clipper.size() == 0 || are_apart(polygon_, clipper))
+      continue;
+    const auto part = clip(polygon_, clipper);
+    if (signed_area(part) >= least_overlap * area_)
+      append_part(master, map, part, points);
+  }
+}
+
+void PlaneOverlaps::append_part(const MasterFace& master, const PlaneMap& map, const Polygon& part,
+                                std::vector<Point>& points) const {
+  std::array<Triangle, Polygon::capacity> triangles;
+  const auto count = fan(part, triangles);
+  const auto first = points.size();
+  double nearest = INFINITY;
+  for (std::size_t t = 0; t < count; ++t) {
+    const auto& [corners, area] = triangles[t];
+    const Vector2d along = corners[1] - corners[0], across = corners[2] - corners[0];
+    for (const auto& [r, weight] : triangle_rule(slave_.type, master.type)) {
+      const Vector2d p = corners[0] + r[0] * along + r[1] * across;
+      const auto on_slave = slave_place(p);
+      const auto on_master = master_place(master, map, p, {p[0], p[1], on_slave.height});
+      const double distance = on_master.height - on_slave.height;
+      nearest = std::min(nearest, std::abs(distance));
+      const double stretch =
+          undeformed_measure(slave_.type, slave_.undeformed, on_slave.xi, measure_) / on_slave.determinant;
+      points.push_back({on_slave.xi, on_master.xi, on_slave.values, on_master.values,
+                        2 * area * weight * stretch, distance});
+    }
+  }
+  if (!(nearest <= reach_))
+    points.resize(first);
+}
+
+/// Whether the map of the face turns over at a corner of the sub-facet: then it has no inverse.
+bool PlaneOverlaps::is_folded() const {
+  return std::ranges::any_of(std::span(facet_.nodes).first(polygon_.size()), [&](std::uint8_t node) {
+    const auto& xi = cell::reference_cell(slave_.type).nodes[node];
+    return map_.place_at(xi.head<2>()).determinant < -fold * flat_determinant_;
+  });
+}
+
+PlanePlace PlaneOverlaps::slave_place(const Vector2d& p) const {
+  if (folded_)
+    return flat_place(p);
+  const auto place = map_.place_of(p, facet_.middle);
+  return place.found && place.determinant > no_fold * flat_determinant_ ? place : flat_place(p);
+}
+
+/// As if the sub-facet were flat and affine, and never beyond it: shares of nodes stay positive.
+PlanePlace PlaneOverlaps::flat_place(const Vector2d& p) const {
+  const bool quadrangle = polygon_.size() == 4;
+  const Vector2d origin = quadrangle ? mean_corner(polygon_) : polygon_[0];
+  const double scale = quadrangle ? 0.5 : 1;
+  Eigen::Matrix2d to_plane;
+  to_plane << scale * (polygon_[1] - polygon_[0]), scale * (polygon_[quadrangle ? 3 : 2] - polygon_[0]);
+  Projection local;
+  local.xi = quadrangle ? Vector2d(0, 0) : Vector2d(1. / 3, 1. / 3);
+  if (to_plane.determinant() > no_area * to_plane.squaredNorm())
+    local.xi = to_plane.inverse() * (p - origin);
+  clamp_to_face(facet_.type(), local);
+  auto place = map_.place_at(facet_.origin + facet_.from_local * local.clamped);
+  place.determinant = flat_determinant_;
+  return place;
+}
+
+/// Where Newton's method fails the closest point of the face is taken.
+PlanePlace PlaneOverlaps::master_place(const MasterFace& master, const PlaneMap& map, const Vector2d& p,
+                                       const Vector3d& x) const {
+  const bool triangle = cell::topology(master.type).corner_count == 3;
+  auto place = map.place_of(p, triangle ? Vector2d(1. / 3, 1. / 3) : Vector2d(0, 0));
+  if (!place.found)
+    place = map.place_at(project(master.type, map.local(), x).clamped);
+  return place;
+}
+
+} // namespace rubato::contact::mortar
