@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What a run says, what it leaves in its folder, and when it is not made again.
+#include "rubato/core/processor_time.hpp"
 #include "rubato/deck/read.hpp"
+#include "rubato/results/checkpoint.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"
@@ -113,8 +115,13 @@ TEST_F(WatchedRun, ThatIsStoppedAtOnceKeepsItsBeginning) {
   EXPECT_EQ(results::read_stored_run(folder_ / "out").status, Status::interrupted);
 }
 
+/// Its first part takes half a second more than its two steps need.
 TEST_F(WatchedRun, GoesOnFromItsCheckpointWithTheTimeThatItHasTaken) {
-  watch_.stop = [this] { return told_.size() == 2; };
+  watch_.stop = [this] {
+    for (const double end = processor_seconds() + 0.25; processor_seconds() < end;) {
+    }
+    return told_.size() == 2;
+  };
   const auto first = run(study_);
   EXPECT_EQ(first.steps, 2);
   watch_.stop = [] { return false; };
@@ -182,6 +189,12 @@ TEST_F(WatchedRun, ThatDoesNotConvergeKeepsWhatItReached) {
   EXPECT_EQ(stored.status, Status::not_converged);
   EXPECT_EQ(stored.reason, result.message);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / results::checkpoint_file));
+}
+
+TEST_F(WatchedRun, KeepsACheckpointEverySoManySteps) {
+  const auto result = run(study_of(two_blocks + "checkpoint: {every: 3, last: false}\n"));
+  EXPECT_EQ(result.steps, 4);
+  EXPECT_EQ(results::read_checkpoint(folder_ / "out" / results::checkpoint_file).memento.state.t, 3e-4);
 }
 
 TEST_F(WatchedRun, KeepsNoCheckpointThatIsNotWanted) {
