@@ -108,8 +108,8 @@ TEST_F(Overlapping, GiveNoMoreThanTwiceTheirDepthAndTakeNothing) {
 TEST_F(Overlapping, GiveMoreWhereTheyAreThrownApart) {
   const Overlaps overlaps{{depth, depth, 0, depth, depth}};
   const std::vector before{pressed(0), pressed(0), pressed(0), pressed(0), open(0)};
-  const std::vector after{pressed(depth), open(depth), open(depth), open(std::numeric_limits<double>::infinity()),
-                          open(depth)};
+  const std::vector after{pressed(depth), open(depth), open(depth),
+                          open(std::numeric_limits<double>::infinity()), open(depth)};
   EXPECT_NEAR(
       work_of_rebound(exact_.model, overlaps, with(exact_.state(), before), with(exact_.state(), after)),
       0.5 * 50 * depth, 1e-14);
