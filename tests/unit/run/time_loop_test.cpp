@@ -192,9 +192,9 @@ TEST_F(WatchedRun, ThatDoesNotConvergeKeepsWhatItReached) {
 }
 
 TEST_F(WatchedRun, KeepsACheckpointEverySoManySteps) {
-  const auto result = run(study_of(two_blocks + "checkpoint: {every: 3, last: false}\n"));
+  const auto result = run(study_of(two_blocks + "checkpoint: {every: 2, last: false}\n"));
   EXPECT_EQ(result.steps, 4);
-  EXPECT_EQ(results::read_checkpoint(folder_ / "out" / results::checkpoint_file).memento.state.t, 3e-4);
+  EXPECT_EQ(results::read_checkpoint(folder_ / "out" / results::checkpoint_file).memento.state.t, 2e-4);
 }
 
 TEST_F(WatchedRun, KeepsNoCheckpointThatIsNotWanted) {
