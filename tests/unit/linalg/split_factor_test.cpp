@@ -151,22 +151,10 @@ TEST(SplitFactor, SaysNothingOfAFactorThatDoesNotFit) {
   EXPECT_FALSE(told);
 }
 
-TEST(MemoryText, HasTwoDigitsAndAUnit) {
-  EXPECT_EQ(memory_text(2'640'000'000), "2.6 GB");
-  EXPECT_EQ(memory_text(999'900'000), "1.0 GB");
-  EXPECT_EQ(memory_text(38'400'000), "38 MB");
-  EXPECT_EQ(memory_text(1'500), "1.5 kB");
-}
-
 TEST(SplitFactor, RefusesSizesThatDoNotMatch) {
   EXPECT_THROW(SplitFactor::of(SparseMatrix(2, 3), {}, plenty), std::invalid_argument);
   const auto factor = SplitFactor::of(two_bodies(), {}, plenty);
   EXPECT_THROW(factor->forward(VectorXd::Ones(3)), std::invalid_argument);
-}
-
-TEST(AvailableMemory, IsSomewhereBetweenAMegabyteAndAPetabyte) {
-  EXPECT_GT(available_memory(), std::size_t{1} << 20);
-  EXPECT_LT(available_memory(), std::size_t{1} << 50);
 }
 
 } // namespace

@@ -109,12 +109,5 @@ time: {step: 1e-3, end: 1}
   EXPECT_TRUE(std::ranges::any_of(walk.reports, ends_at_rounding)) << "the case does not meet rounding";
 }
 
-TEST(AStall, IsAResidualThatIsNotHalved) {
-  StallWatch watch;
-  EXPECT_FALSE(watch.stalls(1));
-  EXPECT_FALSE(watch.stalls(0.4));
-  EXPECT_TRUE(watch.stalls(0.3));
-}
-
 } // namespace
 } // namespace rubato::step

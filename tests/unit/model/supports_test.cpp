@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What supports prescribe, and springs to the ground.
+#include <gtest/gtest.h>
+
+#include "unit/model/meshes.hpp"
+
+namespace rubato::model {
+namespace {
+
+using study::Amplitude;
+using study::Support;
+using Texts = std::vector<std::string>;
+
+constexpr std::nullopt_t none = std::nullopt;
+
+/// Two squares in a row: nodes 0 to 2 below, 3 to 5 above; and a node, 6, that no cell has.
+class Supported : public testing::Test {
+protected:
+  static test::Numbered part() {
+    auto builder = test::row_of_squares(2);
+    builder.add_node(Eigen::Vector3d(5, 5, 0));
+    builder.add_to_node_group("loose", std::array{6});
+    builder.add_to_node_group("mixed", std::array{1, 6});
+    auto study = test::plane_study({test::elastic("any")});
+    study.functions["ramp"] = {{0, 2}, {0, 1}};
+    study.functions["same"] = {{0, 2}, {0, 1}};
+    return {study, std::move(builder).build()};
+  }
+  constraint::Reduction reduction_of(const std::vector<Support>& supports) {
+    auto numbered = part();
+    numbered.study.supports = supports;
+    return make_reduction(numbered.study, numbered.mesh, numbered.dofs, faults_);
+  }
+  Texts told() const { return test::told(faults_); }
+
+  std::vector<Fault> faults_;
+};
+
+TEST_F(Supported, NodesAreHeldInTheComponentsThatAreNamed) {
+  const auto reduction = reduction_of({{"wall", {none, Amplitude{0.5, "ramp"}, none}}});
+  ASSERT_EQ(reduction.prescribed().size(), 2U);
+  EXPECT_EQ(reduction.prescribed()[0].dof, 1);
+  EXPECT_EQ(reduction.prescribed()[1].dof, 7);
+  EXPECT_EQ(reduction.unknown_count(), 10);
+  EXPECT_EQ(reduction.imposed(1)[7], 0.25);
+  EXPECT_TRUE(faults_.empty());
+}
+
+TEST_F(Supported, NodesWithoutCellsNeedNoSupport) {
+  EXPECT_EQ(reduction_of({{"mixed", {Amplitude{0, ""}, Amplitude{0, ""}, none}}}).prescribed().size(), 2U);
+  EXPECT_TRUE(faults_.empty());
+  reduction_of({{"loose", {Amplitude{0, ""}, none, none}}});
+  EXPECT_EQ(told(),
+            (Texts{"supports.0.on: found 'loose', none of whose nodes belongs to a cell that deforms, "
+                   "expected a part of a body to hold"}));
+}
+
+TEST_F(Supported, DofsMayBeHeldTwiceInTheSameWay) {
+  const Amplitude half{0.5, "ramp"};
+  EXPECT_EQ(reduction_of({{"wall", {half, none, none}}, {"N1", {half, none, none}}}).prescribed().size(), 2U);
+  reduction_of({{"wall", {half, none, none}}, {"N1", {Amplitude{0.5, "same"}, none, none}}});
+  EXPECT_TRUE(faults_.empty()) << "another name of the same function";
+}
+
+TEST_F(Supported, DofsMayNotBeHeldInTwoWays) {
+  const Texts wanted{"supports.1: node N1 (0, 0) has two different displacements prescribed in x"};
+  for (const auto& other : {Amplitude{0.25, "ramp"}, Amplitude{0.5, ""}}) {
+    faults_.clear();
+    reduction_of({{"wall", {Amplitude{0.5, "ramp"}, none, none}}, {"wall", {other, none, none}}});
+    EXPECT_EQ(told(), wanted);
+  }
+}
+
+TEST_F(Supported, SpringsStandAtEachNodeAlongEachStiffAxis) {
+  auto numbered = part();
+  numbered.study.springs = {{"wall", {3, 0, 0}}, {"N2", {1, 2, 7}}, {"loose", {1, 1, 0}}};
+  const auto springs = make_springs(numbered.study, numbered.mesh, numbered.dofs, faults_);
+  ASSERT_EQ(springs.size(), 4U);
+  const std::vector<std::pair<int, double>> wanted{{0, 3}, {6, 3}, {2, 1}, {3, 2}};
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    EXPECT_EQ(springs[i].dof, wanted[i].first);
+    EXPECT_EQ(springs[i].stiffness, wanted[i].second);
+  }
+  EXPECT_EQ(told(), (Texts{"springs.2.on: found 'loose', none of whose nodes belongs to a cell that deforms, "
+                           "expected a part of a body to pull at"}));
+}
+
+} // namespace
+} // namespace rubato::model
