@@ -22,49 +22,22 @@ constexpr double far_away = 8;
 /// How far outside, in reference lengths, a place still belongs to the face.
 constexpr double outside = 0.5;
 
-bool is_bilinear(CellType type) {
-  return type == CellType::tria3 || type == CellType::quad4;
+double determinant_of(const FacePolynomial::Place& at) {
+  return at.by_first[0] * at.by_second[1] - at.by_first[1] * at.by_second[0];
 }
 
-/// Position and derivatives at a place.
-struct Evaluation {
-  Vector3d position;
-  Vector3d by_first, by_second;
+/// The Newton step to a point of the plane.
+Vector2d step_by(const FacePolynomial::Place& at, const Vector2d& left) {
+  const double inverse = 1 / determinant_of(at);
+  return {inverse * (left[0] * at.by_second[1] - left[1] * at.by_second[0]),
+          inverse * (at.by_first[0] * left[1] - at.by_first[1] * left[0])};
+}
 
-  double determinant() const { return by_first[0] * by_second[1] - by_first[1] * by_second[0]; }
-  /// The Newton step to a point of the plane.
-  Vector2d step(const Vector2d& left) const {
-    const double inverse = 1 / determinant();
-    return {inverse * (left[0] * by_second[1] - left[1] * by_second[0]),
-            inverse * (by_first[0] * left[1] - by_first[1] * left[0])};
+void set_values(CellType type, const Vector2d& xi, std::array<double, 9>& values) {
+  if (cell::topology(type).order == 2) {
+    values = face_values(type, xi);
+    return;
   }
-};
-
-Evaluation evaluate(const Eigen::Matrix<double, 3, 4>& factors, const Vector2d& xi) {
-  const Vector3d by_first = factors.col(1) + xi[1] * factors.col(3);
-  const Vector3d by_second = factors.col(2) + xi[0] * factors.col(3);
-  return {factors.col(0) + xi[0] * by_first + xi[1] * factors.col(2), by_first, by_second};
-}
-
-Evaluation evaluate(CellType type, const FaceCoordinates& local, const Vector2d& xi,
-                    std::array<double, 9>& values) {
-  const auto& cell = cell::reference_cell(type);
-  const auto count = static_cast<std::size_t>(cell.node_count);
-  std::array<double, 18> gradients;
-  const Vector3d at(xi[0], xi[1], 0);
-  cell.values(at, std::span(values).first(count));
-  cell.gradients(at, std::span(gradients).first(2 * count));
-  Evaluation sum{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto node = local.col(static_cast<Eigen::Index>(i));
-    sum.position += values[i] * node;
-    sum.by_first += gradients[2 * i] * node;
-    sum.by_second += gradients[2 * i + 1] * node;
-  }
-  return sum;
-}
-
-void set_bilinear_values(CellType type, const Vector2d& xi, std::array<double, 9>& values) {
   if (type == CellType::tria3) {
     values[0] = 1 - xi[0] - xi[1];
     values[1] = xi[0];
@@ -87,59 +60,43 @@ bool belongs_to(CellType type, const Vector2d& xi) {
 
 } // namespace
 
-PlaneMap::PlaneMap(CellType type, const FaceCoordinates& local) : type_(type), local_(local) {
+PlaneMap::PlaneMap(CellType type, const FaceCoordinates& local)
+    : type_(type), local_(local), polynomial_(type, local) {
   const Vector3d first = local.col(0);
   size_ = std::sqrt((local.colwise() - first).colwise().squaredNorm().maxCoeff()) + first.head<2>().norm();
-  if (type == CellType::tria3) {
-    bilinear_ << first, local.col(1) - first, local.col(2) - first, Vector3d::Zero();
-  } else if (type == CellType::quad4) {
-    const Vector3d below = 0.25 * (first + local.col(1)), above = 0.25 * (local.col(2) + local.col(3));
-    const Vector3d along = 0.25 * (local.col(1) - first), back = 0.25 * (local.col(2) - local.col(3));
-    bilinear_ << above + below, back + along, above - below, back - along;
-  }
 }
 
 PlanePlace PlaneMap::place_at(const Vector2d& xi) const {
-  PlanePlace place;
-  place.xi = xi;
-  place.found = true;
-  Evaluation at;
-  if (is_bilinear(type_)) {
-    set_bilinear_values(type_, xi, place.values);
-    at = evaluate(bilinear_, xi);
-  } else {
-    at = evaluate(type_, local_, xi, place.values);
-  }
-  place.height = at.position[2];
-  place.determinant = at.determinant();
+  const auto at = polynomial_.at(xi);
+  PlanePlace place{
+      .xi = xi, .values = {}, .height = at.position[2], .determinant = determinant_of(at), .found = true};
+  set_values(type_, xi, place.values);
   return place;
 }
 
 PlanePlace PlaneMap::place_of(const Vector2d& p, const Vector2d& start) const {
   PlanePlace place;
   place.xi = start;
-  const bool bilinear = is_bilinear(type_);
   const double small = rounding * size_;
   bool last = false;
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
-    const auto at =
-        bilinear ? evaluate(bilinear_, place.xi) : evaluate(type_, local_, place.xi, place.values);
+    const auto at = polynomial_.at(place.xi);
     const Vector2d left = p - at.position.head<2>();
     place.height = at.position[2];
-    place.determinant = at.determinant();
+    place.determinant = determinant_of(at);
     if (last || left.lpNorm<Eigen::Infinity>() <= small) {
       place.found = belongs_to(type_, place.xi);
       break;
     }
-    const Vector2d step = at.step(left);
+    const Vector2d step = step_by(at, left);
     const double length = step.lpNorm<Eigen::Infinity>();
     if (!(length <= far_away))
       break;
     place.xi += step;
     last = length <= last_step;
   }
-  if (bilinear)
-    set_bilinear_values(type_, place.xi, place.values);
+  if (place.found)
+    set_values(type_, place.xi, place.values);
   return place;
 }
 

@@ -2,6 +2,7 @@
 /// From points of an auxiliary plane back to the reference coordinates of a curved face.
 #pragma once
 
+#include "rubato/contact/mortar/face_polynomial.hpp"
 #include "rubato/contact/projection.hpp"
 
 #include <Eigen/Core>
@@ -39,8 +40,8 @@ public:
 private:
   CellType type_ = CellType::quad4;
   FaceCoordinates local_;
-  Eigen::Matrix<double, 3, 4> bilinear_; ///< of TRIA3 and QUAD4: the factors of 1, ξ, η, ξη
-  double size_ = 0;                      ///< of the face [length]
+  FacePolynomial polynomial_;
+  double size_ = 0; ///< of the face [length]
 };
 
 } // namespace rubato::contact::mortar

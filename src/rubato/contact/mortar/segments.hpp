@@ -16,7 +16,7 @@
 #include "rubato/contact/mortar/subfacets.hpp"
 #include "rubato/contact/projection.hpp"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <vector>
@@ -70,9 +70,9 @@ private:
                    std::vector<Point>& points) const;
   bool is_folded() const;
   PlanePlace flat_place(const Eigen::Vector2d& p) const;
-  PlanePlace slave_place(const Eigen::Vector2d& p) const;
-  PlanePlace master_place(const MasterFace& master, const PlaneMap& map, const Eigen::Vector2d& p,
-                          const Eigen::Vector3d& x) const;
+  PlanePlace slave_place(const Eigen::Vector2d& p, const Eigen::Vector2d& start) const;
+  PlanePlace master_place(const MasterFace& master, const PlaneMap& map, const Eigen::Vector3d& x,
+                          const Eigen::Vector2d& start) const;
 
   const SlaveFace& slave_;
   const SubFacet& facet_;
@@ -80,6 +80,8 @@ private:
   double reach_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); ///< of the auxiliary plane
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Zero();   ///< rows: e₁, e₂, n of the plane; 0 without area
+  FacePolynomial undeformed_;                        ///< X(ξ)
+  Eigen::AlignedBox2d box_;                          ///< of the polygon
   PlaneMap map_;                                     ///< of the slave face
   Polygon polygon_;                                  ///< the sub-facet in the plane
   double area_ = 0;                                  ///< of the polygon

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/mortar/search.hpp"
 #include "rubato/contact/mortar/segments.hpp"
 #include "rubato/contact/surface.hpp"
 
@@ -65,14 +66,21 @@ Polygon facing_polygon(const FaceCoordinates& local, const SubFacet& facet) {
   return polygon;
 }
 
-/// Whether the boxes of two polygons are apart.
-bool are_apart(const Polygon& one, const Polygon& other) {
-  Eigen::AlignedBox2d box, other_box;
-  for (const auto& corner : one.corners())
+Eigen::AlignedBox2d box_around(const Polygon& polygon) {
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : polygon.corners())
     box.extend(corner);
-  for (const auto& corner : other.corners())
-    other_box.extend(corner);
-  return !box.intersects(other_box);
+  return box;
+}
+
+/// The box of a face in the plane, grown where it may bulge.
+Eigen::AlignedBox2d box_around(CellType type, const FaceCoordinates& local) {
+  const auto box = box_of(type, local);
+  return {box.min().head<2>(), box.max().head<2>()};
+}
+
+Vector2d middle_of(CellType type) {
+  return cell::topology(type).corner_count == 3 ? Vector2d(1. / 3, 1. / 3) : Vector2d(0, 0);
 }
 
 } // namespace
@@ -113,6 +121,8 @@ PlaneOverlaps::PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, cons
   for (int i = 0; i < facet.node_count; ++i)
     polygon_.add(map_.local().col(facet.nodes[static_cast<std::size_t>(i)]).head<2>());
   area_ = signed_area(polygon_);
+  box_ = box_around(polygon_);
+  undeformed_ = FacePolynomial(slave.type, slave.undeformed);
   const double reference_area = (facet.node_count == 4 ? 4 : 0.5) * facet.from_local.determinant();
   flat_determinant_ = area_ / reference_area;
   folded_ = is_folded();
@@ -121,10 +131,13 @@ PlaneOverlaps::PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, cons
 void PlaneOverlaps::append(const MasterFace& master, std::vector<Point>& points) const {
   if (!(area_ > 0))
     return;
-  const PlaneMap map(master.type, axes_ * (master.x.colwise() - centre_));
+  const FaceCoordinates local = axes_ * (master.x.colwise() - centre_);
+  if (!box_.intersects(box_around(master.type, local)))
+    return;
+  const PlaneMap map(master.type, local);
   for (const auto& facet : clipping_facets(master.type)) {
-    const auto clipper = facing_polygon(map.local(), facet);
-    if (clipper.size() == 0 || are_apart(polygon_, clipper))
+    const auto clipper = facing_polygon(local, facet);
+    if (clipper.size() == 0 || !box_.intersects(box_around(clipper)))
       continue;
     const auto part = clip(polygon_, clipper);
     if (signed_area(part) >= least_overlap * area_)
@@ -132,23 +145,47 @@ void PlaneOverlaps::append(const MasterFace& master, std::vector<Point>& points)
   }
 }
 
+namespace {
+
+/// Reference coordinates at the corners of a triangle, on both faces: between them Newton's method starts.
+struct Starts {
+  std::array<Vector2d, 3> slave, master;
+};
+
+Vector2d between(const std::array<Vector2d, 3>& corners, const Vector3d& r) {
+  return corners[0] + r[0] * (corners[1] - corners[0]) + r[1] * (corners[2] - corners[0]);
+}
+
+/// ξ at p, or the start where it is not found.
+Vector2d found_or(const PlaneMap& map, const Vector2d& p, const Vector2d& start) {
+  const auto place = map.place_of(p, start);
+  return place.found ? place.xi : start;
+}
+
+} // namespace
+
 void PlaneOverlaps::append_part(const MasterFace& master, const PlaneMap& map, const Polygon& part,
                                 std::vector<Point>& points) const {
   std::array<Triangle, Polygon::capacity> triangles;
   const auto count = fan(part, triangles);
   const auto first = points.size();
   double nearest = INFINITY;
-  for (std::size_t t = 0; t < count; ++t) {
-    const auto& [corners, area] = triangles[t];
-    const Vector2d along = corners[1] - corners[0], across = corners[2] - corners[0];
+  for (const auto& [corners, area] : std::span(triangles).first(count)) {
+    Starts starts;
+    for (std::size_t i = 0; i < 3; ++i) {
+      starts.slave[i] = found_or(map_, corners[i], facet_.middle);
+      starts.master[i] = found_or(map, corners[i], middle_of(master.type));
+    }
     for (const auto& [r, weight] : triangle_rule(slave_.type, master.type)) {
-      const Vector2d p = corners[0] + r[0] * along + r[1] * across;
-      const auto on_slave = slave_place(p);
-      const auto on_master = master_place(master, map, p, {p[0], p[1], on_slave.height});
+      const Vector2d p = between(corners, r);
+      const auto on_slave = slave_place(p, between(starts.slave, r));
+      const auto on_master =
+          master_place(master, map, {p[0], p[1], on_slave.height}, between(starts.master, r));
       const double distance = on_master.height - on_slave.height;
       nearest = std::min(nearest, std::abs(distance));
+      const auto undeformed = undeformed_.at(on_slave.xi);
       const double stretch =
-          undeformed_measure(slave_.type, slave_.undeformed, on_slave.xi, measure_) / on_slave.determinant;
+          measure_.thickness * undeformed.by_first.cross(undeformed.by_second).norm() / on_slave.determinant;
       points.push_back({on_slave.xi, on_master.xi, on_slave.values, on_master.values,
                         2 * area * weight * stretch, distance});
     }
@@ -165,10 +202,10 @@ bool PlaneOverlaps::is_folded() const {
   });
 }
 
-PlanePlace PlaneOverlaps::slave_place(const Vector2d& p) const {
+PlanePlace PlaneOverlaps::slave_place(const Vector2d& p, const Vector2d& start) const {
   if (folded_)
     return flat_place(p);
-  const auto place = map_.place_of(p, facet_.middle);
+  const auto place = map_.place_of(p, start);
   return place.found && place.determinant > no_fold * flat_determinant_ ? place : flat_place(p);
 }
 
@@ -190,10 +227,9 @@ PlanePlace PlaneOverlaps::flat_place(const Vector2d& p) const {
 }
 
 /// Where Newton's method fails the closest point of the face is taken.
-PlanePlace PlaneOverlaps::master_place(const MasterFace& master, const PlaneMap& map, const Vector2d& p,
-                                       const Vector3d& x) const {
-  const bool triangle = cell::topology(master.type).corner_count == 3;
-  auto place = map.place_of(p, triangle ? Vector2d(1. / 3, 1. / 3) : Vector2d(0, 0));
+PlanePlace PlaneOverlaps::master_place(const MasterFace& master, const PlaneMap& map, const Vector3d& x,
+                                       const Vector2d& start) const {
+  auto place = map.place_of(x.head<2>(), start);
   if (!place.found)
     place = map.place_at(project(master.type, map.local(), x).clamped);
   return place;
