@@ -117,7 +117,7 @@ private:
         for (const int other : slave_.faces_of_node[at(node)])
           collect_kept(slave_.faces[at(other)]);
     std::ranges::sort(work_.takers);
-    work_.takers.erase(std::ranges::unique(work_.takers).begin(), work_.takers.end());
+    work_.takers.erase(std::unique(work_.takers.begin(), work_.takers.end()), work_.takers.end());
     const double area = part.covered.first.sum();
     if (work_.takers.empty())
       into_.lost_area += area;
@@ -143,7 +143,7 @@ private:
     auto& heirs = into_.nodes[at(node)].heirs;
     heirs.insert(heirs.end(), work_.takers.begin(), work_.takers.end());
     std::ranges::sort(heirs);
-    heirs.erase(std::ranges::unique(heirs).begin(), heirs.end());
+    heirs.erase(std::unique(heirs.begin(), heirs.end()), heirs.end());
   }
 
   const Surface& slave_;
