@@ -195,6 +195,25 @@ double saturation_stiffness(const PointState& point, const PointLaw& law) {
   return law.friction * law.tangential * friction_pressure(point, law);
 }
 
+double augmentation_stiffness(const PointState& /*point*/, const PointLaw& /*law*/) {
+  return 0;
+}
+double spring_stiffness(const PointState& /*point*/, const PointLaw& law) {
+  return law.normal;
+}
+SpringLine line_through_contact(const PointState& /*point*/, const PointLaw& law) {
+  return {.rest_gap = 0, .stiffness = law.normal};
+}
+double no_energy(double /*now*/, const study::ContactZone& /*zone*/) {
+  return 0;
+}
+double half_of_penetration(double now, const study::ContactZone& /*zone*/) {
+  return now < 0 ? -0.5 * now : 0.0;
+}
+double at_contact(const study::ContactZone& /*zone*/) {
+  return 0;
+}
+
 double product(double value, double multiple) {
   return value * multiple;
 }
@@ -222,36 +241,51 @@ constexpr Coefficient augmentation{.is_spring = false,
                                    .limited = &smaller,
                                    .at_length = &first_of,
                                    .stiffness = &zero,
-                                   .compliance = &second_of,
-                                   .rest_gap = &same};
+                                   .compliance = &second_of};
 constexpr Coefficient spring{.is_spring = true,
                              .scaled = &first_of,
                              .limited = &first_of,
                              .at_length = &second_of,
                              .stiffness = &same,
-                             .compliance = &inverse,
-                             .rest_gap = &zero};
+                             .compliance = &inverse};
 /// Stiff by the pressure that it limits: μ P k_t.
 constexpr Coefficient saturation{.is_spring = true,
                                  .scaled = &first_of,
                                  .limited = &first_of,
                                  .at_length = &first_of,
                                  .stiffness = &zero,
-                                 .compliance = &inverse,
-                                 .rest_gap = &zero};
+                                 .compliance = &inverse};
+
+constexpr NormalLaw augmented(ContactMethod method) {
+  return {.method = method,
+          .coefficient = &augmentation,
+          .multiple = 1,
+          .touches = &presses,
+          .close = &close_by_augmentation,
+          .friction_pressure = &pressure_of_multiplier,
+          .stiffness = &augmentation_stiffness,
+          .line = &line_through_contact,
+          .energy_length = &no_energy,
+          .reach = &at_contact};
+}
+constexpr NormalLaw penalized(ContactMethod method) {
+  return {.method = method,
+          .coefficient = &spring,
+          .multiple = tolerances.penalty_stiffening,
+          .touches = &compresses_spring,
+          .close = &close_by_spring,
+          .friction_pressure = &pressure_of_spring,
+          .stiffness = &spring_stiffness,
+          .line = &line_through_contact,
+          .energy_length = &half_of_penetration,
+          .reach = &at_contact};
+}
 
 /// In the order of the methods.
-constexpr std::array<NormalLaw, 5> normal_laws{{
-    {ContactMethod::augmented_lagrangian, &augmentation, 1, &presses, &close_by_augmentation,
-     &pressure_of_multiplier},
-    {ContactMethod::penalty, &spring, tolerances.penalty_stiffening, &compresses_spring, &close_by_spring,
-     &pressure_of_spring},
-    {ContactMethod::nodal_lagrange, &augmentation, 1, &presses, &close_by_augmentation,
-     &pressure_of_multiplier},
-    {ContactMethod::nodal_penalty, &spring, tolerances.penalty_stiffening, &compresses_spring,
-     &close_by_spring, &pressure_of_spring},
-    {ContactMethod::nodal_pcg, &augmentation, 1, &presses, &close_by_augmentation, &pressure_of_multiplier},
-}};
+constexpr std::array<NormalLaw, 5> normal_laws{
+    {augmented(ContactMethod::augmented_lagrangian), penalized(ContactMethod::penalty),
+     augmented(ContactMethod::nodal_lagrange), penalized(ContactMethod::nodal_penalty),
+     augmented(ContactMethod::nodal_pcg)}};
 
 constexpr std::array<FrictionLaw, 3> friction_laws{{
     {FrictionMethod::augmented_lagrangian, &augmentation, &automatic_augmentation, &relative_to_multiplier,

@@ -95,8 +95,12 @@ struct Coefficient {
   double (*stiffness)(double value);
   /// Penetration a unit of force [length/force]; `exact` where none belongs to the answer.
   double (*compliance)(double stiffness, double exact);
-  /// The gap at which a point presses no more, of one whose gap is `now`.
-  double (*rest_gap)(double now);
+};
+
+/// A normal spring near a state, as a line: p = stiffness (rest_gap − g).
+struct SpringLine {
+  double rest_gap = 0;  ///< [length]
+  double stiffness = 0; ///< [pressure/length]
 };
 
 /// What sets the normal parts apart: a row each.
@@ -109,6 +113,14 @@ struct NormalLaw {
   /// Traction and equation in contact.
   void (*close)(const PointState&, const PointLaw&, PointResponse&);
   FrictionPressure (*friction_pressure)(const PointState&, const PointLaw&);
+  /// −dp/dg of a spring, whether the point touches or not; 0 of an augmentation [pressure/length].
+  double (*stiffness)(const PointState&, const PointLaw&);
+  /// The spring near the pressure of a point, near its gap while it has none.
+  SpringLine (*line)(const PointState&, const PointLaw&);
+  /// Energy that a spring holds at a gap, over the force that it presses with; 0 of an augmentation [length].
+  double (*energy_length)(double gap, const study::ContactZone&);
+  /// The gap below which points press [length].
+  double (*reach)(const study::ContactZone&);
 };
 
 /// What sets the tangential parts apart: a row each.

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <ostream>
 #include <random>
+#include <string>
 #include <tuple>
 
 namespace rubato::contact {
@@ -198,6 +200,53 @@ INSTANTIATE_TEST_SUITE_P(
                                      LawVariant{"nodalPenalty", ContactMethod::nodal_penalty,
                                                 FrictionMethod::nodal_penalty}),
                      testing::Values(Status::open, Status::stick, Status::slip), testing::Bool()));
+
+class SpringLaw : public testing::TestWithParam<ContactMethod> {
+protected:
+  SpringLaw() { zone_.method = GetParam(); }
+
+  double pressure(double gap) const { return respond({.gap = gap}, Status::slip, law_).traction[0]; }
+  /// Held at a gap, an area [energy/area].
+  double energy(double gap) const { return normal_.energy_length(gap, zone_) * pressure(gap); }
+
+  static constexpr double h = 1e-6;
+  static constexpr std::array gaps{-0.9, -0.3, -0.05};
+  study::ContactZone zone_;
+  PointLaw law_ = law_of(GetParam(), study::usual_friction_method(GetParam()));
+  const NormalLaw& normal_ = normal_law(GetParam());
+};
+
+TEST_P(SpringLaw, HoldsTheEnergyWhoseSlopeIsItsPressure) {
+  for (const double gap : gaps)
+    EXPECT_NEAR((energy(gap + h) - energy(gap - h)) / (2 * h), -pressure(gap), 1e-6 * pressure(gap)) << gap;
+  EXPECT_EQ(energy(normal_.reach(zone_)), 0);
+}
+
+TEST_P(SpringLaw, HasTheStiffnessThatIsTheSlopeOfItsPressure) {
+  for (const double gap : gaps)
+    EXPECT_NEAR((pressure(gap - h) - pressure(gap + h)) / (2 * h), normal_.stiffness({.gap = gap}, law_),
+                1e-6 * normal_.stiffness({.gap = gap}, law_))
+        << gap;
+}
+
+/// Whatever gap the point has: a prediction knows its force first.
+TEST_P(SpringLaw, HasALineThroughTheGapThatBelongsToAPressure) {
+  for (const double gap : gaps) {
+    const auto line = normal_.line({.gap = 3, .pressure = pressure(gap)}, law_);
+    EXPECT_NEAR(line.rest_gap - pressure(gap) / line.stiffness, gap, 1e-12);
+    EXPECT_NEAR(line.stiffness, normal_.stiffness({.gap = gap}, law_), 1e-12 * line.stiffness);
+  }
+}
+
+TEST_P(SpringLaw, PressesWithinItsReachOnly) {
+  const double reach = normal_.reach(zone_);
+  EXPECT_EQ(wanted_status({.gap = reach + h}, law_), Status::open);
+  EXPECT_NE(wanted_status({.gap = reach - h}, law_), Status::open);
+  EXPECT_GT(pressure(reach - h), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, SpringLaw, testing::Values(ContactMethod::penalty),
+                         [](const auto& method) { return std::string(study::entry_of(method.param).name); });
 
 TEST(PointVariables, KeepTheirOrder) {
   const PointState p{1, {2, 3}, 4, {5, 6}};
