@@ -53,9 +53,10 @@ void keep_given_status(const contact::Zone& zone, const std::vector<PointEvaluat
       status[i] = given[i];
 }
 
-/// Of the last step. At its end nodes without mass may have any velocity: they swing about this one.
+/// Of the last step, whatever the length of the next. At its end nodes without mass may have any velocity:
+/// they swing about this one. Before the first step it is the velocity itself.
 VectorXd mean_velocity(const State& state, const contact::VelocityLaw& law) {
-  return state.motion.v - (1 - law.theta) * law.step * state.motion.a;
+  return state.motion.v - (1 - law.theta) * state.step * state.motion.a;
 }
 
 /// Where points that are closed stand; others have to close their gaps first.

@@ -166,6 +166,7 @@ std::vector<WorstNode> Equilibrium::worst() const {
 
 void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.t = t_;
+  trial.step = system_.step;
   trial.bulk = bulk_;
   trial.bulk_points = bulk_points_;
   trial.force_scale = scale_;
