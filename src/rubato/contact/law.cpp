@@ -19,6 +19,9 @@ constexpr int slip = 1;
 constexpr int pressure = 3;
 constexpr int semi = 4;
 
+/// Part of the clearance beyond which no tangent of an exponential pressure is taken.
+constexpr double widest_tangent = 0.99;
+
 /// Springs begin where a point counts as closed: a force that jumped there would leave no status that agrees
 /// with its own gap.
 double force_of_spring(const PointState& point, const PointLaw& law) {
@@ -85,6 +88,19 @@ void close_by_augmentation(const PointState& point, const PointLaw& law, PointRe
 void close_by_spring(const PointState& point, const PointLaw& law, PointResponse& response) {
   response.traction[0] = force_of_spring(point, law);
   response.d_traction(0, gap) = -law.normal;
+}
+
+FrictionPressure pressure_of_exponential(const PointState& point, const PointLaw& law) {
+  FrictionPressure result;
+  result.value = exponential::pressure(point.gap, law.exponential);
+  result.derivative[gap] = -exponential::stiffness(point.gap, law.exponential);
+  return result;
+}
+
+void close_exponentially(const PointState& point, const PointLaw& law, PointResponse& response) {
+  const auto spring = pressure_of_exponential(point, law);
+  response.traction[0] = spring.value;
+  response.d_traction.row(0) = spring.derivative;
 }
 
 /// v/|v| and its derivative.
@@ -161,6 +177,10 @@ bool compresses_spring(const PointState& point, const PointLaw& law) {
   return force_of_spring(point, law) > 0;
 }
 
+bool is_within_clearance(const PointState& point, const PointLaw& law) {
+  return point.gap + law.gap_tolerance < law.exponential.clearance;
+}
+
 bool presses(const PointState& point, const PointLaw& law) {
   const double pushed = point.pressure > 0 ? -law.normal * point.gap : force_of_spring(point, law);
   return point.pressure + pushed > 0;
@@ -212,6 +232,25 @@ double half_of_penetration(double now, const study::ContactZone& /*zone*/) {
 }
 double at_contact(const study::ContactZone& /*zone*/) {
   return 0;
+}
+
+double exponential_stiffness(const PointState& point, const PointLaw& law) {
+  return exponential::stiffness(point.gap, law.exponential);
+}
+/// Of a point without pressure: the tangent at its gap, not far from the gaps between 0 and the clearance.
+/// Deeper ones are too stiff to lead to the pressure, at the clearance there is no stiffness.
+SpringLine tangent_of_exponential(const PointState& point, const PointLaw& law) {
+  const auto& numbers = law.exponential;
+  const double now = point.pressure > 0 ? exponential::gap_of(point.pressure, numbers)
+                                        : std::clamp(point.gap, 0.0, widest_tangent * numbers.clearance);
+  const double stiffness = exponential::stiffness(now, numbers);
+  return {.rest_gap = now + exponential::pressure(now, numbers) / stiffness, .stiffness = stiffness};
+}
+double exponential_energy(double now, const study::ContactZone& zone) {
+  return exponential::energy_length(now, zone.clearance.value_or(0));
+}
+double at_clearance(const study::ContactZone& zone) {
+  return zone.clearance.value_or(0);
 }
 
 double product(double value, double multiple) {
@@ -281,11 +320,22 @@ constexpr NormalLaw penalized(ContactMethod method) {
           .reach = &at_contact};
 }
 
+constexpr NormalLaw by_exponential{.method = ContactMethod::exponential,
+                                   .coefficient = &spring,
+                                   .multiple = 1,
+                                   .touches = &is_within_clearance,
+                                   .close = &close_exponentially,
+                                   .friction_pressure = &pressure_of_exponential,
+                                   .stiffness = &exponential_stiffness,
+                                   .line = &tangent_of_exponential,
+                                   .energy_length = &exponential_energy,
+                                   .reach = &at_clearance};
+
 /// In the order of the methods.
-constexpr std::array<NormalLaw, 5> normal_laws{
+constexpr std::array<NormalLaw, 6> normal_laws{
     {augmented(ContactMethod::augmented_lagrangian), penalized(ContactMethod::penalty),
      augmented(ContactMethod::nodal_lagrange), penalized(ContactMethod::nodal_penalty),
-     augmented(ContactMethod::nodal_pcg)}};
+     augmented(ContactMethod::nodal_pcg), by_exponential}};
 
 constexpr std::array<FrictionLaw, 3> friction_laws{{
     {FrictionMethod::augmented_lagrangian, &augmentation, &automatic_augmentation, &relative_to_multiplier,

@@ -4,13 +4,14 @@
 ///
 /// Normal part. Exact methods: T_n = λ − c g with the equation g = 0 in contact, λ = 0 apart (Alart and
 /// Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991, in the form of Code_Aster R5.03.52).
-/// Penalty ones: T_n = k ⟨−g⟩.
+/// Penalty ones: T_n = k ⟨−g⟩. Exponential: T_n = p(g) from a clearance on (exponential.hpp).
 /// Tangential part, P being the pressure friction is measured by (λ, or T_n of a penalty): augmented
 /// Lagrangian −μ P ρ, ρ = Λ + c_t Δs in stick with the equation Δs = 0, ρ = r/|r|, r = Λ + c_t Δs in slip
 /// with Λ = ρ. Penalty: the same without Λ. Nodal penalty: −E Δs in stick, −μ P Δs/|Δs| in slip.
 /// Nodal methods read "force of a node" wherever "pressure" stands.
 #pragma once
 
+#include "rubato/contact/exponential.hpp"
 #include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
@@ -43,6 +44,7 @@ struct PointLaw {
   int tangents = 2;         ///< tangential directions: 1 in 2D
   /// P while an outer loop holds it; follows the point otherwise.
   std::optional<double> frozen_threshold;
+  exponential::Numbers exponential{}; ///< of that method
   double resistance = 0; ///< of the body against a slip of the point [pressure/length]; 0: not known
 };
 

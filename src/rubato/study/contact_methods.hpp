@@ -34,6 +34,9 @@ struct ContactMethodEntry {
 /// c or k_n.
 inline constexpr std::array stiffness_numbers{
     number<ContactZone, &ContactZone::normal_coefficient>("normal", above(0))};
+inline constexpr std::array exponential_numbers{
+    number<ContactZone, &ContactZone::pressure>("pressure", above(0), true),
+    number<ContactZone, &ContactZone::clearance>("clearance", above(0), true)};
 
 struct FrictionMethodEntry {
   FrictionMethod method;
@@ -45,7 +48,7 @@ struct FrictionMethodEntry {
   bool explicit_steps; ///< forces follow from the motion alone
 };
 
-inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
+inline constexpr std::array<ContactMethodEntry, 6> contact_methods{{
     {.method = ContactMethod::augmented_lagrangian,
      .name = "augmented_lagrangian",
      .code_aster = "CONTINUE, ALGO_CONT='STANDARD'",
@@ -121,6 +124,21 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .softer = ContactMethod::nodal_penalty,
      .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty},
      .numbers = stiffness_numbers},
+    {.method = ContactMethod::exponential,
+     .name = "exponential",
+     .code_aster = "",
+     .summary = "pressure grows exponentially, from a clearance on",
+     .exact = false,
+     .nodal = false,
+     .exact_prediction = false,
+     .between_nodes = true,
+     .geometry = Iteration::newton,
+     .status_loop = true,
+     .explicit_steps = false,
+     .impulses = false,
+     .softer = ContactMethod::exponential,
+     .friction = {FrictionMethod::penalty, FrictionMethod::augmented_lagrangian},
+     .numbers = exponential_numbers},
 }};
 
 inline constexpr std::array<FrictionMethodEntry, 3> friction_methods{{
