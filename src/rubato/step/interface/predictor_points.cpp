@@ -29,9 +29,17 @@ void set_relations(const Model& model, const Compliance& compliance, const conta
                    const VectorXd& moved, PredictorPoint& predicted) {
   predicted.frame << k.normal, k.tangents;
   predicted.stencil.take(k.stencil, model.dofs, compliance.interface_dof_of_dof());
-  predicted.gap = k.gap;
-  predicted.value << k.gap, k.slip;
+  predicted.gap = k.gap - predicted.rest_gap;
+  predicted.value << predicted.gap, k.slip;
   predicted.value -= predicted.frame.transpose() * predicted.stencil.gather(moved);
+}
+
+/// Takes the normal spring of a point as it is at the force predicted so far.
+void follow_spring(const contact::ZoneLaw& law, double gap, PredictorPoint& predicted) {
+  const auto spring =
+      contact::penetration(law, predicted.index, predicted.force[0], gap, predicted.averaged_compliance);
+  predicted.rest_gap = spring.rest_gap;
+  predicted.penalty_compliance = spring.compliance;
 }
 
 /// Nothing faces it.
@@ -123,10 +131,10 @@ void take_points(const Model& model, const ContactEvaluator& side, const Frozen&
             1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       predicted.tangential_compliance =
           averaged ? averaged_friction_compliance * predicted.point_compliance : 0;
-      predicted.penalty_compliance = contact::penetration_compliance(
-          zone, *law.coefficients, i, averaged ? averaged_compliance * predicted.point_compliance : 0.0);
-      set_relations(model, compliance, *kinematics, moved, predicted);
+      predicted.averaged_compliance = averaged ? averaged_compliance * predicted.point_compliance : 0.0;
       set_forces(state.zones[z].outcomes[i], *kinematics, predicted);
+      follow_spring(law, kinematics->gap, predicted);
+      set_relations(model, compliance, *kinematics, moved, predicted);
     }
   }
   points.resize(count);
@@ -140,18 +148,23 @@ void find_touching(std::span<const PredictorPoint> points, const VectorXd& d, Po
       touching[point.zone].push_back(point.index);
 }
 
-void move_frames(const Model& model, const Compliance& compliance, const ContactIterate& contact,
-                 const VectorXd& moved, const PointsOfZones& touching, std::span<PredictorPoint> points) {
+void move_frames(const Model& model, const ContactEvaluator& side, const Frozen& frozen,
+                 const Compliance& compliance, const ContactIterate& contact, const VectorXd& moved,
+                 const PointsOfZones& touching, std::span<PredictorPoint> points) {
   auto point = points.begin();
-  for (std::size_t z = 0; z < touching.size(); ++z)
+  for (std::size_t z = 0; z < touching.size(); ++z) {
+    const auto law = side.law_of(z, frozen);
     for (const auto index : touching[z]) {
       while (point->zone != z || point->index != index)
         ++point;
-      if (const auto& kinematics = contact.points[z][index].kinematics)
+      if (const auto& kinematics = contact.points[z][index].kinematics) {
+        follow_spring(law, kinematics->gap, *point);
         set_relations(model, compliance, *kinematics, moved, *point);
-      else
+      } else {
         release(*point);
+      }
     }
+  }
 }
 
 VectorXd force_on_surface(std::span<const PredictorPoint> points, Index interface_dofs) {
