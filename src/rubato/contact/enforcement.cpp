@@ -243,6 +243,8 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
                tolerances.closing_gap * zone->edge(),
                zone->space_dimension - 1,
                std::nullopt};
+  law.exponential = {.pressure = zone->settings.pressure.value_or(0),
+                     .clearance = zone->settings.clearance.value_or(0)};
   if (!frozen_thresholds.empty())
     law.frozen_threshold = frozen_thresholds[index];
   if (!coefficients->resistance.empty())

@@ -19,6 +19,9 @@ constexpr int slip = 1;
 constexpr int pressure = 3;
 constexpr int semi = 4;
 
+/// Part of the clearance beyond which no tangent of an exponential pressure is taken.
+constexpr double widest_tangent = 0.99;
+
 /// Springs begin where a point counts as closed: a force that jumped there would leave no status that agrees
 /// with its own gap.
 double force_of_spring(const PointState& point, const PointLaw& law) {
@@ -85,6 +88,19 @@ void close_by_augmentation(const PointState& point, const PointLaw& law, PointRe
 void close_by_spring(const PointState& point, const PointLaw& law, PointResponse& response) {
   response.traction[0] = force_of_spring(point, law);
   response.d_traction(0, gap) = -law.normal;
+}
+
+FrictionPressure pressure_of_exponential(const PointState& point, const PointLaw& law) {
+  FrictionPressure result;
+  result.value = exponential::pressure(point.gap, law.exponential);
+  result.derivative[gap] = -exponential::stiffness(point.gap, law.exponential);
+  return result;
+}
+
+void close_exponentially(const PointState& point, const PointLaw& law, PointResponse& response) {
+  const auto spring = pressure_of_exponential(point, law);
+  response.traction[0] = spring.value;
+  response.d_traction.row(0) = spring.derivative;
 }
 
 /// v/|v| and its derivative.
@@ -161,6 +177,10 @@ bool compresses_spring(const PointState& point, const PointLaw& law) {
   return force_of_spring(point, law) > 0;
 }
 
+bool is_within_clearance(const PointState& point, const PointLaw& law) {
+  return point.gap + law.gap_tolerance < law.exponential.clearance;
+}
+
 bool presses(const PointState& point, const PointLaw& law) {
   const double pushed = point.pressure > 0 ? -law.normal * point.gap : force_of_spring(point, law);
   return point.pressure + pushed > 0;
@@ -195,6 +215,44 @@ double saturation_stiffness(const PointState& point, const PointLaw& law) {
   return law.friction * law.tangential * friction_pressure(point, law);
 }
 
+double augmentation_stiffness(const PointState& /*point*/, const PointLaw& /*law*/) {
+  return 0;
+}
+double spring_stiffness(const PointState& /*point*/, const PointLaw& law) {
+  return law.normal;
+}
+SpringLine line_through_contact(const PointState& /*point*/, const PointLaw& law) {
+  return {.rest_gap = 0, .stiffness = law.normal};
+}
+double no_energy(double /*now*/, const study::ContactZone& /*zone*/) {
+  return 0;
+}
+double half_of_penetration(double now, const study::ContactZone& /*zone*/) {
+  return now < 0 ? -0.5 * now : 0.0;
+}
+double at_contact(const study::ContactZone& /*zone*/) {
+  return 0;
+}
+
+double exponential_stiffness(const PointState& point, const PointLaw& law) {
+  return exponential::stiffness(point.gap, law.exponential);
+}
+/// Of a point without pressure: the tangent at its gap, not far from the gaps between 0 and the clearance.
+/// Deeper ones are too stiff to lead to the pressure, at the clearance there is no stiffness.
+SpringLine tangent_of_exponential(const PointState& point, const PointLaw& law) {
+  const auto& numbers = law.exponential;
+  const double now = point.pressure > 0 ? exponential::gap_of(point.pressure, numbers)
+                                        : std::clamp(point.gap, 0.0, widest_tangent * numbers.clearance);
+  const double stiffness = exponential::stiffness(now, numbers);
+  return {.rest_gap = now + exponential::pressure(now, numbers) / stiffness, .stiffness = stiffness};
+}
+double exponential_energy(double now, const study::ContactZone& zone) {
+  return exponential::energy_length(now, zone.clearance.value_or(0));
+}
+double at_clearance(const study::ContactZone& zone) {
+  return zone.clearance.value_or(0);
+}
+
 double product(double value, double multiple) {
   return value * multiple;
 }
@@ -222,36 +280,62 @@ constexpr Coefficient augmentation{.is_spring = false,
                                    .limited = &smaller,
                                    .at_length = &first_of,
                                    .stiffness = &zero,
-                                   .compliance = &second_of,
-                                   .rest_gap = &same};
+                                   .compliance = &second_of};
 constexpr Coefficient spring{.is_spring = true,
                              .scaled = &first_of,
                              .limited = &first_of,
                              .at_length = &second_of,
                              .stiffness = &same,
-                             .compliance = &inverse,
-                             .rest_gap = &zero};
+                             .compliance = &inverse};
 /// Stiff by the pressure that it limits: μ P k_t.
 constexpr Coefficient saturation{.is_spring = true,
                                  .scaled = &first_of,
                                  .limited = &first_of,
                                  .at_length = &first_of,
                                  .stiffness = &zero,
-                                 .compliance = &inverse,
-                                 .rest_gap = &zero};
+                                 .compliance = &inverse};
+
+constexpr NormalLaw augmented(ContactMethod method) {
+  return {.method = method,
+          .coefficient = &augmentation,
+          .multiple = 1,
+          .touches = &presses,
+          .close = &close_by_augmentation,
+          .friction_pressure = &pressure_of_multiplier,
+          .stiffness = &augmentation_stiffness,
+          .line = &line_through_contact,
+          .energy_length = &no_energy,
+          .reach = &at_contact};
+}
+constexpr NormalLaw penalized(ContactMethod method) {
+  return {.method = method,
+          .coefficient = &spring,
+          .multiple = tolerances.penalty_stiffening,
+          .touches = &compresses_spring,
+          .close = &close_by_spring,
+          .friction_pressure = &pressure_of_spring,
+          .stiffness = &spring_stiffness,
+          .line = &line_through_contact,
+          .energy_length = &half_of_penetration,
+          .reach = &at_contact};
+}
+
+constexpr NormalLaw by_exponential{.method = ContactMethod::exponential,
+                                   .coefficient = &spring,
+                                   .multiple = 1,
+                                   .touches = &is_within_clearance,
+                                   .close = &close_exponentially,
+                                   .friction_pressure = &pressure_of_exponential,
+                                   .stiffness = &exponential_stiffness,
+                                   .line = &tangent_of_exponential,
+                                   .energy_length = &exponential_energy,
+                                   .reach = &at_clearance};
 
 /// In the order of the methods.
-constexpr std::array<NormalLaw, 5> normal_laws{{
-    {ContactMethod::augmented_lagrangian, &augmentation, 1, &presses, &close_by_augmentation,
-     &pressure_of_multiplier},
-    {ContactMethod::penalty, &spring, tolerances.penalty_stiffening, &compresses_spring, &close_by_spring,
-     &pressure_of_spring},
-    {ContactMethod::nodal_lagrange, &augmentation, 1, &presses, &close_by_augmentation,
-     &pressure_of_multiplier},
-    {ContactMethod::nodal_penalty, &spring, tolerances.penalty_stiffening, &compresses_spring,
-     &close_by_spring, &pressure_of_spring},
-    {ContactMethod::nodal_pcg, &augmentation, 1, &presses, &close_by_augmentation, &pressure_of_multiplier},
-}};
+constexpr std::array<NormalLaw, 6> normal_laws{
+    {augmented(ContactMethod::augmented_lagrangian), penalized(ContactMethod::penalty),
+     augmented(ContactMethod::nodal_lagrange), penalized(ContactMethod::nodal_penalty),
+     augmented(ContactMethod::nodal_pcg), by_exponential}};
 
 constexpr std::array<FrictionLaw, 3> friction_laws{{
     {FrictionMethod::augmented_lagrangian, &augmentation, &automatic_augmentation, &relative_to_multiplier,

@@ -4,13 +4,14 @@
 ///
 /// Normal part. Exact methods: T_n = λ − c g with the equation g = 0 in contact, λ = 0 apart (Alart and
 /// Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991, in the form of Code_Aster R5.03.52).
-/// Penalty ones: T_n = k ⟨−g⟩.
+/// Penalty ones: T_n = k ⟨−g⟩. Exponential: T_n = p(g) from a clearance on (exponential.hpp).
 /// Tangential part, P being the pressure friction is measured by (λ, or T_n of a penalty): augmented
 /// Lagrangian −μ P ρ, ρ = Λ + c_t Δs in stick with the equation Δs = 0, ρ = r/|r|, r = Λ + c_t Δs in slip
 /// with Λ = ρ. Penalty: the same without Λ. Nodal penalty: −E Δs in stick, −μ P Δs/|Δs| in slip.
 /// Nodal methods read "force of a node" wherever "pressure" stands.
 #pragma once
 
+#include "rubato/contact/exponential.hpp"
 #include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
@@ -43,6 +44,7 @@ struct PointLaw {
   int tangents = 2;         ///< tangential directions: 1 in 2D
   /// P while an outer loop holds it; follows the point otherwise.
   std::optional<double> frozen_threshold;
+  exponential::Numbers exponential{}; ///< of that method
   double resistance = 0; ///< of the body against a slip of the point [pressure/length]; 0: not known
 };
 
@@ -95,8 +97,12 @@ struct Coefficient {
   double (*stiffness)(double value);
   /// Penetration a unit of force [length/force]; `exact` where none belongs to the answer.
   double (*compliance)(double stiffness, double exact);
-  /// The gap at which a point presses no more, of one whose gap is `now`.
-  double (*rest_gap)(double now);
+};
+
+/// A normal spring near a state, as a line: p = stiffness (rest_gap − g).
+struct SpringLine {
+  double rest_gap = 0;  ///< [length]
+  double stiffness = 0; ///< [pressure/length]
 };
 
 /// What sets the normal parts apart: a row each.
@@ -109,6 +115,14 @@ struct NormalLaw {
   /// Traction and equation in contact.
   void (*close)(const PointState&, const PointLaw&, PointResponse&);
   FrictionPressure (*friction_pressure)(const PointState&, const PointLaw&);
+  /// −dp/dg of a spring, whether the point touches or not; 0 of an augmentation [pressure/length].
+  double (*stiffness)(const PointState&, const PointLaw&);
+  /// The spring near the pressure of a point, near its gap while it has none.
+  SpringLine (*line)(const PointState&, const PointLaw&);
+  /// Energy that a spring holds at a gap, over the force that it presses with; 0 of an augmentation [length].
+  double (*energy_length)(double gap, const study::ContactZone&);
+  /// The gap below which points press [length].
+  double (*reach)(const study::ContactZone&);
 };
 
 /// What sets the tangential parts apart: a row each.

@@ -43,28 +43,41 @@ std::vector<GivenSpring> given_springs(const Zone& zone) {
   return given;
 }
 
-double penetration_compliance(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point,
-                              double weight, double exact) {
-  return normal_of(zone).compliance(coefficients.normal[point] * weight, exact);
+Penetration penetration(const ZoneLaw& law, std::size_t point, double weight, double force, double gap,
+                        double exact) {
+  const auto& zone = *law.zone;
+  const auto line =
+      normal_law(zone.settings.method).line({.gap = gap, .pressure = force / weight}, law.of_point(point));
+  return {.rest_gap = line.rest_gap,
+          .compliance = normal_of(zone).compliance(line.stiffness * weight, exact)};
 }
 
-double spring_stiffness(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point) {
-  const double normal =
-      normal_of(zone).stiffness(std::abs(zone.points[point].weight) * coefficients.normal[point]);
-  const double tangential =
-      has_friction(zone) ? tangential_of(zone).stiffness(coefficients.tangential[point]) : 0.0;
-  return std::max(normal, tangential);
+std::vector<double> spring_stiffness(const ZoneLaw& law, std::span<const PointEvaluation> points) {
+  const auto& zone = *law.zone;
+  const auto& normal = normal_law(zone.settings.method);
+  std::vector<double> stiffness(points.size(), 0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double tangential =
+        has_friction(zone) ? tangential_of(zone).stiffness(law.coefficients->tangential[i]) : 0.0;
+    stiffness[i] = std::max(std::abs(weight_of(zone.points[i], points[i])) *
+                                normal.stiffness(points[i].variables, law.of_point(i)),
+                            tangential);
+  }
+  return stiffness;
 }
 
-double rest_gap(const Zone& zone, const PointOutcome& outcome) {
-  return normal_of(zone).rest_gap(outcome.gap);
+double reach(const Zone& zone) {
+  return normal_law(zone.settings.method).reach(zone.settings);
+}
+
+double spring_depth(const Zone& zone, const PointOutcome& outcome) {
+  return 2 * normal_law(zone.settings.method).energy_length(outcome.gap, zone.settings);
 }
 
 double stored_energy(const Zone& zone, const ZoneState& state) {
   double sum = 0;
   for (const auto& outcome : state.outcomes)
-    if (outcome.gap < rest_gap(zone, outcome))
-      sum -= 0.5 * outcome.gap * outcome.normal.norm();
+    sum += 0.5 * spring_depth(zone, outcome) * outcome.normal.norm();
   return sum;
 }
 

@@ -5,6 +5,7 @@
 
 #include "rubato/contact/enforcement.hpp"
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -22,19 +23,28 @@ struct GivenSpring {
 };
 std::vector<GivenSpring> given_springs(const Zone& zone);
 
-/// How far a unit of force pushes the point in, by its normal spring, where its tractions are multiplied with
-/// `weight`; `exact` where gaps close. [length/force]
-double penetration_compliance(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point,
-                              double weight, double exact = 0);
+/// The normal spring of a point as a line: g = rest_gap − compliance · force.
+struct Penetration {
+  double rest_gap = 0;   ///< [length]
+  double compliance = 0; ///< [length/force]
+};
 
-/// The stiffest spring of a point whose stiffness does not depend on the pressure, normal or of friction; 0
-/// where it has none. [force/length]
-double spring_stiffness(const Zone& zone, const ZoneCoefficients& coefficients, std::size_t point);
+/// Of a point near a pressing force or, while that is 0, near its gap: of a law that is no line, its tangent.
+/// Where gaps close the compliance is `exact`. `weight`: what tractions of the point are multiplied with.
+Penetration penetration(const ZoneLaw& law, std::size_t point, double weight, double force, double gap,
+                        double exact = 0);
 
-/// The gap at which a point presses no more: that of a spring is 0, any other one's is what it is at.
-double rest_gap(const Zone& zone, const PointOutcome& outcome);
+/// The stiffest spring of each point, normal or of friction, whose stiffness does not depend on the
+/// friction's limit; 0 where it has none. [force/length]
+std::vector<double> spring_stiffness(const ZoneLaw& law, std::span<const PointEvaluation> points);
 
-/// What the normal springs of a zone hold, ½ N ⟨−g⟩ each [force · length].
+/// The gap below which points of a zone press [length].
+double reach(const Zone& zone);
+
+/// The way over which half the force of a point does the work that its normal spring holds [length].
+double spring_depth(const Zone& zone, const PointOutcome& outcome);
+
+/// What the normal springs of a zone hold [force · length].
 double stored_energy(const Zone& zone, const ZoneState& state);
 
 /// Multiplies augmentations; springs stay.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/parts.hpp"
+#include "rubato/deck/rows.hpp"
 
 #include <fmt/format.h>
 
@@ -43,11 +44,15 @@ void read_integration(const Found& value, study::ContactRule& rule) {
   value->fault(fmt::format("found {}, expected {}", described(tree), integrations()));
 }
 
-void read_coefficients(const Found& value, study::ContactZone& zone) {
+/// `known`: whether the zone has the method that the deck asks for.
+void read_coefficients(const Found& value, bool known, study::ContactZone& zone) {
   if (!value)
     return;
   MapReader map(*value);
-  read(map.find("normal"), zone.normal_coefficient);
+  if (known)
+    read_numbers_of(map, study::contact_methods, study::entry_of(zone.method), "the method", zone);
+  else
+    pass_numbers(map, study::contact_methods);
   read(map.find("tangential"), zone.tangential_coefficient);
   map.finish();
 }
@@ -109,14 +114,15 @@ study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
   MapReader map(entry.value);
   read_master(map, context, zone);
   read_name(map.require("slave"), zone.slave);
-  read(map.find("method"), zone.method, study::contact_method_words);
+  const auto method = map.find("method");
+  const bool known = read(method, zone.method, study::contact_method_words) || !method;
   zone.geometry.by = study::entry_of(zone.method).geometry;
   read_friction(map, zone);
   read_normals(map, zone);
   read_integration(map.find("integration"), zone.integration);
   read_names(map.find("exclude_nodes"), zone.exclude_nodes);
   read(map.find("initially_active"), zone.initially_active);
-  read_coefficients(map.find("coefficients"), zone);
+  read_coefficients(map.find("coefficients"), known, zone);
   read_iterations(map.find("iterate"), zone);
   read(map.find("history_force"), zone.history_force);
   read(map.find("restitution"), zone.restitution);

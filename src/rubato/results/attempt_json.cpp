@@ -79,7 +79,7 @@ ordered_json to_json(const model::Model& model, const Failure& failure) {
                     {"unmet", to_json(model, report.unmet)},
                     {"worst_nodes", ordered_json::array()},
                     {"status_changes", report.status_changes},
-                    {"restless", ordered_json::array()},
+                    {"changed_status", ordered_json::array()},
                     {"advice", failure.advice}};
   if (!failure.not_finite.empty())
     json["not_finite"] = failure.not_finite;
@@ -87,10 +87,10 @@ ordered_json to_json(const model::Model& model, const Failure& failure) {
     json["worst_nodes"].push_back(
         {{"node", model::node_label(model.mesh, worst.node)}, {"residual", finite(worst.residual)}});
   for (const auto& point : report.changing_points)
-    json["restless"].push_back({{"zone", zone_name(model, point.zone)},
-                                {"node", model::node_label(model.mesh, point.node)},
-                                {"before", contact::to_string(point.before)},
-                                {"now", contact::to_string(point.now)}});
+    json["changed_status"].push_back({{"zone", zone_name(model, point.zone)},
+                                      {"node", model::node_label(model.mesh, point.node)},
+                                      {"before", contact::to_string(point.before)},
+                                      {"now", contact::to_string(point.now)}});
   return json;
 }
 

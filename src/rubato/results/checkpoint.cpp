@@ -184,6 +184,7 @@ template <class Archive> void exchange(Archive& archive, simulation::Counters& s
 
 template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.number("state/t", state.t);
+  archive.number("state/step", state.step);
   archive.numbers("state/u", state.motion.u);
   archive.numbers("state/v", state.motion.v);
   archive.numbers("state/a", state.motion.a);

@@ -21,11 +21,10 @@ double moved_out(const State& trial, std::size_t zone, std::size_t point) {
   return trial.moved_out[zone].empty() ? 0.0 : trial.moved_out[zone][point];
 }
 
-/// The way that the force of an overlap acts over, and what its spring keeps.
+/// The way that the force of an overlap acts over, and what its spring keeps, both with half that force.
 double closed_part(const contact::Zone& zone, double overlap, double moved_out,
                    const contact::PointOutcome& outcome) {
-  const double kept = std::max(0.0, contact::rest_gap(zone, outcome) - outcome.gap);
-  return std::clamp(moved_out + kept, 0.0, most_turned * overlap);
+  return std::clamp(moved_out + contact::spring_depth(zone, outcome), 0.0, most_turned * overlap);
 }
 
 /// The way that a force that leaves acts over beyond what its spring gives back.
@@ -33,7 +32,7 @@ double opening(const contact::Zone& zone, const contact::PointOutcome& before,
                const contact::PointOutcome& now) {
   if (!std::isfinite(now.gap))
     return 0;
-  return std::max(0.0, now.gap - contact::rest_gap(zone, before));
+  return std::max(0.0, now.gap - (before.gap + contact::spring_depth(zone, before)));
 }
 
 } // namespace
@@ -49,7 +48,7 @@ Overlaps overlaps_of(const model::Model& model, const State& start) {
     auto& depths = overlaps.emplace_back(points.size(), 0.0);
     for (std::size_t i = 0; i < points.size(); ++i)
       if (!zone.points[i].excluded && !presses(start.zones[z], i))
-        depths[i] = std::max(0.0, -points[i].variables.gap);
+        depths[i] = std::max(0.0, contact::reach(zone) - points[i].variables.gap);
     any = any || std::ranges::any_of(depths, [](double depth) { return depth > 0; });
   }
   return any ? overlaps : Overlaps();

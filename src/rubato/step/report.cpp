@@ -14,7 +14,7 @@ std::string_view to_string(Outcome outcome) {
   case Outcome::too_many_iterations:
     return "too many iterations";
   case Outcome::cycling:
-    return "contact goes round in a cycle";
+    return "status cycle";
   case Outcome::singular_matrix:
     return "singular matrix";
   case Outcome::not_finite:

@@ -116,6 +116,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
 State continued_state(const Model& model, const time::Scheme& scheme, const State& end, double t) {
   State state = end;
   state.t = t;
+  state.step = 0; // the acceleration that follows is that of the instant, not of the last step
   state.residual_force = model.domain.initial_tangent() * state.motion.u - model::external_force(model, t);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;

@@ -23,6 +23,7 @@ struct BulkForces {
 
 struct State {
   double t = 0;
+  double step = 0;     ///< length of the step that ended here; 0 where none of this run has
   time::Motion motion; ///< u, v, a, one a dof
   BulkForces bulk;
   domain::QuadratureStates bulk_points; ///< what materials remember

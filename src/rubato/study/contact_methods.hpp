@@ -3,6 +3,7 @@
 /// deck and solver ask the rows.
 #pragma once
 
+#include "rubato/study/number.hpp"
 #include "rubato/study/study.hpp"
 
 #include <array>
@@ -26,8 +27,16 @@ struct ContactMethodEntry {
   bool explicit_steps;   ///< forces follow from the motion alone
   bool impulses;         ///< forces may be impulses
   ContactMethod softer;  ///< the one whose gaps need not close
-  std::array<FrictionMethod, 2> friction; ///< the methods it goes with, the usual one first
+  std::array<FrictionMethod, 2> friction;       ///< the methods it goes with, the usual one first
+  std::span<const Number<ContactZone>> numbers; ///< its coefficients
 };
+
+/// c or k_n.
+inline constexpr std::array stiffness_numbers{
+    number<ContactZone, &ContactZone::normal_coefficient>("normal", above(0))};
+inline constexpr std::array exponential_numbers{
+    number<ContactZone, &ContactZone::pressure>("pressure", above(0), true),
+    number<ContactZone, &ContactZone::clearance>("clearance", above(0), true)};
 
 struct FrictionMethodEntry {
   FrictionMethod method;
@@ -39,7 +48,7 @@ struct FrictionMethodEntry {
   bool explicit_steps; ///< forces follow from the motion alone
 };
 
-inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
+inline constexpr std::array<ContactMethodEntry, 6> contact_methods{{
     {.method = ContactMethod::augmented_lagrangian,
      .name = "augmented_lagrangian",
      .code_aster = "CONTINUE, ALGO_CONT='STANDARD'",
@@ -53,7 +62,8 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .explicit_steps = false,
      .impulses = true,
      .softer = ContactMethod::penalty,
-     .friction = {FrictionMethod::augmented_lagrangian, FrictionMethod::penalty}},
+     .friction = {FrictionMethod::augmented_lagrangian, FrictionMethod::penalty},
+     .numbers = stiffness_numbers},
     {.method = ContactMethod::penalty,
      .name = "penalty",
      .code_aster = "CONTINUE, ALGO_CONT='PENALISATION'",
@@ -67,7 +77,8 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .explicit_steps = true,
      .impulses = false,
      .softer = ContactMethod::penalty,
-     .friction = {FrictionMethod::penalty, FrictionMethod::augmented_lagrangian}},
+     .friction = {FrictionMethod::penalty, FrictionMethod::augmented_lagrangian},
+     .numbers = stiffness_numbers},
     {.method = ContactMethod::nodal_lagrange,
      .name = "nodal_lagrange",
      .code_aster = "DISCRETE, ALGO_CONT='LAGRANGIEN'",
@@ -81,7 +92,8 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .explicit_steps = false,
      .impulses = true,
      .softer = ContactMethod::nodal_penalty,
-     .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty}},
+     .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty},
+     .numbers = stiffness_numbers},
     {.method = ContactMethod::nodal_penalty,
      .name = "nodal_penalty",
      .code_aster = "DISCRETE, ALGO_CONT='PENALISATION'",
@@ -95,7 +107,8 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .explicit_steps = false,
      .impulses = false,
      .softer = ContactMethod::nodal_penalty,
-     .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty}},
+     .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty},
+     .numbers = stiffness_numbers},
     {.method = ContactMethod::nodal_pcg,
      .name = "nodal_pcg",
      .code_aster = "DISCRETE, ALGO_CONT='GCP'",
@@ -109,7 +122,23 @@ inline constexpr std::array<ContactMethodEntry, 5> contact_methods{{
      .explicit_steps = false,
      .impulses = true,
      .softer = ContactMethod::nodal_penalty,
-     .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty}},
+     .friction = {FrictionMethod::nodal_penalty, FrictionMethod::nodal_penalty},
+     .numbers = stiffness_numbers},
+    {.method = ContactMethod::exponential,
+     .name = "exponential",
+     .code_aster = "",
+     .summary = "pressure grows exponentially, from a clearance on",
+     .exact = false,
+     .nodal = false,
+     .exact_prediction = false,
+     .between_nodes = true,
+     .geometry = Iteration::newton,
+     .status_loop = true,
+     .explicit_steps = false,
+     .impulses = false,
+     .softer = ContactMethod::exponential,
+     .friction = {FrictionMethod::penalty, FrictionMethod::augmented_lagrangian},
+     .numbers = exponential_numbers},
 }};
 
 inline constexpr std::array<FrictionMethodEntry, 3> friction_methods{{

@@ -180,7 +180,7 @@ Json echo(const ContactZone& zone, Physics physics) {
   map["exclude_nodes"] = zone.exclude_nodes;
   put_optional(map, "initially_active", zone.initially_active);
   map["coefficients"] = Json::object();
-  put_optional(map["coefficients"], "normal", zone.normal_coefficient);
+  put_numbers(map["coefficients"], entry_of(zone.method), zone);
   put_optional(map["coefficients"], "tangential", zone.tangential_coefficient);
   map["iterate"] = {
       {"geometry", echo(zone.geometry)}, {"friction", echo(zone.threshold)}, {"status", echo(zone.status)}};

@@ -141,7 +141,8 @@ enum class ContactMethod {
   penalty,              ///< pressure grows with penetration
   nodal_lagrange,       ///< exact, one force a slave node
   nodal_penalty,        ///< force a slave node grows with penetration
-  nodal_pcg             ///< as nodal_lagrange without friction, by projected conjugate gradients
+  nodal_pcg,            ///< as nodal_lagrange without friction, by projected conjugate gradients
+  exponential           ///< pressure grows exponentially, from a clearance on
 };
 enum class FrictionMethod {
   augmented_lagrangian, ///< semi-multipliers on the slave nodes
@@ -205,6 +206,8 @@ struct ContactZone {
   /// given.
   std::optional<double> normal_coefficient;     ///< c, k_n [pressure/length]; nodal methods [force/length]
   std::optional<double> tangential_coefficient; ///< c_t, k_t [1/length]; nodal methods [force/length]
+  std::optional<double> pressure;               ///< exponential: p0 > 0 at gap 0 [pressure]
+  std::optional<double> clearance; ///< exponential: c0 > 0, the gap at which pressure begins [length]
   /// First guess of the contact set: nothing given means the whole surface.
   std::optional<bool> initially_active;
   Level geometry{Iteration::newton, 1e-2, 10};

@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <ostream>
 #include <random>
+#include <string>
 #include <tuple>
 
 namespace rubato::contact {
@@ -21,6 +26,7 @@ PointLaw law_of(ContactMethod method, FrictionMethod friction) {
   law.friction = 0.4;
   law.normal = 50;
   law.tangential = 7;
+  law.exponential = {.pressure = 3, .clearance = 0.4};
   return law;
 }
 
@@ -186,18 +192,97 @@ TEST_P(LawTangent, IsTheDerivativeOfTheLaw) {
 
 INSTANTIATE_TEST_SUITE_P(
     Laws, LawTangent,
-    testing::Combine(testing::Values(LawVariant{"exact", ContactMethod::augmented_lagrangian,
-                                                FrictionMethod::augmented_lagrangian},
-                                     LawVariant{"exactWithPenalizedFriction",
-                                                ContactMethod::augmented_lagrangian, FrictionMethod::penalty},
-                                     LawVariant{"penalty", ContactMethod::penalty, FrictionMethod::penalty},
-                                     LawVariant{"penaltyWithExactFriction", ContactMethod::penalty,
-                                                FrictionMethod::augmented_lagrangian},
-                                     LawVariant{"nodalLagrange", ContactMethod::nodal_lagrange,
-                                                FrictionMethod::nodal_penalty},
-                                     LawVariant{"nodalPenalty", ContactMethod::nodal_penalty,
-                                                FrictionMethod::nodal_penalty}),
-                     testing::Values(Status::open, Status::stick, Status::slip), testing::Bool()));
+    testing::Combine(
+        testing::Values(
+            LawVariant{"exact", ContactMethod::augmented_lagrangian, FrictionMethod::augmented_lagrangian},
+            LawVariant{"exactWithPenalizedFriction", ContactMethod::augmented_lagrangian,
+                       FrictionMethod::penalty},
+            LawVariant{"penalty", ContactMethod::penalty, FrictionMethod::penalty},
+            LawVariant{"penaltyWithExactFriction", ContactMethod::penalty,
+                       FrictionMethod::augmented_lagrangian},
+            LawVariant{"exponential", ContactMethod::exponential, FrictionMethod::penalty},
+            LawVariant{"exponentialWithExactFriction", ContactMethod::exponential,
+                       FrictionMethod::augmented_lagrangian},
+            LawVariant{"nodalLagrange", ContactMethod::nodal_lagrange, FrictionMethod::nodal_penalty},
+            LawVariant{"nodalPenalty", ContactMethod::nodal_penalty, FrictionMethod::nodal_penalty}),
+        testing::Values(Status::open, Status::stick, Status::slip), testing::Bool()));
+
+TEST(ExponentialLaw, HasItsPressureWhereTheSurfacesMeetAndNoneFromTheClearanceOn) {
+  const auto law = law_of(ContactMethod::exponential, FrictionMethod::penalty);
+  EXPECT_DOUBLE_EQ(respond({.gap = 0}, Status::slip, law).traction[0], 3);
+  EXPECT_DOUBLE_EQ(respond({.gap = -0.4}, Status::slip, law).traction[0],
+                   3 * 2 * (std::exp(2.0) - 1) / (std::numbers::e - 1));
+  for (const double gap : {0.4, 0.5, std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(wanted_status({.gap = gap}, law), Status::open);
+    EXPECT_EQ(respond({.gap = gap}, Status::slip, law).traction[0], 0) << "also while it counts as closed";
+  }
+}
+
+/// The closed form and the series that has its place near the clearance.
+TEST(ExponentialLaw, StoresTheIntegralOfItsPressure) {
+  const exponential::Numbers numbers{.pressure = 3, .clearance = 0.4};
+  for (const double depth : {1e-3, 0.3, 0.999, 1.001, 4.0}) {
+    double sum = 0;
+    const int parts = 1000;
+    for (int i = 0; i < parts; ++i) // the midpoint rule
+      sum += exponential::pressure(0.4 * (1 - depth * (i + 0.5) / parts), numbers) * 0.4 * depth / parts;
+    const double gap = 0.4 * (1 - depth);
+    const double energy = exponential::energy_length(gap, 0.4) * exponential::pressure(gap, numbers);
+    EXPECT_NEAR(energy, sum, 1e-5 * sum) << depth;
+  }
+}
+
+class SpringLaw : public testing::TestWithParam<ContactMethod> {
+protected:
+  SpringLaw() {
+    zone_.method = GetParam();
+    zone_.pressure = law_.exponential.pressure;
+    zone_.clearance = law_.exponential.clearance;
+  }
+
+  double pressure(double gap) const { return respond({.gap = gap}, Status::slip, law_).traction[0]; }
+  /// Held at a gap, an area [energy/area].
+  double energy(double gap) const { return normal_.energy_length(gap, zone_) * pressure(gap); }
+
+  static constexpr double h = 1e-6;
+  static constexpr std::array gaps{-0.9, -0.3, -0.05};
+  study::ContactZone zone_;
+  PointLaw law_ = law_of(GetParam(), study::usual_friction_method(GetParam()));
+  const NormalLaw& normal_ = normal_law(GetParam());
+};
+
+TEST_P(SpringLaw, HoldsTheEnergyWhoseSlopeIsItsPressure) {
+  for (const double gap : gaps)
+    EXPECT_NEAR((energy(gap + h) - energy(gap - h)) / (2 * h), -pressure(gap), 1e-6 * pressure(gap)) << gap;
+  EXPECT_EQ(energy(normal_.reach(zone_)), 0);
+}
+
+TEST_P(SpringLaw, HasTheStiffnessThatIsTheSlopeOfItsPressure) {
+  for (const double gap : gaps)
+    EXPECT_NEAR((pressure(gap - h) - pressure(gap + h)) / (2 * h), normal_.stiffness({.gap = gap}, law_),
+                1e-6 * normal_.stiffness({.gap = gap}, law_))
+        << gap;
+}
+
+/// Whatever gap the point has: a prediction knows its force first.
+TEST_P(SpringLaw, HasALineThroughTheGapThatBelongsToAPressure) {
+  for (const double gap : gaps) {
+    const auto line = normal_.line({.gap = 3, .pressure = pressure(gap)}, law_);
+    EXPECT_NEAR(line.rest_gap - pressure(gap) / line.stiffness, gap, 1e-12);
+    EXPECT_NEAR(line.stiffness, normal_.stiffness({.gap = gap}, law_), 1e-12 * line.stiffness);
+  }
+}
+
+TEST_P(SpringLaw, PressesWithinItsReachOnly) {
+  const double reach = normal_.reach(zone_);
+  EXPECT_EQ(wanted_status({.gap = reach + h}, law_), Status::open);
+  EXPECT_NE(wanted_status({.gap = reach - h}, law_), Status::open);
+  EXPECT_GT(pressure(reach - h), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, SpringLaw,
+                         testing::Values(ContactMethod::penalty, ContactMethod::exponential),
+                         [](const auto& method) { return std::string(study::entry_of(method.param).name); });
 
 TEST(PointVariables, KeepTheirOrder) {
   const PointState p{1, {2, 3}, 4, {5, 6}};

@@ -22,6 +22,16 @@ Zone zone_by(study::ContactMethod method) {
 
 const ZoneCoefficients coefficients{{10, 20}, {3, 50}, {}};
 
+ZoneLaw law_of(const Zone& zone) {
+  return {&zone, &coefficients, zone.settings.friction};
+}
+
+/// Of the second point, which is apart.
+double stiffness_by(study::ContactMethod method) {
+  const auto zone = zone_by(method);
+  return spring_stiffness(law_of(zone), std::vector<PointEvaluation>(2))[1];
+}
+
 TEST(TablesOfMethods, HaveARowEachInTheOrderOfTheMethods) {
   for (const auto& entry : study::contact_methods) {
     EXPECT_EQ(&study::entry_of(entry.method), &entry) << entry.name;
@@ -43,20 +53,21 @@ TEST(Springs, GiveWayAndHoldEnergyWhereGapsDoNotClose) {
   const ZoneState pressed{
       {}, {Status::slip, Status::open}, {{.gap = -0.1, .normal = {0, 3, 4}}, {.gap = 0.2}}};
   const auto soft = zone_by(study::ContactMethod::penalty);
-  EXPECT_DOUBLE_EQ(penetration_compliance(soft, coefficients, 0, 0.5), 1 / (10 * 0.5));
+  EXPECT_DOUBLE_EQ(penetration(law_of(soft), 0, 0.5, 0, -0.1).compliance, 1 / (10 * 0.5));
+  EXPECT_EQ(penetration(law_of(soft), 0, 0.5, 0, -0.1).rest_gap, 0);
   EXPECT_DOUBLE_EQ(stored_energy(soft, pressed), 0.5 * 0.1 * 5);
-  EXPECT_EQ(rest_gap(soft, pressed.outcomes[0]), 0);
+  EXPECT_DOUBLE_EQ(spring_depth(soft, pressed.outcomes[0]), 0.1);
   const auto exact = zone_by(study::ContactMethod::augmented_lagrangian);
-  EXPECT_EQ(penetration_compliance(exact, coefficients, 0, 0.5), 0);
+  EXPECT_EQ(penetration(law_of(exact), 0, 0.5, 0, -0.1, 7).compliance, 7);
   EXPECT_EQ(stored_energy(exact, pressed), 0);
-  EXPECT_EQ(rest_gap(exact, pressed.outcomes[0]), -0.1);
+  EXPECT_EQ(spring_depth(exact, pressed.outcomes[0]), 0);
 }
 
 TEST(Springs, OfFrictionCountWhereThePressureDoesNotChangeThem) {
-  EXPECT_EQ(spring_stiffness(zone_by(study::ContactMethod::augmented_lagrangian), coefficients, 1), 0);
-  EXPECT_DOUBLE_EQ(spring_stiffness(zone_by(study::ContactMethod::penalty), coefficients, 1), 2 * 20);
-  EXPECT_DOUBLE_EQ(spring_stiffness(zone_by(study::ContactMethod::nodal_lagrange), coefficients, 1), 50);
-  EXPECT_DOUBLE_EQ(spring_stiffness(zone_by(study::ContactMethod::nodal_penalty), coefficients, 1), 50);
+  EXPECT_EQ(stiffness_by(study::ContactMethod::augmented_lagrangian), 0);
+  EXPECT_DOUBLE_EQ(stiffness_by(study::ContactMethod::penalty), 2 * 20);
+  EXPECT_DOUBLE_EQ(stiffness_by(study::ContactMethod::nodal_lagrange), 50);
+  EXPECT_DOUBLE_EQ(stiffness_by(study::ContactMethod::nodal_penalty), 50);
   auto given = zone_by(study::ContactMethod::nodal_lagrange);
   given.settings.normal_coefficient = 7;
   given.settings.tangential_coefficient = 8;

@@ -243,7 +243,7 @@ const Mistake sense_mistakes[] = {
      "contact.interface.iterate.status.tolerance: the status loop ends when no status changes"},
     {"method: augmented_lagrangian", "method: penaltie", "penaltie",
      "contact.interface.method: found 'penaltie', expected one of augmented_lagrangian, penalty, "
-     "nodal_lagrange, nodal_penalty, nodal_pcg; did you mean 'penalty'?"},
+     "nodal_lagrange, nodal_penalty, nodal_pcg, exponential; did you mean 'penalty'?"},
     {"friction_method: penalty", "friction_method: nodal_penalty", "nodal_penalty",
      "contact.interface.friction_method: found nodal_penalty with the contact method augmented_lagrangian, "
      "expected augmented_lagrangian or penalty"},
@@ -417,7 +417,28 @@ TEST(DeckFaults, AnExplicitSchemeTakesContactByPenaltyOnly) {
                                   "augmented_lagrangian, but the scheme central_difference has forces only, "
                                   "expected penalty for both"});
   EXPECT_EQ(faults(", method: nodal_penalty").size(), 1U);
+  EXPECT_EQ(faults(", method: exponential, coefficients: {pressure: 1, clearance: 1}").size(), 1U);
   EXPECT_EQ(faults(", method: penalty, friction_method: augmented_lagrangian").size(), 1U);
+}
+
+TEST(DeckFaults, AnExponentialPressureNeedsItsTwoNumbersAndTakesNoStiffness) {
+  const auto faults = [](const std::string& coefficients) {
+    return faults_of_zone("method: exponential" + coefficients);
+  };
+  EXPECT_EQ(faults(", coefficients: {pressure: 2e6, clearance: 1e-5}"), Sentences{});
+  EXPECT_EQ(faults(""),
+            (Sentences{"contact.a: 'coefficients.clearance' is missing, which exponential needs",
+                       "contact.a: 'coefficients.pressure' is missing, which exponential needs"}));
+  EXPECT_EQ(faults(", coefficients: {pressure: 2e6}"),
+            Sentences{"contact.a.coefficients: 'clearance' is missing"});
+  EXPECT_EQ(faults(", coefficients: {pressure: -1, clearance: 0}").size(), 2U);
+  EXPECT_EQ(faults(", coefficients: {pressure: 2e6, clearance: 1e-5, normal: 1}"),
+            Sentences{"contact.a.coefficients.normal: the method exponential takes no normal, "
+                      "augmented_lagrangian, penalty, nodal_lagrange, nodal_penalty and nodal_pcg take it; a "
+                      "run removes it by 'normal: ~'"});
+  EXPECT_EQ(faults_of_zone("method: penalty, coefficients: {clearance: 1}"),
+            Sentences{"contact.a.coefficients.clearance: the method penalty takes no clearance, exponential "
+                      "takes it; a run removes it by 'clearance: ~'"});
 }
 
 TEST(DeckFaults, AStaticRunHasNoFirstAccelerationToLeaveOut) {
@@ -456,7 +477,7 @@ TEST(DeckFaults, MethodsThatDoNotGoTogetherAreToldApart) {
                 "nodal_lagrange"});
   EXPECT_EQ(faults_of_zone("method: nodal_penalty, integration: {gauss: 2}"),
             Sentences{"contact.a.integration: nodal_penalty has one relation a node, expected nodes; "
-                      "augmented_lagrangian and penalty take points between the nodes"});
+                      "augmented_lagrangian, penalty and exponential take points between the nodes"});
   EXPECT_EQ(
       faults_of_zone("method: nodal_lagrange, iterate: {geometry: newton}"),
       Sentences{"contact.a.iterate.geometry: nodal_lagrange holds its relations during a loop, expected "

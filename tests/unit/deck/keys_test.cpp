@@ -236,6 +236,16 @@ TEST(DeckKeys, AContactMethodBringsItsFrictionAndItsGeometryLoop) {
   }
 }
 
+TEST(DeckKeys, AnExponentialPressureHasItsOwnCoefficients) {
+  const auto zone = parse_one(smallest_deck + "contact: {a: {master: M, slave: S, method: exponential, "
+                                              "coefficients: {pressure: 2e6, clearance: 1e-5}}}")
+                        .contact.at(0);
+  EXPECT_EQ(zone.method, study::ContactMethod::exponential);
+  EXPECT_EQ(zone.pressure, 2e6);
+  EXPECT_EQ(zone.clearance, 1e-5);
+  EXPECT_EQ(zone.friction_method, study::FrictionMethod::penalty);
+}
+
 TEST(DeckKeys, TimeSteps) {
   const auto time = parse_one(full_deck).time;
   EXPECT_EQ(time.scheme, study::SchemeKind::hht);

@@ -31,6 +31,7 @@ Checkpoint sample() {
   c.memento.counters = {.steps = 5, .iterations = 17, .cuts = 2};
   auto& state = c.memento.state;
   state.t = 0.3;
+  state.step = 1e-4;
   state.motion = {VectorXd::Constant(3, -0.0), VectorXd::Constant(3, tiny), VectorXd::LinSpaced(3, 1, 2)};
   state.residual_force = VectorXd::Constant(3, 0.1);
   state.force_scale = 12;
@@ -62,6 +63,7 @@ TEST(CheckpointFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(read.memento.state.motion.u, written.memento.state.motion.u);
   EXPECT_TRUE(std::signbit(read.memento.state.motion.u[0]));
   EXPECT_EQ(read.memento.state.motion.v, written.memento.state.motion.v);
+  EXPECT_EQ(read.memento.state.step, 1e-4);
   EXPECT_EQ(read.memento.state.contact_force.size(), 0);
   EXPECT_EQ(read.memento.state.zones, written.memento.state.zones);
   const auto& progress = std::get<simulation::ImplicitProgress>(read.memento.progress);

@@ -15,20 +15,27 @@ namespace {
 
 using test::Walk;
 
-constexpr const char* methods[] = {"augmented_lagrangian", "penalty", "nodal_lagrange", "nodal_penalty"};
+constexpr const char* methods[] = {"augmented_lagrangian", "penalty", "nodal_lagrange", "nodal_penalty",
+                                   "exponential"};
 
 class ZonesBy : public testing::TestWithParam<std::tuple<const char*, const char*>> {
 protected:
   static std::vector<deck::Setting> changes(const char* solver) {
-    return {{"contact.below.method", std::get<0>(GetParam())},
-            {"contact.above.method", std::get<1>(GetParam())},
-            {"contact.above.friction", "0.2"},
-            {"supports", "[{on: ground, fix: [x, y]}, {on: roof, fix: x, y: -0.03}]"},
-            {"solver", solver}};
+    std::vector<deck::Setting> settings{
+        {"contact.above.friction", "0.2"},
+        {"supports", "[{on: ground, fix: [x, y]}, {on: roof, fix: x, y: -0.03}]"},
+        {"solver", solver}};
+    for (const std::string zone : {"below", "above"}) {
+      const std::string method = zone == "below" ? std::get<0>(GetParam()) : std::get<1>(GetParam());
+      settings.push_back({"contact." + zone + ".method", method});
+      if (method == "exponential")
+        settings.push_back({"contact." + zone + ".coefficients", "{pressure: 1e4, clearance: 1e-4}"});
+    }
+    return settings;
   }
   static bool by_springs(std::size_t zone) {
     const std::string method = zone == 0 ? std::get<0>(GetParam()) : std::get<1>(GetParam());
-    return method.ends_with("penalty");
+    return method.ends_with("penalty") || method == "exponential";
   }
 };
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Contact as a law of velocities: what moreau_jean asks of points that touch.
 #include "rubato/contact/velocity_frames.hpp"
+#include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
 #include "support/walk.hpp"
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -108,6 +110,33 @@ TEST_F(Apart, PointsThatArriveInTheFirstHalfStandWhereTheyAre) {
   standing.assign(standing.size(), gap / 2);
   for (const auto& point : frames(1e-3))
     EXPECT_FALSE(point.kinematics.has_value());
+}
+
+/// Surfaces without mass, before a step of half the length of the last one, in which the master came down at
+/// a mean of 1 and stopped: again so fast it arrives in the first half of the step, half as fast it does not.
+TEST(MasslessSurfaces, ComeByTheMeanVelocityOfTheLastStepWhateverTheLengthOfTheNext) {
+  constexpr double last = 2e-3;
+  constexpr double next = last / 2;
+  constexpr double gap = 0.75 * next / 2;
+  const test::Walk walk(test::two_beams, {{"time.scheme", "moreau_jean"}, {"time.alpha", ""}});
+  const auto& model = walk.model;
+  ASSERT_FALSE(model.massless_nodes.empty());
+  State state = walk.state();
+  for (const auto node : model.zones[0].slave.nodes)
+    state.motion.u[model.dofs.dof(node, 1)] -= gap;
+  state.motion.v.setZero();
+  state.motion.a.setZero();
+  for (const auto node : model.zones[0].master.nodes)
+    state.motion.a[model.dofs.dof(node, 1)] = 1 / ((1 - walk.scheme.beta) * last);
+  const auto arriving = [&](double length) {
+    state.step = length;
+    auto system = make_effective_system(model, walk.scheme, next);
+    const ContactEvaluator side(model, walk.scheme, system, state, {});
+    const auto points = side.at(state, Frozen(1)).points[0];
+    return std::ranges::count_if(points, [](const auto& point) { return point.kinematics.has_value(); });
+  };
+  EXPECT_GT(arriving(last), 0);
+  EXPECT_EQ(arriving(next), 0) << "the same change of velocity in half the time: half the mean";
 }
 
 struct RunContext {

@@ -54,9 +54,10 @@ void keep_given_status(const contact::Zone& zone, const std::vector<PointEvaluat
       status[i] = given[i];
 }
 
-/// Of the last step. At its end nodes without mass may have any velocity: they swing about this one.
+/// Of the last step, whatever the length of the next. At its end nodes without mass may have any velocity:
+/// they swing about this one. Before the first step it is the velocity itself.
 VectorXd mean_velocity(const State& state, const contact::VelocityLaw& law) {
-  return state.motion.v - (1 - law.theta) * law.step * state.motion.a;
+  return state.motion.v - (1 - law.theta) * state.step * state.motion.a;
 }
 
 /// Where points that are closed stand; others have to close their gaps first.
@@ -213,6 +214,14 @@ std::vector<std::vector<double>> ContactEvaluator::friction_stiffness(const Froz
   return stiffness;
 }
 
+std::vector<std::vector<double>> ContactEvaluator::spring_stiffness(const Frozen& frozen,
+                                                                    const ContactIterate& now) const {
+  std::vector<std::vector<double>> stiffness;
+  for (std::size_t z = 0; z < now.points.size(); ++z)
+    stiffness.push_back(contact::spring_stiffness(law_of(z, frozen), now.points[z]));
+  return stiffness;
+}
+
 void ContactEvaluator::collect_status_changes(const Frozen& frozen, const ContactIterate& before,
                                               const ContactIterate& now, StepReport& report) const {
   report.status_changes = 0;
@@ -263,7 +272,8 @@ std::vector<double> ContactEvaluator::moved_out(std::size_t z, const ContactIter
   std::vector<double> moved;
   const auto& before = committed_.zones[z].outcomes;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if (!(before[i].gap < 0) || iterate.status[z][i] == Status::open || !before[i].normal.isZero(0))
+    if (!(before[i].gap < contact::reach(model_.zones[z])) || iterate.status[z][i] == Status::open ||
+        !before[i].normal.isZero(0))
       continue;
     const auto& k = *iterate.points[z][i].kinematics;
     const Eigen::Vector3d way =

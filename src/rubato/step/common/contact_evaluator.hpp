@@ -82,6 +82,8 @@ public:
   /// Lets points go that stay on a face they stand beyond (contact/neighbours.hpp). Whether there were any.
   bool release_beyond_borders() const;
 
+  /// Of each zone's points (contact/springs.hpp).
+  std::vector<std::vector<double>> spring_stiffness(const Frozen& frozen, const ContactIterate& now) const;
   /// Of the friction of each zone's points that is by `penalty` (contact/spring_friction.hpp).
   std::vector<std::vector<double>> friction_stiffness(const Frozen& frozen, const ContactIterate& now) const;
 

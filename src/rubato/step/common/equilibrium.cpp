@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/equilibrium.hpp"
 
-#include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
 
 #include <algorithm>
@@ -54,13 +53,13 @@ void add_springs(const Model& model, const contact::Zone& zone, const SpringOf& 
 } // namespace
 
 ContactStiffness contact_stiffness(const Model& model, const EffectiveSystem& system,
+                                   const std::vector<std::vector<double>>& springs,
                                    const std::vector<std::vector<double>>& friction) {
   ContactStiffness stiffness{system.diagonal, VectorXd::Zero(system.diagonal.size())};
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
     add_springs(
-        model, zone, [&](std::size_t i) { return contact::spring_stiffness(zone, system.zones[z], i); },
-        stiffness.by_position);
+        model, zone, [&](std::size_t i) { return springs[z][i]; }, stiffness.by_position);
     add_springs(
         model, zone, [&](std::size_t i) { return friction[z][i]; }, stiffness.by_displacement);
   }
@@ -167,6 +166,7 @@ std::vector<WorstNode> Equilibrium::worst() const {
 
 void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.t = t_;
+  trial.step = system_.step;
   trial.bulk = bulk_;
   trial.bulk_points = bulk_points_;
   trial.force_scale = scale_;

@@ -38,8 +38,9 @@ struct ContactStiffness {
   Eigen::VectorXd by_displacement; ///< friction by penalty, which knows of the slips of the step only
 };
 
-/// `friction`: what ContactEvaluator::friction_stiffness gives.
+/// `springs`, `friction`: what ContactEvaluator::spring_stiffness and friction_stiffness give.
 ContactStiffness contact_stiffness(const model::Model& model, const EffectiveSystem& system,
+                                   const std::vector<std::vector<double>>& springs,
                                    const std::vector<std::vector<double>>& friction);
 
 /// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (f_int(u₁) − f_ext) + the weight of contact × f_c + the terms of the

@@ -90,7 +90,8 @@ bool WholeSystem::is_settled(const State& trial, const Frozen& frozen) {
 }
 
 bool WholeSystem::within_rounding(const State& trial, const Frozen& frozen) const {
-  const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(frozen, now_));
+  const auto stiffness = contact_stiffness(model_, system_, side_.spring_stiffness(frozen, now_),
+                                           side_.friction_stiffness(frozen, now_));
   return equilibrium_.within_rounding(trial.motion, stiffness, 0, report_.tolerance);
 }
 

@@ -198,7 +198,8 @@ bool Condensed::surface_within_rounding(const State& trial, const Frozen& frozen
     moved = std::max(moved, std::abs(trial.motion.u[dof]));
   }
   const double far = surface_.free.lpNorm<Eigen::Infinity>();
-  const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(frozen, now()));
+  const auto stiffness = contact_stiffness(model_, system_, side_.spring_stiffness(frozen, now()),
+                                           side_.friction_stiffness(frozen, now()));
   const double allowed = report_.tolerance * surface_scale();
   for (std::size_t i = 0; i < dofs.size(); ++i) {
     const double left = scheme_.contact_weight() *
@@ -333,7 +334,8 @@ ContactForce Condensed::contact_force() const {
 }
 
 bool Condensed::within_rounding(const State& trial, const Frozen& frozen) const {
-  const auto stiffness = contact_stiffness(model_, system_, side_.friction_stiffness(frozen, now()));
+  const auto stiffness = contact_stiffness(model_, system_, side_.spring_stiffness(frozen, now()),
+                                           side_.friction_stiffness(frozen, now()));
   return equilibrium_.within_rounding(trial.motion, stiffness, surface_.free.lpNorm<Eigen::Infinity>(),
                                       report_.tolerance);
 }

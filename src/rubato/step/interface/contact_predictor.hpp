@@ -19,8 +19,8 @@
 namespace rubato::step {
 
 /// A point that may touch, in a frame that is held. With e = Σ weight · d, how far the surface moves it off
-/// its place on the master, its gap and slips are `value` + frameᵀ e, and its forces F along them put
-/// −weight · frame F on the surface (internal side).
+/// its place on the master, its gap (from `rest_gap`) and slips are `value` + frameᵀ e, and its forces F
+/// along them put −weight · frame F on the surface (internal side).
 struct PredictorPoint {
   std::size_t zone = 0;
   std::size_t index = 0;            ///< in the zone's points
@@ -28,9 +28,11 @@ struct PredictorPoint {
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity(); ///< n, τ₁, τ₂
   Eigen::Vector3d value = Eigen::Vector3d::Zero();     ///< where d = 0 [length]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< pressing ≥ 0, and along the slips [force]
-  double gap = 0;                                      ///< where its frame was measured [length]
+  double gap = 0;                   ///< where its frame was measured, from rest_gap [length]
+  double rest_gap = 0;              ///< from where its gaps are counted: its spring begins there [length]
   double weight = 0;                ///< what a pressure there is multiplied with [area], or 1
   double penalty_compliance = 0;    ///< penetration a unit of force makes: of penalties [length/force]
+  double averaged_compliance = 0;   ///< the same where gaps close on average only [length/force]
   double tangential_compliance = 0; ///< the same of friction; 0 where it holds exactly [length/force]
   double friction = 0;              ///< μ
   double point_compliance =

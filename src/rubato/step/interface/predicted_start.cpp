@@ -87,7 +87,8 @@ private:
   void follow_frames() {
     find_touching(points_, surface_.moved, touching_);
     site_.side.measure(trial_, site_.frozen, touching_, now_);
-    move_frames(site_.model, compliance(), now_, surface_.moved, touching_, points_);
+    move_frames(site_.model, site_.side, site_.frozen, compliance(), now_, surface_.moved, touching_,
+                points_);
   }
 
   /// The forces of the springs that hold free bodies are dropped: the motion reached is the new base.

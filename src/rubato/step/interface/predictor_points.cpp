@@ -25,16 +25,23 @@ constexpr double averaged_friction_compliance = 0.01;
 /// Part of its gap that leaves a point without doubt open where frames are frozen.
 constexpr double still_open = 0.5;
 
-void set_relations(const Model& model, const Compliance& compliance,
-                   const contact::PointEvaluation& evaluation, const VectorXd& moved,
-                   PredictorPoint& predicted) {
-  const auto& k = *evaluation.kinematics;
-  predicted.weight = contact::weight_of(model.zones[predicted.zone].points[predicted.index], evaluation);
+void set_relations(const Model& model, const Compliance& compliance, const contact::Kinematics& k,
+                   const VectorXd& moved, PredictorPoint& predicted) {
   predicted.frame << k.normal, k.tangents;
   predicted.stencil.take(k.stencil, model.dofs, compliance.interface_dof_of_dof());
-  predicted.gap = k.gap;
-  predicted.value << k.gap, k.slip;
+  predicted.gap = k.gap - predicted.rest_gap;
+  predicted.value << predicted.gap, k.slip;
   predicted.value -= predicted.frame.transpose() * predicted.stencil.gather(moved);
+}
+
+/// Takes the normal spring of a point as it is at the force predicted so far.
+void follow_spring(const contact::ZoneLaw& law, const contact::PointEvaluation& evaluation,
+                   PredictorPoint& predicted) {
+  predicted.weight = contact::weight_of(law.zone->points[predicted.index], evaluation);
+  const auto spring = contact::penetration(law, predicted.index, predicted.weight, predicted.force[0],
+                                           evaluation.kinematics->gap, predicted.averaged_compliance);
+  predicted.rest_gap = spring.rest_gap;
+  predicted.penalty_compliance = spring.compliance;
 }
 
 /// Nothing faces it.
@@ -112,8 +119,8 @@ void take_points(const Model& model, const ContactEvaluator& side, const Frozen&
     const auto law = side.law_of(z, frozen);
     const bool averaged = !zone.points_own_multipliers;
     for (std::size_t i = 0; frozen[z].status.empty() && i < zone.points.size(); ++i) {
-      const auto& kinematics = contact.points[z][i].kinematics;
-      if (!kinematics || zone.points[i].excluded)
+      const auto& evaluation = contact.points[z][i];
+      if (!evaluation.kinematics || zone.points[i].excluded)
         continue;
       if (count == points.size())
         points.emplace_back();
@@ -126,11 +133,10 @@ void take_points(const Model& model, const ContactEvaluator& side, const Frozen&
             1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
       predicted.tangential_compliance =
           averaged ? averaged_friction_compliance * predicted.point_compliance : 0;
-      set_relations(model, compliance, contact.points[z][i], moved, predicted);
-      predicted.penalty_compliance =
-          contact::penetration_compliance(zone, *law.coefficients, i, predicted.weight,
-                                          averaged ? averaged_compliance * predicted.point_compliance : 0.0);
-      set_forces(state.zones[z].outcomes[i], *kinematics, predicted);
+      predicted.averaged_compliance = averaged ? averaged_compliance * predicted.point_compliance : 0.0;
+      set_forces(state.zones[z].outcomes[i], *evaluation.kinematics, predicted);
+      follow_spring(law, evaluation, predicted);
+      set_relations(model, compliance, *evaluation.kinematics, moved, predicted);
     }
   }
   points.resize(count);
@@ -144,18 +150,23 @@ void find_touching(std::span<const PredictorPoint> points, const VectorXd& d, Po
       touching[point.zone].push_back(point.index);
 }
 
-void move_frames(const Model& model, const Compliance& compliance, const ContactIterate& contact,
-                 const VectorXd& moved, const PointsOfZones& touching, std::span<PredictorPoint> points) {
+void move_frames(const Model& model, const ContactEvaluator& side, const Frozen& frozen,
+                 const Compliance& compliance, const ContactIterate& contact, const VectorXd& moved,
+                 const PointsOfZones& touching, std::span<PredictorPoint> points) {
   auto point = points.begin();
-  for (std::size_t z = 0; z < touching.size(); ++z)
+  for (std::size_t z = 0; z < touching.size(); ++z) {
+    const auto law = side.law_of(z, frozen);
     for (const auto index : touching[z]) {
       while (point->zone != z || point->index != index)
         ++point;
-      if (const auto& evaluation = contact.points[z][index]; evaluation.kinematics)
-        set_relations(model, compliance, evaluation, moved, *point);
-      else
+      if (const auto& evaluation = contact.points[z][index]; evaluation.kinematics) {
+        follow_spring(law, evaluation, *point);
+        set_relations(model, compliance, *evaluation.kinematics, moved, *point);
+      } else {
         release(*point);
+      }
     }
+  }
 }
 
 VectorXd force_on_surface(std::span<const PredictorPoint> points, Index interface_dofs) {

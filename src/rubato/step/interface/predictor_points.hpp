@@ -24,11 +24,11 @@ using PointsOfZones = std::vector<std::vector<std::size_t>>;
 /// they were measured with. Others are open without doubt and may keep their frames.
 void find_touching(std::span<const PredictorPoint> points, const Eigen::VectorXd& d, PointsOfZones& touching);
 
-/// Takes these to the frames where `contact` measured them anew. Points that have nothing to touch any more
-/// lose their forces.
-void move_frames(const model::Model& model, const Compliance& compliance, const ContactIterate& contact,
-                 const Eigen::VectorXd& moved, const PointsOfZones& touching,
-                 std::span<PredictorPoint> points);
+/// Takes these to the frames where `contact` measured them anew, and their springs to their forces. Points
+/// that have nothing to touch any more lose their forces.
+void move_frames(const model::Model& model, const ContactEvaluator& side, const Frozen& frozen,
+                 const Compliance& compliance, const ContactIterate& contact, const Eigen::VectorXd& moved,
+                 const PointsOfZones& touching, std::span<PredictorPoint> points);
 
 /// What their forces put on the surface, internal side, one an interface dof [force].
 Eigen::VectorXd force_on_surface(std::span<const PredictorPoint> points, Eigen::Index interface_dofs);

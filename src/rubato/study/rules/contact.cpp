@@ -3,6 +3,7 @@
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -79,9 +80,9 @@ private:
                         from_to(std::min(1, rule.most_order), rule.most_order));
     if (!method_.between_nodes && zone_.integration.by != ContactIntegration::nodes)
       rules_.broken({at("integration"), at("method")},
-                    fmt::format("{} has one relation a node, expected nodes; augmented_lagrangian and "
-                                "penalty take points between the nodes",
-                                method_.name));
+                    fmt::format("{} has one relation a node, expected nodes; {} take points between the "
+                                "nodes",
+                                method_.name, those_between_nodes()));
     if (!rule.chooses_normal && zone_.normal != ContactNormal::master)
       rules_.broken({at("normal"), at("integration")},
                     fmt::format("found {} with the integration {}, whose normals are those of the slave's "
@@ -89,9 +90,22 @@ private:
                                 word_of(contact_normal_words, zone_.normal), rule.name));
   }
 
+  static std::string those_between_nodes() {
+    std::vector<std::string_view> names;
+    for (const auto& method : contact_methods)
+      if (method.between_nodes)
+        names.push_back(method.name);
+    const auto last = names.back();
+    names.pop_back();
+    return fmt::format("{} and {}", fmt::join(names, ", "), last);
+  }
+
   void check_coefficients() {
-    if (zone_.normal_coefficient)
-      rules_.number(at("coefficients.normal"), *zone_.normal_coefficient, above(0));
+    rules_.numbers_of(method_, at("coefficients"), zone_);
+    for (const auto& number : method_.numbers)
+      if (const auto key = fmt::format("coefficients.{}", number.key); number.required && !number.get(zone_))
+        rules_.broken({path_, at(key), at("method")},
+                      fmt::format("'{}' is missing, which {} needs", key, method_.name));
     if (zone_.tangential_coefficient)
       rules_.number(at("coefficients.tangential"), *zone_.tangential_coefficient, above(0));
   }

@@ -75,7 +75,7 @@ TEST_F(PointsOfBeams, HaveTheGapOfTheirNewFrame) {
   for (const auto& point : points_)
     all[0].push_back(point.index);
   side_.measure(state_, held_, all, contact_);
-  move_frames(model_, *system_.compliance, contact_, d, all, points_);
+  move_frames(model_, side_, held_, *system_.compliance, contact_, d, all, points_);
   for (const auto& point : points_) {
     const double gap = contact_.points[0][point.index].kinematics->gap;
     EXPECT_EQ(point.gap, gap);
@@ -88,7 +88,7 @@ TEST_F(PointsOfBeams, LoseTheirForceWithTheirMaster) {
   contact_.points[0][points_[3].index].kinematics.reset();
   for (auto& point : points_)
     point.force = Vector3d(2, 0.1, 0);
-  move_frames(model_, *system_.compliance, contact_, at_rest_, lost, points_);
+  move_frames(model_, side_, held_, *system_.compliance, contact_, at_rest_, lost, points_);
   EXPECT_EQ(points_[3].force, Vector3d::Zero());
   EXPECT_EQ(measures_of(points_[3], at_rest_)[0], INFINITY);
   EXPECT_EQ(points_[2].force, Vector3d(2, 0.1, 0));
