@@ -11,7 +11,7 @@
 namespace rubato::deck {
 namespace {
 
-std::vector<std::string> names_of(const std::vector<WrittenRun>& runs) {
+std::vector<std::string> names_of_written(const std::vector<WrittenRun>& runs) {
   std::vector<std::string> names;
   for (const auto& run : runs)
     names.push_back(run.name.text);
@@ -59,7 +59,7 @@ bool same(const Tree& a, const Tree& b) {
 std::vector<ChosenRun> choose_runs(const Tree& deck, const std::vector<WrittenRun>& runs,
                                    std::span<const Change> changes, std::span<const std::string> only,
                                    Faults& faults) {
-  check_names(only, names_of(runs), faults);
+  check_names(only, names_of_written(runs), faults);
   std::vector<std::string> sources;
   std::vector<ChosenRun> chosen;
   for (auto run = runs.rbegin(); run != runs.rend(); ++run) {

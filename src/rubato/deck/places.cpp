@@ -9,7 +9,7 @@ namespace rubato::deck {
 namespace {
 
 /// The maps whose keys are names the user chose.
-constexpr std::array<std::string_view, 3> named{"materials", "contact", "probes"};
+constexpr std::array<std::string_view, 3> parts_of_named{"materials", "contact", "probes"};
 
 } // namespace
 
@@ -19,7 +19,7 @@ Places::Places(const Tree& tree) {
 
 void Places::add(const std::string& path, const Location& at, const Tree& tree) {
   by_path_[path] = at;
-  const bool has_names = std::ranges::find(named, path) != named.end();
+  const bool has_names = std::ranges::find(parts_of_named, path) != parts_of_named.end();
   for (const auto& entry : tree.entries)
     add(joined(path, entry.key), has_names ? entry.at : entry.value.at, entry.value);
   for (std::size_t i = 0; i < tree.items.size(); ++i)

@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using mesh::NodeIndex;
 
-std::size_t at(std::int64_t i) {
+std::size_t slot(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
@@ -78,12 +78,12 @@ NodalStress nodal_stress(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap&
     const MatrixXd at_nodes = point_stresses(bulk.law(i), physics, strain) * to_nodes.transpose();
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       result.stress.col(nodes[n]) += at_nodes.col(static_cast<Index>(n));
-      ++cells_at[at(nodes[n])];
+      ++cells_at[slot(nodes[n])];
     }
   }
   for (const auto node : dofs.nodes) {
-    if (cells_at[at(node)] > 0)
-      result.stress.col(node) /= cells_at[at(node)];
+    if (cells_at[slot(node)] > 0)
+      result.stress.col(node) /= cells_at[slot(node)];
     result.von_mises[node] = material::von_mises(result.stress.col(node));
   }
   return result;

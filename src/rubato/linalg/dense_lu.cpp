@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 constexpr double singular = 1e-15;
 /// Pivots within this factor leave no doubt: the estimate costs more than the factors of a small matrix.
 constexpr double doubtful = 1e-6;
-constexpr Eigen::Index small = 48;
+constexpr Eigen::Index without_estimate = 48;
 
 bool beyond_doubt(const Eigen::MatrixXd& factors) {
   const auto pivots = factors.diagonal().cwiseAbs();
@@ -52,7 +52,7 @@ std::optional<DenseLu> DenseLu::of(Eigen::MatrixXd matrix) {
   if (!std::isfinite(column_sums.sum()))
     return std::nullopt;
   DenseLu lu;
-  if (matrix.rows() > 0 && matrix.rows() <= small) {
+  if (matrix.rows() > 0 && matrix.rows() <= without_estimate) {
     lu.small_.emplace(matrix);
     const bool sound = beyond_doubt(lu.small_->matrixLU()) || lu.small_->rcond() > singular;
     return sound ? std::optional(std::move(lu)) : std::nullopt;

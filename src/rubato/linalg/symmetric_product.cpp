@@ -14,7 +14,7 @@ namespace rubato::linalg {
 namespace {
 
 /// Eigen is done with such a matrix before BLAS has begun.
-constexpr int small = 48;
+constexpr int unblocked = 48;
 
 } // namespace
 
@@ -22,7 +22,7 @@ void add_symmetric_product(double factor, const Eigen::MatrixXd& matrix, const d
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("a symmetric matrix that is not square");
   const auto size = static_cast<int>(matrix.rows());
-  if (size <= small) {
+  if (size <= unblocked) {
     Eigen::Map<Eigen::VectorXd>(y, size).noalias() +=
         factor * matrix.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(x, size);
     return;

@@ -2,6 +2,7 @@
 #include "rubato/mesh/builder.hpp"
 
 #include "rubato/cell/parts.hpp"
+#include "rubato/mesh/index_lists.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <algorithm>
@@ -20,11 +21,6 @@ std::vector<std::int32_t>& items_named(std::vector<Group>& groups, const std::st
 
 void append_to(std::vector<std::int32_t>& items, std::span<const std::int32_t> more) {
   items.insert(items.end(), more.begin(), more.end());
-}
-
-void sort_without_repeats(std::vector<std::int32_t>& items) {
-  std::ranges::sort(items);
-  items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
 std::vector<std::int32_t> shifted(std::vector<std::int32_t> items, std::int32_t offset) {

@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
+#include "rubato/mesh/index_lists.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,11 +17,6 @@
 
 namespace rubato::mesh {
 namespace {
-
-void sort_without_repeats(std::vector<NodeIndex>& nodes) {
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-}
 
 /// The number in "N90", "n90" or "90".
 std::optional<std::int64_t> number_in(std::string_view text) {

@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::string_view axes = "xyz";
 /// Numbers nearer than this part of them are the same.
 constexpr double rounding = 1e-9;
 /// Part of the run over which the velocity of a moving support at its beginning is taken.
@@ -22,10 +21,10 @@ bool same(double a, double b) {
   return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
 }
 
-class Collector {
+class MotionCollector {
 public:
-  Collector(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-            const constraint::Reduction& reduction, std::vector<Fault>& faults)
+  MotionCollector(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
+                  const constraint::Reduction& reduction, std::vector<Fault>& faults)
       : time_(study.time), mesh_(mesh), dofs_(dofs), faults_(faults) {
     for (const auto& support : reduction.prescribed())
       supports_[support.dof] = &support;
@@ -92,7 +91,7 @@ private:
     told_ = true;
     faults_.push_back(
         fault_at(path, fmt::format("node {} begins with the {} {:g} in {}, but {}", node_label(mesh_, node),
-                                   what, value, axes[static_cast<std::size_t>(component)], contradiction)));
+                                   what, value, "xyz"[static_cast<std::size_t>(component)], contradiction)));
   }
 
   double velocity_of(const constraint::PrescribedDof& support) const {
@@ -116,7 +115,7 @@ private:
 InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& mesh,
                                   const domain::DofMap& dofs, const constraint::Reduction& reduction,
                                   std::vector<Fault>& faults) {
-  Collector collector(study, mesh, dofs, reduction, faults);
+  MotionCollector collector(study, mesh, dofs, reduction, faults);
   for (std::size_t i = 0; i < study.initial.size(); ++i)
     collector.add(study.initial[i], fmt::format("initial.{}", i));
   return collector.take();

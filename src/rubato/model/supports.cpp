@@ -10,12 +10,10 @@ namespace {
 
 using constraint::PrescribedDof;
 
-constexpr std::string_view axes = "xyz";
-
-class Collector {
+class SupportCollector {
 public:
-  Collector(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-            std::vector<Fault>& faults)
+  SupportCollector(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
+                   std::vector<Fault>& faults)
       : study_(study), mesh_(mesh), dofs_(dofs), faults_(faults) {}
 
   void add(const study::Support& support, const std::string& path) {
@@ -44,7 +42,7 @@ private:
     told_ = true;
     faults_.push_back(
         fault_at(path, fmt::format("node {} has two different displacements prescribed in {}",
-                                   node_label(mesh_, node), axes[static_cast<std::size_t>(component)])));
+                                   node_label(mesh_, node), "xyz"[static_cast<std::size_t>(component)])));
   }
 
   const study::Study& study_;
@@ -59,7 +57,7 @@ private:
 
 constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
                                      const domain::DofMap& dofs, std::vector<Fault>& faults) {
-  Collector collector(study, mesh, dofs, faults);
+  SupportCollector collector(study, mesh, dofs, faults);
   for (std::size_t i = 0; i < study.supports.size(); ++i)
     collector.add(study.supports[i], fmt::format("supports.{}", i));
   return {dofs.dof_count, collector.prescribed()};

@@ -37,7 +37,7 @@ struct FoundGroup {
 };
 
 /// What the file says, before names are looked up: blocks come in any order.
-struct Content {
+struct MailContent {
   Word coordinates; ///< the first keyword COOR_2D or COOR_3D; empty: none yet
   int dimension = 0;
   std::vector<Word> node_names;
@@ -112,7 +112,7 @@ double number_in(const Words& words, Word word, int axis, Word node) {
   return value;
 }
 
-void read_coordinates(Words& words, Word keyword, Content& content) {
+void read_coordinates(Words& words, Word keyword, MailContent& content) {
   const int dimension = keyword == "COOR_2D" ? 2 : 3;
   if (content.dimension != 0 && content.dimension != dimension)
     words.refuse(keyword, fmt::format("found {}, expected {} as in line {}", keyword, content.coordinates,
@@ -128,7 +128,7 @@ void read_coordinates(Words& words, Word keyword, Content& content) {
   }
 }
 
-void read_cells(Words& words, Word keyword, const mail::KnownType& type, Content& content) {
+void read_cells(Words& words, Word keyword, const mail::KnownType& type, MailContent& content) {
   const auto count = static_cast<std::size_t>(cell::topology(type.ours).node_count);
   for (auto name = next_item(words, keyword); !name.empty(); name = next_item(words, keyword)) {
     auto& cell = content.cells.emplace_back(FoundCell{&type, name, {}});
@@ -169,7 +169,7 @@ void skip_title(Words& words, Word keyword) {
   words.skip_lines(1);
 }
 
-void read_block(Words& words, Word keyword, Content& content) {
+void read_block(Words& words, Word keyword, MailContent& content) {
   if (keyword == "TITRE") {
     skip_title(words, keyword);
   } else if (const auto* const type = mail::type_named(keyword)) {
@@ -187,8 +187,8 @@ void read_block(Words& words, Word keyword, Content& content) {
   }
 }
 
-Content content_of(Words& words) {
-  Content content;
+MailContent content_of(Words& words) {
+  MailContent content;
   for (auto keyword = words.next(); keyword != "FIN"; keyword = words.next()) {
     if (keyword.empty())
       words.refuse({}, "found the end of the file, expected FIN before it");
@@ -260,7 +260,7 @@ void add_cell(const FoundCell& found, const Places& nodes, MeshBuilder& builder)
   builder.add_cell(type->ours, ours, builder.cell_count() + 1, std::string(name));
 }
 
-Mesh assembled(const Words& words, const Content& content) {
+Mesh assembled(const Words& words, const MailContent& content) {
   if (content.points.empty() || content.cells.empty())
     words.refuse({}, fmt::format("found no {} in the file, expected some",
                                  content.points.empty() ? "nodes (COOR_2D or COOR_3D)" : "cells"));

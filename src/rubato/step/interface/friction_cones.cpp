@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_rounds = 30;
+constexpr int most_newton_steps = 30;
 constexpr int most_halvings = 6;
 /// Part of what is left that a whole move has to take away, a shorter one less.
 constexpr double least_progress = 0.1;
@@ -31,7 +31,7 @@ public:
 
   bool run(Pulse& pulse) {
     linearise(forces_);
-    for (int round = 0; round < most_rounds && pulse.beat() && left_.allFinite(); ++round) {
+    for (int round = 0; round < most_newton_steps && pulse.beat() && left_.allFinite(); ++round) {
       if (left_.lpNorm<Eigen::Infinity>() <= tolerance * forces_.lpNorm<Eigen::Infinity>()) {
         forces_ -= left_;
         return true;

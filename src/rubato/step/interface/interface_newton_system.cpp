@@ -24,9 +24,9 @@ constexpr double refined_to_rounding = 1e-6;
 /// turns, so that a single one means nothing.
 constexpr double slow_round = 0.5;
 constexpr int most_slow_rounds = 3;
-constexpr int most_rounds = 30;
+constexpr int most_refinements = 30;
 /// The same by factors of Newton's last iteration: new ones are better than more rounds.
-constexpr int most_rounds_by_last = 6;
+constexpr int most_refinements_by_last = 6;
 /// Systems up to this size are solved whole at once.
 constexpr Index small = 60;
 /// Whole systems beyond this size take too long to give up on.
@@ -169,11 +169,11 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solved_for_f
     if (keeps_factors() && !point.interface_dofs.empty() && point.shares.empty())
       reduce_equations(point, force_weight_ * compliance_.own(point.interface_dofs.front()));
   if (has_factors_of_these())
-    if (auto change = refined(c, most_rounds_by_last))
+    if (auto change = refined(c, most_refinements_by_last))
       return change;
   if (!factor(points().front().components()))
     return std::nullopt;
-  return refined(c, most_rounds);
+  return refined(c, most_refinements);
 }
 
 /// In held frames new factors solve to rounding, which loops around them count on.

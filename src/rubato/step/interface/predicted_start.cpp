@@ -11,8 +11,8 @@ namespace {
 using Eigen::VectorXd;
 
 /// Frames that the prediction goes through.
-constexpr int most_rounds = 10;
-constexpr int most_rounds_of_free_bodies = 60;
+constexpr int most_predictions = 10;
+constexpr int most_predictions_of_free_bodies = 60;
 /// Moves of free bodies, in parts of how far an iteration may move them, that Newton takes over.
 constexpr double at_rest = 1e-5;
 /// Cosine between moves that go one way.
@@ -43,7 +43,7 @@ public:
 
   void run() {
     begin();
-    const int rounds = takes_bases_ ? most_rounds_of_free_bodies : most_rounds;
+    const int rounds = takes_bases_ ? most_predictions_of_free_bodies : most_predictions;
     for (int round = 0; round < rounds; ++round) {
       predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved, site_.pulse);
       if (site_.pulse.stopped())

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 using model::Model;
 
 /// A friction force this little below its limit, relatively, is at it.
-constexpr double rounding = 1e-9;
+constexpr double nearly_at_limit = 1e-9;
 /// Where gaps close on average, more points than the surface has motions share each node: what keeps the
 /// forces of points unique, in parts of what the nodes give.
 constexpr double averaged_compliance = 0.1;
@@ -72,7 +72,7 @@ Status status_of(const PredictorPoint& predicted) {
   if (predicted.force[0] == 0)
     return Status::open;
   const Eigen::Vector2d friction = predicted.force.tail<2>();
-  return friction.norm() < (1 - rounding) * friction_limit(predicted) ? Status::stick : Status::slip;
+  return friction.norm() < (1 - nearly_at_limit) * friction_limit(predicted) ? Status::stick : Status::slip;
 }
 
 /// λ, Λ₁, Λ₂ of a point with that force.

@@ -16,10 +16,10 @@ using Eigen::VectorXd;
 /// Along the slips of a point.
 using Tangential = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
 
-constexpr int most_sweeps = 50;
+constexpr int most_friction_sweeps = 50;
 /// Change in a sweep, in parts of the largest limit, that a prediction needs no better than.
-constexpr double good_enough = 1e-2;
-constexpr int most_sets = 30;
+constexpr double good_friction = 1e-2;
+constexpr int most_stick_sets = 30;
 
 /// From what the sweeps have found; keeps that when the set doesn't settle.
 void tresca_active_set(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits,
@@ -30,7 +30,7 @@ void tresca_active_set(const MatrixXd& matrix, const VectorXd& slips, const Vect
   VectorXd next, held;
   std::vector<Index> sticking;
   sticking.reserve(static_cast<std::size_t>(forces.size()));
-  for (int round = 0; round < most_sets && pulse.beat(); ++round) {
+  for (int round = 0; round < most_stick_sets && pulse.beat(); ++round) {
     sticking.clear();
     next.setZero(forces.size()); // at the bounds first
     for (Index k = 0; k < forces.size(); ++k) {
@@ -71,7 +71,7 @@ void tresca_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, const V
                          VectorXd& forces) {
   VectorXd slips = values;
   slips.noalias() += matrix * forces;
-  for (int round = 0; round < most_sweeps; ++round) {
+  for (int round = 0; round < most_friction_sweeps; ++round) {
     double largest_change = 0;
     for (Index i = 0; i < limits.size(); ++i) {
       const Index first = i * tangents;
@@ -87,7 +87,7 @@ void tresca_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, const V
       for (Index a = 0; a < tangents; ++a)
         slips += change[a] * matrix.col(first + a);
     }
-    if (largest_change <= good_enough * limits.maxCoeff())
+    if (largest_change <= good_friction * limits.maxCoeff())
       return;
   }
 }
