@@ -51,6 +51,7 @@ SubFacet make_facet(CellType face, const Nodes& nodes) {
 
 std::vector<SubFacet> make_facets(CellType face, const std::vector<Nodes>& parts) {
   std::vector<SubFacet> facets;
+  facets.reserve(parts.size());
   for (const auto& nodes : parts)
     facets.push_back(make_facet(face, nodes));
   return facets;
