@@ -217,6 +217,7 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
                std::span<const NodeIndex> excluded_nodes, const ZoneGeometry& geometry) {
   Zone zone;
   zone.settings = settings;
+  zone.self = !settings.self.empty();
   zone.space_dimension = geometry.space_dimension;
   const auto rule = integration_of(settings);
   zone.unit_weights = rule.unit_weights;
@@ -228,6 +229,9 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
   }
   zone.points_own_multipliers =
       std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
+  if (zone.self)
+    for (const auto node : master.nodes)
+      zone.undeformed_master.push_back(mesh.points[static_cast<std::size_t>(node)]);
   zone.master = std::move(master);
   zone.slave = std::move(slave);
   for (auto& point : zone.points)

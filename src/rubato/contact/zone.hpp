@@ -15,6 +15,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace rubato::contact {
@@ -49,12 +50,18 @@ struct SlavePoint {
 };
 
 struct Zone {
-  study::ContactZone settings;
-  Surface master;                   ///< empty with an obstacle
+  study::ContactZone settings; ///< with master and slave, whoever chose them
+  std::string choice; ///< why the slave is the slave, where the deck leaves it to the model; or empty
+  Surface master;     ///< empty with an obstacle
   std::optional<Obstacle> obstacle; ///< instead of a master
   Surface slave;
   std::vector<SlavePoint> points;
   int space_dimension = 3;
+  /// Whether master and slave are one surface. Which of two of its parts is the slave is told by
+  /// self_pairs.hpp.
+  bool self = false;
+  /// Of a surface that touches itself: its undeformed places, by position in the surface's nodes.
+  std::vector<Eigen::Vector3d> undeformed_master;
   /// Whether every point stands on a node and has its multipliers for itself. Otherwise gaps close on average
   /// over the faces only.
   bool points_own_multipliers = false;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/integration.hpp"
-#include "rubato/mesh/orientation.hpp"
+#include "rubato/core/naming.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/named_faces.hpp"
+#include "rubato/model/slave_side.hpp"
+#include "rubato/model/touching_parts.hpp"
 #include "rubato/study/contact_methods.hpp"
 
 #include <fmt/format.h>
@@ -17,71 +20,6 @@
 
 namespace rubato::model {
 namespace {
-
-/// Whether `nodes` runs round the face the same way as `outward`.
-bool same_sense(std::span<const mesh::NodeIndex> nodes, std::span<const mesh::NodeIndex> outward,
-                int corners) {
-  const auto corner = [&](std::span<const mesh::NodeIndex> list, int i) {
-    return list[static_cast<std::size_t>(i % corners)];
-  };
-  int shift = 0;
-  while (corner(nodes, 0) != corner(outward, shift))
-    ++shift;
-  return corner(nodes, 1) == corner(outward, shift + 1);
-}
-
-/// The side with the numbering of the mesh's own face, mirrored when that one looks inwards. Where a
-/// projection leaves a triangle, the closest point of the reference cell depends on which corner is the first
-/// one: it is the user's.
-contact::Face face_of(const mesh::Mesh& mesh, const mesh::SurfaceFace& side) {
-  contact::Face face;
-  face.type = side.type;
-  face.node_count = static_cast<int>(side.nodes().size());
-  face.cell = side.face;
-  std::ranges::copy(side.nodes(), face.nodes.begin());
-  if (mesh.type_of(side.face) != side.type)
-    return face;
-  const auto own = mesh.nodes_of(side.face);
-  const auto& topology = cell::topology(side.type);
-  const auto mirrored = mesh::mirrored_numbering(side.type);
-  const bool outwards = topology.dimension == 1 ? own[0] == side.nodes()[0]
-                                                : same_sense(own, side.nodes(), topology.corner_count);
-  for (std::size_t i = 0; i < own.size(); ++i)
-    face.nodes[i] = own[outwards ? i : mirrored[i]];
-  return face;
-}
-
-contact::Surface surface_of(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> sides) {
-  std::vector<contact::Face> faces;
-  std::ranges::transform(sides, std::back_inserter(faces),
-                         [&](const auto& side) { return face_of(mesh, side); });
-  return contact::make_surface(mesh, std::move(faces));
-}
-
-/// Sides of cells with their outward normals, and sheets, for those who take them.
-struct NamedFaces {
-  std::vector<mesh::SurfaceFace> sides;
-  mesh::Sheets sheets;
-};
-
-std::optional<NamedFaces> faces_named(const mesh::Mesh& mesh, const Mention& name, bool takes_sheets,
-                                      std::vector<Fault>& faults) {
-  const auto* group = cells_named(mesh, name, faults);
-  if (group == nullptr)
-    return std::nullopt;
-  auto oriented = mesh::oriented_faces(mesh, group->items);
-  NamedFaces named;
-  if (takes_sheets)
-    named.sheets = mesh::sheets_of(mesh, std::exchange(oriented.unowned, {}));
-  auto told = mesh::faults_of(mesh, oriented);
-  std::ranges::move(named.sheets.faults, std::back_inserter(told));
-  for (const auto& text : told)
-    faults.push_back(fault_at(name.path, fmt::format("contact surface '{}': {}", name.name, text)));
-  if (!told.empty())
-    return std::nullopt;
-  named.sides = std::move(oriented.faces);
-  return named;
-}
 
 /// Slave faces as near as this, in parts of the nearest one's distance and of its size, tell on which side of
 /// a sheet the slave is.
@@ -198,28 +136,199 @@ void check_rule(const study::ContactZone& zone, const contact::Surface& slave, s
   }
 }
 
+/// Where the study has the name of a zone's surface.
+Mention mention_of(const study::ContactZone& settings, const std::string& surface, std::string_view side) {
+  const auto path = "contact." + settings.name;
+  if (!settings.self.empty())
+    return {surface, path + ".self"};
+  for (std::size_t i = 0; i < settings.between.size(); ++i)
+    if (settings.between[i] == surface)
+      return {surface, fmt::format("{}.between.{}", path, i)};
+  return {surface, fmt::format("{}.{}", path, side)};
+}
+
 Mention slave_of(const study::ContactZone& settings) {
-  return {settings.slave, "contact." + settings.name + ".slave"};
+  return mention_of(settings, settings.slave, "slave");
 }
 
 Mention master_of(const study::ContactZone& settings) {
-  return {settings.master, "contact." + settings.name + ".master"};
+  return mention_of(settings, settings.master, "master");
 }
 
-std::pair<contact::Surface, contact::Surface> surfaces_of(const study::ContactZone& settings,
-                                                          const mesh::Mesh& mesh, const domain::DofMap& dofs,
-                                                          const constraint::Reduction& reduction,
-                                                          std::vector<Fault>& faults) {
-  const auto slave = faces_named(mesh, slave_of(settings), false, faults);
-  if (settings.obstacle)
-    return {contact::Surface(), slave ? surface_of(mesh, slave->sides) : contact::Surface()};
-  auto master = faces_named(mesh, master_of(settings), true, faults);
-  if (!master || !slave)
+/// A zone as it is made: its master and slave have names, and why.
+struct ChosenZone {
+  study::ContactZone settings;
+  contact::Surface master;
+  contact::Surface slave;
+  std::string choice;
+};
+
+/// Makes the zones of a study. Faults are those of all of them.
+class ZoneMaker {
+public:
+  ZoneMaker(const study::Study& study, const mesh::Mesh& mesh, const domain::Bulk& bulk,
+            const domain::DofMap& dofs, const constraint::Reduction& reduction, std::vector<Fault>& faults)
+      : study_(study), mesh_(mesh), bulk_(bulk), dofs_(dofs), reduction_(reduction), faults_(faults) {}
+
+  std::vector<contact::Zone> make() {
+    for (const auto& settings : study_.contact) {
+      known_faults_ = faults_.size();
+      for (auto& chosen : chosen_zones(settings))
+        add(std::move(chosen));
+    }
+    return std::move(zones_);
+  }
+
+private:
+  std::vector<ChosenZone> chosen_zones(const study::ContactZone& settings) {
+    if (settings.all)
+      return zones_between_bodies(settings);
+    if (!settings.between.empty())
+      return {given_zone(with_sides(settings))};
+    if (!settings.self.empty())
+      return {self_zone(settings)};
+    return {given_zone({settings, {}, {}, {}})};
+  }
+
+  const SideMeasures& measures() {
+    if (!measures_)
+      measures_.emplace(mesh_, bulk_, dofs_, reduction_);
+    return *measures_;
+  }
+
+  SideMeasures::Side measured(const NamedFaces& faces) {
+    auto all = faces.sides;
+    all.insert(all.end(), faces.sheets.faces.begin(), faces.sheets.faces.end());
+    return measures().of(all);
+  }
+
+  /// Names the master and the slave of a zone that has two surfaces.
+  ChosenZone with_sides(const study::ContactZone& settings) {
+    ChosenZone zone{settings, {}, {}, {}};
+    std::vector<SideMeasures::Side> sides;
+    std::vector<Fault> unnamed;
+    for (const auto& name : settings.between)
+      if (const auto faces = faces_named(mesh_, mention_of(settings, name, {}), true, unnamed))
+        sides.push_back(measured(*faces));
+    const auto choice = sides.size() == 2 ? choose_slave(sides[0], sides[1]) : SlaveChoice{};
+    zone.settings.slave = settings.between[choice.slave];
+    zone.settings.master = settings.between[1 - choice.slave];
+    zone.choice = choice.reason;
+    return zone;
+  }
+
+  ChosenZone given_zone(ChosenZone zone) {
+    const auto& settings = zone.settings;
+    const auto slave = faces_named(mesh_, slave_of(settings), false, faults_);
+    if (settings.obstacle) {
+      zone.slave = slave ? surface_of(mesh_, slave->sides) : contact::Surface();
+      return zone;
+    }
+    auto master = faces_named(mesh_, master_of(settings), true, faults_);
+    if (!master || !slave)
+      return zone;
+    check_sheets(mesh_, master_of(settings), master->sheets, dofs_, reduction_, faults_);
+    turn_to_slave(mesh_, slave->sides, master->sheets);
+    master->sides.insert(master->sides.end(), master->sheets.faces.begin(), master->sheets.faces.end());
+    zone.master = surface_of(mesh_, master->sides);
+    zone.slave = surface_of(mesh_, slave->sides);
+    return zone;
+  }
+
+  /// Master and slave are the same faces.
+  ChosenZone self_zone(const study::ContactZone& settings) {
+    ChosenZone zone{settings, {}, {}, {}};
+    zone.settings.master = zone.settings.slave = settings.self;
+    if (const auto faces = faces_named(mesh_, slave_of(zone.settings), false, faults_)) {
+      zone.slave = zone.master = surface_of(mesh_, faces->sides);
+      if (!can_meet_itself(mesh_, faces->sides))
+        faults_.push_back(
+            fault_at(slave_of(zone.settings).path,
+                     fmt::format("found '{}', no two faces of which can come to face each other, "
+                                 "expected a surface that can touch itself",
+                                 settings.self)));
+    }
+    return zone;
+  }
+
+  std::vector<ChosenZone> zones_between_bodies(const study::ContactZone& settings) {
+    const auto touching = touching_parts(mesh_, bulk_, measures());
+    if (touching.empty())
+      faults_.push_back(fault_at("contact." + settings.name + ".all",
+                                 "no two bodies of the mesh have surfaces that face each other, expected two "
+                                 "bodies at least; 'self' is for one that touches itself"));
+    std::vector<ChosenZone> zones;
+    for (const auto& pair : touching) {
+      ChosenZone zone{settings, surface_of(mesh_, pair.master), surface_of(mesh_, pair.slave), pair.choice};
+      zone.settings.name = settings.name + "_" + pair.name;
+      zone.settings.master = pair.master_name;
+      zone.settings.slave = pair.slave_name;
+      zones.push_back(std::move(zone));
+    }
+    return zones;
+  }
+
+  /// Names of zones that the model finds are its own choice.
+  void check_name(const std::string& name) {
+    const auto is_same = [&](const auto& zone) { return zone.settings.name == name; };
+    if (!is_name(name) || std::ranges::any_of(zones_, is_same))
+      faults_.push_back(
+          fault_at("contact", fmt::format("found two zones named {}, one of them of 'all', or a "
+                                          "name that is too long; expected other names",
+                                          shown(name))));
+  }
+
+  void check_apart(const ChosenZone& zone) {
+    if (zone.settings.self.empty() && !zone.settings.all && share_a_face(zone.master, zone.slave))
+      faults_.push_back(fault_at(slave_of(zone.settings).path,
+                                 fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
+                                             zone.settings.master, zone.settings.slave)));
+  }
+
+  void add(ChosenZone chosen) {
+    const auto& settings = chosen.settings;
+    const auto excluded = excluded_nodes(mesh_, settings, faults_);
+    if (faults_.size() == known_faults_)
+      check_apart(chosen);
+    check_name(settings.name);
+    check_rule(settings, chosen.slave, faults_);
+    if (faults_.size() > known_faults_)
+      return;
+    const auto geometry = zone_geometry();
+    if (settings.obstacle)
+      zones_.push_back(contact::make_zone(
+          mesh_, settings, contact::make_obstacle(*settings.obstacle, study_.physics, study_.functions),
+          std::move(chosen.slave), excluded, geometry));
+    else
+      zones_.push_back(contact::make_zone(mesh_, settings, std::move(chosen.master), std::move(chosen.slave),
+                                          excluded, geometry));
+    zones_.back().held = held_components(zones_.back().slave, dofs_, reduction_);
+    zones_.back().choice = std::move(chosen.choice);
+  }
+
+  contact::ZoneGeometry zone_geometry() const {
+    const bool plane =
+        study_.physics == study::Physics::plane_stress || study_.physics == study::Physics::plane_strain;
+    return {dofs_.components, plane ? study_.thickness : 1.0,
+            study_.physics == study::Physics::axisymmetric ? contact::Measure::ring : contact::Measure::unit};
+  }
+
+  const study::Study& study_;
+  const mesh::Mesh& mesh_;
+  const domain::Bulk& bulk_;
+  const domain::DofMap& dofs_;
+  const constraint::Reduction& reduction_;
+  std::vector<Fault>& faults_;
+  std::optional<SideMeasures> measures_;
+  std::size_t known_faults_ = 0; ///< before the zone at hand
+  std::vector<contact::Zone> zones_;
+};
+
+/// The groups that may be a zone's master.
+std::vector<std::string> masters_named(const study::ContactZone& settings) {
+  if (settings.obstacle || settings.all || !settings.self.empty())
     return {};
-  check_sheets(mesh, master_of(settings), master->sheets, dofs, reduction, faults);
-  turn_to_slave(mesh, slave->sides, master->sheets);
-  master->sides.insert(master->sides.end(), master->sheets.faces.begin(), master->sheets.faces.end());
-  return {surface_of(mesh, master->sides), surface_of(mesh, slave->sides)};
+  return settings.between.empty() ? std::vector{settings.master} : settings.between;
 }
 
 } // namespace
@@ -227,43 +336,27 @@ std::pair<contact::Surface, contact::Surface> surfaces_of(const study::ContactZo
 std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh) {
   std::vector<mesh::CellIndex> faces;
   for (const auto& settings : study.contact)
-    if (const auto* group = settings.obstacle ? nullptr : mesh.cell_group(settings.master)) {
-      const auto unowned = mesh::oriented_faces(mesh, group->items).unowned;
-      faces.insert(faces.end(), unowned.begin(), unowned.end());
-    }
+    for (const auto& name : masters_named(settings))
+      if (const auto* group = mesh.cell_group(name)) {
+        const auto unowned = mesh::oriented_faces(mesh, group->items).unowned;
+        faces.insert(faces.end(), unowned.begin(), unowned.end());
+      }
   return faces;
 }
 
 std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,
-                                      const domain::DofMap& dofs, const constraint::Reduction& reduction,
-                                      std::vector<Fault>& faults) {
-  const bool plane =
-      study.physics == study::Physics::plane_stress || study.physics == study::Physics::plane_strain;
-  const contact::ZoneGeometry geometry{
-      dofs.components, plane ? study.thickness : 1.0,
-      study.physics == study::Physics::axisymmetric ? contact::Measure::ring : contact::Measure::unit};
-  std::vector<contact::Zone> zones;
-  for (const auto& settings : study.contact) {
-    const auto known = faults.size();
-    auto [master, slave] = surfaces_of(settings, mesh, dofs, reduction, faults);
-    const auto excluded = excluded_nodes(mesh, settings, faults);
-    if (faults.size() == known && share_a_face(master, slave))
-      faults.push_back(fault_at(slave_of(settings).path,
-                                fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
-                                            settings.master, settings.slave)));
-    check_rule(settings, slave, faults);
-    if (faults.size() > known)
-      continue;
-    if (settings.obstacle)
-      zones.push_back(contact::make_zone(
-          mesh, settings, contact::make_obstacle(*settings.obstacle, study.physics, study.functions),
-          std::move(slave), excluded, geometry));
-    else
-      zones.push_back(
-          contact::make_zone(mesh, settings, std::move(master), std::move(slave), excluded, geometry));
-    zones.back().held = held_components(zones.back().slave, dofs, reduction);
-  }
-  return zones;
+                                      const domain::Bulk& bulk, const domain::DofMap& dofs,
+                                      const constraint::Reduction& reduction, std::vector<Fault>& faults) {
+  return ZoneMaker(study, mesh, bulk, dofs, reduction, faults).make();
+}
+
+void note_choices(std::span<const contact::Zone> zones, std::vector<std::string>& notes) {
+  for (const auto& zone : zones)
+    if (!zone.choice.empty())
+      notes.push_back(
+          fmt::format("contact zone {}: '{}' ({} faces) is the slave of '{}' ({} faces), because {}",
+                      zone.settings.name, zone.settings.slave, zone.slave.faces.size(), zone.settings.master,
+                      zone.master.faces.size(), zone.choice));
 }
 
 } // namespace rubato::model

@@ -223,4 +223,12 @@ constexpr FrictionMethod usual_friction_method(ContactMethod method) {
   return entry_of(method).friction.front();
 }
 
+/// Where the contact points of a zone stand where nothing is asked for. A surface that touches itself has no
+/// side that could be chosen finer or softer: mortar depends least on it. Nodal methods and explicit steps
+/// have their points on nodes.
+constexpr ContactRule usual_integration(const ContactZone& zone, SchemeKind scheme) {
+  const bool mortar = !zone.self.empty() && entry_of(zone.method).between_nodes && !is_explicit(scheme);
+  return {mortar ? ContactIntegration::mortar : ContactIntegration::nodes, 0};
+}
+
 } // namespace rubato::study

@@ -162,13 +162,24 @@ Json echo(const Obstacle& obstacle, Physics physics) {
   return map;
 }
 
-Json echo(const ContactZone& zone, Physics physics) {
-  auto map = Json::object();
-  if (zone.obstacle)
+void put_surfaces(Json& map, const ContactZone& zone, Physics physics) {
+  if (!zone.between.empty())
+    map["between"] = zone.between;
+  else if (!zone.self.empty())
+    map["self"] = zone.self;
+  else if (zone.all)
+    map["all"] = true;
+  else if (zone.obstacle)
     map["obstacle"] = echo(*zone.obstacle, physics);
   else
     map["master"] = zone.master;
-  map["slave"] = zone.slave;
+  if (!zone.slave.empty())
+    map["slave"] = zone.slave;
+}
+
+Json echo(const ContactZone& zone, Physics physics) {
+  auto map = Json::object();
+  put_surfaces(map, zone, physics);
   map["friction"] = zone.friction;
   map["method"] = word(contact_method_words, zone.method);
   map["friction_method"] = word(friction_method_words, zone.friction_method);

@@ -195,6 +195,10 @@ struct ContactZone {
   std::string master;               ///< empty with an obstacle
   std::optional<Obstacle> obstacle; ///< instead of a master
   std::string slave;
+  /// Instead of master and slave one of these three.
+  std::vector<std::string> between; ///< two surfaces; the model chooses which is the slave
+  std::string self;                 ///< a surface that touches itself
+  bool all = false;                 ///< every two surfaces of different bodies that can touch
   double friction = 0; ///< Coulomb's μ ≥ 0
   ContactMethod method = ContactMethod::augmented_lagrangian;
   FrictionMethod friction_method = FrictionMethod::augmented_lagrangian;

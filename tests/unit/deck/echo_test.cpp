@@ -46,6 +46,8 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   decks.push_back(timber);
   decks.push_back(replaced(timber, "shear_xz: 1", "shear_xz: 1, angle_z: 10, angle_y: -20, angle_x: 30"));
   decks.push_back(smallest_deck + "solver: condensed\n");
+  for (const auto* zone : {"between: [M, S]", "self: skin", "self: skin, integration: nodes", "all: true"})
+    decks.push_back(smallest_deck + "contact: {a: {" + zone + "}}\n");
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);
     EXPECT_EQ(read_back(study), study) << deck;

@@ -222,6 +222,28 @@ TEST(DeckKeys, ContactOnlyNeedsItsTwoSurfaces) {
   EXPECT_EQ(zone, expected);
 }
 
+TEST(DeckKeys, ContactMayLeaveItsSidesToTheModel) {
+  const auto zone_of = [](const std::string& zone) {
+    return parse_one(smallest_deck + "contact: {a: {" + zone + "}}").contact.at(0);
+  };
+  const auto between = zone_of("between: [M, S]");
+  EXPECT_EQ(between.between, (std::vector<std::string>{"M", "S"}));
+  EXPECT_EQ(between.integration.by, study::ContactIntegration::nodes);
+  EXPECT_TRUE(zone_of("all: true").all);
+  EXPECT_EQ(zone_of("self: skin").self, "skin");
+}
+
+TEST(DeckKeys, ContactWithItselfIsByMortarWhereTheMethodAndTheSchemeTakeIt) {
+  const auto integration = [](const std::string& deck, const std::string& zone) {
+    return parse_one(deck + "contact: {a: {self: skin" + zone + "}}").contact.at(0).integration.by;
+  };
+  EXPECT_EQ(integration(smallest_deck, ""), study::ContactIntegration::mortar);
+  EXPECT_EQ(integration(smallest_deck, ", integration: nodes"), study::ContactIntegration::nodes);
+  EXPECT_EQ(integration(smallest_deck, ", method: nodal_lagrange"), study::ContactIntegration::nodes);
+  EXPECT_EQ(integration(replaced(smallest_deck, "newmark", "central_difference"), ", method: penalty"),
+            study::ContactIntegration::nodes);
+}
+
 TEST(DeckKeys, AContactMethodBringsItsFrictionAndItsGeometryLoop) {
   const auto zone_of = [](const std::string& method) {
     return parse_one(smallest_deck + "contact: {a: {master: M, slave: S, method: " + method + "}}")
