@@ -34,13 +34,20 @@ double farthest_motion(const std::vector<Vector3d>& from, const std::vector<Vect
   return std::sqrt(squared);
 }
 
+/// Faces that touch are not farther apart than the longest of them.
+std::optional<SelfPairs> self_pairs_of(const Zone& zone) {
+  if (!zone.self)
+    return std::nullopt;
+  return SelfPairs(zone.master, zone.undeformed_master, zone.master.longest_edge);
+}
+
 } // namespace
 
 NeighbourList::NeighbourList(const Zone& zone)
     : zone_(&zone), margin_(margin_in_edges * zone.master.longest_edge), master_(zone.master.nodes.size()),
       slave_(zone.points.size()),
       pairs_(zone.points.size(), zone.obstacle ? Pair::before_obstacle() : Pair()),
-      visits_(zone.points.size()) {}
+      visits_(zone.points.size()), self_(self_pairs_of(zone)) {}
 
 void NeighbourList::forget_visits() {
   std::ranges::fill(visits_, Visits());
@@ -75,6 +82,8 @@ void NeighbourList::update(const Configuration& configuration, std::span<const s
 
 void NeighbourList::follow(const Configuration& configuration) {
   locate(configuration);
+  if (self_)
+    follow_itself(configuration);
   if (searches_ == 0 || 2 * moved_since_search() > margin_)
     search();
 }
@@ -84,7 +93,10 @@ void NeighbourList::pair(std::size_t point) {
   if (visits.kept_face >= 0 && stays_on(point, visits.kept_face))
     return;
   auto& pair = pairs_[point];
-  pair = pair_around(*zone_, nearest_of(point), slave_[point], master_, pair.master_face);
+  if (self_)
+    pair_with_itself(point);
+  else
+    pair = pair_around(*zone_, nearest_of(point), slave_[point], master_, pair.master_face);
   if (pair.master_face != visits.faces.front() || visits.kept_face >= 0)
     note_visit(point);
 }
@@ -141,7 +153,7 @@ void NeighbourList::search() {
   start_.assign(1, 0);
   near_nodes_.clear();
   for (const auto& x : slave_) {
-    const double reach = std::sqrt(tree.nearest(x).squared_distance) + margin_;
+    const double reach = (self_ ? self_->reach() : std::sqrt(tree.nearest(x).squared_distance)) + margin_;
     tree.append_within(x, reach, near_nodes_);
     start_.push_back(near_nodes_.size());
   }
@@ -159,6 +171,41 @@ std::size_t NeighbourList::nearest_of(std::size_t point) const {
     nearest = near_nodes_[k];
   }
   return nearest;
+}
+
+/// The patches are those of the step's start: iterations do not change who is whose slave.
+void NeighbourList::follow_itself(const Configuration& configuration) {
+  Points start;
+  for (const auto node : zone_->master.nodes)
+    start.push_back(configuration.position(node) - configuration.increment(node));
+  if (start != step_start_) {
+    step_start_ = std::move(start);
+    self_->update(step_start_);
+  }
+  normals_ = unit_normals(zone_->master, master_);
+}
+
+/// Whether a face is the master of one that the point stands on, and looks towards it; none around the point
+/// is.
+bool NeighbourList::may_face(std::size_t point, int face) const {
+  const auto& places = zone_->points[point].stands_on;
+  const auto met = [&](const PointOnFace& place) { return self_->may_meet(place.face, face); };
+  const auto mastered = [&](const PointOnFace& place) {
+    return self_->may_pair(place.face, face) && self_->face_each_other(normals_, place.face, face);
+  };
+  return std::ranges::all_of(places, met) && std::ranges::any_of(places, mastered);
+}
+
+/// Of all faces around the nodes that are near, as of those around the nearest node else.
+void NeighbourList::pair_with_itself(std::size_t point) {
+  std::vector<int> faces;
+  for (auto k = start_[point]; k < start_[point + 1]; ++k)
+    for (const int face : zone_->master.faces_of_node[near_nodes_[k]])
+      if (may_face(point, face))
+        faces.push_back(face);
+  std::ranges::sort(faces);
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  pairs_[point] = pair_among(*zone_, faces, slave_[point], master_);
 }
 
 } // namespace rubato::contact

@@ -12,13 +12,18 @@
 /// common edge. A point that comes back to a face it has left in the same attempt at a step therefore stays
 /// on one of the two, the first in the surface, continued a little beyond its border: normal and place are
 /// smooth there.
+///
+/// Of a surface that touches itself a point faces only what is the master of a face it stands on
+/// (self_pairs.hpp), where the step begins, and what looks towards it.
 #pragma once
 
 #include "rubato/contact/pairing.hpp"
+#include "rubato/contact/self_pairs.hpp"
 #include "rubato/contact/zone.hpp"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,6 +60,10 @@ private:
   void search();
   std::size_t nearest_of(std::size_t point) const;
 
+  void follow_itself(const Configuration& configuration);
+  void pair_with_itself(std::size_t point);
+  bool may_face(std::size_t point, int face) const;
+
   /// Faces that a point has been on, the last one first.
   struct Visits {
     std::array<int, 4> faces{-1, -1, -1, -1};
@@ -75,6 +84,10 @@ private:
   std::vector<Pair> pairs_;
   std::vector<Visits> visits_; ///< of each slave point in this attempt
   int searches_ = 0;
+
+  std::optional<SelfPairs> self_; ///< of a surface that touches itself: as it is where the step begins
+  Points step_start_;             ///< of the master's nodes there
+  Points normals_;                ///< of its faces, unit, at the configuration at hand
 };
 
 } // namespace rubato::contact

@@ -88,6 +88,16 @@ Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::spa
   return {best.face, best.projection};
 }
 
+Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
+                std::span<const Vector3d> master) {
+  Candidate best;
+  for (const int face : faces)
+    consider(zone, face, x, master, best);
+  if (best.face < 0 || !(best.projection.overshoot <= tolerances.paired_overshoot))
+    return {};
+  return {best.face, best.projection};
+}
+
 Pair pair_on(const Zone& zone, int face, const Vector3d& x, std::span<const Vector3d> master) {
   const auto& of_zone = zone.master.faces[static_cast<std::size_t>(face)];
   return {face, project(of_zone.type, coordinates_of(of_zone, master), x)};

@@ -31,6 +31,10 @@ std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuratio
 Pair pair_around(const Zone& zone, std::size_t node, const Eigen::Vector3d& x,
                  std::span<const Eigen::Vector3d> master, int guess = -1);
 
+/// The same of the faces given, ascending; unpaired when there is none.
+Pair pair_among(const Zone& zone, std::span<const int> faces, const Eigen::Vector3d& x,
+                std::span<const Eigen::Vector3d> master);
+
 /// The projection of a point at `x` on one face of the master, however far beyond its border.
 Pair pair_on(const Zone& zone, int face, const Eigen::Vector3d& x, std::span<const Eigen::Vector3d> master);
 

@@ -30,13 +30,19 @@ void collect(const Surface& surface, const PositionOf& position, std::vector<Vec
   std::ranges::transform(surface.nodes, into.begin(), position);
 }
 
+std::optional<SelfPairs> self_of(const Zone& zone) {
+  if (!zone.self)
+    return std::nullopt;
+  return SelfPairs(zone.slave, zone.undeformed_master, zone.mortar->longest_face);
+}
+
 Vector3d position_at_start(const Configuration& configuration, mesh::NodeIndex node) {
   return configuration.position(node) - configuration.increment(node);
 }
 
 } // namespace
 
-Points::Points(const Zone& zone) : zone_(&zone), keep_(keep_of(zone)) {}
+Points::Points(const Zone& zone) : zone_(&zone), keep_(keep_of(zone)), self_(self_of(zone)) {}
 
 void Points::update(const Configuration& configuration) {
   const auto position = [&](mesh::NodeIndex node) { return configuration.position(node); };
@@ -50,8 +56,12 @@ void Points::update(const Configuration& configuration) {
 
 void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
                           Operators& into) {
-  const Options options{.held = zone_->held, .keep = keep_};
-  if (zone_->obstacle)
+  Options options{.held = zone_->held, .keep = keep_};
+  if (self_)
+    options.may_pair = [this](int one, int other) { return self_->may_pair(one, other); };
+  if (zone_->self)
+    integrate(zone_->slave, *zone_->mortar, zone_->slave, slave, slave, options, workspace_, into);
+  else if (zone_->obstacle)
     integrate(zone_->slave, *zone_->mortar, *zone_->obstacle, offset, slave, options, workspace_, into);
   else
     integrate(zone_->slave, *zone_->mortar, zone_->master, slave, master, options, workspace_, into);
@@ -66,6 +76,8 @@ void Points::take_start(const Configuration& configuration) {
     return;
   start_t_ = configuration.start_t;
   start_slave_ = std::move(start);
+  if (self_)
+    self_->update(start_slave_);
   start_tangents_.resize(start_slave_.size());
   if (zone_->obstacle) {
     Operators before;

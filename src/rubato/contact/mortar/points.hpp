@@ -8,9 +8,11 @@
 
 #include "rubato/contact/enforcement.hpp"
 #include "rubato/contact/mortar/operators.hpp"
+#include "rubato/contact/self_pairs.hpp"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +41,7 @@ private:
 
   const Zone* zone_;
   std::vector<Keep> keep_;
+  std::optional<SelfPairs> self_; ///< of a surface that touches itself: as it is where the step begins
   Workspace workspace_;
   Operators now_;
   Positions slave_, master_;

@@ -199,6 +199,27 @@ void take_values(const Surface& surface, double scale, std::vector<double>& valu
   touched.clear();
 }
 
+/// Of a surface that touches itself: a node that is in the stencil as the master's as well as the slave's
+/// stands there once.
+void merge_sides(std::size_t slave_nodes, Stencil& stencil) {
+  auto kept = slave_nodes;
+  for (auto i = slave_nodes; i < stencil.nodes.size(); ++i) {
+    const auto own =
+        std::find(stencil.nodes.begin(), stencil.nodes.begin() + static_cast<std::ptrdiff_t>(slave_nodes),
+                  stencil.nodes[i]) -
+        stencil.nodes.begin();
+    const double weight = stencil.weights[static_cast<Eigen::Index>(i)];
+    if (at(static_cast<int>(own)) < slave_nodes) {
+      stencil.weights[own] += weight;
+    } else {
+      stencil.nodes[kept] = stencil.nodes[i];
+      stencil.weights[static_cast<Eigen::Index>(kept++)] = weight;
+    }
+  }
+  stencil.nodes.resize(kept);
+  stencil.weights.conservativeResize(static_cast<Eigen::Index>(kept));
+}
+
 void sort_shares(std::size_t node_count, Workspace::Impl& work) {
   work.first_share.assign(node_count + 1, 0);
   for (const auto& share : work.shares)
@@ -254,6 +275,8 @@ void fill_stencils(const Surface& slave, const Surface* master, int components, 
     take_values(slave, scale, work.slave_values, work.slave_touched, stencil, 0);
     if (master != nullptr)
       take_values(*master, -scale, work.master_values, work.master_touched, stencil, at(node.slave_nodes));
+    if (master == &slave)
+      merge_sides(at(node.slave_nodes), stencil);
   }
 }
 
