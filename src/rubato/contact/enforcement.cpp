@@ -125,6 +125,18 @@ void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcome
   }
 }
 
+/// A node that gave its function away has the mean pressure of those that took it.
+void inherit_pressures(std::span<const PointEvaluation> points, std::vector<PointOutcome>& outcomes) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& heirs = points[i].heirs;
+    double sum = 0;
+    for (const int heir : heirs)
+      sum += outcomes[static_cast<std::size_t>(heir)].pressure;
+    if (!heirs.empty())
+      outcomes[i].pressure = sum / static_cast<double>(heirs.size());
+  }
+}
+
 } // namespace
 
 PointState variables_of(const Zone& zone, const SlavePoint& point, const VectorXd& multipliers,
@@ -312,6 +324,7 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
     outcome.tangential = weight * (points[i].kinematics->tangents * traction.tail<2>());
   }
   recover_axis_pressures(*law.zone, all);
+  inherit_pressures(points, all);
   return all;
 }
 

@@ -69,6 +69,8 @@ struct PointEvaluation {
   std::optional<Kinematics> kinematics;
   PointState variables;
   double cover = 1; ///< part of the point's area that faces the master: less than 1 in mortar only
+  /// Of a mortar node that faces so little that it gives its function away: the points that have it.
+  std::vector<int> heirs{};
 };
 
 /// Gap, slip and multipliers of a point, the latter interpolated from the nodes that share it.

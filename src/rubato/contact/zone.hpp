@@ -103,6 +103,10 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
 Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Obstacle obstacle, Surface slave,
                std::span<const mesh::NodeIndex> excluded_nodes, const ZoneGeometry& geometry);
 
+/// Two faces of a mortar zone's slave that make an edge too sharp for a mean normal of both: their cells, if
+/// any.
+std::optional<std::array<mesh::CellIndex, 2>> sharp_slave_edge(const Zone& zone);
+
 /// Where the nodes are: undeformed coordinates plus u; `start` is u at the beginning of the step. Obstacles
 /// are where the instants say.
 struct Configuration {

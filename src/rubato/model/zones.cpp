@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/integration.hpp"
+#include "rubato/domain/bulk.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/mesh/skin.hpp"
@@ -261,6 +262,13 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
     else
       zones.push_back(
           contact::make_zone(mesh, settings, std::move(master), std::move(slave), excluded, geometry));
+    if (const auto cells = contact::sharp_slave_edge(zones.back()))
+      faults.push_back(fault_at(slave_of(settings).path,
+                                fmt::format("{} and {} of slave '{}' make an edge of more than 60 degrees, "
+                                            "whose nodes have no normal for the integration mortar; expected "
+                                            "a zone for each side of it",
+                                            domain::cell_label(mesh, (*cells)[0]),
+                                            domain::cell_label(mesh, (*cells)[1]), settings.slave)));
     zones.back().held = held_components(zones.back().slave, dofs, reduction);
   }
   return zones;
