@@ -19,26 +19,31 @@ bool is_solid(CellType cells) {
   return cell::topology(cells).dimension == 3;
 }
 
-std::string bodies_of(CellType cells) {
-  return is_solid(cells) ? fmt::format(R"(
-    - {{name: plate, box: {{from: [-1.3, -0.5, -1.3], to: [1.3, 0, 1.3]}}, divisions: [7, 2, 7], cells: {0}, sides: {{bottom: ground, top: below}}}}
-    - {{name: block, box: {{from: [-0.5, 0, -0.5], to: [0.5, 1, 0.5]}}, divisions: [3, 3, 3], cells: {0}, sides: {{bottom: above, top: roof}}}})",
-                                       word_of(cells))
-                         : fmt::format(R"(
-    - {{name: plate, rectangle: {{from: [-0.8, -0.5], to: [2.2, 0]}}, divisions: [17, 3], cells: {0}, sides: {{bottom: ground, top: below}}}}
-    - {{name: block, rectangle: {{from: [-0.5, 0], to: [0.5, 1]}}, divisions: [5, 5], cells: {0}, sides: {{bottom: above, top: roof}}}})",
-                                       word_of(cells));
+/// In space the plate is 2.6 wide and long, or longer by 5/7 of that when refined: the block stays far from
+/// its ends.
+std::string bodies_of(const Drag& how) {
+  const int n = how.finer;
+  const int longer = n > 1 ? 12 : 7;
+  return is_solid(how.cells)
+             ? fmt::format(R"(
+    - {{name: plate, box: {{from: [-1.3, -0.5, -1.3], to: [{4}, 0, 1.3]}}, divisions: [{1}, {3}, {2}], cells: {0}, sides: {{bottom: ground, top: below}}}}
+    - {{name: block, box: {{from: [-0.5, 0, -0.5], to: [0.5, 1, 0.5]}}, divisions: [{5}, {5}, {5}], cells: {0}, sides: {{bottom: above, top: roof}}}})",
+                           word_of(how.cells), longer * n, 7 * n, 2 * n, -1.3 + 2.6 * longer / 7, 3 * n)
+             : fmt::format(R"(
+    - {{name: plate, rectangle: {{from: [-0.8, -0.5], to: [2.2, 0]}}, divisions: [{1}, {2}], cells: {0}, sides: {{bottom: ground, top: below}}}}
+    - {{name: block, rectangle: {{from: [-0.5, 0], to: [0.5, 1]}}, divisions: [{3}, {3}], cells: {0}, sides: {{bottom: above, top: roof}}}})",
+                           word_of(how.cells), 17 * n, 3 * n, 5 * n);
 }
 
-double face_of(CellType cells) {
-  return is_solid(cells) ? 1.0 / 3 : 1.0 / 5;
+double face_of(const Drag& how) {
+  return 1.0 / (how.finer * (is_solid(how.cells) ? 3 : 5));
 }
 
 /// Where the roof stands at the instants 0, 1, 2 …: it is pressed until 1 and moves then.
 std::string places(const Drag& how, int axis) {
   std::vector<double> at{0, 0};
   for (const auto& move : how.moves)
-    at.push_back(at.back() + face_of(how.cells) * move[axis]);
+    at.push_back(at.back() + face_of(how) * move[axis]);
   return fmt::format("{:.17g}", fmt::join(at, ", "));
 }
 
@@ -66,7 +71,7 @@ functions:
 contact: {{rub: {{master: {}, slave: {}, friction: {}, integration: {}}}}}
 time: {{scheme: static, step: 1, end: {}}}
 )",
-      bodies_of(how.cells), solid ? "solid" : "plane_strain", solid ? ", z" : "", -how.strain,
+      bodies_of(how), solid ? "solid" : "plane_strain", solid ? ", z" : "", -how.strain,
       solid ? ", z: {value: 1, function: aside}" : "", instants(how), places(how, 0), instants(how),
       places(how, 1), how.block_is_slave ? "below" : "above", how.block_is_slave ? "above" : "below",
       how.friction, how.integration, how.moves.size() + 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// A block pressed on a plate and dragged over its cells, with friction: faces of either side pass the edges
-/// of the other.
+/// A block of side 1 pressed on a plate and dragged over its cells, with friction: faces of either side pass
+/// the edges of the other.
 #pragma once
 
 #include "rubato/cell/topology.hpp"
@@ -14,11 +14,12 @@ namespace rubato::verification {
 
 struct Drag {
   CellType cells = CellType::hexa8; ///< their dimension decides: 5 faces on 17, or 3 × 3 on 7 × 7
+  int finer = 1;                    ///< that many times as many faces a side
   double friction = 0.3;
   double strain = 0.0008;
   bool block_is_slave = true;
   /// Moves of the block's roof by (x, z), in faces of the block, one a step after that which presses.
-  std::vector<Eigen::Vector2d> moves;
+  std::vector<Eigen::Vector2d> moves{};
   std::string integration = "mortar";
 };
 

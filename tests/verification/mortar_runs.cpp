@@ -16,7 +16,8 @@ constexpr double young = 210e3, poisson = 0.3;
 
 std::string deck_of(const ShrinkFit& fit) {
   const int k = fit.fineness;
-  return fmt::format(R"(mesh:
+  return fmt::format(
+      R"(mesh:
   generate:
     - {{name: shaft, rectangle: {{from: [0, 0], to: [{0}, {3}]}}, divisions: [{4}, {5}], cells: {8}, sides: {{bottom: low, top: high, right: outside}}, points: {{left_bottom: held}}}}
     - {{name: ring, rectangle: {{from: [{1}, 0], to: [{2}, {3}]}}, divisions: [{6}, {7}], cells: {8}, sides: {{bottom: low, top: high, left: inside}}, points: {{right_bottom: held}}}}
@@ -27,9 +28,8 @@ contact: {{fit: {{master: outside, slave: inside, integration: {12}}}}}
 time: {{scheme: static, step: 1, end: 1}}
 newton: {{residual: 1e-10}}
 )",
-                     shaft, inner, outer, length, 5 * k, 10 * k, 5 * k, 13 * k, word_of(fit.cells), young,
-                     poisson, fit.ends_held ? "[{on: low, fix: y}, {on: high, fix: y}]" : "[{on: held, fix: y}]",
-                     fit.integration);
+      shaft, inner, outer, length, 5 * k, 10 * k, 5 * k, 13 * k, word_of(fit.cells), young, poisson,
+      fit.ends_held ? "[{on: low, fix: y}, {on: high, fix: y}]" : "[{on: held, fix: y}]", fit.integration);
 }
 
 void take(double error, double place, PressureErrors& into) {

@@ -206,18 +206,18 @@ void write_drags(Page& page) {
   for (const auto cells : {CellType::quad4, CellType::quad8})
     for (const double strain : {0.0007, 0.007})
       for (const bool block_is_slave : {true, false}) {
-        write_drag(page, {cells, 0.3, strain, block_is_slave, straight(0.5, 10)}, "10 × 0.5");
-        write_drag(page, {cells, 0.3, strain, block_is_slave, straight(1.75, 4)}, "4 × 1.75");
+        write_drag(page, {cells, 1, 0.3, strain, block_is_slave, straight(0.5, 8)}, "8 × 0.5");
+        write_drag(page, {cells, 1, 0.3, strain, block_is_slave, straight(1.75, 3)}, "3 × 1.75");
       }
-  write_drag(page, {CellType::quad4, 0.3, 0.0007, true, straight(0.5, 10), "nodes"}, "10 × 0.5");
+  write_drag(page, {CellType::quad4, 1, 0.3, 0.0007, true, straight(0.5, 8), "nodes"}, "8 × 0.5");
   page.paragraph("3 × 3 faces on 7 × 7:");
   page.table(drag_columns);
   for (const double degrees : {0.0, 37.0})
     for (const double strain : {0.0008, 0.008})
       for (const auto cells : {CellType::hexa8, CellType::hexa20, CellType::tetra10})
-        write_drag(page, {cells, 0.3, strain, true, straight(0.5, 4, degrees)},
+        write_drag(page, {cells, 1, 0.3, strain, true, straight(0.5, 4, degrees)},
                    fmt::format("4 × 0.5 at {}°", degrees));
-  write_drag(page, {CellType::hexa8, 0.3, 0.0008, true, straight(0.5, 4), "nodes"}, "4 × 0.5 at 0°");
+  write_drag(page, {CellType::hexa8, 1, 0.3, 0.0008, true, straight(0.5, 4), "nodes"}, "4 × 0.5 at 0°");
 }
 
 void write_trial(Page& page) {
@@ -230,7 +230,7 @@ void write_trial(Page& page) {
     for (const double friction : {0.3, 0.8})
       for (const double strain : {0.0008, 0.008})
         for (const bool block_is_slave : {true, false}) {
-          const auto found = drag({cells, friction, strain, block_is_slave, turned_and_reversed()});
+          const auto found = drag({cells, 1, friction, strain, block_is_slave, turned_and_reversed()});
           std::vector<std::string> row{name_of(cells), fmt::format("{}", friction), fmt::format("{}", strain),
                                        block_is_slave ? "block" : "plate"};
           for (const auto& step : found.steps)
