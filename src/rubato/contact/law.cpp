@@ -87,6 +87,15 @@ void close_by_spring(const PointState& point, const PointLaw& law, PointResponse
   response.d_traction(0, gap) = -law.normal;
 }
 
+PointResponse hold(const PointState& point) {
+  PointResponse response;
+  response.traction << point.pressure, point.semi;
+  response.d_traction.rightCols<3>().setIdentity();
+  response.equations << -point.gap, -point.slip;
+  response.d_equations.leftCols<3>() = -Eigen::Matrix3d::Identity();
+  return response;
+}
+
 /// v/|v| and its derivative.
 struct Direction {
   Vector2d unit;
@@ -285,7 +294,9 @@ const FrictionLaw& friction_law(FrictionMethod method) {
 }
 
 Status wanted_status(const PointState& point, const PointLaw& law) {
-  if (!normal_law(law.method).touches(point, law))
+  if (law.tied)
+    return Status::stick;
+  if (!law.stays_closed && !normal_law(law.method).touches(point, law))
     return Status::open;
   const bool sticks = law.friction > 0 && threshold_of(point, law).value > 0 &&
                       relative_friction(point, law).norm() <= 1 &&
@@ -294,6 +305,8 @@ Status wanted_status(const PointState& point, const PointLaw& law) {
 }
 
 PointResponse respond(const PointState& point, Status status, const PointLaw& law) {
+  if (law.tied && status != Status::open)
+    return hold(point);
   PointResponse response;
   if (status == Status::open)
     open_contact(point, law, response);
