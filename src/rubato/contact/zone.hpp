@@ -3,6 +3,7 @@
 /// may be an obstacle.
 #pragma once
 
+#include "rubato/contact/gap_offset.hpp"
 #include "rubato/contact/mortar/slave_reference.hpp"
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/contact/surface.hpp"
@@ -54,6 +55,7 @@ struct Zone {
   std::optional<Obstacle> obstacle; ///< instead of a master
   Surface slave;
   std::vector<SlavePoint> points;
+  GapOffset offset; ///< added to the gaps between the surfaces
   int space_dimension = 3;
   /// Whether every point stands on a node and has its multipliers for itself. Otherwise gaps close on average
   /// over the faces only.
@@ -65,10 +67,16 @@ struct Zone {
   /// Components of the slave's nodes that supports hold, for the normals of mortar: one a node, or none.
   std::vector<mortar::HeldComponents> held;
 
+  double begin = 0; ///< the first instant of the run
+
+  /// Whether its geometry is that of the undeformed bodies.
+  bool holds_geometry() const { return settings.freeze || settings.tie; }
+
   /// What gaps and slips are small against: the shortest edge of the master, of the slave before an obstacle.
   double edge() const { return obstacle ? slave.shortest_edge : master.shortest_edge; }
 
-  /// Which of λ, Λ₁, Λ₂ (0, 1, 2) are unknowns of a slave node, in their order there.
+  /// Which of λ, Λ₁, Λ₂ (0, 1, 2) are unknowns of a slave node, in their order there. Of a tie these are the
+  /// tractions along x, y, z.
   std::span<const int> multiplier_variables() const;
   int multipliers_per_node() const { return static_cast<int>(multiplier_variables().size()); }
   /// Whether there are multipliers, each with one point.
@@ -80,7 +88,8 @@ struct Zone {
 
 inline std::span<const int> Zone::multiplier_variables() const {
   static constexpr std::array variables{0, 1, 2};
-  const bool tangential = settings.friction > 0 && study::entry_of(settings.friction_method).exact;
+  const bool tangential =
+      settings.tie || (settings.friction > 0 && study::entry_of(settings.friction_method).exact);
   const std::size_t first = study::entry_of(settings.method).exact ? 0 : 1;
   const std::size_t last = tangential ? static_cast<std::size_t>(space_dimension) : 1;
   return std::span(variables).subspan(first, last - first);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/integration.hpp"
+#include "rubato/contact/tie.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/sheet.hpp"
@@ -223,6 +224,49 @@ std::pair<contact::Surface, contact::Surface> surfaces_of(const study::ContactZo
   return {surface_of(mesh, master->sides), surface_of(mesh, slave->sides)};
 }
 
+/// A component that supports hold on the whole of the slave, but not of the master: there is nothing that a
+/// traction could be a function of.
+std::optional<int> held_component(const contact::Zone& zone, const domain::DofMap& dofs,
+                                  const constraint::Reduction& reduction) {
+  const auto is_held = [&](const contact::Surface& surface, int component) {
+    return std::ranges::all_of(surface.nodes,
+                               [&](auto node) { return reduction.is_prescribed(dofs.dof(node, component)); });
+  };
+  for (int c = 0; c < dofs.components; ++c)
+    if (is_held(zone.slave, c) && !is_held(zone.master, c))
+      return c;
+  return std::nullopt;
+}
+
+/// A tie has to hold something.
+void check_tie(const contact::Zone& zone, const mesh::Mesh& mesh, const domain::DofMap& dofs,
+               const constraint::Reduction& reduction, std::vector<Fault>& faults) {
+  const auto& settings = zone.settings;
+  const auto path = fmt::format("contact.{}.tie", settings.name);
+  if (!zone.points_own_multipliers) {
+    faults.push_back(fault_at(path, fmt::format("found a tie by nodes, but nodes of '{}' share pressures, "
+                                                "expected integration: mortar",
+                                                settings.slave)));
+    return;
+  }
+  if (const auto held = held_component(zone, dofs, reduction)) {
+    faults.push_back(fault_at(
+        path,
+        fmt::format("supports hold every node of the slave '{}' along {}, so that nothing is left to tie "
+                    "there, expected it as the master",
+                    settings.slave, "xyz"[static_cast<std::size_t>(*held)])));
+    return;
+  }
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(dofs.dof_count));
+  const auto points = contact::tied_points(zone, {&mesh, &dofs, &rest, &rest, zone.begin, zone.begin});
+  if (std::ranges::none_of(points, [](const auto& point) { return point.kinematics.has_value(); }))
+    faults.push_back(fault_at(
+        path, fmt::format("nothing of the slave '{}' faces the master '{}' within {:.3g}, the longest of "
+                          "its faces, expected surfaces that touch",
+                          settings.slave, settings.master,
+                          zone.mortar ? zone.mortar->longest_face : zone.slave.longest_edge)));
+}
+
 } // namespace
 
 std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh) {
@@ -269,7 +313,11 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
                                             "a zone for each side of it",
                                             domain::cell_label(mesh, (*cells)[0]),
                                             domain::cell_label(mesh, (*cells)[1]), settings.slave)));
+    zones.back().offset = contact::make_gap_offset(settings, study.functions);
+    zones.back().begin = study.time.begin;
     zones.back().held = held_components(zones.back().slave, dofs, reduction);
+    if (settings.tie)
+      check_tie(zones.back(), mesh, dofs, reduction, faults);
   }
   return zones;
 }

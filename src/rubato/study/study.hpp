@@ -195,7 +195,12 @@ struct ContactZone {
   std::string master;               ///< empty with an obstacle
   std::optional<Obstacle> obstacle; ///< instead of a master
   std::string slave;
-  double friction = 0; ///< Coulomb's μ ≥ 0
+  double friction = 0;    ///< Coulomb's μ ≥ 0
+  Amplitude interference; ///< how much larger a body is than its mesh: taken from the gap [length], ≥ 0
+  Amplitude gap;          ///< added to the gap that the mesh has [length]
+  bool bilateral = false; ///< points that have touched at the end of a step do not open any more
+  bool freeze = false;    ///< what faces what, and along which normals, is as in the undeformed bodies
+  bool tie = false;       ///< what faces each other undeformed moves together, in every direction
   ContactMethod method = ContactMethod::augmented_lagrangian;
   FrictionMethod friction_method = FrictionMethod::augmented_lagrangian;
   ContactNormal normal = ContactNormal::master;

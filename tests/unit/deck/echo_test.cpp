@@ -46,6 +46,11 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   decks.push_back(timber);
   decks.push_back(replaced(timber, "shear_xz: 1", "shear_xz: 1, angle_z: 10, angle_y: -20, angle_x: 30"));
   decks.push_back(smallest_deck + "solver: condensed\n");
+  decks.push_back(smallest_deck +
+                  "contact: {a: {master: M, slave: S, tie: true, integration: nodes}, b: {master: K, "
+                  "slave: L, bilateral: true, gap: -0.1, interference: {value: 2, function: f}}, "
+                  "c: {master: I, slave: J, freeze: true, interference: 0.1}}\n"
+                  "functions: {f: {times: [0, 1], values: [0, 1]}}\n");
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);
     EXPECT_EQ(read_back(study), study) << deck;

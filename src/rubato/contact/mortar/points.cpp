@@ -113,8 +113,9 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.slip_origin = (start_tangents_[position] - node.tangents).transpose() * start;
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
-  k.gap = node.gap;
-  k.gap_origin = zone_->obstacle ? node.normal.dot(end) - node.gap : 0.0;
+  const double offset = zone_->offset.at(configuration.t);
+  k.gap = node.gap + offset;
+  k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : 0.0) - offset;
   if (zone_->space_dimension == 2)
     k.slip[1] = k.slip_origin[1] = 0;
   into.variables = variables_of(*zone_, point, multipliers, into.kinematics);
