@@ -100,7 +100,7 @@ const Mistake type_mistakes[] = {
     {"on: Above, value", "on: '', value", "'', value",
      "loads.3.pressure.on: found the text '', expected a name"},
     {"integration: {gauss: 3}", "integration: gauss", "gauss",
-     "contact.interface.integration: found 'gauss', expected nodes or {gauss: n} or {simpson: n}"},
+     "contact.interface.integration: found 'gauss', expected nodes or {gauss: n} or {simpson: n} or mortar"},
     {"tip: {", "t.p: {node: A}\n  tip: {", "t.p",
      "probes: found the name 't.p', expected up to 100 letters, digits, "
      "'_' or '-'"},
