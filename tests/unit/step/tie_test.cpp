@@ -184,8 +184,8 @@ TEST(TiedBodies, HaveToFaceEachOther) {
   const std::string boxes = R"(
 mesh:
   generate:
-    - {name: foot, box: {from: [0, 0, 0], to: [1, 1, 1]}, cells: tetra10, sides: {bottom: ground, top: under}}
-    - {name: head, box: {from: [0, 1, 0], to: [1, 2, 1]}, cells: tetra10, sides: {bottom: over}}
+    - {name: foot, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [1, 1, 1], cells: tetra10, sides: {bottom: ground, top: under}}
+    - {name: head, box: {from: [0, 1, 0], to: [1, 2, 1]}, divisions: [1, 1, 1], cells: tetra10, sides: {bottom: over}}
 physics: solid
 materials: {steel: {young: 100, poisson: 0.3}}
 supports: [{on: ground, fix: [x, y, z]}]
