@@ -24,14 +24,23 @@ std::vector<Keep> keep_of(const Zone& zone) {
   return keep;
 }
 
+/// Kept, dropped, kept and dropped again.
+constexpr int returned = 3;
+
 template <class PositionOf>
 void collect(const Surface& surface, const PositionOf& position, std::vector<Vector3d>& into) {
   into.resize(surface.nodes.size());
   std::ranges::transform(surface.nodes, into.begin(), position);
 }
 
+/// The same to the last bit in all iterations of a step, as the end minus the increment is not.
 Vector3d position_at_start(const Configuration& configuration, mesh::NodeIndex node) {
-  return configuration.position(node) - configuration.increment(node);
+  Vector3d x = configuration.mesh->points[static_cast<std::size_t>(node)];
+  const auto& dofs = *configuration.dofs;
+  const auto first = dofs.first_dof[static_cast<std::size_t>(node)];
+  for (int i = 0; i < dofs.components; ++i)
+    x[i] += (*configuration.start)[first + i];
+  return x;
 }
 
 } // namespace
@@ -46,6 +55,22 @@ void Points::update(const Configuration& configuration) {
   const Vector3d offset =
       zone_->obstacle ? zone_->obstacle->offset(configuration.t) : Vector3d::Zero().eval();
   integrate_at(slave_, master_, offset, now_);
+  hold_those_that_return();
+}
+
+/// Where only rounding or the last digits of an iterate decide, each decision moves the iterate back.
+void Points::hold_those_that_return() {
+  const auto count = now_.nodes.size();
+  changes_.resize(count);
+  if (was_kept_.size() == count)
+    for (std::size_t i = 0; i < count; ++i)
+      if (now_.nodes[i].kept() != (was_kept_[i] != 0) && ++changes_[i] == returned) {
+        keep_.resize(count, Keep::by_cover);
+        keep_[i] = Keep::always;
+      }
+  was_kept_.resize(count);
+  std::ranges::transform(now_.nodes, was_kept_.begin(),
+                         [](const Node& node) { return static_cast<char>(node.kept()); });
 }
 
 void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
@@ -66,6 +91,9 @@ void Points::take_start(const Configuration& configuration) {
     return;
   start_t_ = configuration.start_t;
   start_slave_ = std::move(start);
+  keep_ = keep_of(*zone_);
+  was_kept_.clear();
+  changes_.clear();
   start_tangents_.resize(start_slave_.size());
   if (zone_->obstacle) {
     Operators before;
