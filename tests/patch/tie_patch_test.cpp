@@ -3,6 +3,7 @@
 /// exactly, with its tractions.
 #include <gtest/gtest.h>
 
+#include "patch/cell_pairs.hpp"
 #include "patch/contact_blocks.hpp"
 #include <array>
 #include <tuple>
@@ -13,18 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using test::ContactBlocks;
-
-constexpr std::array plane_cells{CellType::quad4, CellType::quad8, CellType::quad9,
-                                 CellType::tria3, CellType::tria6, CellType::tria7};
-constexpr std::array solid_cells{CellType::hexa8,   CellType::hexa20, CellType::hexa27, CellType::tetra4,
-                                 CellType::tetra10, CellType::penta6, CellType::penta15};
-
-using Pair = std::tuple<CellType, CellType>;
-
-std::string name_of(const testing::TestParamInfo<Pair>& instance) {
-  return std::string(cell::topology(std::get<0>(instance.param)).name) + "_on_" +
-         std::string(cell::topology(std::get<1>(instance.param)).name);
-}
 
 /// Of a displacement u = H x.
 Matrix3d gradient(int dimension) {
@@ -119,7 +108,7 @@ private:
   mutable int seen_ = 0;
 };
 
-class Tied : public testing::TestWithParam<Pair> {
+class Tied : public testing::TestWithParam<test::CellPair> {
 protected:
   static void expect_exact(int upper, int lower, const std::string& solver = "auto") {
     const auto& [above, below] = GetParam();
@@ -153,11 +142,13 @@ TEST_P(Tied, BlocksHandOnAPressureBetweenSidesOfSymmetry) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Plane, Tied,
-                         testing::Combine(testing::ValuesIn(plane_cells), testing::ValuesIn(plane_cells)),
-                         name_of);
+                         testing::Combine(testing::ValuesIn(test::plane_cells),
+                                          testing::ValuesIn(test::plane_cells)),
+                         &test::name_of);
 INSTANTIATE_TEST_SUITE_P(Solid, Tied,
-                         testing::Combine(testing::ValuesIn(solid_cells), testing::ValuesIn(solid_cells)),
-                         name_of);
+                         testing::Combine(testing::ValuesIn(test::solid_cells),
+                                          testing::ValuesIn(test::solid_cells)),
+                         &test::name_of);
 
 } // namespace
 } // namespace rubato

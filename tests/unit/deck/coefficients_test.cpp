@@ -8,21 +8,12 @@
 namespace rubato::deck {
 namespace {
 
-using test::faults_of;
+using test::faults_of_zone;
 using test::Sentences;
-using test::smallest_deck;
-
-/// Of a zone with these words, without the place.
-Sentences faults_of_contact(const std::string& settings) {
-  auto told = faults_of(smallest_deck + "contact: {a: {master: M, slave: S, " + settings + "}}\n");
-  for (auto& sentence : told)
-    sentence.erase(0, sentence.find("contact"));
-  return told;
-}
 
 TEST(ContactCoefficients, OfAnExponentialPressureAreItsTwoNumbersAndNoStiffness) {
   const auto faults = [](const std::string& coefficients) {
-    return faults_of_contact("method: exponential" + coefficients);
+    return faults_of_zone("method: exponential" + coefficients);
   };
   EXPECT_EQ(faults(", coefficients: {pressure: 2e6, clearance: 1e-5}"), Sentences{});
   EXPECT_EQ(faults(""),
@@ -35,7 +26,7 @@ TEST(ContactCoefficients, OfAnExponentialPressureAreItsTwoNumbersAndNoStiffness)
             Sentences{"contact.a.coefficients.normal: the method exponential takes no normal, "
                       "augmented_lagrangian, penalty, nodal_lagrange, nodal_penalty and nodal_pcg take it; a "
                       "run removes it by 'normal: ~'"});
-  EXPECT_EQ(faults_of_contact("method: penalty, coefficients: {clearance: 1}"),
+  EXPECT_EQ(faults_of_zone("method: penalty, coefficients: {clearance: 1}"),
             Sentences{"contact.a.coefficients.clearance: the method penalty takes no clearance, exponential "
                       "takes it; a run removes it by 'clearance: ~'"});
 }

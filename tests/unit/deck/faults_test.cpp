@@ -8,6 +8,8 @@ namespace rubato::deck {
 namespace {
 
 using test::faults_of;
+using test::faults_of_explicit;
+using test::faults_of_zone;
 using test::full_deck;
 using test::place_of;
 using test::replaced;
@@ -363,24 +365,6 @@ TEST(DeckFaults, ThicknessOnlyBelongsToPlanes) {
   EXPECT_EQ(
       faults_of(smallest_deck + "thickness: 2"),
       Sentences{"study.yaml:5:12: thickness: solid has no thickness, plane_stress and plane_strain do"});
-}
-
-Sentences faults_of_zone(const std::string& settings) {
-  Sentences sentences;
-  for (const auto& sentence :
-       faults_of(smallest_deck + "contact: {a: {master: M, slave: S, " + settings + "}}\n"))
-    sentences.push_back(sentence.substr(sentence.find("contact")));
-  return sentences;
-}
-
-/// Of an explicit run with these words after `scheme` in `time`, and these beside it in the deck.
-Sentences faults_of_explicit(const std::string& time, const std::string& beside = "") {
-  Sentences sentences;
-  for (const auto& sentence :
-       faults_of(replaced(smallest_deck, "newmark, step: 1e-3, end: 0.012", "central_difference, " + time) +
-                 beside))
-    sentences.push_back(sentence.substr(sentence.find(": ") + 2));
-  return sentences;
 }
 
 TEST(DeckFaults, AnExplicitSchemeHasStepsOfItsOwn) {

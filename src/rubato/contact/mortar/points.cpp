@@ -2,8 +2,8 @@
 #include "rubato/contact/mortar/points.hpp"
 
 #include "rubato/contact/frozen_frame.hpp"
-#include "rubato/contact/mortar/frames.hpp"
 #include "rubato/contact/mortar/obstacle_mortar.hpp"
+#include "rubato/contact/mortar/parts.hpp"
 #include "rubato/contact/mortar/slip.hpp"
 
 #include <algorithm>
@@ -102,12 +102,9 @@ void Points::take_start(const Configuration& configuration) {
     return;
   }
   std::vector<Vector3d> normals;
-  nodal_normals(zone_->slave, start_slave_, zone_->held, normals);
-  for (std::size_t i = 0; i < start_tangents_.size(); ++i) {
-    const auto neighbour = static_cast<std::size_t>(zone_->mortar->tangent_neighbour[i]);
-    start_tangents_[i] =
-        frame_of(normals[i], start_slave_[neighbour] - start_slave_[i], zone_->space_dimension).tangents;
-  }
+  set_normals(zone_->slave, *zone_->mortar, start_slave_, {.held = zone_->held}, normals);
+  for (std::size_t i = 0; i < start_tangents_.size(); ++i)
+    start_tangents_[i] = node_frame(*zone_->mortar, start_slave_, normals, i).tangents;
 }
 
 Vector3d Points::anchor_motion(const Configuration& configuration) const {
