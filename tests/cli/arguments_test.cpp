@@ -109,11 +109,11 @@ TEST_F(CommandLine, DescribesAndWritesMeshes) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("upper_face"), std::string::npos) << outcome.out;
   expect({{"info", "none.med"}, 2, "", "error: mesh file 'none.med' does not exist\n"});
-  expect(
-      {{"mesh", "deck.yaml", "blocks.stl"},
-       2,
-       "",
-       "error: mesh file 'blocks.stl' cannot be written: its ending is '.stl', .med, .mail or .vtu was expected\n"});
+  expect({{"mesh", "deck.yaml", "blocks.stl"},
+          2,
+          "",
+          "error: mesh file 'blocks.stl' cannot be written: its ending is '.stl', .med, .mail or .vtu was "
+          "expected\n"});
   expect({{"mesh", "deck.yaml", "blocks.med", "--convert", "cubic"},
           2,
           "",

@@ -3,6 +3,7 @@
 /// another, a uniform pressure goes through.
 #include <gtest/gtest.h>
 
+#include "patch/cell_pairs.hpp"
 #include "patch/contact_blocks.hpp"
 #include <array>
 #include <tuple>
@@ -12,19 +13,7 @@ namespace {
 
 using test::ContactBlocks;
 
-constexpr std::array plane_cells{CellType::quad4, CellType::quad8, CellType::quad9,
-                                 CellType::tria3, CellType::tria6, CellType::tria7};
-constexpr std::array solid_cells{CellType::hexa8,   CellType::hexa20, CellType::hexa27, CellType::tetra4,
-                                 CellType::tetra10, CellType::penta6, CellType::penta15};
-
-using Pair = std::tuple<CellType, CellType>;
-
-std::string name_of(const testing::TestParamInfo<Pair>& instance) {
-  return std::string(cell::topology(std::get<0>(instance.param)).name) + "_on_" +
-         std::string(cell::topology(std::get<1>(instance.param)).name);
-}
-
-class MortarBlocks : public testing::TestWithParam<Pair> {
+class MortarBlocks : public testing::TestWithParam<test::CellPair> {
 protected:
   static void expect_uniform(int upper, int lower, double friction, double turned, double allowed) {
     const auto& [above, below] = GetParam();
@@ -50,11 +39,13 @@ TEST_P(MortarBlocks, HandOnAUniformPressureWithFrictionHoweverTheyAreTurned) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Plane, MortarBlocks,
-                         testing::Combine(testing::ValuesIn(plane_cells), testing::ValuesIn(plane_cells)),
-                         name_of);
+                         testing::Combine(testing::ValuesIn(test::plane_cells),
+                                          testing::ValuesIn(test::plane_cells)),
+                         &test::name_of);
 INSTANTIATE_TEST_SUITE_P(Solid, MortarBlocks,
-                         testing::Combine(testing::ValuesIn(solid_cells), testing::ValuesIn(solid_cells)),
-                         name_of);
+                         testing::Combine(testing::ValuesIn(test::solid_cells),
+                                          testing::ValuesIn(test::solid_cells)),
+                         &test::name_of);
 
 } // namespace
 } // namespace rubato

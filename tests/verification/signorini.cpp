@@ -20,8 +20,9 @@ using Eigen::VectorXd;
 /// A block that was pressed, and its cells by their place in the grid.
 class Pressed {
 public:
-  Pressed(CellType cells, int divisions)
-      : run_(pressed(cells, divisions)), model_(model::build_model(run_.study)), divisions_(divisions) {}
+  Pressed(CellType cells, int divisions, const std::string& integration = "nodes")
+      : run_(pressed(cells, divisions, integration)), model_(model::build_model(run_.study)),
+        divisions_(divisions) {}
 
   const CaseRun& run() const { return run_; }
   const model::Model& model() const { return model_; }
@@ -47,13 +48,14 @@ public:
   }
 
 private:
-  static CaseRun pressed(CellType cells, int divisions) {
+  static CaseRun pressed(CellType cells, int divisions, const std::string& integration) {
     std::string name(cell::topology(cells).name);
     for (auto& letter : name)
       letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     CaseRuns runs("v9_signorini/block.yaml",
                   {{"mesh.generate.0.cells", name},
-                   {"mesh.generate.0.divisions", fmt::format("[{0}, {0}]", divisions)}});
+                   {"mesh.generate.0.divisions", fmt::format("[{0}, {0}]", divisions)},
+                   {"contact.foot.integration", integration}});
     return runs["run"];
   }
 
@@ -79,11 +81,12 @@ double error_of(const Pressed& coarse, const Pressed& fine) {
 
 } // namespace
 
-std::vector<double> signorini_errors(CellType cells, std::span<const int> divisions, int fine) {
+std::vector<double> signorini_errors(CellType cells, std::span<const int> divisions, int fine,
+                                     const std::string& integration) {
   const Pressed reference(CellType::quad9, fine);
   std::vector<double> errors;
   for (const int n : divisions)
-    errors.push_back(error_of(Pressed(cells, n), reference));
+    errors.push_back(error_of(Pressed(cells, n, integration), reference));
   return errors;
 }
 

@@ -5,13 +5,15 @@
 #include "rubato/cell/topology.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace rubato::verification {
 
 /// Against the block in `fine` × `fine` QUAD9: √((u − u_fine)·K (u − u_fine)) over that of u_fine, for cases/
-/// v9_signorini with each number of divisions, which must divide `fine`.
-std::vector<double> signorini_errors(CellType cells, std::span<const int> divisions, int fine);
+/// v9_signorini with each number of divisions, which must divide `fine`. `integration`: of the coarse ones.
+std::vector<double> signorini_errors(CellType cells, std::span<const int> divisions, int fine,
+                                     const std::string& integration = "nodes");
 
 /// Half-width of the contact in the fine block.
 double signorini_half_width(int fine);

@@ -62,7 +62,7 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 17> entries{{{"v1", rubato::verification::write_bar_on_wall},
+constexpr std::array<Entry, 18> entries{{{"v1", rubato::verification::write_bar_on_wall},
                                          {"v2", rubato::verification::write_dropped_bar},
                                          {"v3", rubato::verification::write_contact_patch},
                                          {"v4", rubato::verification::write_hertz},
@@ -78,7 +78,8 @@ constexpr std::array<Entry, 17> entries{{{"v1", rubato::verification::write_bar_
                                          {"explicit", rubato::verification::write_explicit},
                                          {"condensed", rubato::verification::write_condensed},
                                          {"defaults", rubato::verification::write_defaults},
-                                         {"robustness", rubato::verification::write_robustness}}};
+                                         {"robustness", rubato::verification::write_robustness},
+                                         {"mortar", rubato::verification::write_mortar}}};
 
 constexpr std::string_view modelings_prefix = "sdnl140_";
 

@@ -58,6 +58,8 @@ void write_condensed(const std::filesystem::path& folder);
 /// Hundreds of random variants of the two beams, as robustness.hpp draws them; the decks of those that fail
 /// stay in the build folder.
 void write_robustness(const std::filesystem::path& folder);
+/// Mortar contact against closed solutions, beside nodes.
+void write_mortar(const std::filesystem::path& folder);
 /// Modeling C with nothing chosen by the user, at smaller steps and on finer meshes.
 void write_defaults(const std::filesystem::path& folder);
 

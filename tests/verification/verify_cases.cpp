@@ -54,10 +54,9 @@ void write_contact_patch(const std::filesystem::path& folder) {
     write_blocks(page, type, "slave 3, master 2 cells, 3 Gauss points",
                  {type, 3, 2, 0, ", integration: {gauss: 3}"});
   }
-  page.paragraph(
-      "Points against faces cannot pass on meshes that do not match, as is known of every "
-      "node-to-segment method; those rows say by how much. A mortar method, which would pass, does not "
-      "exist here. Turned blocks stand along none of the axes.");
+  page.paragraph("Points against faces cannot pass on meshes that do not match, as is known of every "
+                 "node-to-segment method; those rows say by how much. [Mortar](mortar.md) passes. "
+                 "Turned blocks stand along none of the axes.");
 }
 
 void write_free_beam(const std::filesystem::path& folder) {

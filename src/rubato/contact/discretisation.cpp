@@ -8,6 +8,8 @@ namespace rubato::contact {
 using Eigen::VectorXd;
 
 Discretisation make_discretisation(const Zone& zone) {
+  if (zone.holds_geometry())
+    return Discretisation(std::in_place_type<FrozenPoints>, zone);
   if (zone.mortar)
     return Discretisation(std::in_place_type<mortar::Points>, zone);
   return Discretisation(std::in_place_type<NeighbourList>, zone);

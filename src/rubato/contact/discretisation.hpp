@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// How the points of a zone are measured from one configuration to the next: against the face that each of
-/// them faces, or by mortar integrals.
+/// them faces, by mortar integrals, or as either has them where nothing is deformed.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/frozen_points.hpp"
 #include "rubato/contact/mortar/points.hpp"
 #include "rubato/contact/neighbours.hpp"
 
@@ -16,7 +17,7 @@
 namespace rubato::contact {
 
 /// With what it keeps from one configuration to the next.
-using Discretisation = std::variant<NeighbourList, mortar::Points>;
+using Discretisation = std::variant<NeighbourList, mortar::Points, FrozenPoints>;
 
 /// Of a zone that outlives it.
 Discretisation make_discretisation(const Zone& zone);

@@ -111,6 +111,22 @@ void measure_again(const Zone& zone, const VectorXd& multipliers, const Configur
   }
 }
 
+struct Traction {
+  double pressure = 0;
+  Vector3d normal;
+  Vector3d tangential;
+};
+
+/// Frames of ties stand along the axes.
+Traction traction_on_surface(const Kinematics& k, const PointResponse& response) {
+  const Vector3d normal = response.traction[0] * k.normal;
+  const Vector3d tangential = k.tangents * response.traction.tail<2>();
+  if (k.facing.isZero(0))
+    return {response.traction[0], normal, tangential};
+  const double pressure = (normal + tangential).dot(k.facing);
+  return {pressure, pressure * k.facing, normal + tangential - pressure * k.facing};
+}
+
 /// A uniform pressure puts no force on such a node, so that its own says nothing: its neighbours' does,
 /// unless nothing presses there.
 void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcomes) {
@@ -122,6 +138,18 @@ void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcome
                           axis->weights[1] * outcomes[axis->points[1]].pressure;
     if (beside > 0)
       outcomes[i].pressure = beside;
+  }
+}
+
+/// A node that gave its function away has the mean pressure of those that took it.
+void inherit_pressures(std::span<const PointEvaluation> points, std::vector<PointOutcome>& outcomes) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& heirs = points[i].heirs;
+    double sum = 0;
+    for (const int heir : heirs)
+      sum += outcomes[static_cast<std::size_t>(heir)].pressure;
+    if (!heirs.empty())
+      outcomes[i].pressure = sum / static_cast<double>(heirs.size());
   }
 }
 
@@ -145,6 +173,10 @@ PointState variables_of(const Zone& zone, const SlavePoint& point, const VectorX
   return state;
 }
 
+double pressing_force(const PointOutcome& outcome) {
+  return std::copysign(outcome.normal.norm(), outcome.pressure);
+}
+
 double resistance(const SlavePoint& point, const domain::DofMap& dofs,
                   const Eigen::Ref<const VectorXd>& diagonal) {
   double sum = 0;
@@ -160,9 +192,20 @@ double resistance(const SlavePoint& point, const domain::DofMap& dofs,
 
 ZoneState initial_state(const Zone& zone) {
   const bool active = zone.settings.initially_active.value_or(true);
+  const auto closed = zone.settings.tie ? Status::stick : Status::slip;
   return {VectorXd::Zero(zone.multiplier_count()),
-          std::vector<Status>(zone.points.size(), active ? Status::slip : Status::open),
+          std::vector<Status>(zone.points.size(), active ? closed : Status::open),
           std::vector<PointOutcome>(zone.points.size())};
+}
+
+std::vector<std::uint8_t> touched_points(const Zone& zone, const ZoneState& state) {
+  std::vector<std::uint8_t> touched;
+  if (!zone.settings.bilateral)
+    return touched;
+  const bool from_start = zone.settings.initially_active.value_or(false);
+  for (std::size_t i = 0; i < state.status.size(); ++i)
+    touched.push_back(state.status[i] != Status::open && (from_start || !state.outcomes[i].normal.isZero(0)));
+  return touched;
 }
 
 ContactSystem::ContactSystem(Index dofs, Index multipliers)
@@ -207,6 +250,8 @@ void measure(NeighbourList& neighbours, const VectorXd& multipliers, const Confi
 
 void differentiate(const Zone& zone, std::size_t point, const Configuration& configuration,
                    PointEvaluation& evaluation) {
+  if (zone.holds_geometry())
+    return;
   if (zone.mortar)
     evaluation.kinematics = with_frozen_frame(std::move(*evaluation.kinematics));
   else
@@ -247,6 +292,8 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
                      .clearance = zone->settings.clearance.value_or(0)};
   if (!frozen_thresholds.empty())
     law.frozen_threshold = frozen_thresholds[index];
+  law.tied = zone->settings.tie;
+  law.stays_closed = !stays_closed.empty() && stays_closed[index] != 0;
   if (!coefficients->resistance.empty())
     law.resistance = coefficients->resistance[index];
   return law;
@@ -305,13 +352,15 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
     outcome.slip = points[i].variables.slip;
     if (status[i] == Status::open)
       continue;
-    const auto traction = respond(points[i].variables, status[i], law.of_point(i)).traction;
-    outcome.pressure = traction[0] * point.weight / point.area;
+    const auto traction =
+        traction_on_surface(*points[i].kinematics, respond(points[i].variables, status[i], law.of_point(i)));
+    outcome.pressure = traction.pressure * point.weight / point.area;
     const double weight = weight_of(point, points[i]);
-    outcome.normal = weight * traction[0] * points[i].kinematics->normal;
-    outcome.tangential = weight * (points[i].kinematics->tangents * traction.tail<2>());
+    outcome.normal = weight * traction.normal;
+    outcome.tangential = weight * traction.tangential;
   }
   recover_axis_pressures(*law.zone, all);
+  inherit_pressures(points, all);
   return all;
 }
 

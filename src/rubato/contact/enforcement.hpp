@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,6 +30,9 @@ struct PointOutcome {
   bool operator==(const PointOutcome&) const = default;
 };
 
+/// N, the size of the normal force: < 0 where it pulls [force].
+double pressing_force(const PointOutcome& outcome);
+
 /// What a step changes in a zone.
 struct ZoneState {
   /// Node after node of the slave surface, those of the zone's multiplier_variables.
@@ -41,6 +45,10 @@ struct ZoneState {
 
 /// A zone before anything touched: multipliers 0, every point in contact or none.
 ZoneState initial_state(const Zone& zone);
+
+/// Which points of a bilateral zone have touched: those that pressed or pulled at the end of a step, and
+/// where the zone is `initially_active` by the study's word all that begin so. Empty of other zones.
+std::vector<std::uint8_t> touched_points(const Zone& zone, const ZoneState& state);
 
 /// Coefficients of one zone's points, automatic unless the deck gives them.
 struct ZoneCoefficients {
@@ -69,6 +77,8 @@ struct PointEvaluation {
   std::optional<Kinematics> kinematics;
   PointState variables;
   double cover = 1; ///< part of the point's area that faces the master: less than 1 in mortar only
+  /// Of a mortar node that faces so little that it gives its function away: the points that have it.
+  std::vector<int> heirs{};
 };
 
 /// Gap, slip and multipliers of a point, the latter interpolated from the nodes that share it.
@@ -134,6 +144,8 @@ struct ZoneLaw {
   double friction = 0; ///< the zone's μ or, during continuation, a part of it
   /// P of every point, while a loop holds it; empty otherwise.
   std::span<const double> frozen_thresholds = {};
+  /// Of a bilateral zone: whether a point has touched before this step; else empty.
+  std::span<const std::uint8_t> stays_closed = {};
 
   PointLaw of_point(std::size_t index) const;
 };

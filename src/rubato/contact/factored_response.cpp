@@ -26,7 +26,7 @@ void collect_interpolation(const Kinematics& k, const Eigen::Vector3d& force, in
   interpolation.setZero(d + n_xi, k.unknowns());
   for (Index node = 0; node < k.stencil.weights.size(); ++node)
     for (int i = 0; i < d; ++i) {
-      interpolation(i, node * d + i) = k.stencil.weights[node];
+      interpolation(i, node * d + i) = k.stencil.weight(node, i);
       for (int a = 0; a < n_xi; ++a)
         interpolation(d + a, node * d + i) = k.shape_slope(node, a) * force[i];
     }

@@ -23,9 +23,9 @@ Kinematics with_frozen_frame(Kinematics k) {
   for (Eigen::Index node = 0; node < k.stencil.weights.size(); ++node)
     for (int i = 0; i < k.stencil.components; ++i) {
       const auto column = node * k.stencil.components + i;
-      k.d_gap[column] = k.stencil.weights[node] * k.normal[i];
+      k.d_gap[column] = k.stencil.weight(node, i) * k.normal[i];
       for (int a = 0; a < k.parametric_dimension; ++a)
-        k.d_slip(a, column) = k.stencil.weights[node] * k.tangents(i, a);
+        k.d_slip(a, column) = k.stencil.weight(node, i) * k.tangents(i, a);
     }
   return k;
 }

@@ -449,6 +449,11 @@ void with_evaluation(const Zone& zone, const SlavePoint& point, const Pair& pair
     with_clamped<2>(zone, point, pair, configuration, into, visit);
 }
 
+void add_offset(const Zone& zone, double t, Kinematics& k) {
+  k.gap_origin = -zone.offset.at(t);
+  k.gap -= k.gap_origin;
+}
+
 } // namespace
 
 Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
@@ -461,18 +466,22 @@ Kinematics evaluate_kinematics(const Zone& zone, const SlavePoint& point, const 
 void evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                          const Configuration& configuration, Kinematics& into) {
   if (zone.obstacle)
-    return evaluate_before(*zone.obstacle, point, configuration, into);
-  with_evaluation(zone, point, pair, configuration, into, [](auto&& evaluation) {
-    evaluation.measure();
-    evaluation.differentiate();
-  });
+    evaluate_before(*zone.obstacle, point, configuration, into);
+  else
+    with_evaluation(zone, point, pair, configuration, into, [](auto&& evaluation) {
+      evaluation.measure();
+      evaluation.differentiate();
+    });
+  add_offset(zone, configuration.t, into);
 }
 
 void measure_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
                         const Configuration& configuration, Kinematics& into) {
   if (zone.obstacle)
-    return evaluate_before(*zone.obstacle, point, configuration, into);
-  with_evaluation(zone, point, pair, configuration, into, [](auto&& evaluation) { evaluation.measure(); });
+    evaluate_before(*zone.obstacle, point, configuration, into);
+  else
+    with_evaluation(zone, point, pair, configuration, into, [](auto&& evaluation) { evaluation.measure(); });
+  add_offset(zone, configuration.t, into);
 }
 
 } // namespace rubato::contact

@@ -4,7 +4,7 @@
 /// The point's local unknowns q are the displacements of its slave nodes, then of its master face's nodes,
 /// component by component. With x_s the slave point and ξ̄ its clamped projection on the master face (PHYSICS:
 /// 2):
-///   g = n·(x_s − x_m(ξ̄)),   g > 0 open;  n leaves the master
+///   g = n·(x_s − x_m(ξ̄)) + offset,   g > 0 open;  n leaves the master; offset: the zone's (gap_offset.hpp)
 ///   Δs_a = τ_a·[(u_s − u_s⁰) − Σ N_j(ξ̄)(u_mj − u_mj⁰)],  ⁰ = start of the step
 ///   τ₁ = t₁/|t₁|, τ₂ = n × τ₁
 /// The projection moves with q: (t_a·t_b − r·x,_ab) dξ_b = t_a·(dx_s − ΣN_j dx_j) + r·ΣN_j,_a dx_j, r = x_s −
@@ -42,9 +42,12 @@ struct Kinematics {
   /// the obstacle has come since the start of the step.
   Eigen::Vector3d closest_point = Eigen::Vector3d::Zero();
   Eigen::Vector3d obstacle_displacement = Eigen::Vector3d::Zero();
-  /// Of a held frame: what gap and slip are counted from.
+  /// What gap and slip are counted from: less the zone's offset, and what a held frame adds.
   double gap_origin = 0;
   Eigen::Vector2d slip_origin = Eigen::Vector2d::Zero();
+
+  /// Of a tie, whose frame stands along the axes: the normal of the surface; else 0.
+  Eigen::Vector3d facing = Eigen::Vector3d::Zero();
 
   Variation<2> d_projection; ///< dξ̄
   Variation<3> d_normal;

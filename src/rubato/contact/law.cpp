@@ -103,6 +103,15 @@ void close_exponentially(const PointState& point, const PointLaw& law, PointResp
   response.d_traction.row(0) = spring.derivative;
 }
 
+PointResponse hold(const PointState& point) {
+  PointResponse response;
+  response.traction << point.pressure, point.semi;
+  response.d_traction.rightCols<3>().setIdentity();
+  response.equations << -point.gap, -point.slip;
+  response.d_equations.leftCols<3>() = -Eigen::Matrix3d::Identity();
+  return response;
+}
+
 /// v/|v| and its derivative.
 struct Direction {
   Vector2d unit;
@@ -369,7 +378,9 @@ const FrictionLaw& friction_law(FrictionMethod method) {
 }
 
 Status wanted_status(const PointState& point, const PointLaw& law) {
-  if (!normal_law(law.method).touches(point, law))
+  if (law.tied)
+    return Status::stick;
+  if (!law.stays_closed && !normal_law(law.method).touches(point, law))
     return Status::open;
   const bool sticks = law.friction > 0 && threshold_of(point, law).value > 0 &&
                       relative_friction(point, law).norm() <= 1 &&
@@ -378,6 +389,8 @@ Status wanted_status(const PointState& point, const PointLaw& law) {
 }
 
 PointResponse respond(const PointState& point, Status status, const PointLaw& law) {
+  if (law.tied && status != Status::open)
+    return hold(point);
   PointResponse response;
   if (status == Status::open)
     open_contact(point, law, response);

@@ -9,6 +9,7 @@
 /// Lagrangian −μ P ρ, ρ = Λ + c_t Δs in stick with the equation Δs = 0, ρ = r/|r|, r = Λ + c_t Δs in slip
 /// with Λ = ρ. Penalty: the same without Λ. Nodal penalty: −E Δs in stick, −μ P Δs/|Δs| in slip.
 /// Nodal methods read "force of a node" wherever "pressure" stands.
+/// Tied: T = (λ, Λ₁, Λ₂) with the equations g = 0, Δs₁ = 0, Δs₂ = 0, whatever the signs.
 #pragma once
 
 #include "rubato/contact/exponential.hpp"
@@ -45,6 +46,8 @@ struct PointLaw {
   /// P while an outer loop holds it; follows the point otherwise.
   std::optional<double> frozen_threshold;
   exponential::Numbers exponential{}; ///< of that method
+  bool stays_closed = false;          ///< it has touched, and is bilateral
+  bool tied = false;                  ///< λ, Λ₁, Λ₂ are tractions that hold gap and slips at 0
   double resistance = 0; ///< of the body against a slip of the point [pressure/length]; 0: not known
 };
 

@@ -20,7 +20,7 @@ std::vector<double> multipliers(const Zone& zone, const ZoneState& state) {
   for (std::size_t i = 0; i < pressure.size(); ++i)
     pressure[i] = state.multipliers[static_cast<Eigen::Index>(i) * zone.multipliers_per_node()];
   for (std::size_t i = 0; i < zone.points.size(); ++i)
-    if (zone.points[i].axis_pressure)
+    if (zone.points[i].axis_pressure || zone.mortar)
       pressure[static_cast<std::size_t>(zone.points[i].node_position)] = state.outcomes[i].pressure;
   return pressure;
 }

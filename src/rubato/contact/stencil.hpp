@@ -16,7 +16,14 @@ namespace rubato::contact {
 struct Stencil {
   std::vector<mesh::NodeIndex> nodes; ///< slave's, then master's; an obstacle has none
   Eigen::VectorXd weights;            ///< +N_i on slave nodes, −N_j(ξ̄) on master nodes
-  int components = 3;                 ///< of displacements and forces
+  /// Where components have weights of their own, as in a tie: one row a node; else empty.
+  Eigen::Matrix<double, Eigen::Dynamic, 3> by_component;
+  int components = 3; ///< of displacements and forces
+
+  bool is_uniform() const { return by_component.rows() == 0; }
+  double weight(Eigen::Index node, int component) const {
+    return is_uniform() ? weights[node] : by_component(node, component);
+  }
 
   int unknowns() const { return static_cast<int>(nodes.size()) * components; }
 
@@ -24,24 +31,31 @@ struct Stencil {
   template <class Value> Eigen::Vector3d sum(const Value& value) const {
     Eigen::Vector3d total = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      total += weights[static_cast<Eigen::Index>(i)] * value(nodes[i]);
+      if (is_uniform())
+        total += weights[static_cast<Eigen::Index>(i)] * value(nodes[i]);
+      else
+        total += by_component.row(static_cast<Eigen::Index>(i)).transpose().cwiseProduct(value(nodes[i]));
     return total;
   }
 
   /// The same of values, one a dof.
   Eigen::Vector3d gather(const Eigen::VectorXd& values, const domain::DofMap& dofs) const {
     Eigen::Vector3d total = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      total.head(components) +=
-          weights[static_cast<Eigen::Index>(i)] * values.segment(dofs.dof(nodes[i], 0), components);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto first = dofs.dof(nodes[i], 0);
+      for (int c = 0; c < components; ++c)
+        total[c] += weight(static_cast<Eigen::Index>(i), c) * values[first + c];
+    }
     return total;
   }
 
   /// Adds weight · force at each node to `values`, one a dof.
   void scatter(const Eigen::Vector3d& force, const domain::DofMap& dofs, Eigen::VectorXd& values) const {
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      values.segment(dofs.dof(nodes[i], 0), components) +=
-          weights[static_cast<Eigen::Index>(i)] * force.head(components);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto first = dofs.dof(nodes[i], 0);
+      for (int c = 0; c < components; ++c)
+        values[first + c] += weight(static_cast<Eigen::Index>(i), c) * force[c];
+    }
   }
 
   /// The same with dofs numbered anew: `number` tells for each dof its index in `values`, below 0 where it
@@ -51,11 +65,12 @@ struct Stencil {
     for (std::size_t i = 0; i < nodes.size(); ++i)
       for (int c = 0; c < components; ++c)
         if (const int at = number[static_cast<std::size_t>(dofs.dof(nodes[i], c))]; at >= 0)
-          values[at] += weights[static_cast<Eigen::Index>(i)] * force[c];
+          values[at] += weight(static_cast<Eigen::Index>(i), c) * force[c];
   }
 };
 
-/// A stencil on dofs that are numbered anew, without nodes that have no weight or no number.
+/// A stencil with the same weights for all components, on dofs that are numbered anew, without nodes that
+/// have no weight or no number.
 struct NumberedStencil {
   struct Node {
     std::array<int, 3> at{-1, -1, -1}; ///< by component; −1 of those without a number

@@ -13,24 +13,32 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Takes a frozen place along with the obstacle it is on.
-void carry(Kinematics& k, const Vector3d& displacement) {
-  k.closest_point += displacement;
-  k.obstacle_displacement = displacement;
+/// What moves in a step but the bodies.
+struct Moving {
+  Vector3d obstacle = Vector3d::Zero(); ///< how far it comes
+  double offset = 0;                    ///< how much the zone's offset opens
+};
+
+/// Takes a frozen place along with the obstacle it is on, and the gap along with the offset.
+void carry(Kinematics& k, const Moving& moving) {
+  k.closest_point += moving.obstacle;
+  k.obstacle_displacement = moving.obstacle;
+  k.gap_origin -= moving.offset;
 }
 
 /// Sets from where a frozen frame counts gap and slip, so that they are those of the law of velocities.
-/// `relative`: the point's velocity at the start against what it faces, which comes `displacement` in the
-/// step.
-void count_from(const Vector3d& relative, const Vector3d& displacement, const VelocityLaw& law,
-                double restitution, Kinematics& k) {
-  carry(k, displacement);
+/// `relative`: the point's velocity at the start against what it faces; `normal`: how fast the gap opens.
+/// `holds`: it may not open.
+void count_from(const Vector3d& relative, double normal, const Moving& moving, const VelocityLaw& law,
+                double restitution, bool holds, Kinematics& k) {
+  carry(k, moving);
   k.gap_origin += k.gap;
   if (law.massless)
     return;
-  const double normal = k.normal.dot(relative);
   const double rebound = restitution * std::max(0.0, -normal);
-  k.gap_origin += law.step * std::min(0.0, (1 - law.theta) * normal + law.theta * rebound);
+  const double origin =
+      holds ? (1 - law.theta) * normal : std::min(0.0, (1 - law.theta) * normal + law.theta * rebound);
+  k.gap_origin += law.step * origin;
   k.slip_origin = law.step * (1 - law.theta) * (k.tangents.transpose() * relative);
 }
 
@@ -38,19 +46,23 @@ void count_from(const Vector3d& relative, const Vector3d& displacement, const Ve
 
 std::vector<PointEvaluation> velocity_frames(Discretisation& discretisation, const Configuration& start,
                                              const VectorXd& velocity, const VelocityLaw& law,
-                                             std::span<double> standing) {
+                                             std::span<double> standing,
+                                             std::span<const std::uint8_t> touched) {
   const auto& zone = zone_of(discretisation);
   std::vector<PointEvaluation> points;
   measure(discretisation, VectorXd::Zero(zone.multiplier_count()), start, points);
-  const Vector3d displacement =
-      zone.obstacle ? zone.obstacle->displacement(start.t, start.t + law.step) : Vector3d::Zero().eval();
+  const double end = start.t + law.step;
+  const Moving moving{zone.obstacle ? zone.obstacle->displacement(start.t, end) : Vector3d::Zero().eval(),
+                      zone.offset.change(start.t, end)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].kinematics)
       continue;
     const auto& k = *points[i].kinematics;
-    const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - displacement / law.step;
-    const bool stands = k.gap <= standing[i] + tolerances.touching_gap * zone.edge();
-    const bool arrives = k.gap + law.step / 2 * k.normal.dot(relative) <= 0;
+    const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - moving.obstacle / law.step;
+    const double normal = k.normal.dot(relative) + moving.offset / law.step;
+    const bool holds = zone.settings.tie || (!touched.empty() && touched[i] != 0);
+    const bool stands = holds || k.gap <= standing[i] + tolerances.touching_gap * zone.edge();
+    const bool arrives = k.gap + law.step / 2 * normal <= 0;
     if (!stands)
       standing[i] = arrives ? k.gap : 0.0;
     if (!stands && !arrives) {
@@ -58,7 +70,7 @@ std::vector<PointEvaluation> velocity_frames(Discretisation& discretisation, con
       continue;
     }
     points[i].kinematics = with_frozen_frame(std::move(*points[i].kinematics));
-    count_from(relative, displacement, law, zone.settings.restitution, *points[i].kinematics);
+    count_from(relative, normal, moving, law, zone.settings.restitution, holds, *points[i].kinematics);
   }
   return points;
 }

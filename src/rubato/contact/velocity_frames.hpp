@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,9 +29,11 @@ struct VelocityLaw {
 /// end.
 /// Points touch that are not beyond the gap they stand at (`standing`, 0 or where they closed before; one a
 /// point), and those whose velocity closes their gap in the first half of the step. The latter stand where
-/// they are: what is left open is written to `standing`.
+/// they are: what is left open is written to `standing`. Points of a tie, and those that have `touched` in a
+/// bilateral zone (one a point, or none), hold whatever their velocity: gap = h θ v₁·n.
 std::vector<PointEvaluation> velocity_frames(Discretisation& discretisation, const Configuration& start,
                                              const Eigen::VectorXd& velocity, const VelocityLaw& law,
-                                             std::span<double> standing);
+                                             std::span<double> standing,
+                                             std::span<const std::uint8_t> touched = {});
 
 } // namespace rubato::contact

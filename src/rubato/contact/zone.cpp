@@ -4,6 +4,7 @@
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/integration.hpp"
 #include "rubato/contact/law.hpp"
+#include "rubato/contact/mortar/frames.hpp"
 #include "rubato/contact/projection.hpp"
 
 #include <Eigen/Geometry>
@@ -247,6 +248,16 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Obsta
   auto zone = make_zone(mesh, settings, Surface(), std::move(slave), excluded_nodes, geometry);
   zone.obstacle = std::move(obstacle);
   return zone;
+}
+
+std::optional<std::array<mesh::CellIndex, 2>> sharp_slave_edge(const Zone& zone) {
+  if (!zone.mortar)
+    return std::nullopt;
+  const auto faces = mortar::first_sharp_edge(zone.slave, zone.mortar->undeformed);
+  if (!faces)
+    return std::nullopt;
+  const auto cell_of = [&](int face) { return zone.slave.faces[static_cast<std::size_t>(face)].cell; };
+  return std::array{cell_of(faces->first), cell_of(faces->second)};
 }
 
 } // namespace rubato::contact

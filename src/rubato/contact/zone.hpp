@@ -3,6 +3,7 @@
 /// may be an obstacle.
 #pragma once
 
+#include "rubato/contact/gap_offset.hpp"
 #include "rubato/contact/mortar/slave_reference.hpp"
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/contact/surface.hpp"
@@ -56,6 +57,7 @@ struct Zone {
   std::optional<Obstacle> obstacle; ///< instead of a master
   Surface slave;
   std::vector<SlavePoint> points;
+  GapOffset offset; ///< added to the gaps between the surfaces
   int space_dimension = 3;
   /// Whether master and slave are one surface. Which of two of its parts is the slave is told by
   /// self_pairs.hpp.
@@ -72,10 +74,16 @@ struct Zone {
   /// Components of the slave's nodes that supports hold, for the normals of mortar: one a node, or none.
   std::vector<mortar::HeldComponents> held;
 
+  double begin = 0; ///< the first instant of the run
+
+  /// Whether its geometry is that of the undeformed bodies.
+  bool holds_geometry() const { return settings.freeze || settings.tie; }
+
   /// What gaps and slips are small against: the shortest edge of the master, of the slave before an obstacle.
   double edge() const { return obstacle ? slave.shortest_edge : master.shortest_edge; }
 
-  /// Which of λ, Λ₁, Λ₂ (0, 1, 2) are unknowns of a slave node, in their order there.
+  /// Which of λ, Λ₁, Λ₂ (0, 1, 2) are unknowns of a slave node, in their order there. Of a tie these are the
+  /// tractions along x, y, z.
   std::span<const int> multiplier_variables() const;
   int multipliers_per_node() const { return static_cast<int>(multiplier_variables().size()); }
   /// Whether there are multipliers, each with one point.
@@ -87,7 +95,8 @@ struct Zone {
 
 inline std::span<const int> Zone::multiplier_variables() const {
   static constexpr std::array variables{0, 1, 2};
-  const bool tangential = settings.friction > 0 && study::entry_of(settings.friction_method).exact;
+  const bool tangential =
+      settings.tie || (settings.friction > 0 && study::entry_of(settings.friction_method).exact);
   const std::size_t first = study::entry_of(settings.method).exact ? 0 : 1;
   const std::size_t last = tangential ? static_cast<std::size_t>(space_dimension) : 1;
   return std::span(variables).subspan(first, last - first);
@@ -109,6 +118,10 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
 /// The same before an obstacle.
 Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Obstacle obstacle, Surface slave,
                std::span<const mesh::NodeIndex> excluded_nodes, const ZoneGeometry& geometry);
+
+/// Two faces of a mortar zone's slave that make an edge too sharp for a mean normal of both: their cells, if
+/// any.
+std::optional<std::array<mesh::CellIndex, 2>> sharp_slave_edge(const Zone& zone);
 
 /// Where the nodes are: undeformed coordinates plus u; `start` is u at the beginning of the step. Obstacles
 /// are where the instants say.

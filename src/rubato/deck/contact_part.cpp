@@ -116,6 +116,36 @@ void read_normals(MapReader& map, study::ContactZone& zone) {
     read(map.find("clamped_normal"), zone.clamped_normal, study::clamped_normal_words);
 }
 
+/// What is added to the gaps of the mesh.
+void read_offsets(MapReader& map, study::ContactZone& zone) {
+  if (const auto interference = map.find("interference"))
+    zone.interference = read_amplitude(*interference);
+  if (const auto gap = map.find("gap"))
+    zone.gap = read_amplitude(*gap);
+}
+
+/// What only surfaces have that touch and part.
+void read_touching(MapReader& map, bool known_method, study::ContactZone& zone) {
+  read_friction(map, zone);
+  read_offsets(map, zone);
+  read_normals(map, zone);
+  read(map.find("bilateral"), zone.bilateral);
+  read(map.find("freeze"), zone.freeze);
+  read(map.find("initially_active"), zone.initially_active);
+  read_coefficients(map.find("coefficients"), known_method, zone);
+  read_iterations(map.find("iterate"), zone);
+  read(map.find("restitution"), zone.restitution);
+}
+
+/// The keys of read_touching, but for friction, which a rule is about.
+void refuse_touching(MapReader& map, study::ContactZone& zone) {
+  zone.integration.by = study::ContactIntegration::mortar;
+  read(map.find("friction"), zone.friction);
+  for (const auto* key : {"friction_method", "interference", "gap", "normal", "clamped_normal", "bilateral",
+                          "freeze", "initially_active", "coefficients", "iterate", "restitution"})
+    map.refuse(key, "surfaces that are tied (tie: true) neither touch nor part nor slide");
+}
+
 study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
   study::ContactZone zone;
   zone.name = entry.name.text;
@@ -124,16 +154,15 @@ study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
   const auto method = map.find("method");
   const bool known = read(method, zone.method, study::contact_method_words) || !method;
   zone.geometry.by = study::entry_of(zone.method).geometry;
-  read_friction(map, zone);
-  read_normals(map, zone);
   zone.integration = study::usual_integration(zone, context.scheme.value_or(study::SchemeKind::moreau_jean));
+  read(map.find("tie"), zone.tie);
+  if (zone.tie)
+    refuse_touching(map, zone);
+  else
+    read_touching(map, known, zone);
   read_integration(map.find("integration"), zone.integration);
   read_names(map.find("exclude_nodes"), zone.exclude_nodes);
-  read(map.find("initially_active"), zone.initially_active);
-  read_coefficients(map.find("coefficients"), known, zone);
-  read_iterations(map.find("iterate"), zone);
   read(map.find("history_force"), zone.history_force);
-  read(map.find("restitution"), zone.restitution);
   map.finish();
   return zone;
 }

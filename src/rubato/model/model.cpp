@@ -40,7 +40,8 @@ void number_unknowns(Model& model) {
 void free_contact_of_mass(Model& model) {
   auto& nodes = model.massless_nodes;
   for (const auto& zone : model.zones)
-    nodes.insert(nodes.end(), zone.slave.nodes.begin(), zone.slave.nodes.end());
+    if (!zone.settings.tie) // nothing ever hits there
+      nodes.insert(nodes.end(), zone.slave.nodes.begin(), zone.slave.nodes.end());
   std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   redistribute_mass(model.mesh, model.bulk, model.dofs, nodes, model.mass);

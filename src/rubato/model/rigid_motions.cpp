@@ -227,7 +227,7 @@ RowVectorXd RigidMotions::row(NodeIndex node, const Vector3d& direction) const {
 void RigidMotions::add_point(const contact::Zone& zone, const contact::SlavePoint& point,
                              const contact::Pair& pair, const contact::Configuration& configuration) {
   const auto kinematics = contact::evaluate_kinematics(zone, point, pair, configuration);
-  const int directions = zone.settings.friction > 0 ? zone.space_dimension : 1;
+  const int directions = zone.settings.friction > 0 || zone.settings.tie ? zone.space_dimension : 1;
   for (int a = 0; a < directions; ++a) {
     const Vector3d direction = a == 0 ? kinematics.normal : Vector3d(kinematics.tangents.col(a - 1));
     RowVectorXd relative = RowVectorXd::Zero(columns());

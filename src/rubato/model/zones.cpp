@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/integration.hpp"
 #include "rubato/core/naming.hpp"
+#include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/named_faces.hpp"
 #include "rubato/model/slave_side.hpp"
 #include "rubato/model/touching_parts.hpp"
+#include "rubato/model/zone_checks.hpp"
 #include "rubato/study/contact_methods.hpp"
 
 #include <fmt/format.h>
@@ -62,24 +64,6 @@ void turn_to_slave(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> sl
           mesh::turn(sheets.faces[f]);
 }
 
-/// Nothing but supports moves the nodes of a sheet.
-void check_sheets(const mesh::Mesh& mesh, const Mention& name, const mesh::Sheets& sheets,
-                  const domain::DofMap& dofs, const constraint::Reduction& reduction,
-                  std::vector<Fault>& faults) {
-  for (const auto& face : sheets.faces)
-    for (const auto node : face.nodes())
-      for (int i = 0; i < dofs.components; ++i)
-        if (!reduction.is_prescribed(dofs.dof(node, i))) {
-          faults.push_back(fault_at(
-              name.path, fmt::format("contact surface '{}': {} of its faces bound no cell, and nothing holds "
-                                     "node {} of them along {}; expected supports that hold or move every "
-                                     "component of a surface without cells behind it",
-                                     name.name, sheets.faces.size(), node_label(mesh, node),
-                                     "xyz"[static_cast<std::size_t>(i)])));
-          return;
-        }
-}
-
 bool share_a_face(const contact::Surface& a, const contact::Surface& b) {
   std::vector<mesh::CellIndex> cells;
   for (const auto& face : a.faces)
@@ -114,45 +98,6 @@ std::vector<contact::mortar::HeldComponents> held_components(const contact::Surf
     held.push_back(static_cast<contact::mortar::HeldComponents>(bits));
   }
   return held;
-}
-
-/// With fewer points than the multipliers of a face can tell apart, their equations would be dependent; and a
-/// rule that misses the shape functions would hand on no uniform pressure.
-void check_rule(const study::ContactZone& zone, const contact::Surface& slave, std::vector<Fault>& faults) {
-  std::set<CellType> types;
-  for (const auto& face : slave.faces)
-    types.insert(face.type);
-  for (const auto type : types) {
-    const auto least = contact::least_order(zone.integration.by, type);
-    if (least && zone.integration.order >= *least)
-      continue;
-    faults.push_back(
-        fault_at("contact." + zone.name,
-                 fmt::format("found {{{}: {}}}, expected {} on the {} faces of '{}'",
-                             study::entry_of(zone.integration.by).name, zone.integration.order,
-                             least ? fmt::format("at least {}", *least) : std::string("nodes or gauss"),
-                             cell::topology(type).name, zone.slave)));
-    return;
-  }
-}
-
-/// Where the study has the name of a zone's surface.
-Mention mention_of(const study::ContactZone& settings, const std::string& surface, std::string_view side) {
-  const auto path = "contact." + settings.name;
-  if (!settings.self.empty())
-    return {surface, path + ".self"};
-  for (std::size_t i = 0; i < settings.between.size(); ++i)
-    if (settings.between[i] == surface)
-      return {surface, fmt::format("{}.between.{}", path, i)};
-  return {surface, fmt::format("{}.{}", path, side)};
-}
-
-Mention slave_of(const study::ContactZone& settings) {
-  return mention_of(settings, settings.slave, "slave");
-}
-
-Mention master_of(const study::ContactZone& settings) {
-  return mention_of(settings, settings.master, "master");
 }
 
 /// A zone as it is made: its master and slave have names, and why.
@@ -309,8 +254,17 @@ private:
     else
       zones_.push_back(contact::make_zone(mesh_, settings, std::move(chosen.master), std::move(chosen.slave),
                                           excluded, geometry));
-    zones_.back().held = held_components(zones_.back().slave, dofs_, reduction_);
-    zones_.back().choice = std::move(chosen.choice);
+    complete(zones_.back(), std::move(chosen.choice));
+  }
+
+  void complete(contact::Zone& zone, std::string choice) {
+    check_edges(zone, mesh_, faults_);
+    zone.offset = contact::make_gap_offset(zone.settings, study_.functions);
+    zone.begin = study_.time.begin;
+    zone.held = held_components(zone.slave, dofs_, reduction_);
+    zone.choice = std::move(choice);
+    if (zone.settings.tie)
+      check_tie(zone, mesh_, dofs_, reduction_, faults_);
   }
 
   contact::ZoneGeometry zone_geometry() const {

@@ -102,17 +102,21 @@ double EnergyAccount::work_of_contact(const VectorXd& moved, const VectorXd& bef
   return scheme_->nonsmooth ? moved.dot(now) : work(moved, before, now);
 }
 
-/// [o]·{f} of the forces that obstacles push the bodies with, o their motion; [o]·f₁ where f₁ is the mean.
+/// [o]·{f} of the forces that obstacles push the bodies with, o their motion, and −[offset]·{N} of what an
+/// interference or a gap that changes pushes them apart with; [o]·f₁ where f₁ is the mean.
 EnergyAccount::Obstacles EnergyAccount::work_of_obstacles(const State& committed, const State& trial) const {
   Obstacles work;
   for (std::size_t z = 0; z < model_->zones.size(); ++z) {
-    const auto& obstacle = model_->zones[z].obstacle;
-    if (!obstacle || !obstacle->moves())
+    const auto& zone = model_->zones[z];
+    const bool moves = zone.obstacle && zone.obstacle->moves();
+    if (!moves && !zone.offset.moves())
       continue;
-    const Eigen::Vector3d way = obstacle->displacement(committed.t, trial.t);
+    const Eigen::Vector3d way =
+        moves ? zone.obstacle->displacement(committed.t, trial.t) : Eigen::Vector3d::Zero().eval();
+    const double apart = -zone.offset.change(committed.t, trial.t);
     const auto add = [&](const State& state, double part) {
       for (const auto& outcome : state.zones[z].outcomes) {
-        work.normal += part * way.dot(outcome.normal);
+        work.normal += part * (way.dot(outcome.normal) + apart * contact::pressing_force(outcome));
         work.tangential += part * way.dot(outcome.tangential);
       }
     };

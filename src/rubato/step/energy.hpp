@@ -26,7 +26,7 @@ struct EnergyLedger {
   double contact = 0; ///< stored in penalty springs; implicit runs: normal ones
   // Given and taken since the start of the run:
   double external_work = 0; ///< of the loads on the bodies
-  double support_work = 0;  ///< of supports and obstacles that move
+  double support_work = 0;  ///< of supports and obstacles that move, of interferences and gaps that change
   double overlap_work = 0;  ///< of pressures that close what overlapped when the run began
   double damping = 0;       ///< dissipated by Rayleigh damping
   double friction = 0;      ///< dissipated by friction

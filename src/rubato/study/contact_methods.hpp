@@ -173,6 +173,7 @@ struct ContactIntegrationEntry {
   int most_order;      ///< orders go from 1 to that; 0: it has none
   bool explicit_steps; ///< forces of single points follow from the motion alone
   bool chooses_normal; ///< normals may be the master's, the slave's or their average
+  bool ties;           ///< each slave node may have relations of its own in every direction
 };
 
 inline constexpr std::array<ContactIntegrationEntry, 4> contact_integrations{{
@@ -182,28 +183,32 @@ inline constexpr std::array<ContactIntegrationEntry, 4> contact_integrations{{
      .summary = "contact points on the slave nodes",
      .most_order = 0,
      .explicit_steps = true,
-     .chooses_normal = true},
+     .chooses_normal = true,
+     .ties = true},
     {.method = ContactIntegration::gauss,
      .name = "gauss",
      .code_aster = "INTEGRATION='GAUSS'",
      .summary = "n Gauss points a direction",
      .most_order = 7,
      .explicit_steps = true,
-     .chooses_normal = true},
+     .chooses_normal = true,
+     .ties = false},
     {.method = ContactIntegration::simpson,
      .name = "simpson",
      .code_aster = "INTEGRATION='SIMPSON'",
      .summary = "ends and middles of n parts a direction",
      .most_order = 4,
      .explicit_steps = true,
-     .chooses_normal = true},
+     .chooses_normal = true,
+     .ties = false},
     {.method = ContactIntegration::mortar,
      .name = "mortar",
      .code_aster = "ALGO_CONT='LAC'",
      .summary = "segment-to-segment integrals, a pressure a slave node",
      .most_order = 0,
      .explicit_steps = false,
-     .chooses_normal = false},
+     .chooses_normal = false,
+     .ties = true},
 }};
 
 /// Rows stand in the order of the methods.

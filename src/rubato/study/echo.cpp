@@ -94,6 +94,12 @@ void put_components(Json& map, const std::array<std::optional<Amplitude>, 3>& co
   }
 }
 
+Json echo(const Amplitude& amplitude) {
+  Json map{{"value", amplitude.value}};
+  put_name(map, "function", amplitude.function);
+  return map;
+}
+
 Json echo(const Support& support) {
   Json map{{"on", support.on}};
   put_components(map, support.components);
@@ -177,26 +183,37 @@ void put_surfaces(Json& map, const ContactZone& zone, Physics physics) {
     map["slave"] = zone.slave;
 }
 
-Json echo(const ContactZone& zone, Physics physics) {
-  auto map = Json::object();
-  put_surfaces(map, zone, physics);
-  map["friction"] = zone.friction;
-  map["method"] = word(contact_method_words, zone.method);
+/// What only surfaces have that touch and part.
+void put_touching(Json& map, const ContactZone& zone) {
   map["friction_method"] = word(friction_method_words, zone.friction_method);
+  map["interference"] = echo(zone.interference);
+  map["gap"] = echo(zone.gap);
   map["normal"] = word(contact_normal_words, zone.normal);
   if (!zone.obstacle)
     map["clamped_normal"] = word(clamped_normal_words, zone.clamped_normal);
-  const std::string rule(entry_of(zone.integration.by).name);
-  map["integration"] = zone.integration.order == 0 ? Json(rule) : Json{{rule, zone.integration.order}};
-  map["exclude_nodes"] = zone.exclude_nodes;
+  map["bilateral"] = zone.bilateral;
+  map["freeze"] = zone.freeze;
   put_optional(map, "initially_active", zone.initially_active);
   map["coefficients"] = Json::object();
   put_numbers(map["coefficients"], entry_of(zone.method), zone);
   put_optional(map["coefficients"], "tangential", zone.tangential_coefficient);
   map["iterate"] = {
       {"geometry", echo(zone.geometry)}, {"friction", echo(zone.threshold)}, {"status", echo(zone.status)}};
-  map["history_force"] = zone.history_force;
   map["restitution"] = zone.restitution;
+}
+
+Json echo(const ContactZone& zone, Physics physics) {
+  auto map = Json::object();
+  put_surfaces(map, zone, physics);
+  map["friction"] = zone.friction;
+  map["method"] = word(contact_method_words, zone.method);
+  map["tie"] = zone.tie;
+  if (!zone.tie)
+    put_touching(map, zone);
+  const std::string rule(entry_of(zone.integration.by).name);
+  map["integration"] = zone.integration.order == 0 ? Json(rule) : Json{{rule, zone.integration.order}};
+  map["exclude_nodes"] = zone.exclude_nodes;
+  map["history_force"] = zone.history_force;
   return map;
 }
 

@@ -199,7 +199,12 @@ struct ContactZone {
   std::vector<std::string> between; ///< two surfaces; the model chooses which is the slave
   std::string self;                 ///< a surface that touches itself
   bool all = false;                 ///< every two surfaces of different bodies that can touch
-  double friction = 0; ///< Coulomb's μ ≥ 0
+  double friction = 0;              ///< Coulomb's μ ≥ 0
+  Amplitude interference; ///< how much larger a body is than its mesh: taken from the gap [length], ≥ 0
+  Amplitude gap;          ///< added to the gap that the mesh has [length]
+  bool bilateral = false; ///< points that have touched at the end of a step do not open any more
+  bool freeze = false;    ///< what faces what, and along which normals, is as in the undeformed bodies
+  bool tie = false;       ///< what faces each other undeformed moves together, in every direction
   ContactMethod method = ContactMethod::augmented_lagrangian;
   FrictionMethod friction_method = FrictionMethod::augmented_lagrangian;
   ContactNormal normal = ContactNormal::master;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Zones measured iterate after iterate, in storage and with knowledge of the iterate before.
+#include "rubato/contact/discretisation.hpp"
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 

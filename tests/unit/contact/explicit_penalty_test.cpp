@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/discretisation.hpp"
 #include "rubato/contact/explicit_penalty.hpp"
 
 #include <Eigen/Dense>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Frames that a loop holds: gap and slip follow the bodies, place, normal and tangents don't.
+#include "rubato/contact/discretisation.hpp"
 #include "rubato/contact/frozen_frame.hpp"
 
 #include <Eigen/Geometry>

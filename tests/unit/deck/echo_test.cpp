@@ -48,6 +48,11 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   decks.push_back(smallest_deck + "solver: condensed\n");
   for (const auto* zone : {"between: [M, S]", "self: skin", "self: skin, integration: nodes", "all: true"})
     decks.push_back(smallest_deck + "contact: {a: {" + zone + "}}\n");
+  decks.push_back(smallest_deck +
+                  "contact: {a: {master: M, slave: S, tie: true, integration: nodes}, b: {master: K, "
+                  "slave: L, bilateral: true, gap: -0.1, interference: {value: 2, function: f}}, "
+                  "c: {master: I, slave: J, freeze: true, interference: 0.1}}\n"
+                  "functions: {f: {times: [0, 1], values: [0, 1]}}\n");
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);
     EXPECT_EQ(read_back(study), study) << deck;

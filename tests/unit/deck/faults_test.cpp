@@ -8,6 +8,8 @@ namespace rubato::deck {
 namespace {
 
 using test::faults_of;
+using test::faults_of_explicit;
+using test::faults_of_zone;
 using test::full_deck;
 using test::place_of;
 using test::replaced;
@@ -100,7 +102,7 @@ const Mistake type_mistakes[] = {
     {"on: Above, value", "on: '', value", "'', value",
      "loads.3.pressure.on: found the text '', expected a name"},
     {"integration: {gauss: 3}", "integration: gauss", "gauss",
-     "contact.interface.integration: found 'gauss', expected nodes or {gauss: n} or {simpson: n}"},
+     "contact.interface.integration: found 'gauss', expected nodes or {gauss: n} or {simpson: n} or mortar"},
     {"tip: {", "t.p: {node: A}\n  tip: {", "t.p",
      "probes: found the name 't.p', expected up to 100 letters, digits, "
      "'_' or '-'"},
@@ -366,14 +368,6 @@ TEST(DeckFaults, ThicknessOnlyBelongsToPlanes) {
       Sentences{"study.yaml:5:12: thickness: solid has no thickness, plane_stress and plane_strain do"});
 }
 
-Sentences faults_of_zone(const std::string& settings) {
-  Sentences sentences;
-  for (const auto& sentence :
-       faults_of(smallest_deck + "contact: {a: {master: M, slave: S, " + settings + "}}\n"))
-    sentences.push_back(sentence.substr(sentence.find("contact")));
-  return sentences;
-}
-
 Sentences faults_of_surfaces(const std::string& settings) {
   Sentences sentences;
   for (const auto& sentence : faults_of(smallest_deck + "contact: {a: {" + settings + "}}\n"))
@@ -408,16 +402,6 @@ TEST(DeckFaults, AZoneHasMasterAndSlaveOrOneKeyForBoth) {
                       "expected no 'normal'"});
   EXPECT_EQ(faults_of_surfaces("all: false"),
             (Sentences{"contact.a: 'master' or 'obstacle' is missing", "contact.a: 'slave' is missing"}));
-}
-
-/// Of an explicit run with these words after `scheme` in `time`, and these beside it in the deck.
-Sentences faults_of_explicit(const std::string& time, const std::string& beside = "") {
-  Sentences sentences;
-  for (const auto& sentence :
-       faults_of(replaced(smallest_deck, "newmark, step: 1e-3, end: 0.012", "central_difference, " + time) +
-                 beside))
-    sentences.push_back(sentence.substr(sentence.find(": ") + 2));
-  return sentences;
 }
 
 TEST(DeckFaults, AnExplicitSchemeHasStepsOfItsOwn) {
@@ -456,26 +440,6 @@ TEST(DeckFaults, AnExplicitSchemeTakesContactByPenaltyOnly) {
   EXPECT_EQ(faults(", method: nodal_penalty").size(), 1U);
   EXPECT_EQ(faults(", method: exponential, coefficients: {pressure: 1, clearance: 1}").size(), 1U);
   EXPECT_EQ(faults(", method: penalty, friction_method: augmented_lagrangian").size(), 1U);
-}
-
-TEST(DeckFaults, AnExponentialPressureNeedsItsTwoNumbersAndTakesNoStiffness) {
-  const auto faults = [](const std::string& coefficients) {
-    return faults_of_zone("method: exponential" + coefficients);
-  };
-  EXPECT_EQ(faults(", coefficients: {pressure: 2e6, clearance: 1e-5}"), Sentences{});
-  EXPECT_EQ(faults(""),
-            (Sentences{"contact.a: 'coefficients.clearance' is missing, which exponential needs",
-                       "contact.a: 'coefficients.pressure' is missing, which exponential needs"}));
-  EXPECT_EQ(faults(", coefficients: {pressure: 2e6}"),
-            Sentences{"contact.a.coefficients: 'clearance' is missing"});
-  EXPECT_EQ(faults(", coefficients: {pressure: -1, clearance: 0}").size(), 2U);
-  EXPECT_EQ(faults(", coefficients: {pressure: 2e6, clearance: 1e-5, normal: 1}"),
-            Sentences{"contact.a.coefficients.normal: the method exponential takes no normal, "
-                      "augmented_lagrangian, penalty, nodal_lagrange, nodal_penalty and nodal_pcg take it; a "
-                      "run removes it by 'normal: ~'"});
-  EXPECT_EQ(faults_of_zone("method: penalty, coefficients: {clearance: 1}"),
-            Sentences{"contact.a.coefficients.clearance: the method penalty takes no clearance, exponential "
-                      "takes it; a run removes it by 'clearance: ~'"});
 }
 
 TEST(DeckFaults, AStaticRunHasNoFirstAccelerationToLeaveOut) {

@@ -138,4 +138,23 @@ inline std::vector<std::string> faults_of(std::string_view text,
 
 using Sentences = std::vector<std::string>;
 
+/// Of a contact zone with these words, without the place.
+inline Sentences faults_of_zone(const std::string& settings) {
+  Sentences sentences;
+  for (const auto& sentence :
+       faults_of(smallest_deck + "contact: {a: {master: M, slave: S, " + settings + "}}\n"))
+    sentences.push_back(sentence.substr(sentence.find("contact")));
+  return sentences;
+}
+
+/// Of an explicit run with these words after `scheme` in `time`, and these beside it in the deck.
+inline Sentences faults_of_explicit(const std::string& time, const std::string& beside = "") {
+  Sentences sentences;
+  for (const auto& sentence :
+       faults_of(replaced(smallest_deck, "newmark, step: 1e-3, end: 0.012", "central_difference, " + time) +
+                 beside))
+    sentences.push_back(sentence.substr(sentence.find(": ") + 2));
+  return sentences;
+}
+
 } // namespace rubato::test

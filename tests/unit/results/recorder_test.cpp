@@ -323,6 +323,7 @@ TEST_F(RunFolder, HoldsTheFailureAsData) {
   EXPECT_EQ(unmet.at("node"), worst.at(0).at("node"));
   EXPECT_EQ(unmet.at("value"), failure.at("residual"));
   EXPECT_EQ(unmet.at("allowed"), 1e-300);
+  EXPECT_EQ(failure.at("status_changes"), failure.at("changed_status").size());
   EXPECT_FALSE(failure.at("advice").empty());
   EXPECT_NE(result.message.find("what may help: "), std::string::npos) << result.message;
 }

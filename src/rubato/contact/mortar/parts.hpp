@@ -80,6 +80,10 @@ SlaveFace slave_face(const Face& face, const SlaveReference& reference, std::spa
 void set_normals(const Surface& slave, const SlaveReference& reference, std::span<const Eigen::Vector3d> x,
                  const Options& options, std::vector<Eigen::Vector3d>& normals);
 
+/// The frame of a slave node at those positions and normals: τ₁ looks towards its tangent neighbour.
+Frame node_frame(const SlaveReference& reference, std::span<const Eigen::Vector3d> x,
+                 std::span<const Eigen::Vector3d> normals, std::size_t node);
+
 /// Decides who is kept, shares all functions, and starts each node with cover, weight, frame and heirs.
 void share_functions(const Surface& slave, const SlaveReference& reference,
                      std::span<const Eigen::Vector3d> slave_x, const Options& options,

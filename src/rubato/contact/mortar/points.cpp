@@ -2,8 +2,8 @@
 #include "rubato/contact/mortar/points.hpp"
 
 #include "rubato/contact/frozen_frame.hpp"
-#include "rubato/contact/mortar/frames.hpp"
 #include "rubato/contact/mortar/obstacle_mortar.hpp"
+#include "rubato/contact/mortar/parts.hpp"
 #include "rubato/contact/mortar/slip.hpp"
 
 #include <algorithm>
@@ -24,6 +24,9 @@ std::vector<Keep> keep_of(const Zone& zone) {
   return keep;
 }
 
+/// Kept, dropped, kept and dropped again.
+constexpr int returned = 3;
+
 template <class PositionOf>
 void collect(const Surface& surface, const PositionOf& position, std::vector<Vector3d>& into) {
   into.resize(surface.nodes.size());
@@ -36,8 +39,14 @@ std::optional<SelfPairs> self_of(const Zone& zone) {
   return SelfPairs(zone.slave, zone.undeformed_master, zone.mortar->longest_face);
 }
 
+/// The same to the last bit in all iterations of a step, as the end minus the increment is not.
 Vector3d position_at_start(const Configuration& configuration, mesh::NodeIndex node) {
-  return configuration.position(node) - configuration.increment(node);
+  Vector3d x = configuration.mesh->points[static_cast<std::size_t>(node)];
+  const auto& dofs = *configuration.dofs;
+  const auto first = dofs.first_dof[static_cast<std::size_t>(node)];
+  for (int i = 0; i < dofs.components; ++i)
+    x[i] += (*configuration.start)[first + i];
+  return x;
 }
 
 } // namespace
@@ -52,6 +61,22 @@ void Points::update(const Configuration& configuration) {
   const Vector3d offset =
       zone_->obstacle ? zone_->obstacle->offset(configuration.t) : Vector3d::Zero().eval();
   integrate_at(slave_, master_, offset, now_);
+  hold_those_that_return();
+}
+
+/// Where only rounding or the last digits of an iterate decide, each decision moves the iterate back.
+void Points::hold_those_that_return() {
+  const auto count = now_.nodes.size();
+  changes_.resize(count);
+  if (was_kept_.size() == count)
+    for (std::size_t i = 0; i < count; ++i)
+      if (now_.nodes[i].kept() != (was_kept_[i] != 0) && ++changes_[i] == returned) {
+        keep_.resize(count, Keep::by_cover);
+        keep_[i] = Keep::always;
+      }
+  was_kept_.resize(count);
+  std::ranges::transform(now_.nodes, was_kept_.begin(),
+                         [](const Node& node) { return static_cast<char>(node.kept()); });
 }
 
 void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
@@ -78,6 +103,9 @@ void Points::take_start(const Configuration& configuration) {
   start_slave_ = std::move(start);
   if (self_)
     self_->update(start_slave_);
+  keep_ = keep_of(*zone_);
+  was_kept_.clear();
+  changes_.clear();
   start_tangents_.resize(start_slave_.size());
   if (zone_->obstacle) {
     Operators before;
@@ -86,12 +114,9 @@ void Points::take_start(const Configuration& configuration) {
     return;
   }
   std::vector<Vector3d> normals;
-  nodal_normals(zone_->slave, start_slave_, zone_->held, normals);
-  for (std::size_t i = 0; i < start_tangents_.size(); ++i) {
-    const auto neighbour = static_cast<std::size_t>(zone_->mortar->tangent_neighbour[i]);
-    start_tangents_[i] =
-        frame_of(normals[i], start_slave_[neighbour] - start_slave_[i], zone_->space_dimension).tangents;
-  }
+  set_normals(zone_->slave, *zone_->mortar, start_slave_, {.held = zone_->held}, normals);
+  for (std::size_t i = 0; i < start_tangents_.size(); ++i)
+    start_tangents_[i] = node_frame(*zone_->mortar, start_slave_, normals, i).tangents;
 }
 
 Vector3d Points::anchor_motion(const Configuration& configuration) const {
@@ -105,6 +130,7 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   const auto& point = zone_->points[position];
   into.pair = node.kept() ? Pair::before_obstacle() : Pair{};
   into.cover = node.kept() ? node.weight / point.area : 1;
+  into.heirs = node.heirs;
   if (!node.kept()) {
     into.kinematics.reset();
     into.variables = variables_of(*zone_, point, multipliers, into.kinematics);
@@ -124,8 +150,9 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.slip_origin = (start_tangents_[position] - node.tangents).transpose() * start;
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
-  k.gap = node.gap;
-  k.gap_origin = zone_->obstacle ? node.normal.dot(end) - node.gap : 0.0;
+  const double offset = zone_->offset.at(configuration.t);
+  k.gap = node.gap + offset;
+  k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : 0.0) - offset;
   if (zone_->space_dimension == 2)
     k.slip[1] = k.slip_origin[1] = 0;
   into.variables = variables_of(*zone_, point, multipliers, into.kinematics);

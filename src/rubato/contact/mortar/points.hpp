@@ -3,7 +3,8 @@
 /// operators give it (operators.hpp), and counts with the part of its area that faces the master.
 ///
 /// Operators and frames are made anew for every configuration and held within one: a point's gap and slip
-/// are linear in the displacements there.
+/// are linear in the displacements there. A node at the border of the cover that keeps it, which iterations
+/// of a step take to and fro, stays kept for the rest of the step.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
@@ -37,11 +38,15 @@ private:
   void integrate_at(const Positions& slave, const Positions& master, const Eigen::Vector3d& offset,
                     Operators& into);
   void take_start(const Configuration& configuration);
+  void hold_those_that_return();
   Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
 
   const Zone* zone_;
   std::vector<Keep> keep_;
   std::optional<SelfPairs> self_; ///< of a surface that touches itself: as it is where the step begins
+  /// Of every slave node in this step: whether it was kept last, and how often that changed.
+  std::vector<char> was_kept_;
+  std::vector<int> changes_;
   Workspace workspace_;
   Operators now_;
   Positions slave_, master_;

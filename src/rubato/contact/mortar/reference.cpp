@@ -95,6 +95,12 @@ void set_normals(const Surface& slave, const SlaveReference& reference, std::spa
       remove_held(radial, normals[j]);
 }
 
+Frame node_frame(const SlaveReference& reference, std::span<const Vector3d> x,
+                 std::span<const Vector3d> normals, std::size_t node) {
+  const auto neighbour = static_cast<std::size_t>(reference.tangent_neighbour[node]);
+  return frame_of(normals[node], x[neighbour] - x[node], reference.dimension);
+}
+
 double reach_of(const Options& options, const SlaveReference& reference) {
   return options.reach > 0 ? options.reach : reference.longest_face;
 }

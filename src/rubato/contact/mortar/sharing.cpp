@@ -160,8 +160,7 @@ void start_nodes(const Surface& slave, const SlaveReference& reference,
   into.kept_count = 0;
   for (std::size_t j = 0; j < into.nodes.size(); ++j) {
     auto& node = into.nodes[j];
-    const Eigen::Vector3d along = slave_x[at(reference.tangent_neighbour[j])] - slave_x[j];
-    const auto frame = frame_of(work.normals[j], along, reference.dimension);
+    const auto frame = node_frame(reference, slave_x, work.normals, j);
     node.normal = frame.normal;
     node.tangents = frame.tangents;
     node.weight = 0;

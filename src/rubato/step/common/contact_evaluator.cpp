@@ -37,6 +37,11 @@ bool touches(const contact::ZoneState& zone, std::size_t point) {
          std::isfinite(zone.outcomes[point].gap);
 }
 
+/// What is left of a gap, of a tie of its slips as well.
+double misfit_of(const contact::PointState& point, bool tied) {
+  return std::max(std::abs(point.gap), tied ? point.slip.norm() : 0.0);
+}
+
 /// Counts a point that does not meet a criterion, and keeps the one that is furthest from it.
 void take(std::optional<Unmet>& worst, const Unmet& found) {
   const int count = worst ? worst->count + 1 : 1;
@@ -77,6 +82,8 @@ ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& schem
   for (std::size_t z = 0; z < coefficients_.size(); ++z)
     contact::scale_augmentations(model.zones[z], variant.normal_multiple, variant.tangential_multiple,
                                  coefficients_[z]);
+  for (std::size_t z = 0; z < model.zones.size(); ++z)
+    touched_.push_back(contact::touched_points(model.zones[z], committed.zones[z]));
   if (!scheme.nonsmooth)
     return;
   const contact::Configuration start{&model.mesh,         &model.dofs, &committed.motion.u,
@@ -85,14 +92,15 @@ ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& schem
   const VectorXd velocity = law.massless ? mean_velocity(committed, law) : committed.motion.v;
   for (std::size_t z = 0; z < system.discretisations.size(); ++z) {
     activation_gaps_.push_back(activation_gaps(committed.zones[z]));
-    frames_.push_back(
-        contact::velocity_frames(system.discretisations[z], start, velocity, law, activation_gaps_.back()));
+    frames_.push_back(contact::velocity_frames(system.discretisations[z], start, velocity, law,
+                                               activation_gaps_.back(), touched_[z]));
   }
 }
 
 contact::ZoneLaw ContactEvaluator::law_of(std::size_t zone, const Frozen& frozen) const {
   return {&model_.zones[zone], &coefficients_[zone],
-          variant_.friction_part * model_.zones[zone].settings.friction, frozen[zone].thresholds};
+          variant_.friction_part * model_.zones[zone].settings.friction, frozen[zone].thresholds,
+          touched_[zone]};
 }
 
 ContactIterate ContactEvaluator::at(const State& trial, const Frozen& frozen) const {
@@ -271,6 +279,7 @@ std::vector<double> ContactEvaluator::moved_out(std::size_t z, const ContactIter
                                                 const contact::Configuration& configuration) const {
   std::vector<double> moved;
   const auto& before = committed_.zones[z].outcomes;
+  const double opened = model_.zones[z].offset.change(configuration.start_t, configuration.t);
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (!(before[i].gap < contact::reach(model_.zones[z])) || iterate.status[z][i] == Status::open ||
         !before[i].normal.isZero(0))
@@ -279,7 +288,7 @@ std::vector<double> ContactEvaluator::moved_out(std::size_t z, const ContactIter
     const Eigen::Vector3d way =
         k.stencil.sum([&](auto node) { return configuration.increment(node); }) - k.obstacle_displacement;
     moved.resize(before.size(), 0.0);
-    moved[i] = k.normal.dot(way);
+    moved[i] = k.normal.dot(way) + opened;
   }
   return moved;
 }
@@ -333,7 +342,7 @@ std::optional<Unmet> ContactEvaluator::open_gap(const Frozen& frozen, const Cont
     }
     for (std::size_t i = 0; i < now.points[z].size(); ++i)
       if (now.status[z][i] != Status::open)
-        check(std::abs(now.points[z][i].variables.gap), named_node(z, i));
+        check(misfit_of(now.points[z][i].variables, zone.settings.tie), named_node(z, i));
   }
   return worst;
 }

@@ -9,6 +9,7 @@
 #include "rubato/step/state.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -124,6 +125,7 @@ private:
   const State& committed_;
   RetrySettings variant_;
   std::vector<contact::ZoneCoefficients> coefficients_;
+  std::vector<std::vector<std::uint8_t>> touched_; ///< of each zone, where it is bilateral
   std::vector<std::vector<contact::PointEvaluation>>
       frames_; ///< of every zone, where contact is a law of velocities; else none
   std::vector<std::vector<double>> activation_gaps_; ///< theirs

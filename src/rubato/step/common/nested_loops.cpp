@@ -48,7 +48,10 @@ bool loops_instead(const contact::Zone& zone, LevelOfZone level, const RetrySett
          zone.settings.geometry.by == Iteration::newton;
 }
 
+/// Geometry that is held has nothing to follow.
 bool loops(const contact::Zone& zone, LevelOfZone level, const RetrySettings& variant) {
+  if (zone.holds_geometry() && level == &study::ContactZone::geometry)
+    return false;
   if (variant.status_by_newton && level == &study::ContactZone::status)
     return false;
   return (zone.settings.*level).by == Iteration::fixed_point || loops_instead(zone, level, variant);

@@ -59,7 +59,15 @@ void set_forces(const contact::PointOutcome& outcome, const contact::Kinematics&
     predicted.force[1 + a] = outcome.tangential.dot(k.tangents.col(a));
 }
 
+bool holds_both_ways(const contact::Zone& zone) {
+  return zone.settings.tie || zone.settings.bilateral;
+}
+
+/// The prediction knows of pushing forces only: what holds whatever its force begins with that of the last
+/// step.
 bool starts_from_last_step(const contact::Zone& zone) {
+  if (holds_both_ways(zone))
+    return true;
   return zone.settings.friction > 0 &&
          contact::friction_law(zone.settings.friction_method).starts_from_last_step;
 }
@@ -180,7 +188,8 @@ bool predicts_exactly(const Model& model) {
 }
 
 bool starts_from_prediction(const Model& model, Start start) {
-  return start == Start::predicted || predicts_exactly(model) ||
+  return predicts_exactly(model) ||
+         (start == Start::predicted && std::ranges::none_of(model.zones, holds_both_ways)) ||
          (start == Start::usual && std::ranges::none_of(model.zones, starts_from_last_step));
 }
 

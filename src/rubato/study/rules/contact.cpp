@@ -23,6 +23,8 @@ public:
   void check() {
     check_place();
     check_friction();
+    check_offsets();
+    check_bonds();
     check_integration();
     check_coefficients();
     check_levels();
@@ -55,6 +57,84 @@ private:
       rules_.broken({at("friction_method"), at("method")},
                     fmt::format("found {} with the contact method {}, expected {}", friction_method_.name,
                                 method_.name, either(method_.friction)));
+  }
+
+  void check_offsets() {
+    rules_.amplitude(at("gap"), zone_.gap);
+    rules_.amplitude(at("interference"), zone_.interference);
+    if (zone_.interference.value < 0)
+      rules_.broken(
+          {at("interference"), at("interference.value")},
+          fmt::format("found {}, an interference is a positive overlap, expected gap: {}, which sets "
+                      "surfaces apart",
+                      zone_.interference.value, -zone_.interference.value));
+    const auto* function = function_of(zone_.interference);
+    if (function != nullptr && std::ranges::any_of(function->values, [](double value) { return value < 0; }))
+      rules_.broken({at("interference.function"), "functions"},
+                    fmt::format("found the function {}, which becomes negative, expected one that is >= 0; "
+                                "'gap' sets surfaces apart",
+                                shown(zone_.interference.function)));
+  }
+
+  /// Nothing where it has none, or a bad one.
+  const Function* function_of(const Amplitude& amplitude) const {
+    const auto found = rules_.study.functions.find(amplitude.function);
+    const bool usable = found != rules_.study.functions.end() && !found->second.times.empty() &&
+                        found->second.times.size() == found->second.values.size();
+    return usable ? &found->second : nullptr;
+  }
+
+  void check_bonds() {
+    if (zone_.tie)
+      check_tie();
+    if (zone_.bilateral && method_.exact_prediction)
+      rules_.broken({at("bilateral"), at("method")},
+                    fmt::format("found bilateral: true, but {} knows of pushing forces only, expected "
+                                "nodal_lagrange",
+                                method_.name));
+    if (zone_.bilateral && zone_.restitution > 0)
+      rules_.broken(
+          {at("bilateral"), at("restitution")},
+          "found a restitution beside bilateral: true, where nothing bounces, expected one of them");
+    if (zone_.freeze && zone_.geometry.by == Iteration::fixed_point &&
+        method_.geometry != Iteration::fixed_point)
+      rules_.broken({at("iterate.geometry"), at("freeze")},
+                    "found fixed_point beside freeze: true, which leaves no geometry to iterate, expected "
+                    "newton");
+  }
+
+  void check_tie() {
+    const auto expect = [&](bool broken, const char* key, std::string_view found, std::string_view expected) {
+      if (broken)
+        rules_.broken({at(key), at("tie"), path_},
+                      fmt::format("found {} in a tie, expected {}", found, expected));
+    };
+    expect(zone_.friction > 0, "friction", "friction", "none: surfaces that are tied do not slide");
+    expect(zone_.method != ContactMethod::augmented_lagrangian, "method", method_.name,
+           "augmented_lagrangian: a tie holds exactly");
+    expect(zone_.obstacle.has_value(), "obstacle", "an obstacle", "supports, which hold or move a surface");
+    expect(!entry_of(zone_.integration.by).ties, "integration", entry_of(zone_.integration.by).name,
+           "mortar or nodes");
+    expect(zone_.interference.value != 0, "interference", "an interference",
+           "none: what lies between the "
+           "surfaces stays as it is");
+    expect(zone_.gap.value != 0, "gap", "a gap", "none: what lies between the surfaces stays as it is");
+    expect(zone_.bilateral, "bilateral", "bilateral: true", "one of them");
+    expect(zone_.freeze, "freeze", "freeze: true", "one of them: a tie holds its geometry");
+  }
+
+  /// What explicit steps do not have.
+  void check_explicit_bonds(std::string_view scheme) {
+    const auto refuse = [&](bool found, const char* key) {
+      if (found)
+        rules_.broken({at(key), "time.scheme"},
+                      fmt::format("found {}: true, which the scheme {} does not have, expected an implicit "
+                                  "scheme",
+                                  key, scheme));
+    };
+    refuse(zone_.tie, "tie");
+    refuse(zone_.bilateral, "bilateral");
+    refuse(zone_.freeze, "freeze");
   }
 
   static std::string either(std::span<const FrictionMethod> methods) {
@@ -132,16 +212,24 @@ private:
 
   /// Explicit steps solve nothing, multipliers least of all.
   void check_explicit(const TimeStepping& time) {
-    if (!method_.explicit_steps || !friction_method_.explicit_steps)
+    if (!zone_.tie && (!method_.explicit_steps || !friction_method_.explicit_steps))
       rules_.broken({path_, at("method"), at("friction_method"), "time.scheme"},
                     fmt::format("found the method {} with friction by {}, but the scheme {} has forces only, "
                                 "expected penalty for both",
                                 method_.name, friction_method_.name, word_of(scheme_words, time.scheme)));
-    if (const auto& rule = entry_of(zone_.integration.by); !rule.explicit_steps)
+    if (const auto& rule = entry_of(zone_.integration.by); !zone_.tie && !rule.explicit_steps)
       rules_.broken({path_, at("integration"), "time.scheme"},
                     fmt::format("found the integration {}, but the scheme {} computes forces point by point, "
                                 "expected integration: nodes",
                                 rule.name, word_of(scheme_words, time.scheme)));
+    if (zone_.interference.value != 0 || !zone_.gap.function.empty())
+      rules_.broken(
+          {zone_.interference.value != 0 ? at("interference") : at("gap"), "time.scheme"},
+          fmt::format("found {}, which the scheme {} does not follow, expected an implicit scheme{}",
+                      zone_.interference.value != 0 ? "an interference" : "a gap that changes",
+                      word_of(scheme_words, time.scheme),
+                      zone_.interference.value != 0 ? "" : " or a number"));
+    check_explicit_bonds(word_of(scheme_words, time.scheme));
   }
 
   /// Velocities that jump ask for impulses, which springs have none of; and only they know of restitution.
@@ -156,6 +244,15 @@ private:
       rules_.broken({path_, at("restitution"), "time.contact_mass", "time.scheme"},
                     "found a restitution, but redistributed contact mass leaves nothing that could bounce, "
                     "expected contact_mass: consistent or no restitution");
+    const auto* function = function_of(zone_.interference);
+    const double at_start =
+        zone_.interference.value * (function != nullptr ? value_at(*function, time.begin) : 1.0);
+    if (jumps && at_start != 0)
+      rules_.broken(
+          {at("interference"), "time.scheme"},
+          fmt::format("found {} at the first instant, but the scheme {} leaves overlaps of the start "
+                      "as they are, expected a function that begins with 0",
+                      at_start, word_of(scheme_words, time.scheme)));
     const bool springs = !method_.impulses || (zone_.friction > 0 && !friction_method_.exact);
     if (jumps && springs)
       rules_.broken({path_, at("method"), at("friction_method"), at("friction"), "time.scheme"},

@@ -86,6 +86,11 @@ void Rules::function(const std::string& path, const std::string& name) {
          fmt::format("no function is called {}{}", shown(name), suggestion(name, known)));
 }
 
+void Rules::amplitude(const std::string& path, const Amplitude& amplitude, const Range& range) {
+  number(amplitude.function.empty() ? path : path + ".value", amplitude.value, range);
+  function(path + ".function", amplitude.function);
+}
+
 void Rules::axis(const std::string& path, std::size_t axis) {
   if (axis >= static_cast<std::size_t>(dimension_of(study.physics)))
     broken({path, "physics"}, fmt::format("{} has no {}, expected x or y",

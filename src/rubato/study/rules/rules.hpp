@@ -48,6 +48,8 @@ public:
   void chosen_name(const std::string& path, const std::string& name, std::span<const std::string> before);
   /// The name of a function that there is; empty: none.
   void function(const std::string& path, const std::string& name);
+  /// A number, times a function that there is.
+  void amplitude(const std::string& path, const Amplitude& amplitude, const Range& range = {});
   /// A component that the physics has.
   void axis(const std::string& path, std::size_t axis);
 

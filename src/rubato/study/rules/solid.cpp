@@ -71,11 +71,6 @@ void check_function(Rules& rules, const Function& function, const std::string& p
                  "found 'linear' for one instant, expected at least two to go on from");
 }
 
-void check_amplitude(Rules& rules, const Amplitude& amplitude, const std::string& path) {
-  rules.number(amplitude.function.empty() ? path : path + ".value", amplitude.value);
-  rules.function(path + ".function", amplitude.function);
-}
-
 /// Components of a vector that are given, along axes that the physics has.
 template <class Component>
 void check_components(Rules& rules, const std::array<std::optional<Component>, 3>& components,
@@ -86,7 +81,7 @@ void check_components(Rules& rules, const std::array<std::optional<Component>, 3
     const auto at = fmt::format("{}.{}", path, axis_words.at(axis));
     rules.axis(at, axis);
     if constexpr (std::is_same_v<Component, Amplitude>)
-      check_amplitude(rules, *components[axis], at);
+      rules.amplitude(at, *components[axis]);
     else
       rules.number(at, *components[axis]);
   }

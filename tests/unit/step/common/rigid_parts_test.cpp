@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Bodies that move far beside their strain: the ledger takes works of internal forces on deformations alone.
 #include "rubato/deck/read.hpp"
-#include "rubato/step/energy.hpp"
 #include "rubato/step/common/rigid_parts.hpp"
+#include "rubato/step/energy.hpp"
 #include "rubato/step/start.hpp"
 
 #include <Eigen/Geometry>

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/tie.hpp"
+
+#include "rubato/contact/frozen_frame.hpp"
+#include "rubato/contact/mortar/operators.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace rubato::contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Distance along the master, in its shortest edges, beyond which a clamped projection is beside it.
+constexpr double beside = 0.05;
+
+bool is_held(const Zone& zone, std::size_t node_position, int component) {
+  return node_position < zone.held.size() &&
+         ((static_cast<unsigned>(zone.held[node_position]) >> static_cast<unsigned>(component)) & 1U) != 0;
+}
+
+/// Turns the frame to the axes and counts gap and slip from where nothing is displaced.
+void hold_components(const Configuration& rest, Kinematics& k) {
+  k.facing = k.normal;
+  k.normal = Vector3d::UnitX();
+  k.tangents << Vector3d::UnitY(), Vector3d::UnitZ();
+  k.closest_point.setZero();
+  k.obstacle_displacement.setZero();
+  k.gap_origin = k.normal.dot(k.stencil.sum([&](auto node) { return rest.position(node); }));
+  k.slip_origin.setZero();
+  k.gap = 0;
+  k.slip.setZero();
+  k = with_frozen_frame(std::move(k));
+}
+
+// ---- points on nodes
+
+/// Whether the point stands before the master, not beside it or far from it.
+bool stands_before(const Zone& zone, const Kinematics& k, const Configuration& rest) {
+  const Vector3d apart = k.stencil.sum([&](auto node) { return rest.position(node); });
+  const double along = (apart - apart.dot(k.normal) * k.normal).norm();
+  return along <= beside * zone.master.shortest_edge &&
+         std::abs(apart.dot(k.normal)) <= zone.slave.longest_edge;
+}
+
+void release_held(const Zone& zone, std::size_t position, Stencil& stencil) {
+  stencil.by_component = stencil.weights.replicate<1, 3>();
+  for (int c = 0; c < stencil.components; ++c)
+    if (is_held(zone, position, c))
+      stencil.by_component.col(c).setZero();
+}
+
+std::vector<PointEvaluation> tied_nodes(const Zone& zone, const Configuration& rest) {
+  std::vector<PointEvaluation> points;
+  NeighbourList neighbours(zone);
+  measure(neighbours, VectorXd::Zero(zone.multiplier_count()), rest, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto& kinematics = points[i].kinematics;
+    if (!kinematics)
+      continue;
+    if (zone.points[i].excluded || !stands_before(zone, *kinematics, rest)) {
+      points[i].pair = {};
+      kinematics.reset();
+      continue;
+    }
+    release_held(zone, static_cast<std::size_t>(zone.points[i].node_position), kinematics->stencil);
+    hold_components(rest, *kinematics);
+  }
+  return points;
+}
+
+// ---- mortar
+
+using Positions = std::vector<Vector3d>;
+
+Positions positions_of(const Surface& surface, const Configuration& rest) {
+  Positions x;
+  for (const auto node : surface.nodes)
+    x.push_back(rest.position(node));
+  return x;
+}
+
+/// Who has a function for that component.
+std::vector<mortar::Keep> keep_of(const Zone& zone, int component) {
+  std::vector<mortar::Keep> keep(zone.points.size(), mortar::Keep::by_cover);
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    if (zone.points[i].excluded)
+      keep[i] = mortar::Keep::always;
+    else if (is_held(zone, i, component))
+      keep[i] = mortar::Keep::never;
+  return keep;
+}
+
+/// One for each component.
+std::vector<mortar::Operators> operators_of(const Zone& zone, const Configuration& rest) {
+  const auto slave = positions_of(zone.slave, rest);
+  const auto master = positions_of(zone.master, rest);
+  std::map<std::vector<mortar::Keep>, mortar::Operators> known;
+  std::vector<mortar::Operators> all;
+  for (int c = 0; c < zone.space_dimension; ++c) {
+    const auto keep = keep_of(zone, c);
+    auto at = known.find(keep);
+    if (at == known.end()) {
+      const mortar::Options options{.held = zone.held, .keep = keep};
+      at =
+          known
+              .emplace(keep, mortar::integrate(zone.slave, *zone.mortar, zone.master, slave, master, options))
+              .first;
+    }
+    all.push_back(at->second);
+  }
+  return all;
+}
+
+/// The stencils of all components as one: weights are counted in those of the first one that there is.
+Stencil joined(std::span<const mortar::Operators> operators, std::size_t node, double weight) {
+  Stencil stencil;
+  stencil.components = static_cast<int>(operators.size());
+  std::map<mesh::NodeIndex, Eigen::RowVector3d> rows;
+  for (std::size_t c = 0; c < operators.size(); ++c) {
+    const auto& of_component = operators[c].nodes[node];
+    for (std::size_t i = 0; of_component.kept() && i < of_component.stencil.nodes.size(); ++i)
+      rows.try_emplace(of_component.stencil.nodes[i], Eigen::RowVector3d::Zero())
+          .first->second[static_cast<Index>(c)] +=
+          of_component.weight / weight * of_component.stencil.weights[static_cast<Index>(i)];
+  }
+  stencil.by_component.resize(static_cast<Index>(rows.size()), 3);
+  stencil.weights.resize(static_cast<Index>(rows.size()));
+  for (const auto& [at, row] : rows) {
+    const auto i = static_cast<Index>(stencil.nodes.size());
+    stencil.by_component.row(i) = row;
+    stencil.weights[i] = row.cwiseAbs().maxCoeff();
+    stencil.nodes.push_back(at);
+  }
+  return stencil;
+}
+
+std::vector<PointEvaluation> tied_by_mortar(const Zone& zone, const Configuration& rest) {
+  const auto operators = operators_of(zone, rest);
+  std::vector<PointEvaluation> points(zone.points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto kept = std::ranges::find_if(operators, [&](const auto& by) { return by.nodes[i].kept(); });
+    if (kept == operators.end() || zone.points[i].excluded)
+      continue;
+    const auto& node = kept->nodes[i];
+    auto& k = points[i].kinematics.emplace();
+    points[i].pair = Pair::before_obstacle();
+    points[i].cover = node.weight / zone.points[i].area;
+    k.stencil = joined(operators, i, node.weight);
+    k.parametric_dimension = zone.space_dimension - 1;
+    k.normal = node.normal;
+    hold_components(rest, k);
+  }
+  return points;
+}
+
+} // namespace
+
+std::vector<PointEvaluation> tied_points(const Zone& zone, const Configuration& rest) {
+  return zone.mortar ? tied_by_mortar(zone, rest) : tied_nodes(zone, rest);
+}
+
+} // namespace rubato::contact

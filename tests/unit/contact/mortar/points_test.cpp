@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/mortar/points.hpp"
+
+#include <gtest/gtest.h>
+
+#include "patch/contact_blocks.hpp"
+#include "support/model_of.hpp"
+#include <cmath>
+
+namespace rubato {
+namespace {
+
+using contact::mortar::Points;
+using Eigen::VectorXd;
+
+/// Two blocks of side 1; the upper one, the slave, with three faces.
+class SlidingBlock : public testing::Test {
+protected:
+  SlidingBlock()
+      : model_(test::model_of(test::deck_of({CellType::quad4, 3, 4, 0, ", integration: mortar"}))),
+        start_(VectorXd::Zero(model_.dofs.dof_count)), points_(model_.zones.front()) {}
+
+  /// Whether the slave's last node is kept with the upper block moved along the lower one so far that the
+  /// given part of the node's weight is covered.
+  bool keeps_last(double share) {
+    const double covered = std::sqrt(share) / 3; // ∫H over the inner end of the node's only face
+    VectorXd u = start_;
+    for (const auto node : mesh::nodes_named(model_.mesh, "upper"))
+      u[model_.dofs.dof(node, 0)] = 1.0 / 3 - covered;
+    points_.update({&model_.mesh, &model_.dofs, &u, &start_, 1, start_t_});
+    const auto& nodes = model_.zones.front().slave.nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (model_.mesh.points[static_cast<std::size_t>(nodes[i])].x() > 0.99)
+        return points_.operators().nodes[i].kept();
+    ADD_FAILURE() << "no last node";
+    return false;
+  }
+
+  model::Model model_;
+  VectorXd start_;
+  double start_t_ = 0;
+  Points points_;
+};
+
+TEST_F(SlidingBlock, KeepsNodesFromAHundredthOfTheirWeightOn) {
+  EXPECT_TRUE(keeps_last(0.5));
+  EXPECT_TRUE(keeps_last(0.0101));
+  EXPECT_FALSE(keeps_last(0.0099));
+}
+
+TEST_F(SlidingBlock, KeepsANodeThatIterationsTakeToAndFro) {
+  EXPECT_TRUE(keeps_last(0.0101));
+  EXPECT_FALSE(keeps_last(0.0099));
+  EXPECT_TRUE(keeps_last(0.0101));
+  keeps_last(0.0099);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(keeps_last(0.0099));
+    EXPECT_TRUE(keeps_last(0.0101));
+  }
+}
+
+TEST_F(SlidingBlock, ForgetsInTheNextStepWhatItHeld) {
+  for (int i = 0; i < 3; ++i) {
+    keeps_last(0.0101);
+    keeps_last(0.0099);
+  }
+  EXPECT_TRUE(keeps_last(0.0099));
+  start_t_ = 0.5;
+  EXPECT_FALSE(keeps_last(0.0099));
+}
+
+} // namespace
+} // namespace rubato

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What is refused of interferences, gaps, ties and points that are held.
+#include <gtest/gtest.h>
+
+#include "sample_deck.hpp"
+#include <string>
+
+namespace rubato::deck {
+namespace {
+
+using test::faults_of;
+using test::faults_of_explicit;
+using test::faults_of_zone;
+using test::place_of;
+using test::replaced;
+using test::Sentences;
+using test::smallest_deck;
+
+TEST(ContactZoneFaults, InterferencesAreOverlaps) {
+  EXPECT_EQ(faults_of_zone("interference: 0.05, gap: -0.01"), Sentences{});
+  EXPECT_EQ(
+      faults_of_zone("interference: -0.05"),
+      Sentences{"contact.a.interference: found -0.05, an interference is a positive overlap, expected gap: "
+                "0.05, which sets surfaces apart"});
+  EXPECT_EQ(faults_of_zone("gap: {value: 1, function: rampe}"),
+            Sentences{"contact.a.gap.function: no function is called 'rampe'"});
+  EXPECT_EQ(
+      faults_of_zone(
+          "interference: {value: 1, function: f}}}\nfunctions: {f: {times: [0, 1], values: [0, -1]"),
+      Sentences{"contact.a.interference.function: found the function 'f', which becomes negative, expected "
+                "one that is >= 0; 'gap' sets surfaces apart"});
+  const auto jumping = replaced(smallest_deck, "newmark", "moreau_jean") +
+                       "contact: {a: {master: M, slave: S, interference: 0.05}}\n";
+  EXPECT_EQ(faults_of(jumping),
+            Sentences{place_of(jumping, "0.05}}") +
+                      ": contact.a.interference: found 0.05 at the first instant, but the scheme moreau_jean "
+                      "leaves overlaps of the start as they are, expected a function that begins with 0"});
+  const auto fault = [](const std::string& words) {
+    return faults_of_explicit("end: 1", "contact: {a: {master: M, slave: S, method: penalty, " + words +
+                                            "}}\nfunctions: {f: {times: [0, 1], values: [0, 1]}}\n");
+  };
+  EXPECT_EQ(fault("gap: 0.1"), Sentences{});
+  EXPECT_EQ(
+      fault("interference: 0.1"),
+      Sentences{"contact.a.interference: found an interference, which the scheme central_difference does "
+                "not follow, expected an implicit scheme"});
+  EXPECT_EQ(fault("gap: {value: 0.1, function: f}"),
+            Sentences{"contact.a.gap: found a gap that changes, which the scheme central_difference does not "
+                      "follow, expected an implicit scheme or a number"});
+}
+
+TEST(ContactZoneFaults, TiesHaveNothingOfSurfacesThatTouch) {
+  EXPECT_EQ(faults_of_zone("tie: true"), Sentences{});
+  EXPECT_EQ(faults_of_zone("tie: true, integration: nodes, exclude_nodes: N1"), Sentences{});
+  EXPECT_EQ(
+      faults_of_zone("tie: true, friction: 0.2"),
+      Sentences{"contact.a.friction: found friction in a tie, expected none: surfaces that are tied do not "
+                "slide"});
+  EXPECT_EQ(
+      faults_of_zone("tie: true, bilateral: true"),
+      Sentences{"contact.a.bilateral: surfaces that are tied (tie: true) neither touch nor part nor slide"});
+  EXPECT_EQ(faults_of_zone("tie: true, gap: 0.1"),
+            Sentences{"contact.a.gap: surfaces that are tied (tie: true) neither touch nor part nor slide"});
+  EXPECT_EQ(faults_of_zone("tie: true, method: penalty").size(), 1U);
+  EXPECT_EQ(faults_of_zone("tie: true, integration: {gauss: 2}"),
+            Sentences{"contact.a.integration: found gauss in a tie, expected mortar or nodes"});
+  const auto glued = smallest_deck + "contact: {a: {master: S, slave: S, tie: true}}\n";
+  EXPECT_EQ(faults_of(glued),
+            Sentences{place_of(glued, "S, tie") +
+                      ": contact.a.slave: found 'S' as slave and as master, expected two surfaces"});
+  EXPECT_EQ(faults_of(smallest_deck +
+                      "contact: {a: {slave: S, tie: true, obstacle: {sphere: {point: [0, 0, 0], "
+                      "radius: 1}}}}\n")
+                .size(),
+            1U);
+}
+
+TEST(ContactZoneFaults, WhatHoldsPointsHasToGoTogether) {
+  EXPECT_EQ(faults_of_zone("bilateral: true, freeze: true"), Sentences{});
+  EXPECT_EQ(faults_of_zone("method: nodal_lagrange, freeze: true"), Sentences{});
+  EXPECT_EQ(
+      faults_of_zone("method: nodal_pcg, bilateral: true"),
+      Sentences{"contact.a.bilateral: found bilateral: true, but nodal_pcg knows of pushing forces only, "
+                "expected nodal_lagrange"});
+  EXPECT_EQ(
+      faults_of_zone("freeze: true, iterate: {geometry: fixed_point}"),
+      Sentences{"contact.a.iterate.geometry: found fixed_point beside freeze: true, which leaves no geometry "
+                "to iterate, expected newton"});
+  EXPECT_EQ(faults_of_zone("bilateral: maybe").size(), 1U);
+  for (const char* key : {"bilateral", "freeze"})
+    EXPECT_EQ(
+        faults_of_explicit("end: 1", std::string("contact: {a: {master: M, slave: S, method: penalty, ") +
+                                         key + ": true}}\n"),
+        Sentences{std::string("contact.a.") + key + ": found " + key +
+                  ": true, which the scheme central_difference does not have, expected an implicit "
+                  "scheme"});
+  EXPECT_EQ(
+      faults_of_explicit("end: 1", "contact: {a: {master: M, slave: S, tie: true}}\n"),
+      Sentences{"contact.a.tie: found tie: true, which the scheme central_difference does not have, expected "
+                "an implicit scheme"});
+}
+
+} // namespace
+} // namespace rubato::deck

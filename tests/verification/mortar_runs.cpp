@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verification/mortar_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+namespace rubato::verification {
+namespace {
+
+constexpr double inner = 19.95, shaft = 20, outer = 40, length = 20;
+constexpr double young = 210e3, poisson = 0.3;
+
+std::string deck_of(const ShrinkFit& fit) {
+  const int k = fit.fineness;
+  return fmt::format(
+      R"(mesh:
+  generate:
+    - {{name: shaft, rectangle: {{from: [0, 0], to: [{0}, {3}]}}, divisions: [{4}, {5}], cells: {8}, sides: {{bottom: low, top: high, right: outside}}, points: {{left_bottom: held}}}}
+    - {{name: ring, rectangle: {{from: [{1}, 0], to: [{2}, {3}]}}, divisions: [{6}, {7}], cells: {8}, sides: {{bottom: low, top: high, left: inside}}, points: {{right_bottom: held}}}}
+physics: axisymmetric
+materials: {{steel: {{young: {9}, poisson: {10}}}}}
+supports: {11}
+contact: {{fit: {{master: outside, slave: inside, integration: {12}}}}}
+time: {{scheme: static, step: 1, end: 1}}
+newton: {{residual: 1e-10}}
+)",
+      shaft, inner, outer, length, 5 * k, 10 * k, 5 * k, 13 * k, word_of(fit.cells), young, poisson,
+      fit.ends_held ? "[{on: low, fix: y}, {on: high, fix: y}]" : "[{on: held, fix: y}]", fit.integration);
+}
+
+void take(double error, double place, PressureErrors& into) {
+  into.largest = std::max(into.largest, std::abs(error));
+  into.rms += error * error;
+  if (std::abs(place - length / 2) <= 0.4 * length)
+    into.interior = std::max(into.interior, std::abs(error));
+}
+
+} // namespace
+
+std::string word_of(CellType cells) {
+  std::string word(cell::topology(cells).name);
+  std::ranges::transform(word, word.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return word;
+}
+
+double lame_pressure(bool ends_held) {
+  const double e = ends_held ? young / (1 - poisson * poisson) : young;
+  const double nu = ends_held ? poisson / (1 - poisson) : poisson;
+  const double widening =
+      inner * ((outer * outer + inner * inner) / (outer * outer - inner * inner) + nu); // u E/p of the ring
+  const double narrowing = (1 - nu) * inner; // of the shaft: its pressure is less by inner/shaft
+  return (shaft - inner) * e / (widening + narrowing);
+}
+
+PressureErrors shrink(const ShrinkFit& fit) {
+  PressureErrors errors;
+  test::Walk walk(deck_of(fit), {{"time.on_failure", "{levels: 0}"}});
+  errors.converged = walk.to_end();
+  if (!errors.converged)
+    return errors;
+  const double exact = lame_pressure(fit.ends_held);
+  for (std::size_t i = 0; i < walk.slave_count(); ++i)
+    take(walk.pressure(i) / exact - 1, walk.slave_point(i).y(), errors);
+  errors.rms = std::sqrt(errors.rms / static_cast<double>(walk.slave_count()));
+  errors.iterations = walk.reports.back().iterations;
+  return errors;
+}
+
+double press_discs(CellType cells, CellType below) {
+  test::Walk walk(fmt::format(R"(mesh:
+  generate:
+    - {{name: lower, rectangle: {{from: [0, 0], to: [2, 1]}}, divisions: [3, 2], cells: {}, sides: {{bottom: ground, top: below}}}}
+    - {{name: upper, rectangle: {{from: [0, 1], to: [2, 2]}}, divisions: [4, 2], cells: {}, sides: {{top: roof, bottom: above}}}}
+physics: axisymmetric
+materials: {{rubber: {{young: 2e6, poisson: 0.3}}}}
+supports: [{{on: ground, fix: y}}]
+loads: [{{pressure: {{on: roof, value: 1e5}}}}]
+contact: {{discs: {{master: below, slave: above, integration: mortar}}}}
+time: {{scheme: static, step: 1, end: 1}}
+newton: {{residual: 1e-13}}
+)",
+                              word_of(below), word_of(cells)),
+                  {{"time.on_failure", "{levels: 0}"}});
+  if (!walk.to_end())
+    return -1;
+  double error = 0;
+  for (std::size_t i = 0; i < walk.slave_count(); ++i)
+    error = std::max(error, std::abs(walk.pressure(i) / 1e5 - 1));
+  return error;
+}
+
+/// The faces of a group that lie below x = 0.5.
+void halve(mesh::Mesh& mesh, std::string_view name) {
+  const auto group = std::ranges::find(mesh.cell_groups, name, &mesh::Group::name);
+  std::erase_if(group->items, [&](mesh::CellIndex face) {
+    const auto nodes = mesh.nodes_of(face);
+    return std::ranges::any_of(
+        nodes, [&](auto node) { return mesh.points[static_cast<std::size_t>(node)].x() > 0.5 + 1e-9; });
+  });
+}
+
+HalfLoaded load_half_block(CellType cells) {
+  const auto deck = fmt::format(R"(mesh:
+  generate:
+    - {{name: lower, box: {{from: [0, 0, 0], to: [1, 1, 1]}}, divisions: [3, 3, 3], cells: {0}, sides: {{bottom: ground, top: below}}}}
+    - {{name: upper, box: {{from: [0, 1, 0], to: [1, 2, 1]}}, divisions: [4, 4, 4], cells: {0}, sides: {{top: roof, bottom: above}}}}
+physics: solid
+materials: {{rubber: {{young: 2e6, poisson: 0.3}}}}
+supports: [{{on: ground, fix: [x, y, z]}}]
+loads: [{{pressure: {{on: roof, value: 1e4}}}}]
+contact: {{blocks: {{master: below, slave: above, friction: 0.3, integration: mortar}}}}
+time: {{scheme: static, step: 1, end: 1}}
+newton: {{residual: 1e-12}}
+)",
+                                word_of(cells));
+  const std::vector<deck::Setting> no_cuts{{"time.on_failure", "{levels: 0}"}};
+  const auto study = deck::parse_deck(deck, "deck.yaml", no_cuts).runs.front();
+  auto mesh = model::load_mesh(study.mesh);
+  halve(mesh, "roof");
+  test::Walk walk(model::build_model(study, std::move(mesh)));
+  HalfLoaded result;
+  if (!walk.to_end()) {
+    result.failure = step::to_string(walk.reports.back().outcome);
+    return result;
+  }
+  result.reaction = std::abs(walk.resultants().force[1] / (0.5 * 1e4) - 1);
+  result.open =
+      static_cast<int>(std::ranges::count(walk.state().zones.front().status, contact::Status::open));
+  result.iterations = walk.reports.back().iterations;
+  return result;
+}
+
+} // namespace rubato::verification
