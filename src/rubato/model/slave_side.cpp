@@ -2,6 +2,7 @@
 #include "rubato/model/slave_side.hpp"
 
 #include "rubato/mesh/sheet.hpp"
+#include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
 

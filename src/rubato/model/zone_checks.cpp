@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/zone_checks.hpp"
 
-#include "rubato/cell/families.hpp"
+#include "rubato/cell/topology.hpp"
 #include "rubato/contact/integration.hpp"
 #include "rubato/contact/tie.hpp"
 #include "rubato/domain/bulk.hpp"

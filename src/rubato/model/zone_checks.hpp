@@ -7,7 +7,7 @@
 #include "rubato/constraint/reduction.hpp"
 #include "rubato/contact/zone.hpp"
 #include "rubato/core/error.hpp"
-#include "rubato/domain/dofs.hpp"
+#include "rubato/domain/dof_map.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/model/build.hpp"

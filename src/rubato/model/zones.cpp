@@ -3,7 +3,6 @@
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/sheet.hpp"
-#include "rubato/mesh/skin.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/named_faces.hpp"
 #include "rubato/model/slave_side.hpp"
