@@ -3,12 +3,13 @@
 
 #include "rubato/contact/mortar/search.hpp"
 #include "rubato/contact/projection.hpp"
+#include "rubato/contact/two_sides.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <set>
 
 namespace rubato::contact {
 namespace {
@@ -17,12 +18,14 @@ using Eigen::Vector3d;
 
 /// Beyond this product of their normals two faces do not face each other (mortar/segments.hpp).
 constexpr double facing = -0.1;
-/// FacePatches are looked for that many reaches far: those that meet later in the step are in them.
+/// Sides are looked for that many reaches far: faces that meet later in the step have one.
 constexpr double margin = 2;
-/// An axis must be that much stronger than one before it: patches at an angle to the axes keep theirs.
-constexpr double clearly = 1.5;
 /// Part of a face's size that is rounding of its place.
 constexpr double same_place = 1e-9;
+/// Faces that overlap by more than this part of the body's thickness behind them are its two sides.
+constexpr double through = 0.5;
+/// Of faces as far apart those more directly before each other come first.
+constexpr double sideways = 0.1;
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
@@ -33,10 +36,6 @@ FaceCoordinates gathered(const Face& face, std::span<const Vector3d> x) {
   for (int i = 0; i < face.node_count; ++i)
     coordinates.col(i) = x[at(face.positions[at(i)])];
   return coordinates;
-}
-
-Vector3d centre_of(const FaceCoordinates& x) {
-  return x.rowwise().mean();
 }
 
 /// From the corners alone; in 2D (t_y, −t_x). 0 of a face without area.
@@ -53,45 +52,63 @@ Vector3d unit_normal(CellType type, const FaceCoordinates& x) {
   return normal.stableNormalized();
 }
 
-/// The first axis that no later one is clearly stronger than.
-int strongest(const Vector3d& strength) {
-  int axis = 0;
-  for (int c = 1; c < 3; ++c)
-    if (strength[c] > clearly * strength[axis])
-      axis = c;
-  return axis;
+std::vector<FlatFace> flat_faces(const Surface& surface, std::span<const Vector3d> x) {
+  std::vector<FlatFace> flat;
+  for (const auto& face : surface.faces) {
+    const auto nodes = gathered(face, x);
+    const Vector3d centre = nodes.rowwise().mean();
+    flat.push_back({centre, unit_normal(face.type, nodes),
+                    std::sqrt((nodes.colwise() - centre).colwise().squaredNorm().maxCoeff())});
+  }
+  return flat;
 }
 
-/// Sets of faces, each with one of them that stands for it.
-class FacePatches {
-public:
-  explicit FacePatches(std::size_t faces) : parent_(faces) { std::iota(parent_.begin(), parent_.end(), 0); }
+/// How soon two faces meet: the distance between them, more where they are beside each other or askew.
+double apart_of(const FlatFace& one, const FlatFace& other) {
+  const Vector3d way = other.centre - one.centre;
+  const Vector3d across = (one.normal - other.normal).stableNormalized();
+  const double ahead = way.dot(across);
+  const double beside = std::sqrt(std::max(0.0, way.squaredNorm() - ahead * ahead));
+  const double beyond = std::max(0.0, beside - one.size - other.size);
+  return (std::hypot(ahead, beyond) + sideways * beside) / -one.normal.dot(other.normal);
+}
 
-  int root(int face) {
-    while (parent_[at(face)] != face) {
-      parent_[at(face)] = parent_[at(parent_[at(face)])];
-      face = parent_[at(face)];
-    }
-    return face;
+/// Pairs (low, high) of faces near each other, found by boxes around the flat ones grown by a distance.
+std::vector<std::pair<int, int>> near_pairs(std::span<const FlatFace> faces, double distance) {
+  std::vector<mortar::Box> boxes;
+  for (const auto& face : faces)
+    boxes.emplace_back(face.centre.array() - face.size, face.centre.array() + face.size);
+  mortar::FaceSearch search;
+  search.build(boxes);
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<int> near;
+  const Vector3d grown = Vector3d::Constant(distance);
+  for (std::size_t a = 0; a < boxes.size(); ++a) {
+    search.find(mortar::Box(boxes[a].min() - grown, boxes[a].max() + grown), near);
+    for (const int b : near)
+      if (at(b) > a)
+        pairs.emplace_back(static_cast<int>(a), b);
   }
-  void join(int one, int other) { parent_[at(root(one))] = root(other); }
+  return pairs;
+}
 
-private:
-  std::vector<int> parent_;
-};
+bool look_at_each_other(const FlatFace& one, const FlatFace& other) {
+  return one.normal.dot(other.normal) < facing;
+}
 
-/// Joins faces around a node, of those that meet others.
-void join_around_nodes(const Surface& surface, const std::vector<char>& meets, FacePatches& patches) {
-  for (const auto& faces : surface.faces_of_node) {
-    int first = -1;
-    for (const int face : faces) {
-      if (meets[at(face)] == 0)
-        continue;
-      if (first >= 0)
-        patches.join(face, first);
-      first = face;
-    }
-  }
+/// How far each is behind the other; negative where one is in front.
+double overlap_of(const FlatFace& one, const FlatFace& other) {
+  const Vector3d apart = other.centre - one.centre;
+  return std::min(-apart.dot(one.normal), apart.dot(other.normal));
+}
+
+std::vector<std::pair<int, int>> neighbours_of(const Surface& surface) {
+  std::set<std::pair<int, int>> pairs;
+  for (const auto& faces : surface.faces_of_node)
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (std::size_t j = i + 1; j < faces.size(); ++j)
+        pairs.insert(std::minmax(faces[i], faces[j]));
+  return {pairs.begin(), pairs.end()};
 }
 
 } // namespace
@@ -104,12 +121,25 @@ std::vector<Vector3d> unit_normals(const Surface& surface, std::span<const Vecto
 }
 
 SelfPairs::SelfPairs(const Surface& surface, std::span<const Vector3d> undeformed, double reach)
-    : surface_(&surface), reach_(reach), axis_of_face_(surface.faces.size(), -1) {
-  for (const auto& face : surface.faces) {
-    const auto x = gathered(face, undeformed);
-    centres_.push_back(centre_of(x));
-    normals_.push_back(unit_normal(face.type, x));
-    sizes_.push_back(std::sqrt((x.colwise() - centres_.back()).colwise().squaredNorm().maxCoeff()));
+    : surface_(&surface), reach_(reach), undeformed_(flat_faces(surface, undeformed)), now_(undeformed_),
+      thickness_(surface.faces.size(), INFINITY), neighbours_(neighbours_of(surface)),
+      role_(surface.faces.size(), Role::none) {
+  measure_thickness();
+}
+
+/// Of the sides of a thin part those count that are behind each other, not beside.
+void SelfPairs::measure_thickness() {
+  for (const auto& [low, high] : near_pairs(undeformed_, margin * reach_)) {
+    const auto &one = undeformed_[at(low)], &other = undeformed_[at(high)];
+    if (!back_to_back(at(low), at(high)))
+      continue;
+    const double thickness = overlap_of(one, other);
+    const double beside = std::sqrt(
+        std::max(0.0, (other.centre - one.centre).squaredNorm() - thickness * thickness));
+    if (beside > one.size + other.size)
+      continue;
+    for (const auto face : {at(low), at(high)})
+      thickness_[face] = std::min(thickness_[face], thickness);
   }
 }
 
@@ -123,74 +153,72 @@ bool SelfPairs::share_a_node(const Face& one, const Face& other) const {
   });
 }
 
-/// Each behind the other, and near enough to meet through the body.
+/// Undeformed each behind the other, and near enough to meet through the body.
 bool SelfPairs::back_to_back(std::size_t one, std::size_t other) const {
-  const Vector3d apart = centres_[other] - centres_[one];
-  return normals_[one].dot(normals_[other]) < facing && apart.dot(normals_[one]) < 0 &&
-         apart.dot(normals_[other]) > 0 && apart.norm() < margin * reach_ + sizes_[one] + sizes_[other];
+  const auto &a = undeformed_[one], &b = undeformed_[other];
+  return look_at_each_other(a, b) && overlap_of(a, b) > 0 &&
+         (b.centre - a.centre).norm() < margin * reach_ + a.size + b.size;
+}
+
+/// Where the step begins: by more than a contact may overlap, so that the body of one is between them.
+bool SelfPairs::is_behind(std::size_t one, std::size_t other) const {
+  const double thickness = std::min(thickness_[one], thickness_[other]);
+  return look_at_each_other(now_[one], now_[other]) && overlap_of(now_[one], now_[other]) > through * thickness;
 }
 
 bool SelfPairs::may_meet(int one, int other) const {
   return one != other && !share_a_node(surface_->faces[at(one)], surface_->faces[at(other)]) &&
-         !back_to_back(at(one), at(other));
+         !back_to_back(at(one), at(other)) && !is_behind(at(one), at(other));
 }
 
-std::vector<SelfPairs::Meeting> SelfPairs::meetings(std::span<const Vector3d> x) const {
-  std::vector<mortar::Box> boxes;
-  for (const auto& face : surface_->faces)
-    boxes.push_back(mortar::box_of(face.type, gathered(face, x)));
-  const auto normals = unit_normals(*surface_, x);
-  mortar::FaceSearch search;
-  search.build(boxes);
+std::vector<SelfPairs::Meeting> SelfPairs::meetings() const {
   std::vector<Meeting> found;
-  std::vector<int> near;
-  const Vector3d grown = Vector3d::Constant(margin * reach_);
-  for (std::size_t a = 0; a < boxes.size(); ++a) {
-    search.find(mortar::Box(boxes[a].min() - grown, boxes[a].max() + grown), near);
-    for (const int b : near)
-      if (at(b) > a && face_each_other(normals, static_cast<int>(a), b) && may_meet(static_cast<int>(a), b))
-        found.emplace_back(static_cast<int>(a), b);
-  }
+  for (const auto& [one, other] : near_pairs(now_, margin * reach_))
+    if (look_at_each_other(now_[at(one)], now_[at(other)]) && may_meet(one, other))
+      found.push_back({one, other, apart_of(now_[at(one)], now_[at(other)])});
   return found;
 }
 
 void SelfPairs::update(std::span<const Vector3d> x) {
-  const auto pairs = meetings(x);
-  std::vector<char> meets(surface_->faces.size(), 0);
-  FacePatches patches(surface_->faces.size());
-  for (const auto& [one, other] : pairs) {
-    meets[at(one)] = meets[at(other)] = 1;
-    patches.join(one, other);
-  }
-  join_around_nodes(*surface_, meets, patches);
-  std::vector<Vector3d> strength(surface_->faces.size(), Vector3d::Zero());
-  for (const auto& [one, other] : pairs)
-    strength[at(patches.root(one))] += (centres_[at(one)] - centres_[at(other)]).cwiseAbs();
-  for (std::size_t f = 0; f < meets.size(); ++f)
-    axis_of_face_[f] = meets[f] != 0 ? strongest(strength[at(patches.root(static_cast<int>(f)))]) : -1;
+  now_ = flat_faces(*surface_, x);
+  give_roles(meetings());
 }
 
-/// The same of (a, b) and (b, a).
-int SelfPairs::axis_of(std::size_t one, std::size_t other) const {
-  const auto [low, high] = std::minmax(axis_of_face_[one], axis_of_face_[other]);
-  if (low >= 0)
-    return low;
-  return high >= 0 ? high : strongest((centres_[one] - centres_[other]).cwiseAbs());
+void SelfPairs::give_roles(std::span<const Meeting> meetings) {
+  std::vector<double> soonest(now_.size(), INFINITY);
+  std::vector<Joint> joints;
+  for (const auto& meeting : meetings) {
+    joints.push_back({meeting.apart, true, meeting.one, meeting.other});
+    for (const auto face : {at(meeting.one), at(meeting.other)})
+      soonest[face] = std::min(soonest[face], meeting.apart);
+  }
+  for (const auto& [one, other] : neighbours_)
+    if (const double apart = std::max(soonest[at(one)], soonest[at(other)]); std::isfinite(apart))
+      joints.push_back({apart, false, one, other});
+  const auto sides = two_sides(now_.size(), std::move(joints));
+  const auto upper = farther_sides(sides, undeformed_);
+  for (std::size_t f = 0; f < role_.size(); ++f) {
+    const bool meets = std::isfinite(soonest[f]);
+    role_[f] = !meets ? Role::none : upper[f] != 0 ? Role::slave : Role::master;
+  }
+}
+
+/// Of faces without an order of their sides, by their undeformed places: the farther one along the axis on
+/// which they are farthest apart.
+bool SelfPairs::is_before(int one, int other) const {
+  const auto &a = undeformed_[at(one)], &b = undeformed_[at(other)];
+  const Vector3d apart = a.centre - b.centre;
+  const int axis = strongest_axis(apart);
+  return std::abs(apart[axis]) > same_place * (a.size + b.size) ? apart[axis] > 0 : one > other;
 }
 
 bool SelfPairs::may_pair(int slave_face, int master_face) const {
   if (!may_meet(slave_face, master_face))
     return false;
-  const auto slave = at(slave_face), master = at(master_face);
-  const Vector3d apart = centres_[slave] - centres_[master];
-  const double least = same_place * (sizes_[slave] + sizes_[master]);
-  const int first = axis_of(slave, master);
-  for (int c = 0; c < 3; ++c) {
-    const double along = apart[(first + c) % 3];
-    if (std::abs(along) > least)
-      return along > 0;
-  }
-  return slave > master;
+  const auto slave = role_[at(slave_face)], master = role_[at(master_face)];
+  if (slave == master)
+    return is_before(slave_face, master_face);
+  return slave == Role::slave || (slave == Role::none && master == Role::master);
 }
 
 } // namespace rubato::contact

@@ -6,6 +6,7 @@
 #include "rubato/contact/law.hpp"
 #include "rubato/contact/mortar/frames.hpp"
 #include "rubato/contact/projection.hpp"
+#include "rubato/contact/smooth_patches.hpp"
 
 #include <Eigen/Geometry>
 
@@ -129,11 +130,11 @@ void add_turning_nodes(const Surface& slave, SlavePoint& point) {
       }
 }
 
-SlavePoint point_on_node(const Surface& slave, NodeIndex node) {
+SlavePoint point_on_node(int position, NodeIndex node) {
   SlavePoint point;
   point.nodes = {node};
   point.shape = {1.0};
-  point.node_position = slave.position_of(node);
+  point.node_position = position;
   point.multipliers = {point.node_position};
   point.multiplier_shape = {1.0};
   return point;
@@ -172,7 +173,7 @@ std::vector<SlavePoint> make_points(const mesh::Mesh& mesh, const Integration& r
         const auto node = face.nodes[static_cast<std::size_t>(at.node)];
         index = point_of_node.emplace(node, index).first->second;
         if (index == points.size())
-          points.push_back(point_on_node(slave, node));
+          points.push_back(point_on_node(slave.position_of(node), node));
       } else {
         points.push_back(point_inside(slave, face, at, excluded));
       }
@@ -194,7 +195,7 @@ std::vector<SlavePoint> make_mortar_points(const mortar::SlaveReference& referen
                                            std::span<const NodeIndex> excluded) {
   std::vector<SlavePoint> points;
   for (std::size_t i = 0; i < slave.nodes.size(); ++i) {
-    auto point = point_on_node(slave, slave.nodes[i]);
+    auto point = point_on_node(static_cast<int>(i), slave.nodes[i]);
     point.area = reference.full_weight[i];
     point.excluded = is_excluded(excluded, slave.nodes[i]);
     points.push_back(std::move(point));
@@ -203,12 +204,16 @@ std::vector<SlavePoint> make_mortar_points(const mortar::SlaveReference& referen
   return points;
 }
 
+std::vector<Eigen::Vector3d> undeformed_places(const mesh::Mesh& mesh, const Surface& surface) {
+  std::vector<Eigen::Vector3d> places;
+  for (const auto node : surface.nodes)
+    places.push_back(mesh.points[static_cast<std::size_t>(node)]);
+  return places;
+}
+
 mortar::SlaveReference mortar_reference(const mesh::Mesh& mesh, const Surface& slave,
                                         const ZoneGeometry& geometry) {
-  std::vector<Eigen::Vector3d> undeformed;
-  for (const auto node : slave.nodes)
-    undeformed.push_back(mesh.points[static_cast<std::size_t>(node)]);
-  return mortar::make_slave_reference(slave, std::move(undeformed),
+  return mortar::make_slave_reference(slave, undeformed_places(mesh, slave),
                                       {geometry.thickness, geometry.measure == Measure::ring});
 }
 
@@ -222,6 +227,8 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
   zone.space_dimension = geometry.space_dimension;
   const auto rule = integration_of(settings);
   zone.unit_weights = rule.unit_weights;
+  if (zone.self && rule.points == nullptr)
+    master = slave = with_split_edges(slave, undeformed_places(mesh, slave));
   if (rule.points == nullptr) {
     zone.mortar = mortar_reference(mesh, slave, geometry);
     zone.points = make_mortar_points(*zone.mortar, slave, excluded_nodes);
@@ -231,8 +238,7 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
   zone.points_own_multipliers =
       std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
   if (zone.self)
-    for (const auto node : master.nodes)
-      zone.undeformed_master.push_back(mesh.points[static_cast<std::size_t>(node)]);
+    zone.undeformed_master = undeformed_places(mesh, master);
   zone.master = std::move(master);
   zone.slave = std::move(slave);
   for (auto& point : zone.points)
@@ -251,7 +257,7 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Obsta
 }
 
 std::optional<std::array<mesh::CellIndex, 2>> sharp_slave_edge(const Zone& zone) {
-  if (!zone.mortar)
+  if (!zone.mortar || zone.self)
     return std::nullopt;
   const auto faces = mortar::first_sharp_edge(zone.slave, zone.mortar->undeformed);
   if (!faces)

@@ -237,19 +237,4 @@ bool can_meet_itself(const mesh::Mesh& mesh, std::span<const SurfaceFace> faces)
   return false;
 }
 
-bool has_sharp_edge(const mesh::Mesh& mesh, std::span<const SurfaceFace> faces) {
-  mesh::CornerSets edges;
-  std::vector<Vector3d> normal_of_edge;
-  for (const auto& face : faces)
-    for (const auto& edge : edges_of(face)) {
-      const Vector3d normal = placed(mesh, face).normal;
-      const auto number = static_cast<std::size_t>(edges.insert(edge));
-      if (number < normal_of_edge.size() && normal_of_edge[number].dot(normal) < sharp)
-        return true;
-      if (number == normal_of_edge.size())
-        normal_of_edge.push_back(normal);
-    }
-  return false;
-}
-
 } // namespace rubato::model

@@ -35,7 +35,4 @@ std::vector<TouchingParts> touching_parts(const mesh::Mesh& mesh, const domain::
 /// Whether two faces without a common node are in front of each other: of a flat or convex surface none are.
 bool can_meet_itself(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> faces);
 
-/// Whether two of the faces meet at an edge of more than 60°.
-bool has_sharp_edge(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> faces);
-
 } // namespace rubato::model

@@ -191,13 +191,6 @@ private:
                      fmt::format("found '{}', no two faces of which can come to face each other, "
                                  "expected a surface that can touch itself",
                                  settings.self)));
-      else if (settings.integration.by == study::ContactIntegration::mortar &&
-               has_sharp_edge(mesh_, faces->sides))
-        faults_.push_back(fault_at(slave_of(zone.settings).path,
-                                   fmt::format("found '{}' with edges of more than 60°, where a node has no "
-                                               "normal of its own, expected a smooth surface, smooth parts "
-                                               "that do not meet, or integration: nodes",
-                                               settings.self)));
     }
     return zone;
   }

@@ -39,10 +39,20 @@ mesh::NodeIndex node_of(const contact::SlavePoint& point) {
   return point.nodes[static_cast<std::size_t>(largest - point.shape.begin())];
 }
 
+/// Of several points on one node, those of sides of an edge or of zones, the one tells that touches, else one
+/// that faces something.
+int says_most(const contact::ZoneState& state, std::size_t point) {
+  if (state.status[point] != Status::open)
+    return 2;
+  return std::isfinite(state.outcomes[point].gap) ? 1 : 0;
+}
+
 void put_pressure(const contact::Zone& zone, const contact::ZoneState& state, std::vector<double>& values) {
   const auto pressure = contact::nodal_pressure(zone, state);
   for (std::size_t i = 0; i < pressure.size(); ++i)
-    values[static_cast<std::size_t>(zone.slave.nodes[i])] = pressure[i];
+    if (auto& value = values[static_cast<std::size_t>(zone.slave.nodes[i])];
+        std::abs(pressure[i]) > std::abs(value))
+      value = pressure[i];
 }
 
 void add_contact_fields(const Model& model, const step::State& now, std::vector<OwnedField>& fields) {
@@ -55,6 +65,7 @@ void add_contact_fields(const Model& model, const step::State& now, std::vector<
                   {},
                   tangents == 1 ? std::vector<std::string>{"t"} : std::vector<std::string>{"t1", "t2"}};
   slip.values.assign(static_cast<std::size_t>(model.mesh.node_count() * tangents), 0.0);
+  std::vector<int> told(static_cast<std::size_t>(model.mesh.node_count()), 0);
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     const auto& zone = model.zones[z];
     const auto& state = now.zones[z];
@@ -62,6 +73,9 @@ void add_contact_fields(const Model& model, const step::State& now, std::vector<
     for (std::size_t i = 0; i < zone.points.size(); ++i) {
       const auto node = static_cast<std::size_t>(node_of(zone.points[i]));
       const auto& outcome = state.outcomes[i];
+      if (says_most(state, i) < told[node])
+        continue;
+      told[node] = says_most(state, i);
       gap.values[node] = std::isfinite(outcome.gap) ? outcome.gap : 0.0;
       status.values[node] = static_cast<double>(state.status[i]);
       for (int a = 0; state.status[i] != Status::open && a < tangents; ++a)

@@ -141,8 +141,13 @@ Frame frame_of(const Vector3d& outward, const Vector3d& along, int dimension) {
   return frame;
 }
 
-std::optional<std::pair<int, int>> first_sharp_edge(const Surface& surface, std::span<const Vector3d> x,
-                                                    double degrees) {
+namespace {
+
+/// Tells visit(one, other, sharp) of all pairs of faces with a common edge, the first of which the others are
+/// compared with. An edge of a face without area is not sharp.
+template <class Visit>
+void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, double degrees,
+                          const Visit& visit) {
   const double least_cosine = std::cos(radians(degrees));
   std::map<Edge, std::vector<EdgePlace>> edges;
   for (std::size_t f = 0; f < surface.faces.size(); ++f)
@@ -152,15 +157,35 @@ std::optional<std::pair<int, int>> first_sharp_edge(const Surface& surface, std:
     const auto& face = surface.faces[static_cast<std::size_t>(place.face)];
     return unit_normal(face.type, coordinates_of(face, x), place.xi);
   };
-  std::optional<std::pair<int, int>> first;
   for (const auto& [edge, places] : edges)
     for (std::size_t i = 1; i < places.size(); ++i) {
       const Vector3d one = normal_at(places[0]), other = normal_at(places[i]);
-      const std::pair faces{places[0].face, places[i].face};
-      if (!one.isZero(0) && !other.isZero(0) && one.dot(other) < least_cosine && (!first || faces < *first))
-        first = faces;
+      const bool sharp = !one.isZero(0) && !other.isZero(0) && one.dot(other) < least_cosine;
+      visit(places[0].face, places[i].face, sharp);
     }
+}
+
+} // namespace
+
+std::optional<std::pair<int, int>> first_sharp_edge(const Surface& surface, std::span<const Vector3d> x,
+                                                    double degrees) {
+  std::optional<std::pair<int, int>> first;
+  for_each_common_edge(surface, x, degrees, [&](int one, int other, bool sharp) {
+    const std::pair faces{one, other};
+    if (sharp && (!first || faces < *first))
+      first = faces;
+  });
   return first;
+}
+
+std::vector<std::pair<int, int>> smooth_neighbours(const Surface& surface, std::span<const Vector3d> x,
+                                                   double degrees) {
+  std::vector<std::pair<int, int>> pairs;
+  for_each_common_edge(surface, x, degrees, [&](int one, int other, bool sharp) {
+    if (!sharp)
+      pairs.emplace_back(std::minmax(one, other));
+  });
+  return pairs;
 }
 
 } // namespace rubato::contact::mortar

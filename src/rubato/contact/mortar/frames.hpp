@@ -21,6 +21,9 @@ struct Frame {
   Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
 };
 
+/// Beyond this angle between the normals of its faces an edge is sharp [degrees].
+inline constexpr double sharp_edge = 60;
+
 /// Largest turn of a normal that takes a held component out of it; beyond, the normal stays as it is.
 inline constexpr double largest_symmetry_turn = 30; // degrees
 
@@ -44,6 +47,11 @@ Frame frame_of(const Eigen::Vector3d& outward, const Eigen::Vector3d& along, int
 /// The first two faces with a common edge (2D: node) whose normals there are more than that many degrees
 /// apart: the averaged normal says nothing about either.
 std::optional<std::pair<int, int>> first_sharp_edge(const Surface& surface,
-                                                    std::span<const Eigen::Vector3d> x, double degrees = 60);
+                                                    std::span<const Eigen::Vector3d> x,
+                                                    double degrees = sharp_edge);
+
+/// All pairs (low, high) of faces with a common edge whose normals there are at most that many degrees apart.
+std::vector<std::pair<int, int>> smooth_neighbours(const Surface& surface, std::span<const Eigen::Vector3d> x,
+                                                   double degrees = sharp_edge);
 
 } // namespace rubato::contact::mortar

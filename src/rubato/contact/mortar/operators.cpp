@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/operators.hpp"
 
+#include "rubato/contact/mortar/mean_normals.hpp"
 #include "rubato/contact/mortar/parts.hpp"
 
 namespace rubato::contact::mortar {
@@ -122,11 +123,14 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Surf
   require_finite(master, master_x, "master");
   auto& work = workspace.impl();
   const double reach = reach_of(options, reference);
-  set_normals(slave, reference, slave_x, options, work.normals);
   set_masters(master, master_x, work);
+  set_normals(slave, reference, slave_x, options, work.normals);
+  if (options.mean_normals)
+    take_mean_normals(slave, slave_x, options, reach, work);
   work.clear_parts();
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
-    const auto placed = slave_face(slave.faces[f], reference, slave_x, work.normals);
+    auto placed = slave_face(slave.faces[f], reference, slave_x, work.normals);
+    placed.along_normals = options.mean_normals;
     find_candidates(static_cast<int>(f), placed, options, reach, work);
     if (!work.candidates.empty())
       integrate_face(slave, static_cast<int>(f), placed, reference, reach, work);
@@ -134,6 +138,15 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Surf
   share_functions(slave, reference, slave_x, options, work, into);
   fill_stencils(slave, &master, reference.dimension, work, into);
   measure_gaps(slave, master, slave_x, master_x, into);
+}
+
+void mean_normals(const Surface& surface, const SlaveReference& reference, std::span<const Vector3d> x,
+                  const Options& options, Workspace& workspace, std::vector<Vector3d>& normals) {
+  auto& work = workspace.impl();
+  set_masters(surface, x, work);
+  set_normals(surface, reference, x, options, work.normals);
+  take_mean_normals(surface, x, options, reach_of(options, reference), work);
+  normals = work.normals;
 }
 
 Operators integrate(const Surface& slave, const SlaveReference& reference, const Surface& master,

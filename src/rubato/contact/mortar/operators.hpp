@@ -43,6 +43,8 @@ struct Options {
   std::span<const Keep> keep = {};
   /// Whether a slave and a master face may meet; empty: all may. Self contact excludes neighbours by it.
   std::function<bool(int slave_face, int master_face)> may_pair = {};
+  /// Of a surface that meets itself: directions of slave nodes are those of both sides (mean_normals.hpp).
+  bool mean_normals = false;
 };
 
 enum class Cover : std::uint8_t {
@@ -100,6 +102,11 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Surf
 Operators integrate(const Surface& slave, const SlaveReference& reference, const Surface& master,
                     std::span<const Eigen::Vector3d> slave_x, std::span<const Eigen::Vector3d> master_x,
                     const Options& options = {});
+
+/// The directions p_k of the nodes of a surface that meets itself, by position, as integrate has them there
+/// with `mean_normals`.
+void mean_normals(const Surface& surface, const SlaveReference& reference, std::span<const Eigen::Vector3d> x,
+                  const Options& options, Workspace& workspace, std::vector<Eigen::Vector3d>& normals);
 
 /// G_j of values at the mesh's nodes: value(node). 0 of a node that is not kept.
 template <class Value> Eigen::Vector3d gap_vector(const Node& node, const Value& value) {

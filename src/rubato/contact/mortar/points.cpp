@@ -81,15 +81,22 @@ void Points::hold_those_that_return() {
 
 void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
                           Operators& into) {
-  Options options{.held = zone_->held, .keep = keep_};
-  if (self_)
-    options.may_pair = [this](int one, int other) { return self_->may_pair(one, other); };
+  const auto options = options_now();
   if (zone_->self)
     integrate(zone_->slave, *zone_->mortar, zone_->slave, slave, slave, options, workspace_, into);
   else if (zone_->obstacle)
     integrate(zone_->slave, *zone_->mortar, *zone_->obstacle, offset, slave, options, workspace_, into);
   else
     integrate(zone_->slave, *zone_->mortar, zone_->master, slave, master, options, workspace_, into);
+}
+
+Options Points::options_now() const {
+  Options options{.held = zone_->held, .keep = keep_};
+  if (!self_)
+    return options;
+  options.may_pair = [this](int one, int other) { return self_->may_pair(one, other); };
+  options.mean_normals = true;
+  return options;
 }
 
 /// The tangents of the nodes where the step starts: as long as it is the same start, they are kept.
@@ -114,7 +121,10 @@ void Points::take_start(const Configuration& configuration) {
     return;
   }
   std::vector<Vector3d> normals;
-  set_normals(zone_->slave, *zone_->mortar, start_slave_, {.held = zone_->held}, normals);
+  if (self_)
+    mean_normals(zone_->slave, *zone_->mortar, start_slave_, options_now(), workspace_, normals);
+  else
+    set_normals(zone_->slave, *zone_->mortar, start_slave_, {.held = zone_->held}, normals);
   for (std::size_t i = 0; i < start_tangents_.size(); ++i)
     start_tangents_[i] = node_frame(*zone_->mortar, start_slave_, normals, i).tangents;
 }

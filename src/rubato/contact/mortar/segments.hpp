@@ -42,7 +42,9 @@ struct SlaveFace {
   CellType type = CellType::quad4;
   FaceCoordinates x;          ///< deformed
   FaceCoordinates undeformed; ///< X
-  FaceCoordinates normals;    ///< outward nodal normals; used in 2D only
+  FaceCoordinates normals;    ///< outward nodal normals
+  /// In 3D: whether the auxiliary plane is across their mean, not across the face.
+  bool along_normals = false;
 };
 
 struct MasterFace {

@@ -25,6 +25,8 @@ constexpr double least_overlap = 1e-10;
 constexpr double fold = 1e-2, no_fold = 1e-6;
 /// A face whose area vector is shorter than that, in squared sizes, has no area.
 constexpr double no_area = 1e-14;
+/// Least cosine between a face's normal and the mean of its nodal normals for a plane across these.
+constexpr double least_agreement = 0.5;
 
 int order_of(CellType type) {
   return cell::topology(type).order;
@@ -104,6 +106,22 @@ double undeformed_measure(CellType type, const FaceCoordinates& undeformed, cons
   return scale * (dimension == 1 ? tangents.col(0).norm() : tangents.col(0).cross(tangents.col(1)).norm());
 }
 
+namespace {
+
+/// The normal of the auxiliary plane of a sub-facet; `face_normal` where the nodal normals look elsewhere.
+Vector3d plane_normal(const SlaveFace& slave, const SubFacet& facet, const Vector3d& face_normal) {
+  if (!slave.along_normals)
+    return face_normal;
+  const auto values = face_values(slave.type, facet.middle);
+  Vector3d mean = Vector3d::Zero();
+  for (Eigen::Index k = 0; k < slave.normals.cols(); ++k)
+    mean += values[static_cast<std::size_t>(k)] * slave.normals.col(k);
+  mean = mean.stableNormalized();
+  return mean.dot(face_normal) >= least_agreement ? mean : face_normal;
+}
+
+} // namespace
+
 PlaneOverlaps::PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, const Measure& measure,
                              double reach)
     : slave_(slave), facet_(facet), measure_(measure), reach_(reach) {
@@ -114,8 +132,10 @@ PlaneOverlaps::PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, cons
     return;
   for (int i = 0; i < facet.node_count; ++i)
     centre_ += slave.x.col(facet.nodes[static_cast<std::size_t>(i)]) / facet.node_count;
-  axes_.row(2) = normal / length;
-  axes_.row(0) = middle.tangents.col(0).normalized();
+  const Vector3d across = plane_normal(slave, facet, normal / length);
+  const Vector3d along = middle.tangents.col(0);
+  axes_.row(2) = across;
+  axes_.row(0) = (along - along.dot(across) * across).normalized();
   axes_.row(1) = axes_.row(2).cross(axes_.row(0));
   map_ = PlaneMap(slave.type, axes_ * (slave.x.colwise() - centre_));
   for (int i = 0; i < facet.node_count; ++i)

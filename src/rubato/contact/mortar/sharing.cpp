@@ -198,25 +198,25 @@ void take_values(const Surface& surface, double scale, std::vector<double>& valu
   touched.clear();
 }
 
-/// Of a surface that touches itself: a node that is in the stencil as the master's as well as the slave's
-/// stands there once.
-void merge_sides(std::size_t slave_nodes, Stencil& stencil) {
-  auto kept = slave_nodes;
-  for (auto i = slave_nodes; i < stencil.nodes.size(); ++i) {
-    const auto own =
-        std::find(stencil.nodes.begin(), stencil.nodes.begin() + static_cast<std::ptrdiff_t>(slave_nodes),
-                  stencil.nodes[i]) -
-        stencil.nodes.begin();
+/// Of a surface that touches itself: a node may be in the stencil on both sides, and for several sides of an
+/// edge. It stands there once, with the sum of its weights.
+int merge_repeats(std::size_t slave_nodes, Stencil& stencil) {
+  std::size_t count = 0, of_slave = 0;
+  for (std::size_t i = 0; i < stencil.nodes.size(); ++i) {
+    const auto end = stencil.nodes.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto found = std::find(stencil.nodes.begin(), end, stencil.nodes[i]);
     const double weight = stencil.weights[static_cast<Eigen::Index>(i)];
-    if (at(static_cast<int>(own)) < slave_nodes) {
-      stencil.weights[own] += weight;
-    } else {
-      stencil.nodes[kept] = stencil.nodes[i];
-      stencil.weights[static_cast<Eigen::Index>(kept++)] = weight;
+    if (found != end) {
+      stencil.weights[found - stencil.nodes.begin()] += weight;
+      continue;
     }
+    stencil.nodes[count] = stencil.nodes[i];
+    stencil.weights[static_cast<Eigen::Index>(count++)] = weight;
+    of_slave += i < slave_nodes ? 1U : 0U;
   }
-  stencil.nodes.resize(kept);
-  stencil.weights.conservativeResize(static_cast<Eigen::Index>(kept));
+  stencil.nodes.resize(count);
+  stencil.weights.conservativeResize(static_cast<Eigen::Index>(count));
+  return static_cast<int>(of_slave);
 }
 
 void sort_shares(std::size_t node_count, Workspace::Impl& work) {
@@ -275,7 +275,7 @@ void fill_stencils(const Surface& slave, const Surface* master, int components, 
     if (master != nullptr)
       take_values(*master, -scale, work.master_values, work.master_touched, stencil, at(node.slave_nodes));
     if (master == &slave)
-      merge_sides(at(node.slave_nodes), stencil);
+      node.slave_nodes = merge_repeats(at(node.slave_nodes), stencil);
   }
 }
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// A surface whose nodes at sharp edges stand in it once for every smooth side.
+///
+/// A node on an edge of a body has no normal of its own, but one of each side. As a slave it is a point of
+/// contact on each of them: it may touch with one side, with the other, or with both in a corner.
+#pragma once
+
+#include "rubato/contact/surface.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace rubato::contact {
+
+/// The same faces. `nodes` has a node once for every set of its faces that are joined around it by edges of
+/// at most 60°: ascending, with repeats; position_of gives the first of them. `undeformed` by position.
+Surface with_split_edges(const Surface& surface, std::span<const Eigen::Vector3d> undeformed);
+
+} // namespace rubato::contact
