@@ -22,7 +22,9 @@ constexpr double facing = -0.1;
 constexpr double margin = 2;
 /// Part of a face's size that is rounding of its place.
 constexpr double same_place = 1e-9;
-/// Faces that overlap by more than this part of the body's thickness behind them are its two sides.
+/// Beyond this product two faces back to back are the sides of a thin part, not of a corner.
+constexpr double opposite = -0.7;
+/// Faces that touch overlap by less than this part of the body's thickness behind them.
 constexpr double through = 0.5;
 /// Of faces as far apart those more directly before each other come first.
 constexpr double sideways = 0.1;
@@ -122,6 +124,7 @@ std::vector<Vector3d> unit_normals(const Surface& surface, std::span<const Vecto
 
 SelfPairs::SelfPairs(const Surface& surface, std::span<const Vector3d> undeformed, double reach)
     : surface_(&surface), reach_(reach), undeformed_(flat_faces(surface, undeformed)), now_(undeformed_),
+      start_(undeformed.begin(), undeformed.end()),
       thickness_(surface.faces.size(), INFINITY), neighbours_(neighbours_of(surface)),
       role_(surface.faces.size(), Role::none) {
   measure_thickness();
@@ -136,7 +139,7 @@ void SelfPairs::measure_thickness() {
     const double thickness = overlap_of(one, other);
     const double beside = std::sqrt(
         std::max(0.0, (other.centre - one.centre).squaredNorm() - thickness * thickness));
-    if (beside > one.size + other.size)
+    if (beside > one.size + other.size || one.normal.dot(other.normal) > opposite)
       continue;
     for (const auto face : {at(low), at(high)})
       thickness_[face] = std::min(thickness_[face], thickness);
@@ -160,10 +163,13 @@ bool SelfPairs::back_to_back(std::size_t one, std::size_t other) const {
          (b.centre - a.centre).norm() < margin * reach_ + a.size + b.size;
 }
 
-/// Where the step begins: by more than a contact may overlap, so that the body of one is between them.
+/// Whether one stands behind the other where the step begins, by more than faces that touch overlap: a body
+/// is between them.
 bool SelfPairs::is_behind(std::size_t one, std::size_t other) const {
-  const double thickness = std::min(thickness_[one], thickness_[other]);
-  return look_at_each_other(now_[one], now_[other]) && overlap_of(now_[one], now_[other]) > through * thickness;
+  const auto &a = now_[one], &b = now_[other];
+  const Vector3d apart = b.centre - a.centre;
+  const double behind = std::max(-apart.dot(a.normal), apart.dot(b.normal));
+  return behind > std::min(through * std::min(thickness_[one], thickness_[other]), a.size + b.size);
 }
 
 bool SelfPairs::may_meet(int one, int other) const {
@@ -179,7 +185,18 @@ std::vector<SelfPairs::Meeting> SelfPairs::meetings() const {
   return found;
 }
 
+double SelfPairs::reach_at(std::span<const Vector3d> x) const {
+  Vector3d common = Vector3d::Zero();
+  for (std::size_t j = 0; j < start_.size(); ++j)
+    common += (x[j] - start_[j]) / static_cast<double>(start_.size());
+  double squared = 0;
+  for (std::size_t j = 0; j < start_.size(); ++j)
+    squared = std::max(squared, (x[j] - start_[j] - common).squaredNorm());
+  return reach_ + 2 * std::sqrt(squared);
+}
+
 void SelfPairs::update(std::span<const Vector3d> x) {
+  start_.assign(x.begin(), x.end());
   now_ = flat_faces(*surface_, x);
   give_roles(meetings());
 }

@@ -47,7 +47,9 @@ public:
   bool may_pair(int slave_face, int master_face) const;
   /// Of faces with these unit normals, by index.
   bool face_each_other(std::span<const Eigen::Vector3d> normals, int one, int other) const;
-  double reach() const { return reach_; }
+  /// How far apart faces are that may meet where nodes have come to `x` in the step: more by as much as two of
+  /// them can have come nearer since it began, so that none passes another one unseen.
+  double reach_at(std::span<const Eigen::Vector3d> x) const;
   /// Whether they may meet with either of them as the slave.
   bool may_meet(int one, int other) const;
 
@@ -70,6 +72,7 @@ private:
   double reach_;
   std::vector<FlatFace> undeformed_;
   std::vector<FlatFace> now_;     ///< where the step begins
+  std::vector<Eigen::Vector3d> start_; ///< places of the nodes there
   std::vector<double> thickness_; ///< of the body behind each face, undeformed; infinite where it is thick
   std::vector<std::pair<int, int>> neighbours_; ///< faces that share a node of the surface
   std::vector<Role> role_;

@@ -81,7 +81,7 @@ void Points::hold_those_that_return() {
 
 void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
                           Operators& into) {
-  const auto options = options_now();
+  const auto options = options_at(slave);
   if (zone_->self)
     integrate(zone_->slave, *zone_->mortar, zone_->slave, slave, slave, options, workspace_, into);
   else if (zone_->obstacle)
@@ -90,12 +90,13 @@ void Points::integrate_at(const Positions& slave, const Positions& master, const
     integrate(zone_->slave, *zone_->mortar, zone_->master, slave, master, options, workspace_, into);
 }
 
-Options Points::options_now() const {
+Options Points::options_at(const Positions& slave) const {
   Options options{.held = zone_->held, .keep = keep_};
   if (!self_)
     return options;
   options.may_pair = [this](int one, int other) { return self_->may_pair(one, other); };
   options.mean_normals = true;
+  options.reach = self_->reach_at(slave);
   return options;
 }
 
@@ -122,7 +123,7 @@ void Points::take_start(const Configuration& configuration) {
   }
   std::vector<Vector3d> normals;
   if (self_)
-    mean_normals(zone_->slave, *zone_->mortar, start_slave_, options_now(), workspace_, normals);
+    mean_normals(zone_->slave, *zone_->mortar, start_slave_, options_at(start_slave_), workspace_, normals);
   else
     set_normals(zone_->slave, *zone_->mortar, start_slave_, {.held = zone_->held}, normals);
   for (std::size_t i = 0; i < start_tangents_.size(); ++i)

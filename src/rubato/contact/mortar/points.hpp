@@ -37,7 +37,7 @@ private:
   using Positions = std::vector<Eigen::Vector3d>;
   void integrate_at(const Positions& slave, const Positions& master, const Eigen::Vector3d& offset,
                     Operators& into);
-  Options options_now() const;
+  Options options_at(const Positions& slave) const;
   void take_start(const Configuration& configuration);
   void hold_those_that_return();
   Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
