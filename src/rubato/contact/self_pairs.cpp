@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace rubato::contact {
@@ -26,6 +27,8 @@ constexpr double same_place = 1e-9;
 constexpr double opposite = -0.7;
 /// Faces that touch overlap by less than this part of the body's thickness behind them.
 constexpr double through = 0.5;
+/// By so much less is the product of the normals with the face beyond an edge that looks at another one more.
+constexpr double more_opposite = 0.1;
 /// Of faces as far apart those more directly before each other come first.
 constexpr double sideways = 0.1;
 
@@ -113,6 +116,27 @@ std::vector<std::pair<int, int>> neighbours_of(const Surface& surface) {
   return {pairs.begin(), pairs.end()};
 }
 
+/// Of each face those that share a node of the mesh with it, but none of the surface.
+std::vector<std::vector<int>> across_edges(const Surface& surface) {
+  std::map<mesh::NodeIndex, std::vector<int>> faces_of_node;
+  for (std::size_t f = 0; f < surface.faces.size(); ++f)
+    for (const auto node : surface.faces[f].node_span())
+      faces_of_node[node].push_back(static_cast<int>(f));
+  const auto are_joined = [&](const Face& one, const Face& other) {
+    const auto positions = std::span(other.positions).first(at(other.node_count));
+    return std::ranges::any_of(std::span(one.positions).first(at(one.node_count)), [&](int position) {
+      return std::ranges::find(positions, position) != positions.end();
+    });
+  };
+  std::vector<std::vector<int>> across(surface.faces.size());
+  for (const auto& [node, faces] : faces_of_node)
+    for (const int one : faces)
+      for (const int other : faces)
+        if (!are_joined(surface.faces[at(one)], surface.faces[at(other)]))
+          across[at(one)].push_back(other);
+  return across;
+}
+
 } // namespace
 
 std::vector<Vector3d> unit_normals(const Surface& surface, std::span<const Vector3d> x) {
@@ -125,7 +149,7 @@ std::vector<Vector3d> unit_normals(const Surface& surface, std::span<const Vecto
 SelfPairs::SelfPairs(const Surface& surface, std::span<const Vector3d> undeformed, double reach)
     : surface_(&surface), reach_(reach), undeformed_(flat_faces(surface, undeformed)), now_(undeformed_),
       start_(undeformed.begin(), undeformed.end()),
-      thickness_(surface.faces.size(), INFINITY), neighbours_(neighbours_of(surface)),
+      thickness_(surface.faces.size(), INFINITY), neighbours_(neighbours_of(surface)), across_edge_(across_edges(surface)),
       role_(surface.faces.size(), Role::none) {
   measure_thickness();
 }
@@ -172,9 +196,17 @@ bool SelfPairs::is_behind(std::size_t one, std::size_t other) const {
   return behind > std::min(through * std::min(thickness_[one], thickness_[other]), a.size + b.size);
 }
 
+/// Whether a face beyond a sharp edge of the one looks at the other more: at the edge it is that which meets it.
+bool SelfPairs::is_passed_over(std::size_t one, std::size_t other) const {
+  const auto product = [&](std::size_t face) { return now_[face].normal.dot(now_[other].normal); };
+  const double own = product(one) - more_opposite;
+  return std::ranges::any_of(across_edge_[one], [&](int face) { return product(at(face)) < own; });
+}
+
 bool SelfPairs::may_meet(int one, int other) const {
   return one != other && !share_a_node(surface_->faces[at(one)], surface_->faces[at(other)]) &&
-         !back_to_back(at(one), at(other)) && !is_behind(at(one), at(other));
+         !back_to_back(at(one), at(other)) && !is_behind(at(one), at(other)) &&
+         !is_passed_over(at(one), at(other)) && !is_passed_over(at(other), at(one));
 }
 
 std::vector<SelfPairs::Meeting> SelfPairs::meetings() const {

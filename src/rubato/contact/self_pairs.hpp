@@ -64,6 +64,7 @@ private:
   bool back_to_back(std::size_t one, std::size_t other) const;
   bool is_behind(std::size_t one, std::size_t other) const;
   bool is_before(int one, int other) const;
+  bool is_passed_over(std::size_t one, std::size_t other) const;
   void measure_thickness();
   std::vector<Meeting> meetings() const;
   void give_roles(std::span<const Meeting> meetings);
@@ -75,6 +76,7 @@ private:
   std::vector<Eigen::Vector3d> start_; ///< places of the nodes there
   std::vector<double> thickness_; ///< of the body behind each face, undeformed; infinite where it is thick
   std::vector<std::pair<int, int>> neighbours_; ///< faces that share a node of the surface
+  std::vector<std::vector<int>> across_edge_;   ///< of each face those beyond a sharp edge (smooth_patches.hpp)
   std::vector<Role> role_;
 };
 
