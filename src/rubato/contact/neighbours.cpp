@@ -153,7 +153,8 @@ void NeighbourList::search() {
   start_.assign(1, 0);
   near_nodes_.clear();
   for (const auto& x : slave_) {
-    const double reach = (self_ ? self_->reach_at(master_) : std::sqrt(tree.nearest(x).squared_distance)) + margin_;
+    const double reach =
+        (self_ ? self_->reach_at(master_) : std::sqrt(tree.nearest(x).squared_distance)) + margin_;
     tree.append_within(x, reach, near_nodes_);
     start_.push_back(near_nodes_.size());
   }

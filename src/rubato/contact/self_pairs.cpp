@@ -68,14 +68,16 @@ std::vector<FlatFace> flat_faces(const Surface& surface, std::span<const Vector3
   return flat;
 }
 
-/// How soon two faces meet: the distance between them, more where they are beside each other or askew.
+/// How soon two faces meet: the distance between them, more where they are beside each other, and much more
+/// where they are askew: next to a fold the nearest faces that look at each other are neighbours of
+/// neighbours.
 double apart_of(const FlatFace& one, const FlatFace& other) {
   const Vector3d way = other.centre - one.centre;
   const Vector3d across = (one.normal - other.normal).stableNormalized();
   const double ahead = way.dot(across);
   const double beside = std::sqrt(std::max(0.0, way.squaredNorm() - ahead * ahead));
   const double beyond = std::max(0.0, beside - one.size - other.size);
-  return (std::hypot(ahead, beyond) + sideways * beside) / -one.normal.dot(other.normal);
+  return (std::hypot(ahead, beyond) + sideways * beside) / std::pow(-one.normal.dot(other.normal), 4);
 }
 
 /// Pairs (low, high) of faces near each other, found by boxes around the flat ones grown by a distance.
@@ -148,8 +150,8 @@ std::vector<Vector3d> unit_normals(const Surface& surface, std::span<const Vecto
 
 SelfPairs::SelfPairs(const Surface& surface, std::span<const Vector3d> undeformed, double reach)
     : surface_(&surface), reach_(reach), undeformed_(flat_faces(surface, undeformed)), now_(undeformed_),
-      start_(undeformed.begin(), undeformed.end()),
-      thickness_(surface.faces.size(), INFINITY), neighbours_(neighbours_of(surface)), across_edge_(across_edges(surface)),
+      start_(undeformed.begin(), undeformed.end()), thickness_(surface.faces.size(), INFINITY),
+      neighbours_(neighbours_of(surface)), across_edge_(across_edges(surface)),
       role_(surface.faces.size(), Role::none) {
   measure_thickness();
 }
@@ -161,8 +163,8 @@ void SelfPairs::measure_thickness() {
     if (!back_to_back(at(low), at(high)))
       continue;
     const double thickness = overlap_of(one, other);
-    const double beside = std::sqrt(
-        std::max(0.0, (other.centre - one.centre).squaredNorm() - thickness * thickness));
+    const double beside =
+        std::sqrt(std::max(0.0, (other.centre - one.centre).squaredNorm() - thickness * thickness));
     if (beside > one.size + other.size || one.normal.dot(other.normal) > opposite)
       continue;
     for (const auto face : {at(low), at(high)})
@@ -196,7 +198,8 @@ bool SelfPairs::is_behind(std::size_t one, std::size_t other) const {
   return behind > std::min(through * std::min(thickness_[one], thickness_[other]), a.size + b.size);
 }
 
-/// Whether a face beyond a sharp edge of the one looks at the other more: at the edge it is that which meets it.
+/// Whether a face beyond a sharp edge of the one looks at the other more: at the edge it is that which meets
+/// it.
 bool SelfPairs::is_passed_over(std::size_t one, std::size_t other) const {
   const auto product = [&](std::size_t face) { return now_[face].normal.dot(now_[other].normal); };
   const double own = product(one) - more_opposite;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Which faces of a surface that touches itself may meet, and which of two is the slave.
 ///
-/// Not met are: faces that share a node; faces that stand back to back, at the two sides of a thin part of the
-/// body, though their normals are opposite as those of faces that touch; and faces that a part of the body
-/// stands between.
+/// Not met are: faces that share a node; faces that stand back to back, at the two sides of a thin part of
+/// the body, though their normals are opposite as those of faces that touch; and faces that a part of the
+/// body stands between.
 ///
 /// Were both faces of a pair slaves, each gap would be closed twice, by constraints that depend on each other
 /// (two passes; P. Wriggers, Computational Contact Mechanics, 2nd ed., Springer 2006). Of faces that meet one
@@ -47,8 +47,8 @@ public:
   bool may_pair(int slave_face, int master_face) const;
   /// Of faces with these unit normals, by index.
   bool face_each_other(std::span<const Eigen::Vector3d> normals, int one, int other) const;
-  /// How far apart faces are that may meet where nodes have come to `x` in the step: more by as much as two of
-  /// them can have come nearer since it began, so that none passes another one unseen.
+  /// How far apart faces are that may meet where nodes have come to `x` in the step: more by as much as two
+  /// of them can have come nearer since it began, so that none passes another one unseen.
   double reach_at(std::span<const Eigen::Vector3d> x) const;
   /// Whether they may meet with either of them as the slave.
   bool may_meet(int one, int other) const;
@@ -72,11 +72,11 @@ private:
   const Surface* surface_;
   double reach_;
   std::vector<FlatFace> undeformed_;
-  std::vector<FlatFace> now_;     ///< where the step begins
+  std::vector<FlatFace> now_;          ///< where the step begins
   std::vector<Eigen::Vector3d> start_; ///< places of the nodes there
   std::vector<double> thickness_; ///< of the body behind each face, undeformed; infinite where it is thick
   std::vector<std::pair<int, int>> neighbours_; ///< faces that share a node of the surface
-  std::vector<std::vector<int>> across_edge_;   ///< of each face those beyond a sharp edge (smooth_patches.hpp)
+  std::vector<std::vector<int>> across_edge_; ///< of each face those beyond a sharp edge (smooth_patches.hpp)
   std::vector<Role> role_;
 };
 

@@ -28,8 +28,9 @@ struct Side {
 /// Joins faces in the order of the joints. A joint between faces that are joined already says nothing more.
 std::vector<Side> two_sides(std::size_t faces, std::vector<Joint> joints);
 
-/// Of each face whether it is on the side of its set whose centre, the mean of its faces, is farther along the
-/// axis on which the two centres are farthest apart; of sides with the same centre, that with the first face.
+/// Of each face whether it is on the side of its set whose centre, the mean of its faces, is farther along
+/// the axis on which the two centres are farthest apart; of sides with the same centre, that with the first
+/// face.
 std::vector<char> farther_sides(std::span<const Side> sides, std::span<const FlatFace> undeformed);
 
 /// The first axis that no later one is clearly stronger than: directions between two axes keep theirs.

@@ -46,9 +46,8 @@ Frame frame_of(const Eigen::Vector3d& outward, const Eigen::Vector3d& along, int
 
 /// The first two faces with a common edge (2D: node) whose normals there are more than that many degrees
 /// apart: the averaged normal says nothing about either.
-std::optional<std::pair<int, int>> first_sharp_edge(const Surface& surface,
-                                                    std::span<const Eigen::Vector3d> x,
-                                                    double degrees = sharp_edge);
+std::optional<std::pair<int, int>>
+first_sharp_edge(const Surface& surface, std::span<const Eigen::Vector3d> x, double degrees = sharp_edge);
 
 /// All pairs (low, high) of faces with a common edge whose normals there are at most that many degrees apart.
 std::vector<std::pair<int, int>> smooth_neighbours(const Surface& surface, std::span<const Eigen::Vector3d> x,

@@ -7,8 +7,8 @@
 ///   p_k = (m_k − m(y)) / |…|,    y: where the line through x_k along p_k meets the master
 ///
 /// m(y) = ΣN_l m_l of the master's nodal normals. It is found by fixed-point iteration from p_k = m_k. Where
-/// slave and master are mirrored p is the normal of the mirror, whatever the gap and the slope, and D and M of
-/// matching meshes are the same matrix.
+/// slave and master are mirrored p is the normal of the mirror, whatever the gap and the slope, and D and M
+/// of matching meshes are the same matrix.
 #pragma once
 
 #include "rubato/contact/mortar/parts.hpp"
