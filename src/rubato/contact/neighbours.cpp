@@ -186,13 +186,18 @@ void NeighbourList::follow_itself(const Configuration& configuration) {
   normals_ = unit_normals(zone_->master, master_);
 }
 
-/// Whether a face is the master of one that the point stands on, and looks towards it; none around the point
-/// is.
+/// Whether a face is the master of one that the point stands on, and looks towards it; all that look towards
+/// it may meet it. At an edge of the body others look elsewhere.
 bool NeighbourList::may_face(std::size_t point, int face) const {
   const auto& places = zone_->points[point].stands_on;
-  const auto met = [&](const PointOnFace& place) { return self_->may_meet(place.face, face); };
+  const auto looks = [&](const PointOnFace& place) {
+    return self_->face_each_other(normals_, place.face, face);
+  };
+  const auto met = [&](const PointOnFace& place) {
+    return !looks(place) || self_->may_meet(place.face, face);
+  };
   const auto mastered = [&](const PointOnFace& place) {
-    return self_->may_pair(place.face, face) && self_->face_each_other(normals_, place.face, face);
+    return looks(place) && self_->may_pair(place.face, face);
   };
   return std::ranges::all_of(places, met) && std::ranges::any_of(places, mastered);
 }
