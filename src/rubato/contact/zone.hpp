@@ -16,6 +16,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace rubato::contact {
@@ -50,8 +51,9 @@ struct SlavePoint {
 };
 
 struct Zone {
-  study::ContactZone settings;
-  Surface master;                   ///< empty with an obstacle
+  study::ContactZone settings; ///< with master and slave, whoever chose them
+  std::string choice; ///< why the slave is the slave, where the study leaves it to the model; or empty
+  Surface master;     ///< empty with an obstacle
   std::optional<Obstacle> obstacle; ///< instead of a master
   Surface slave;
   std::vector<SlavePoint> points;

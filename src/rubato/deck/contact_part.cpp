@@ -93,11 +93,17 @@ void read_friction(MapReader& map, study::ContactZone& zone) {
   read(map.find("friction_method"), zone.friction_method, study::friction_method_words);
 }
 
-/// A group or an obstacle.
-void read_master(MapReader& map, const Context& context, study::ContactZone& zone) {
+/// Master (a group or an obstacle) and slave, or one of the keys that stand for both.
+void read_surfaces(MapReader& map, const Context& context, study::ContactZone& zone) {
+  const auto between = map.find("between");
+  const auto all = map.find("all");
+  if (!read_names(between, zone.between) && between)
+    map.spoil("between");
+  read(all, zone.all);
   read_name(map.find("master"), zone.master);
   if (const auto obstacle = map.find("obstacle"))
     zone.obstacle = read_obstacle(*obstacle, context);
+  read_name(between || zone.all ? map.find("slave") : map.require("slave"), zone.slave);
 }
 
 void read_normals(MapReader& map, study::ContactZone& zone) {
@@ -142,8 +148,7 @@ study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
   study::ContactZone zone;
   zone.name = entry.name.text;
   MapReader map(entry.value);
-  read_master(map, context, zone);
-  read_name(map.require("slave"), zone.slave);
+  read_surfaces(map, context, zone);
   const auto method = map.find("method");
   const bool known = read(method, zone.method, study::contact_method_words) || !method;
   zone.geometry.by = study::entry_of(zone.method).geometry;

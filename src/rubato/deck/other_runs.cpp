@@ -57,6 +57,7 @@ bool same_contact(const study::Study& a, const study::Study& b) {
   return std::ranges::equal(
       a.contact, b.contact, [](const study::ContactZone& one, const study::ContactZone& other) {
         return one.name == other.name && one.master == other.master && one.slave == other.slave &&
+               one.between == other.between && one.all == other.all &&
                same_surface(one.obstacle, other.obstacle) && one.integration == other.integration &&
                (one.friction > 0) == (other.friction > 0);
       });

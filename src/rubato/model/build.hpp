@@ -39,8 +39,8 @@ std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh
 
 /// Contact zones on oriented surfaces.
 std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,
-                                      const domain::DofMap& dofs, const constraint::Reduction& reduction,
-                                      std::vector<Fault>& faults);
+                                      const domain::Bulk& bulk, const domain::DofMap& dofs,
+                                      const constraint::Reduction& reduction, std::vector<Fault>& faults);
 
 /// Faces of masters that bound no cell: rigid surfaces drawn as a mesh, whose nodes supports hold or move.
 std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh);

@@ -132,7 +132,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
   model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
-  model.zones = make_zones(study, model.mesh, model.dofs, model.reduction, faults);
+  model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults, model.notes);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);

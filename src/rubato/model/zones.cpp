@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/integration.hpp"
-#include "rubato/contact/tie.hpp"
-#include "rubato/domain/bulk.hpp"
+#include "rubato/core/naming.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/sheet.hpp"
-#include "rubato/mesh/skin.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/named_faces.hpp"
+#include "rubato/model/slave_side.hpp"
+#include "rubato/model/touching_parts.hpp"
+#include "rubato/model/zone_checks.hpp"
 #include "rubato/study/contact_methods.hpp"
 
 #include <fmt/format.h>
@@ -19,71 +21,6 @@
 
 namespace rubato::model {
 namespace {
-
-/// Whether `nodes` runs round the face the same way as `outward`.
-bool same_sense(std::span<const mesh::NodeIndex> nodes, std::span<const mesh::NodeIndex> outward,
-                int corners) {
-  const auto corner = [&](std::span<const mesh::NodeIndex> list, int i) {
-    return list[static_cast<std::size_t>(i % corners)];
-  };
-  int shift = 0;
-  while (corner(nodes, 0) != corner(outward, shift))
-    ++shift;
-  return corner(nodes, 1) == corner(outward, shift + 1);
-}
-
-/// The side with the numbering of the mesh's own face, mirrored when that one looks inwards. Where a
-/// projection leaves a triangle, the closest point of the reference cell depends on which corner is the first
-/// one: it is the user's.
-contact::Face face_of(const mesh::Mesh& mesh, const mesh::SurfaceFace& side) {
-  contact::Face face;
-  face.type = side.type;
-  face.node_count = static_cast<int>(side.nodes().size());
-  face.cell = side.face;
-  std::ranges::copy(side.nodes(), face.nodes.begin());
-  if (mesh.type_of(side.face) != side.type)
-    return face;
-  const auto own = mesh.nodes_of(side.face);
-  const auto& topology = cell::topology(side.type);
-  const auto mirrored = mesh::mirrored_numbering(side.type);
-  const bool outwards = topology.dimension == 1 ? own[0] == side.nodes()[0]
-                                                : same_sense(own, side.nodes(), topology.corner_count);
-  for (std::size_t i = 0; i < own.size(); ++i)
-    face.nodes[i] = own[outwards ? i : mirrored[i]];
-  return face;
-}
-
-contact::Surface surface_of(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> sides) {
-  std::vector<contact::Face> faces;
-  std::ranges::transform(sides, std::back_inserter(faces),
-                         [&](const auto& side) { return face_of(mesh, side); });
-  return contact::make_surface(mesh, std::move(faces));
-}
-
-/// Sides of cells with their outward normals, and sheets, for those who take them.
-struct NamedFaces {
-  std::vector<mesh::SurfaceFace> sides;
-  mesh::Sheets sheets;
-};
-
-std::optional<NamedFaces> faces_named(const mesh::Mesh& mesh, const Mention& name, bool takes_sheets,
-                                      std::vector<Fault>& faults) {
-  const auto* group = cells_named(mesh, name, faults);
-  if (group == nullptr)
-    return std::nullopt;
-  auto oriented = mesh::oriented_faces(mesh, group->items);
-  NamedFaces named;
-  if (takes_sheets)
-    named.sheets = mesh::sheets_of(mesh, std::exchange(oriented.unowned, {}));
-  auto told = mesh::faults_of(mesh, oriented);
-  std::ranges::move(named.sheets.faults, std::back_inserter(told));
-  for (const auto& text : told)
-    faults.push_back(fault_at(name.path, fmt::format("contact surface '{}': {}", name.name, text)));
-  if (!told.empty())
-    return std::nullopt;
-  named.sides = std::move(oriented.faces);
-  return named;
-}
 
 /// Slave faces as near as this, in parts of the nearest one's distance and of its size, tell on which side of
 /// a sheet the slave is.
@@ -126,24 +63,6 @@ void turn_to_slave(const mesh::Mesh& mesh, std::span<const mesh::SurfaceFace> sl
           mesh::turn(sheets.faces[f]);
 }
 
-/// Nothing but supports moves the nodes of a sheet.
-void check_sheets(const mesh::Mesh& mesh, const Mention& name, const mesh::Sheets& sheets,
-                  const domain::DofMap& dofs, const constraint::Reduction& reduction,
-                  std::vector<Fault>& faults) {
-  for (const auto& face : sheets.faces)
-    for (const auto node : face.nodes())
-      for (int i = 0; i < dofs.components; ++i)
-        if (!reduction.is_prescribed(dofs.dof(node, i))) {
-          faults.push_back(fault_at(
-              name.path, fmt::format("contact surface '{}': {} of its faces bound no cell, and nothing holds "
-                                     "node {} of them along {}; expected supports that hold or move every "
-                                     "component of a surface without cells behind it",
-                                     name.name, sheets.faces.size(), node_label(mesh, node),
-                                     "xyz"[static_cast<std::size_t>(i)])));
-          return;
-        }
-}
-
 bool share_a_face(const contact::Surface& a, const contact::Surface& b) {
   std::vector<mesh::CellIndex> cells;
   for (const auto& face : a.faces)
@@ -180,91 +99,171 @@ std::vector<contact::mortar::HeldComponents> held_components(const contact::Surf
   return held;
 }
 
-/// With fewer points than the multipliers of a face can tell apart, their equations would be dependent; and a
-/// rule that misses the shape functions would hand on no uniform pressure.
-void check_rule(const study::ContactZone& zone, const contact::Surface& slave, std::vector<Fault>& faults) {
-  std::set<CellType> types;
-  for (const auto& face : slave.faces)
-    types.insert(face.type);
-  for (const auto type : types) {
-    const auto least = contact::least_order(zone.integration.by, type);
-    if (least && zone.integration.order >= *least)
-      continue;
-    faults.push_back(
-        fault_at("contact." + zone.name,
-                 fmt::format("found {{{}: {}}}, expected {} on the {} faces of '{}'",
-                             study::entry_of(zone.integration.by).name, zone.integration.order,
-                             least ? fmt::format("at least {}", *least) : std::string("nodes or gauss"),
-                             cell::topology(type).name, zone.slave)));
-    return;
+/// A zone as it is made: its master and slave have names, and why.
+struct ChosenZone {
+  study::ContactZone settings;
+  contact::Surface master;
+  contact::Surface slave;
+  std::string choice;
+};
+
+/// Makes the zones of a study. Faults are those of all of them.
+class ZoneMaker {
+public:
+  ZoneMaker(const study::Study& study, const mesh::Mesh& mesh, const domain::Bulk& bulk,
+            const domain::DofMap& dofs, const constraint::Reduction& reduction, std::vector<Fault>& faults)
+      : study_(study), mesh_(mesh), bulk_(bulk), dofs_(dofs), reduction_(reduction), faults_(faults) {}
+
+  std::vector<contact::Zone> make() {
+    for (const auto& settings : study_.contact) {
+      known_faults_ = faults_.size();
+      for (auto& chosen : chosen_zones(settings))
+        add(std::move(chosen));
+    }
+    return std::move(zones_);
   }
-}
 
-Mention slave_of(const study::ContactZone& settings) {
-  return {settings.slave, "contact." + settings.name + ".slave"};
-}
+private:
+  std::vector<ChosenZone> chosen_zones(const study::ContactZone& settings) {
+    if (settings.all)
+      return zones_between_bodies(settings);
+    if (!settings.between.empty())
+      return {given_zone(with_sides(settings))};
+    return {given_zone({settings, {}, {}, {}})};
+  }
 
-Mention master_of(const study::ContactZone& settings) {
-  return {settings.master, "contact." + settings.name + ".master"};
-}
+  const SideMeasures& measures() {
+    if (!measures_)
+      measures_.emplace(mesh_, bulk_, dofs_, reduction_);
+    return *measures_;
+  }
 
-std::pair<contact::Surface, contact::Surface> surfaces_of(const study::ContactZone& settings,
-                                                          const mesh::Mesh& mesh, const domain::DofMap& dofs,
-                                                          const constraint::Reduction& reduction,
-                                                          std::vector<Fault>& faults) {
-  const auto slave = faces_named(mesh, slave_of(settings), false, faults);
-  if (settings.obstacle)
-    return {contact::Surface(), slave ? surface_of(mesh, slave->sides) : contact::Surface()};
-  auto master = faces_named(mesh, master_of(settings), true, faults);
-  if (!master || !slave)
+  SideMeasures::Side measured(const NamedFaces& faces) {
+    auto all = faces.sides;
+    all.insert(all.end(), faces.sheets.faces.begin(), faces.sheets.faces.end());
+    return measures().of(all);
+  }
+
+  /// Names the master and the slave of a zone that has two surfaces.
+  ChosenZone with_sides(const study::ContactZone& settings) {
+    ChosenZone zone{settings, {}, {}, {}};
+    std::vector<SideMeasures::Side> sides;
+    std::vector<Fault> unnamed;
+    for (const auto& name : settings.between)
+      if (const auto faces = faces_named(mesh_, mention_of(settings, name, {}), true, unnamed))
+        sides.push_back(measured(*faces));
+    const auto choice = sides.size() == 2 ? choose_slave(sides[0], sides[1]) : SlaveChoice{};
+    zone.settings.slave = settings.between[choice.slave];
+    zone.settings.master = settings.between[1 - choice.slave];
+    zone.choice = choice.reason;
+    return zone;
+  }
+
+  ChosenZone given_zone(ChosenZone zone) {
+    const auto& settings = zone.settings;
+    const auto slave = faces_named(mesh_, slave_of(settings), false, faults_);
+    if (settings.obstacle) {
+      zone.slave = slave ? surface_of(mesh_, slave->sides) : contact::Surface();
+      return zone;
+    }
+    auto master = faces_named(mesh_, master_of(settings), true, faults_);
+    if (!master || !slave)
+      return zone;
+    check_sheets(mesh_, master_of(settings), master->sheets, dofs_, reduction_, faults_);
+    turn_to_slave(mesh_, slave->sides, master->sheets);
+    master->sides.insert(master->sides.end(), master->sheets.faces.begin(), master->sheets.faces.end());
+    zone.master = surface_of(mesh_, master->sides);
+    zone.slave = surface_of(mesh_, slave->sides);
+    return zone;
+  }
+
+  std::vector<ChosenZone> zones_between_bodies(const study::ContactZone& settings) {
+    const auto touching = touching_parts(mesh_, bulk_, measures());
+    if (touching.empty())
+      faults_.push_back(fault_at("contact." + settings.name + ".all",
+                                 "no two bodies of the mesh have surfaces that face each other, expected two "
+                                 "bodies at least"));
+    std::vector<ChosenZone> zones;
+    for (const auto& pair : touching) {
+      ChosenZone zone{settings, surface_of(mesh_, pair.master), surface_of(mesh_, pair.slave), pair.choice};
+      zone.settings.name = settings.name + "_" + pair.name;
+      zone.settings.master = pair.master_name;
+      zone.settings.slave = pair.slave_name;
+      zones.push_back(std::move(zone));
+    }
+    return zones;
+  }
+
+  /// Names of zones that the model finds are its own choice.
+  void check_name(const std::string& name) {
+    const auto is_same = [&](const auto& zone) { return zone.settings.name == name; };
+    if (!is_name(name) || std::ranges::any_of(zones_, is_same))
+      faults_.push_back(
+          fault_at("contact", fmt::format("found two zones named {}, one of them of 'all', or a "
+                                          "name that is too long; expected other names",
+                                          shown(name))));
+  }
+
+  void check_apart(const ChosenZone& zone) {
+    if (!zone.settings.all && share_a_face(zone.master, zone.slave))
+      faults_.push_back(fault_at(slave_of(zone.settings).path,
+                                 fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
+                                             zone.settings.master, zone.settings.slave)));
+  }
+
+  void add(ChosenZone chosen) {
+    const auto& settings = chosen.settings;
+    const auto excluded = excluded_nodes(mesh_, settings, faults_);
+    if (faults_.size() == known_faults_)
+      check_apart(chosen);
+    check_name(settings.name);
+    check_rule(settings, chosen.slave, faults_);
+    if (faults_.size() > known_faults_)
+      return;
+    const auto geometry = zone_geometry();
+    if (settings.obstacle)
+      zones_.push_back(contact::make_zone(
+          mesh_, settings, contact::make_obstacle(*settings.obstacle, study_.physics, study_.functions),
+          std::move(chosen.slave), excluded, geometry));
+    else
+      zones_.push_back(contact::make_zone(mesh_, settings, std::move(chosen.master), std::move(chosen.slave),
+                                          excluded, geometry));
+    complete(zones_.back(), std::move(chosen.choice));
+  }
+
+  void complete(contact::Zone& zone, std::string choice) {
+    check_edges(zone, mesh_, faults_);
+    zone.offset = contact::make_gap_offset(zone.settings, study_.functions);
+    zone.begin = study_.time.begin;
+    zone.held = held_components(zone.slave, dofs_, reduction_);
+    zone.choice = std::move(choice);
+    if (zone.settings.tie)
+      check_tie(zone, mesh_, dofs_, reduction_, faults_);
+  }
+
+  contact::ZoneGeometry zone_geometry() const {
+    const bool plane =
+        study_.physics == study::Physics::plane_stress || study_.physics == study::Physics::plane_strain;
+    return {dofs_.components, plane ? study_.thickness : 1.0,
+            study_.physics == study::Physics::axisymmetric ? contact::Measure::ring : contact::Measure::unit};
+  }
+
+  const study::Study& study_;
+  const mesh::Mesh& mesh_;
+  const domain::Bulk& bulk_;
+  const domain::DofMap& dofs_;
+  const constraint::Reduction& reduction_;
+  std::vector<Fault>& faults_;
+  std::optional<SideMeasures> measures_;
+  std::size_t known_faults_ = 0; ///< before the zone at hand
+  std::vector<contact::Zone> zones_;
+};
+
+/// The groups that may be a zone's master.
+std::vector<std::string> masters_named(const study::ContactZone& settings) {
+  if (settings.obstacle || settings.all)
     return {};
-  check_sheets(mesh, master_of(settings), master->sheets, dofs, reduction, faults);
-  turn_to_slave(mesh, slave->sides, master->sheets);
-  master->sides.insert(master->sides.end(), master->sheets.faces.begin(), master->sheets.faces.end());
-  return {surface_of(mesh, master->sides), surface_of(mesh, slave->sides)};
-}
-
-/// A component that supports hold on the whole of the slave, but not of the master: there is nothing that a
-/// traction could be a function of.
-std::optional<int> held_component(const contact::Zone& zone, const domain::DofMap& dofs,
-                                  const constraint::Reduction& reduction) {
-  const auto is_held = [&](const contact::Surface& surface, int component) {
-    return std::ranges::all_of(surface.nodes,
-                               [&](auto node) { return reduction.is_prescribed(dofs.dof(node, component)); });
-  };
-  for (int c = 0; c < dofs.components; ++c)
-    if (is_held(zone.slave, c) && !is_held(zone.master, c))
-      return c;
-  return std::nullopt;
-}
-
-/// A tie has to hold something.
-void check_tie(const contact::Zone& zone, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-               const constraint::Reduction& reduction, std::vector<Fault>& faults) {
-  const auto& settings = zone.settings;
-  const auto path = fmt::format("contact.{}.tie", settings.name);
-  if (!zone.points_own_multipliers) {
-    faults.push_back(fault_at(path, fmt::format("found a tie by nodes, but nodes of '{}' share pressures, "
-                                                "expected integration: mortar",
-                                                settings.slave)));
-    return;
-  }
-  if (const auto held = held_component(zone, dofs, reduction)) {
-    faults.push_back(fault_at(
-        path,
-        fmt::format("supports hold every node of the slave '{}' along {}, so that nothing is left to tie "
-                    "there, expected it as the master",
-                    settings.slave, "xyz"[static_cast<std::size_t>(*held)])));
-    return;
-  }
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(dofs.dof_count));
-  const auto points = contact::tied_points(zone, {&mesh, &dofs, &rest, &rest, zone.begin, zone.begin});
-  if (std::ranges::none_of(points, [](const auto& point) { return point.kinematics.has_value(); }))
-    faults.push_back(fault_at(
-        path, fmt::format("nothing of the slave '{}' faces the master '{}' within {:.3g}, the longest of "
-                          "its faces, expected surfaces that touch",
-                          settings.slave, settings.master,
-                          zone.mortar ? zone.mortar->longest_face : zone.slave.longest_edge)));
+  return settings.between.empty() ? std::vector{settings.master} : settings.between;
 }
 
 } // namespace
@@ -272,54 +271,29 @@ void check_tie(const contact::Zone& zone, const mesh::Mesh& mesh, const domain::
 std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh) {
   std::vector<mesh::CellIndex> faces;
   for (const auto& settings : study.contact)
-    if (const auto* group = settings.obstacle ? nullptr : mesh.cell_group(settings.master)) {
-      const auto unowned = mesh::oriented_faces(mesh, group->items).unowned;
-      faces.insert(faces.end(), unowned.begin(), unowned.end());
-    }
+    for (const auto& name : masters_named(settings))
+      if (const auto* group = mesh.cell_group(name)) {
+        const auto unowned = mesh::oriented_faces(mesh, group->items).unowned;
+        faces.insert(faces.end(), unowned.begin(), unowned.end());
+      }
   return faces;
 }
 
 std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,
-                                      const domain::DofMap& dofs, const constraint::Reduction& reduction,
-                                      std::vector<Fault>& faults) {
-  const bool plane =
-      study.physics == study::Physics::plane_stress || study.physics == study::Physics::plane_strain;
-  const contact::ZoneGeometry geometry{
-      dofs.components, plane ? study.thickness : 1.0,
-      study.physics == study::Physics::axisymmetric ? contact::Measure::ring : contact::Measure::unit};
-  std::vector<contact::Zone> zones;
-  for (const auto& settings : study.contact) {
-    const auto known = faults.size();
-    auto [master, slave] = surfaces_of(settings, mesh, dofs, reduction, faults);
-    const auto excluded = excluded_nodes(mesh, settings, faults);
-    if (faults.size() == known && share_a_face(master, slave))
-      faults.push_back(fault_at(slave_of(settings).path,
-                                fmt::format("master '{}' and slave '{}' share faces, expected two surfaces",
-                                            settings.master, settings.slave)));
-    check_rule(settings, slave, faults);
-    if (faults.size() > known)
-      continue;
-    if (settings.obstacle)
-      zones.push_back(contact::make_zone(
-          mesh, settings, contact::make_obstacle(*settings.obstacle, study.physics, study.functions),
-          std::move(slave), excluded, geometry));
-    else
-      zones.push_back(
-          contact::make_zone(mesh, settings, std::move(master), std::move(slave), excluded, geometry));
-    if (const auto cells = contact::sharp_slave_edge(zones.back()))
-      faults.push_back(fault_at(slave_of(settings).path,
-                                fmt::format("{} and {} of slave '{}' make an edge of more than 60 degrees, "
-                                            "whose nodes have no normal for the integration mortar; expected "
-                                            "a zone for each side of it",
-                                            domain::cell_label(mesh, (*cells)[0]),
-                                            domain::cell_label(mesh, (*cells)[1]), settings.slave)));
-    zones.back().offset = contact::make_gap_offset(settings, study.functions);
-    zones.back().begin = study.time.begin;
-    zones.back().held = held_components(zones.back().slave, dofs, reduction);
-    if (settings.tie)
-      check_tie(zones.back(), mesh, dofs, reduction, faults);
-  }
-  return zones;
+                                      const domain::Bulk& bulk, const domain::DofMap& dofs,
+                                      const constraint::Reduction& reduction, std::vector<Fault>& faults) {
+  return ZoneMaker(study, mesh, bulk, dofs, reduction, faults).make();
+}
+
+std::vector<std::string> chosen_sides(std::span<const contact::Zone> zones) {
+  std::vector<std::string> sentences;
+  for (const auto& zone : zones)
+    if (!zone.choice.empty())
+      sentences.push_back(
+          fmt::format("contact zone {}: '{}' ({} faces) is the slave of '{}' ({} faces), because {}",
+                      zone.settings.name, zone.settings.slave, zone.slave.faces.size(), zone.settings.master,
+                      zone.master.faces.size(), zone.choice));
+  return sentences;
 }
 
 } // namespace rubato::model

@@ -121,6 +121,20 @@ ordered_json tolerances_json() {
   return json;
 }
 
+/// Which side is the slave of zones that leave it to the model, and why.
+ordered_json sides_json(const model::Model& model) {
+  ordered_json json = ordered_json::array();
+  for (const auto& zone : model.zones)
+    if (!zone.choice.empty())
+      json.push_back({{"zone", zone.settings.name},
+                      {"slave", zone.settings.slave},
+                      {"master", zone.settings.master},
+                      {"slave_faces", zone.slave.faces.size()},
+                      {"master_faces", zone.master.faces.size()},
+                      {"because", zone.choice}});
+  return json;
+}
+
 } // namespace
 
 class Recorder::Impl {
@@ -324,6 +338,7 @@ private:
                       {"unknowns", model_.reduction.unknown_count()},
                       {"factor_bytes", factor_bytes_},
                       {"checks", ordered_json::array()},
+                      {"contact_sides", sides_json(model_)},
                       {"tolerances", tolerances_json()},
                       {"study", ordered_json::parse(study::to_json(model_.study))}};
     if (ending.failure)

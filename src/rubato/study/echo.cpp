@@ -168,6 +168,19 @@ Json echo(const Obstacle& obstacle, Physics physics) {
   return map;
 }
 
+void put_surfaces(Json& map, const ContactZone& zone, Physics physics) {
+  if (!zone.between.empty())
+    map["between"] = zone.between;
+  else if (zone.all)
+    map["all"] = true;
+  else if (zone.obstacle)
+    map["obstacle"] = echo(*zone.obstacle, physics);
+  else
+    map["master"] = zone.master;
+  if (!zone.slave.empty())
+    map["slave"] = zone.slave;
+}
+
 /// What only surfaces have that touch and part.
 void put_touching(Json& map, const ContactZone& zone) {
   map["friction_method"] = word(friction_method_words, zone.friction_method);
@@ -189,11 +202,7 @@ void put_touching(Json& map, const ContactZone& zone) {
 
 Json echo(const ContactZone& zone, Physics physics) {
   auto map = Json::object();
-  if (zone.obstacle)
-    map["obstacle"] = echo(*zone.obstacle, physics);
-  else
-    map["master"] = zone.master;
-  map["slave"] = zone.slave;
+  put_surfaces(map, zone, physics);
   map["friction"] = zone.friction;
   map["method"] = word(contact_method_words, zone.method);
   map["tie"] = zone.tie;

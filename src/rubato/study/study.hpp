@@ -195,7 +195,10 @@ struct ContactZone {
   std::string master;               ///< empty with an obstacle
   std::optional<Obstacle> obstacle; ///< instead of a master
   std::string slave;
-  double friction = 0;    ///< Coulomb's μ ≥ 0
+  /// Instead of master and slave one of these two.
+  std::vector<std::string> between; ///< two surfaces; the model chooses which is the slave
+  bool all = false;                 ///< every two surfaces of different bodies that can touch
+  double friction = 0;              ///< Coulomb's μ ≥ 0
   Amplitude interference; ///< how much larger a body is than its mesh: taken from the gap [length], ≥ 0
   Amplitude gap;          ///< added to the gap that the mesh has [length]
   bool bilateral = false; ///< points that have touched at the end of a step do not open any more

@@ -46,6 +46,8 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   decks.push_back(timber);
   decks.push_back(replaced(timber, "shear_xz: 1", "shear_xz: 1, angle_z: 10, angle_y: -20, angle_x: 30"));
   decks.push_back(smallest_deck + "solver: condensed\n");
+  for (const auto* zone : {"between: [M, S]", "all: true"})
+    decks.push_back(smallest_deck + "contact: {a: {" + zone + "}}\n");
   decks.push_back(smallest_deck +
                   "contact: {a: {master: M, slave: S, tie: true, integration: nodes}, b: {master: K, "
                   "slave: L, bilateral: true, gap: -0.1, interference: {value: 2, function: f}}, "

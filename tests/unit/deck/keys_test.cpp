@@ -222,6 +222,16 @@ TEST(DeckKeys, ContactOnlyNeedsItsTwoSurfaces) {
   EXPECT_EQ(zone, expected);
 }
 
+TEST(DeckKeys, ContactMayLeaveItsSidesToTheModel) {
+  const auto zone_of = [](const std::string& zone) {
+    return parse_one(smallest_deck + "contact: {a: {" + zone + "}}").contact.at(0);
+  };
+  const auto between = zone_of("between: [M, S]");
+  EXPECT_EQ(between.between, (std::vector<std::string>{"M", "S"}));
+  EXPECT_EQ(between.integration.by, study::ContactIntegration::nodes);
+  EXPECT_TRUE(zone_of("all: true").all);
+}
+
 TEST(DeckKeys, AContactMethodBringsItsFrictionAndItsGeometryLoop) {
   const auto zone_of = [](const std::string& method) {
     return parse_one(smallest_deck + "contact: {a: {master: M, slave: S, method: " + method + "}}")

@@ -21,7 +21,7 @@ public:
         friction_method_(entry_of(zone.friction_method)), path_("contact." + zone.name) {}
 
   void check() {
-    check_surfaces();
+    check_place();
     check_friction();
     check_offsets();
     check_bonds();
@@ -34,17 +34,9 @@ public:
 private:
   std::string at(std::string_view key) const { return fmt::format("{}.{}", path_, key); }
 
-  void check_surfaces() {
-    rules_.name(at("slave"), zone_.slave);
+  void check_place() {
+    check_surfaces(rules_, zone_);
     rules_.names(at("exclude_nodes"), zone_.exclude_nodes);
-    if (zone_.master.empty() != zone_.obstacle.has_value())
-      rules_.broken({path_, at("master"), at("obstacle")},
-                    zone_.obstacle ? "found both 'master' and 'obstacle', expected one of them"
-                                   : "'master' or 'obstacle' is missing");
-    if (!zone_.slave.empty() && zone_.slave == zone_.master)
-      rules_.broken(
-          {at("slave"), at("master")},
-          fmt::format("found {} as slave and as master, expected two surfaces", shown(zone_.slave)));
     if (!zone_.obstacle)
       return;
     check_obstacle(rules_, zone_);

@@ -76,6 +76,8 @@ void check_springs(Rules& rules);
 void check_loads(Rules& rules);
 void check_initial(Rules& rules);
 void check_contact(Rules& rules);
+/// Which surfaces a zone has: master and slave, or what stands for both.
+void check_surfaces(Rules& rules, const ContactZone& zone);
 void check_obstacle(Rules& rules, const ContactZone& zone);
 void check_time(Rules& rules);
 void check_solution(Rules& rules);
