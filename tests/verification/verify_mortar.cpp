@@ -113,6 +113,34 @@ void write_shrink_fit(Page& page) {
       }
 }
 
+void write_solid_rings(Page& page) {
+  page.paragraph(fmt::format(
+      "In space, a quarter of the ring on a shaft with a bore of radius 5, ends held; cells along the "
+      "radius, "
+      "round a quarter and along the axis. Lamé: {:.2f}. The middle 80 % is that of the length and of the "
+      "quarter.",
+      lame_pressure(true, 5)));
+  page.table({"cells", "shaft", "ring", "mesh nodes", "integration", "largest error", "root mean square",
+              "middle 80 %", "iterations"});
+  const auto shown = [](const std::array<int, 3>& n) {
+    return fmt::format("{} × {} × {}", n[0], n[1], n[2]);
+  };
+  const auto row = [&](const SolidRing& fit) {
+    const auto errors = shrink_in_space(fit);
+    std::vector<std::string> values{name_of(fit.cells), shown(fit.shaft), shown(fit.ring),
+                                    std::to_string(errors.nodes), fit.integration};
+    for (const double error : {errors.largest, errors.rms, errors.interior})
+      values.push_back(errors.converged ? fmt::format("{:.1e}", error) : "no end");
+    values.push_back(std::to_string(errors.iterations));
+    page.row(values);
+  };
+  for (const auto* integration : {"mortar", "nodes"}) {
+    row({CellType::hexa8, {8, 18, 14}, {9, 21, 16}, integration});
+    row({CellType::hexa20, {8, 18, 14}, {9, 21, 16}, integration});
+    row({CellType::tetra10, {6, 14, 12}, {7, 16, 13}, integration});
+  }
+}
+
 void write_round(Page& page, const RoundOnBlock& bodies) {
   const auto found = press_round(bodies);
   std::vector<std::string> row{name_of(bodies.cells), std::to_string(bodies.faces),
@@ -297,6 +325,7 @@ void write_mortar(const std::filesystem::path& folder) {
   write_patches(page);
   write_half_loaded(page);
   write_shrink_fit(page);
+  write_solid_rings(page);
   write_rounds(page);
   write_drags(page);
   write_trial(page);
