@@ -17,6 +17,7 @@ struct ImpactCase {
   const char* zone;
   ImpactTheory (*theory)();
   const char* run;
+  const char* probe = nullptr; ///< a column of the probes, where histories are compared
 };
 
 void PrintTo(const ImpactCase& chosen, std::ostream* out) {
@@ -33,6 +34,7 @@ protected:
 
 class MasslessSurface : public ElasticImpact {};
 class MoreausImpact : public ElasticImpact {};
+class MortarImpact : public ElasticImpact {};
 class SafeImpact : public ElasticImpact {};
 class TimelyImpact : public ElasticImpact {};
 
@@ -45,6 +47,24 @@ TEST_P(MasslessSurface, KeepsItsEnergy) {
 TEST_P(MoreausImpact, LosesWhatTheNodesThatTouchBring) {
   EXPECT_LE(run_.result.energy.gain, 1e-9 * theory_.energy);
   EXPECT_LE(found_.energy_error, 1e-2);
+}
+
+TEST_P(MortarImpact, GainsNothingAndKeepsItsEnergyUpToRounding) {
+  EXPECT_EQ(run_.study.time.scheme, study::SchemeKind::moreau_jean);
+  EXPECT_LE(run_.result.energy.gain, 1e-9 * theory_.energy);
+  EXPECT_LE(found_.energy_error, 1e-9);
+  EXPECT_LE(run_.ledger(), closed);
+}
+
+/// The bodies move along one axis: their faces meet as the nodes of matching faces do.
+TEST_P(MortarImpact, IsThatOfPointsOnTheNodes) {
+  const auto& by_nodes = runs_["default"];
+  const auto name = GetParam().probe;
+  const auto mortar = column(run_.probes, name);
+  const auto nodes = column(by_nodes.probes, name);
+  ASSERT_EQ(mortar.size(), nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    EXPECT_NEAR(mortar[i], nodes[i], 1e-9) << i;
 }
 
 TEST_P(SafeImpact, PressesAsTheWaveDoes) {
@@ -78,6 +98,19 @@ const ImpactCase dropped_default{"DroppedBarDefault", "v2_dropped_bar/bar.yaml",
 const ImpactCase rods_default{"RodOnRodDefault", "v10_rod_on_rod/rods.yaml", "interface", rod_on_rod,
                               "default"};
 
+const ImpactCase bar_mortar{"BarOnWallMortar", "v1_bar_on_wall/bar.yaml", "wall", bar_on_wall, "mortar",
+                            "tail.x"};
+const ImpactCase dropped_mortar{
+    "DroppedBarMortar", "v2_dropped_bar/bar.yaml", "wall", dropped_bar, "mortar", "tail.x"};
+const ImpactCase rods_mortar{"RodOnRodMortar", "v10_rod_on_rod/rods.yaml", "interface", rod_on_rod, "mortar",
+                             "tail.x"};
+const ImpactCase rods_nonmatching{"RodOnRodThreeFacesOnTwo",
+                                  "v10_rod_on_rod/rods.yaml",
+                                  "interface",
+                                  rod_on_rod,
+                                  "mortar_nonmatching",
+                                  "tail.x"};
+
 const auto name_of = [](const auto& chosen) { return std::string(chosen.param.name); };
 
 INSTANTIATE_TEST_SUITE_P(Of, MasslessSurface,
@@ -86,16 +119,20 @@ INSTANTIATE_TEST_SUITE_P(Of, MasslessSurface,
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Of, MoreausImpact, testing::Values(bar_moreau, dropped_moreau, rods_moreau),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(Of, MortarImpact,
+                         testing::Values(bar_mortar, dropped_mortar, rods_mortar, rods_nonmatching), name_of);
 // The master of V10 keeps its mass: without numerical damping its surface still swings.
 INSTANTIATE_TEST_SUITE_P(Of, SafeImpact,
                          testing::Values(bar_redistributed, bar_moreau, bar_default, dropped_redistributed,
                                          dropped_moreau, dropped_default, rods_redistributed_hht, rods_moreau,
-                                         rods_default),
+                                         rods_default, bar_mortar, dropped_mortar, rods_mortar,
+                                         rods_nonmatching),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Of, TimelyImpact,
                          testing::Values(bar_redistributed, bar_moreau, bar_default, dropped_redistributed,
                                          dropped_moreau, dropped_default, rods_redistributed,
-                                         rods_redistributed_hht, rods_moreau, rods_default),
+                                         rods_redistributed_hht, rods_moreau, rods_default, bar_mortar,
+                                         dropped_mortar, rods_mortar, rods_nonmatching),
                          name_of);
 
 /// Whatever their energy does.

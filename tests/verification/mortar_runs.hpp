@@ -6,6 +6,7 @@
 #include "rubato/cell/topology.hpp"
 
 #include "support/walk.hpp"
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,10 +32,23 @@ struct PressureErrors {
   double rms = 0;
   double interior = 0; ///< largest over the middle 80 % of the length
   int iterations = 0;
+  std::size_t nodes = 0; ///< of the mesh
 };
 
-/// Pressure of two tubes of one material (the inner one solid) on the undeformed area of the outer one.
-double lame_pressure(bool ends_held);
+/// A quarter of the same ring on a shaft with a bore of radius 5, in space, both ends held along the axis;
+/// cells along r, θ and z of each. The ring is the slave.
+struct SolidRing {
+  CellType cells = CellType::hexa20;
+  std::array<int, 3> shaft{6, 14, 6};
+  std::array<int, 3> ring{6, 16, 7};
+  std::string integration = "mortar";
+};
+
+/// `interior`: over the middle 80 % of the length and of the quarter.
+PressureErrors shrink_in_space(const SolidRing& fit);
+
+/// Pressure of two tubes of one material with this bore on the undeformed area of the outer one.
+double lame_pressure(bool ends_held, double bore = 0);
 PressureErrors shrink(const ShrinkFit& fit);
 
 /// Two discs on the axis of revolution, 4 on 3 cells of `cells` on `below`: largest |λ/p − 1|, negative where

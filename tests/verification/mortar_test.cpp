@@ -99,6 +99,15 @@ TEST(ShrinkFit, HasLamesPressureInsideWithFreeEnds) {
   EXPECT_GT(shrink({CellType::quad8, 1, false, "nodes"}).interior, 0.1);
 }
 
+TEST(ShrinkFit, HasLamesPressureInSpace) {
+  EXPECT_NEAR(lame_pressure(true, 5), 206.89, 0.005);
+  for (const auto cells : {CellType::hexa20, CellType::tetra10}) {
+    const auto errors = shrink_in_space({cells});
+    EXPECT_LE(errors.interior, 0.02) << word_of(cells);
+    EXPECT_LE(errors.iterations, 3) << word_of(cells);
+  }
+}
+
 TEST(RoundOnBlock, PressesAsHertzSaysInThePlane) {
   for (const auto cells : {CellType::quad4, CellType::quad8, CellType::quad9, CellType::tria6})
     for (const bool round_is_slave : {true, false}) {

@@ -39,17 +39,22 @@ private:
 
 /// What is drawn for a variant, before it is a deck.
 struct Draw {
-  std::string cells;
+  std::string cells;      ///< of the upper beam
+  std::string lower_kind; ///< of the lower beam
   bool plane = false;
   int refine = 1;
   int upper_cells = 20;
   int lower_cells = 20;
-  double gap = 0; ///< < 0: overlap
+  int lower_across = 1; ///< cells of the lower beam across
+  double gap = 0;       ///< < 0: overlap
   double shift = 0;
   double poisson = 0;
   double load = 1;
   double friction = 0;
   std::string contact;
+  std::string numbers; ///< the method's own keys
+  bool slave_above = false;
+  Integration integration = Integration::nodes;
   std::string scheme;
   std::string time; ///< the scheme's own keys
   bool redistributed = false;
@@ -57,17 +62,49 @@ struct Draw {
   int steps = 0;
 };
 
+constexpr std::string_view by_mortar = ", integration: mortar";
+
 std::string level(Dice& dice) {
   return dice.one_of({"newton", "fixed_point"});
 }
 
-void draw_mesh(Dice& dice, Meshes meshes, Draw& draw) {
+void draw_linear_cells(Dice& dice, Meshes meshes, Draw& draw) {
   draw.cells = dice.one_of({"tetra4", "hexa8", "quad4", "quad4"});
+  draw.lower_kind = draw.cells;
   draw.plane = draw.cells == "quad4";
   const bool refined = dice.chance(draw.plane ? 0.3 : 0.1);
   draw.refine = refined && meshes == Meshes::any ? (draw.plane ? dice.whole(2, 4) : 2) : 1;
   if (dice.chance(0.4))
     draw.lower_cells = dice.whole(15, 27);
+}
+
+std::string any_cells(Dice& dice, bool plane) {
+  return plane ? dice.one_of({"quad4", "quad8", "quad9", "tria3", "tria6"})
+               : dice.one_of({"hexa8", "hexa20", "hexa27", "tetra4", "tetra10", "penta6", "penta15"});
+}
+
+/// Of every kind; half of the meshes do not match, some of them not in their kind either.
+void draw_any_cells(Dice& dice, Meshes meshes, Draw& draw) {
+  draw.plane = dice.chance(0.5);
+  draw.cells = any_cells(dice, draw.plane);
+  draw.lower_kind = draw.cells;
+  const bool may_be_refined = draw.plane || draw.cells == "hexa8" || draw.cells == "tetra4";
+  const bool refined = dice.chance(draw.plane ? 0.3 : 0.1);
+  draw.refine = refined && may_be_refined && meshes == Meshes::any ? 2 : 1;
+  if (dice.chance(0.5)) {
+    draw.lower_cells = dice.whole(15, 27);
+    draw.lower_across = draw.plane ? 1 : dice.whole(1, 2);
+    if (dice.chance(0.4))
+      draw.lower_kind = any_cells(dice, draw.plane);
+  }
+  draw.slave_above = dice.chance(0.5);
+}
+
+void draw_mesh(Dice& dice, Meshes meshes, Draw& draw) {
+  if (draw.integration == Integration::mortar)
+    draw_any_cells(dice, meshes, draw);
+  else
+    draw_linear_cells(dice, meshes, draw);
   if (dice.chance(0.3))
     draw.shift = dice.uniform(-0.03, 0.03);
   const double place = dice.uniform(0, 1);
@@ -78,8 +115,23 @@ void draw_mesh(Dice& dice, Meshes meshes, Draw& draw) {
   draw.poisson = dice.chance(0.5) ? 0.3 : 0;
 }
 
+/// Nodal methods know no mortar.
+void draw_mortar_method(Dice& dice, Draw& draw) {
+  draw.contact = dice.one_of({"augmented_lagrangian", "augmented_lagrangian", "augmented_lagrangian",
+                              "augmented_lagrangian", "penalty", "exponential"});
+  if (draw.contact != "exponential")
+    return;
+  const double pressure = dice.magnitude(1e6, 1e8);
+  draw.numbers = fmt::format(", coefficients: {{pressure: {:.3g}, clearance: {:.3g}}}", pressure,
+                             dice.magnitude(1e-6, 1e-4));
+}
+
 void draw_contact(Dice& dice, Draw& draw) {
   draw.friction = dice.chance(0.15) ? 0 : dice.uniform(0, 1.5);
+  if (draw.integration == Integration::mortar) {
+    draw_mortar_method(dice, draw);
+    return;
+  }
   const auto method = dice.one_of({"augmented_lagrangian", "augmented_lagrangian", "augmented_lagrangian",
                                    "penalty", "nodal_lagrange", "nodal_penalty", "nodal_pcg"});
   draw.contact = method;
@@ -124,24 +176,32 @@ void draw_safety(Dice& dice, Draw& draw) {
     draw.time += ", contact_mass: consistent";
 }
 
-std::string body(const Draw& draw, const std::string& name, double left, double bottom, int cells,
+/// Of one beam.
+struct Grid {
+  std::string kind;
+  int along = 0;
+  int across = 1;
+};
+
+std::string body(const Draw& draw, const std::string& name, double left, double bottom, const Grid& grid,
                  const std::string& groups) {
   const double top = bottom + 0.1;
   if (draw.plane)
     return fmt::format("    - {{name: {}, rectangle: {{from: [{:.6g}, {:.9g}], to: [{:.6g}, {:.9g}]}}, "
-                       "divisions: [{}, 2], cells: quad4, {}}}\n",
-                       name, left, bottom, left + 1, top, cells, groups);
+                       "divisions: [{}, 2], cells: {}, {}}}\n",
+                       name, left, bottom, left + 1, top, grid.along, grid.kind, groups);
   return fmt::format("    - {{name: {}, box: {{from: [{:.6g}, {:.9g}, 0], to: [{:.6g}, {:.9g}, 0.1]}}, "
-                     "divisions: [{}, 2, 1], cells: {}, {}}}\n",
-                     name, left, bottom, left + 1, top, cells, draw.cells, groups);
+                     "divisions: [{}, 2, {}], cells: {}, {}}}\n",
+                     name, left, bottom, left + 1, top, grid.along, grid.across, grid.kind, groups);
 }
 
 std::string mesh_of(const Draw& draw) {
   const auto* loaded = draw.plane ? "points: {right_top: loaded}" : "edges: {right_top: loaded}";
   return fmt::format("mesh:\n  generate:\n{}{}  refine: {}\n",
-                     body(draw, "upper", 0, 0, draw.upper_cells,
+                     body(draw, "upper", 0, 0, {draw.cells, draw.upper_cells},
                           fmt::format("sides: {{left: upper_clamp, bottom: upper_face}}, {}", loaded)),
-                     body(draw, "lower", draw.shift, -0.1 - draw.gap, draw.lower_cells,
+                     body(draw, "lower", draw.shift, -0.1 - draw.gap,
+                          {draw.lower_kind, draw.lower_cells, draw.lower_across},
                           "sides: {left: lower_clamp, top: lower_face}"),
                      draw.refine);
 }
@@ -149,6 +209,8 @@ std::string mesh_of(const Draw& draw) {
 std::string deck_of(const Draw& draw, const std::string& title, const std::string& iterate) {
   const auto* fixed = draw.plane ? "[x, y]" : "[x, y, z]";
   const auto* z = draw.plane ? "" : ", 0.05";
+  const auto* slave = draw.slave_above ? "upper" : "lower";
+  const auto* master = draw.slave_above ? "lower" : "upper";
   return fmt::format(
       R"(title: {}
 {}physics: {}
@@ -156,13 +218,14 @@ materials: {{steel: {{young: 200e9, poisson: {}, density: 7800}}}}
 supports: [{{on: upper_clamp, fix: {}}}, {{on: lower_clamp, fix: {}}}]
 loads: [{{{}: {{on: loaded, y: {:.6g}}}}}]
 contact:
-  interface: {{master: upper_face, slave: lower_face, friction: {:.4f}, method: {}, exclude_nodes: [lower_clamp]{}{}}}
+  interface: {{master: {}_face, slave: {}_face, friction: {:.4f}, method: {}, exclude_nodes: [{}_clamp]{}{}{}{}}}
 time: {{scheme: {}{}, step: {:.6g}, end: {:.9g}}}
 probes: {{upper: {{point: [1, 0.1{}]}}, lower: {{point: [{:.6g}, {:.6g}{}]}}}}
 checkpoint: {{last: false}}
 )",
       title, mesh_of(draw), draw.plane ? "plane_stress" : "solid", draw.poisson, fixed, fixed,
-      draw.plane ? "nodal_force" : "line_force", -1e7 * draw.load, draw.friction, draw.contact,
+      draw.plane ? "nodal_force" : "line_force", -1e7 * draw.load, master, slave, draw.friction, draw.contact,
+      slave, draw.integration == Integration::mortar ? by_mortar : "", draw.numbers,
       iterate.empty() ? "" : ", ", iterate, draw.scheme, draw.time, draw.step, draw.steps * draw.step, z,
       1 + draw.shift, -0.1 - draw.gap, z);
 }
@@ -170,6 +233,12 @@ checkpoint: {{last: false}}
 std::string words_of(const Draw& draw, const std::string& iterate) {
   std::string words =
       fmt::format("{} {}/{}", draw.cells, draw.upper_cells * draw.refine, draw.lower_cells * draw.refine);
+  if (draw.lower_across > 1)
+    words += fmt::format(" × {}", draw.lower_across * draw.refine);
+  if (draw.lower_kind != draw.cells)
+    words += " " + draw.lower_kind;
+  if (draw.slave_above)
+    words += ", slave above";
   if (draw.shift != 0)
     words += fmt::format(", shifted {:.3f}", draw.shift);
   if (draw.gap != 0)
@@ -181,9 +250,15 @@ std::string words_of(const Draw& draw, const std::string& iterate) {
   return words + fmt::format(", {}{}, {} × {:.2e} s", draw.scheme, draw.time, draw.steps, draw.step);
 }
 
-RetrySettings variant(std::uint32_t seed, int number, Meshes meshes) {
+bool matches(const Draw& draw) {
+  return draw.lower_cells == draw.upper_cells && draw.lower_across == 1 && draw.lower_kind == draw.cells &&
+         draw.shift == 0;
+}
+
+RetrySettings variant(std::uint32_t seed, int number, Meshes meshes, Integration integration) {
   Dice dice(seed, number);
   Draw draw;
+  draw.integration = integration;
   draw_mesh(dice, meshes, draw);
   draw_contact(dice, draw);
   const auto iterate = iterations(dice, draw);
@@ -197,6 +272,7 @@ RetrySettings variant(std::uint32_t seed, int number, Meshes meshes) {
           draw.refine > 1,
           draw.gap < 0,
           draw.redistributed,
+          matches(draw),
           draw.scheme == "moreau_jean",
           draw.steps,
           deck_of(draw, fmt::format("two beams, variant {}", number), iterate)};
@@ -235,11 +311,19 @@ void note_energy(const std::filesystem::path& file, Survival& survival) {
 
 } // namespace
 
-std::vector<RetrySettings> variants(std::uint32_t seed, int first, int count, Meshes meshes) {
+std::vector<RetrySettings> variants(std::uint32_t seed, int first, int count, Meshes meshes,
+                                    Integration integration) {
   std::vector<RetrySettings> all;
   for (int number = first; number < first + count; ++number)
-    all.push_back(variant(seed, number, meshes));
+    all.push_back(variant(seed, number, meshes, integration));
   return all;
+}
+
+RetrySettings by_nodes(const RetrySettings& variant) {
+  auto changed = variant;
+  if (const auto place = changed.deck.find(by_mortar); place != std::string::npos)
+    changed.deck.erase(place, by_mortar.size());
+  return changed;
 }
 
 Survival survive(const RetrySettings& variant) {

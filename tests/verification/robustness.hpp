@@ -23,6 +23,7 @@ struct RetrySettings {
   bool refined = false;
   bool overlaps = false; ///< bodies that begin inside one another bring an energy of their own
   bool massless = false; ///< contact surfaces have no mass
+  bool matching = false; ///< node on node where they touch
   bool safe = false;     ///< pressures cannot give energy by the scheme's nature
   int steps = 0;         ///< wanted
   std::string deck;
@@ -30,8 +31,16 @@ struct RetrySettings {
 
 enum class Meshes { coarse, any };
 
+/// Where the contact points of a family of variants stand. `mortar`: cells of every kind, and slaves above or
+/// below; `nodes`: linear cells, and nodal methods as well.
+enum class Integration { nodes, mortar };
+
 /// Variants `first` to `first + count − 1` of a seed. `coarse`: none is refined, and all are short.
-std::vector<RetrySettings> variants(std::uint32_t seed, int first, int count, Meshes meshes = Meshes::any);
+std::vector<RetrySettings> variants(std::uint32_t seed, int first, int count, Meshes meshes = Meshes::any,
+                                    Integration integration = Integration::nodes);
+
+/// A variant of mortar contact with its points on the slave nodes.
+RetrySettings by_nodes(const RetrySettings& variant);
 
 struct Survival {
   run::RunResult result;

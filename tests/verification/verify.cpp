@@ -62,24 +62,26 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 18> entries{{{"v1", rubato::verification::write_bar_on_wall},
-                                         {"v2", rubato::verification::write_dropped_bar},
-                                         {"v3", rubato::verification::write_contact_patch},
-                                         {"v4", rubato::verification::write_hertz},
-                                         {"v5", rubato::verification::write_mindlin},
-                                         {"v6", rubato::verification::write_incline},
-                                         {"v7", rubato::verification::write_slider},
-                                         {"v8", rubato::verification::write_sphere_impact},
-                                         {"v9", rubato::verification::write_signorini},
-                                         {"v10", rubato::verification::write_rod_on_rod},
-                                         {"v11", rubato::verification::write_free_beam},
-                                         {"sdnl140", rubato::verification::write_sdnl140},
-                                         {"convergence", rubato::verification::write_convergence},
-                                         {"explicit", rubato::verification::write_explicit},
-                                         {"condensed", rubato::verification::write_condensed},
-                                         {"defaults", rubato::verification::write_defaults},
-                                         {"robustness", rubato::verification::write_robustness},
-                                         {"mortar", rubato::verification::write_mortar}}};
+constexpr std::array<Entry, 19> entries{
+    {{"v1", rubato::verification::write_bar_on_wall},
+     {"v2", rubato::verification::write_dropped_bar},
+     {"v3", rubato::verification::write_contact_patch},
+     {"v4", rubato::verification::write_hertz},
+     {"v5", rubato::verification::write_mindlin},
+     {"v6", rubato::verification::write_incline},
+     {"v7", rubato::verification::write_slider},
+     {"v8", rubato::verification::write_sphere_impact},
+     {"v9", rubato::verification::write_signorini},
+     {"v10", rubato::verification::write_rod_on_rod},
+     {"v11", rubato::verification::write_free_beam},
+     {"sdnl140", rubato::verification::write_sdnl140},
+     {"convergence", rubato::verification::write_convergence},
+     {"explicit", rubato::verification::write_explicit},
+     {"condensed", rubato::verification::write_condensed},
+     {"defaults", rubato::verification::write_defaults},
+     {"robustness", rubato::verification::write_robustness},
+     {"mortar", rubato::verification::write_mortar},
+     {"mortar_robustness", rubato::verification::write_mortar_robustness}}};
 
 constexpr std::string_view modelings_prefix = "sdnl140_";
 

@@ -60,6 +60,8 @@ void write_condensed(const std::filesystem::path& folder);
 void write_robustness(const std::filesystem::path& folder);
 /// Mortar contact against closed solutions, beside nodes.
 void write_mortar(const std::filesystem::path& folder);
+/// Random variants of the two beams with mortar contact, some of them beside nodes.
+void write_mortar_robustness(const std::filesystem::path& folder);
 /// Modeling C with nothing chosen by the user, at smaller steps and on finer meshes.
 void write_defaults(const std::filesystem::path& folder);
 

@@ -45,8 +45,8 @@ void write_impacts(Page& page, CaseRuns& runs, const std::string& zone, const Im
   }
 }
 
-void tell_schemes(Page& page) {
-  page.paragraph(
+void tell_schemes(Page& page, const std::string& also = "") {
+  page.paragraph(fmt::format(
       "`newmark`, `hht` and `generalized_alpha` give nodes that touch a mass that must stop at once: "
       "their forces oscillate from step to step, and so may their energy. `redistributed` is "
       "Newmark's scheme with `contact_mass: redistributed`, `redistributed_hht` the same with "
@@ -54,7 +54,8 @@ void tell_schemes(Page& page) {
       "on surfaces without mass. The run `moreau_jean` has `contact_mass: consistent`: it stops the nodes "
       "that "
       "touch and gives nothing back, a part of the energy that is that of the nodes' mass and falls with "
-      "it.");
+      "it. `mortar` is `default` with segment-to-segment integrals{}.",
+      also));
 }
 
 } // namespace
@@ -78,7 +79,7 @@ void write_rod_on_rod(const std::filesystem::path& folder) {
   CaseRuns runs("v10_rod_on_rod/rods.yaml");
   write_impacts(page, runs, "interface", rod_on_rod(), 100);
   page.paragraph("The impulse of 100 is the striker's whole momentum: the rods exchange their velocities.");
-  tell_schemes(page);
+  tell_schemes(page, ", `mortar_nonmatching` the same with three faces on two");
 }
 
 void write_sphere_impact(const std::filesystem::path& folder) {

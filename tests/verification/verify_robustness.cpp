@@ -8,6 +8,8 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <optional>
+#include <span>
 
 namespace rubato::verification {
 namespace {
@@ -23,7 +25,8 @@ constexpr double same_answer = 1e-6;
 struct Entry {
   RetrySettings variant;
   Survival survival;
-  SolverComparison solvers = {}; ///< of some only
+  SolverComparison solvers = {};         ///< of some only
+  std::optional<Survival> by_nodes = {}; ///< of mortar contact, of some only
 };
 
 using Entries = std::vector<Entry>;
@@ -64,7 +67,7 @@ void write_finished(Page& page, const Entries& entries) {
     int cuts = 0;
     int iterations = 0;
     double seconds = 0;
-    for (const auto& [variant, survival, solvers] : of) {
+    for (const auto& [variant, survival, solvers, by_nodes] : of) {
       steps += survival.result.steps;
       cuts += survival.result.cuts;
       iterations += survival.result.iterations;
@@ -114,6 +117,82 @@ void write_list(Page& page, const Entries& entries, const std::function<bool(con
       page.row({std::to_string(entry.variant.number), entry.variant.words, told(entry)});
 }
 
+std::vector<Entry> run_all_by_mortar(const std::filesystem::path& decks) {
+  std::filesystem::remove_all(decks);
+  std::filesystem::create_directories(decks);
+  Entries entries;
+  for (const auto& variant : variants(seed, 0, count, Meshes::any, Integration::mortar)) {
+    Entry entry{variant, survive(variant)};
+    if (!entry.survival.finished())
+      std::ofstream(decks / fmt::format("{:03}.yaml", variant.number)) << variant.deck;
+    if (variant.number % compared == 0)
+      entry.by_nodes = survive(by_nodes(variant));
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+double iterations_a_step(std::span<const run::RunResult> results) {
+  double iterations = 0;
+  double steps = 0;
+  for (const auto& result : results) {
+    iterations += result.iterations;
+    steps += result.steps;
+  }
+  return iterations / std::max(1., steps);
+}
+
+/// Of the variants that were run both ways.
+void write_against_nodes(Page& page, const Entries& entries) {
+  page.table({"meshes", "variants", "finished by mortar", "by nodes", "iterations a step by mortar",
+              "by nodes", "ratio"});
+  const auto row = [&](const std::string& name, const std::function<bool(const RetrySettings&)>& wanted) {
+    std::vector<run::RunResult> mortar;
+    std::vector<run::RunResult> nodes;
+    std::ptrdiff_t finished = 0;
+    std::ptrdiff_t finished_by_nodes = 0;
+    for (const auto& entry : entries)
+      if (entry.by_nodes && wanted(entry.variant)) {
+        mortar.push_back(entry.survival.result);
+        nodes.push_back(entry.by_nodes->result);
+        finished += entry.survival.finished() ? 1 : 0;
+        finished_by_nodes += entry.by_nodes->finished() ? 1 : 0;
+      }
+    const double by_mortar = iterations_a_step(mortar);
+    const double by_nodes = iterations_a_step(nodes);
+    page.row({name, std::to_string(mortar.size()), share(finished, std::ssize(mortar)),
+              share(finished_by_nodes, std::ssize(nodes)), fmt::format("{:.1f}", by_mortar),
+              fmt::format("{:.1f}", by_nodes), fmt::format("{:.2f}", by_mortar / by_nodes)});
+  };
+  row("all", [](const RetrySettings&) { return true; });
+  row("matching", [](const RetrySettings& v) { return v.matching; });
+  row("not matching", [](const RetrySettings& v) { return !v.matching; });
+}
+
+void write_balance(Page& page, const Entries& entries) {
+  double balance = 0;
+  for (const auto& entry : entries)
+    balance = std::max(balance, entry.survival.balance);
+  page.paragraph(
+      fmt::format("The energy ledger closes within {:.1e} of the largest energy in all of them.", balance));
+}
+
+void write_energy(Page& page, const Entries& entries) {
+  page.paragraph(
+      "## Energy\n\nVariants whose bodies do not overlap at the start (an overlap is energy that is put "
+      "in). Kept: a gain above 1 % that the run "
+      "[warns of](../theory/energy.md#gains); soon given up: a gain above 1 % that it does not warn of.");
+  write_gains(page, entries);
+}
+
+void write_failures(Page& page, const Entries& entries, const std::string& folder) {
+  page.paragraph(
+      fmt::format("## Failures\n\nTheir decks are left in `verification/{}` of the build folder.", folder));
+  write_list(
+      page, entries, [](const Entry& e) { return !e.survival.finished(); }, "report",
+      [](const Entry& e) { return e.survival.failure; });
+}
+
 } // namespace
 
 void write_robustness(const std::filesystem::path& folder) {
@@ -130,18 +209,8 @@ void write_robustness(const std::filesystem::path& folder) {
                              "tolerances and cuts are the defaults.",
                              count, seed));
   write_finished(page, entries);
-  double balance = 0;
-  for (const auto& entry : entries)
-    balance = std::max(balance, entry.survival.balance);
-  page.paragraph(
-      fmt::format("The energy ledger closes within {:.1e} of the largest energy in all of them.", balance));
-
-  page.paragraph(
-      "## Energy\n\nVariants whose bodies do not overlap at the start (an overlap is energy that is put "
-      "in). Kept: a gain above 1 % that the run "
-      "[warns of](../theory/energy.md#gains); soon given up: a gain above 1 % that it does not warn of.");
-  write_gains(page, entries);
-
+  write_balance(page, entries);
+  write_energy(page, entries);
   const auto compared_ones =
       std::ranges::count_if(entries, [](const Entry& e) { return e.solvers.difference >= 0; });
   double worst = 0;
@@ -174,10 +243,26 @@ void write_robustness(const std::filesystem::path& folder) {
       "largest gain, by contact",
       [](const Entry& e) { return fmt::format("{:.1e}, {:.1e}", e.survival.gain, e.survival.contact_gain); });
 
-  page.paragraph("## Failures\n\nTheir decks are left in `verification/robustness` of the build folder.");
-  write_list(
-      page, entries, [](const Entry& e) { return !e.survival.finished(); }, "report",
-      [](const Entry& e) { return e.survival.failure; });
+  write_failures(page, entries, "robustness");
+}
+
+void write_mortar_robustness(const std::filesystem::path& folder) {
+  const auto entries = run_all_by_mortar(RUBATO_RUNS_DIR "/mortar_robustness");
+  Page page(folder / "mortar_robustness.md", "Robustness: random variants of two beams with mortar contact");
+  page.paragraph(fmt::format(
+      "{} variants of SDNL140's two beams with `integration: mortar`, drawn from seed {} as for "
+      "[nodes](robustness.md), but with cells of every kind, meshes that do not match in half of them (in "
+      "number, across, or in their kind), either beam the slave, and every method that takes mortar. "
+      "Coefficients, tolerances and cuts are the defaults.",
+      count, seed));
+  write_finished(page, entries);
+  write_balance(page, entries);
+  page.paragraph(fmt::format("## Against nodes\n\nEvery variant whose number is a multiple of {} also ran "
+                             "with `integration: nodes`, all else being the same.",
+                             compared));
+  write_against_nodes(page, entries);
+  write_energy(page, entries);
+  write_failures(page, entries, "mortar_robustness");
 }
 
 } // namespace rubato::verification

@@ -3,7 +3,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 
 namespace rubato::linalg {
@@ -31,10 +30,6 @@ MatrixXd orthogonal_factor(const MatrixXd& a) {
 
 MatrixXd solve_symmetric(const MatrixXd& a, const MatrixXd& b) {
   return a.ldlt().solve(b);
-}
-
-VectorXd solve_square(const MatrixXd& a, const VectorXd& b) {
-  return Eigen::PartialPivLU<MatrixXd>(a).solve(b);
 }
 
 VectorXd least_norm_solution(const MatrixXd& a, const VectorXd& b) {

@@ -24,8 +24,6 @@ Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& a);
 
 /// X of A X = B for symmetric A (LDLᵀ).
 Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-/// x of A x = b for square A (LU with row exchanges).
-Eigen::VectorXd solve_square(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 /// The smallest x that leaves least of A x = b, whatever the rank of A.
 Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a);

@@ -42,9 +42,6 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
                                       const domain::Bulk& bulk, const domain::DofMap& dofs,
                                       const constraint::Reduction& reduction, std::vector<Fault>& faults);
 
-/// A sentence for each zone whose sides the model has chosen.
-void note_choices(std::span<const contact::Zone> zones, std::vector<std::string>& notes);
-
 /// Faces of masters that bound no cell: rigid surfaces drawn as a mesh, whose nodes supports hold or move.
 std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh);
 

@@ -133,7 +133,6 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
-  note_choices(model.zones, model.notes);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults, model.notes);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);

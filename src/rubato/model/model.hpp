@@ -86,6 +86,9 @@ Model build_model(const study::Study& study);
 /// The same on a mesh that is already there.
 Model build_model(const study::Study& study, mesh::Mesh mesh);
 
+/// A sentence for each zone whose sides the model has chosen: which one is the slave, and why.
+std::vector<std::string> chosen_sides(std::span<const contact::Zone> zones);
+
 /// The faults of each study that show against its mesh, without assembling anything: whoever is about to run
 /// several learns first whether one of them is bad.
 std::vector<std::vector<Fault>> faults_of(std::span<const study::Study> studies);

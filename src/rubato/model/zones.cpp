@@ -303,13 +303,15 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
   return ZoneMaker(study, mesh, bulk, dofs, reduction, faults).make();
 }
 
-void note_choices(std::span<const contact::Zone> zones, std::vector<std::string>& notes) {
+std::vector<std::string> chosen_sides(std::span<const contact::Zone> zones) {
+  std::vector<std::string> sentences;
   for (const auto& zone : zones)
     if (!zone.choice.empty())
-      notes.push_back(
+      sentences.push_back(
           fmt::format("contact zone {}: '{}' ({} faces) is the slave of '{}' ({} faces), because {}",
                       zone.settings.name, zone.settings.slave, zone.slave.faces.size(), zone.settings.master,
                       zone.master.faces.size(), zone.choice));
+  return sentences;
 }
 
 } // namespace rubato::model

@@ -275,6 +275,19 @@ private:
   RunResult result_;
 };
 
+void tell_model(const model::Model& model, const Watch& watch) {
+  const auto& name = model.study.name;
+  std::size_t points = 0;
+  for (const auto& zone : model.zones)
+    points += zone.points.size();
+  watch.say(fmt::format("{}: {} nodes, {} unknowns, {} contact points", name, model.mesh.node_count(),
+                        model.reduction.unknown_count(), points));
+  for (const auto& choice : model::chosen_sides(model.zones))
+    watch.say(fmt::format("{}: {}", name, choice));
+  for (const auto& note : model.notes)
+    watch.warn(fmt::format("{}: {}", name, note));
+}
+
 } // namespace
 
 bool RunResult::checks_hold() const {
@@ -307,15 +320,7 @@ RunResult run_study(const study::Study& study, const std::filesystem::path& fold
                                         folder.string()));
   }
   const auto model = model::build_model(study, std::move(mesh));
-  watch.say(fmt::format("{}: {} nodes, {} unknowns, {} contact points", study.name, model.mesh.node_count(),
-                        model.reduction.unknown_count(), [&] {
-                          std::size_t points = 0;
-                          for (const auto& zone : model.zones)
-                            points += zone.points.size();
-                          return points;
-                        }()));
-  for (const auto& note : model.notes)
-    watch.warn(fmt::format("{}: {}", study.name, note));
+  tell_model(model, watch);
   return Run(model, course, watch, previous).go(start);
 }
 

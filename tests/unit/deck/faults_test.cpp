@@ -368,42 +368,6 @@ TEST(DeckFaults, ThicknessOnlyBelongsToPlanes) {
       Sentences{"study.yaml:5:12: thickness: solid has no thickness, plane_stress and plane_strain do"});
 }
 
-Sentences faults_of_surfaces(const std::string& settings) {
-  Sentences sentences;
-  for (const auto& sentence : faults_of(smallest_deck + "contact: {a: {" + settings + "}}\n"))
-    sentences.push_back(sentence.substr(sentence.find("contact")));
-  return sentences;
-}
-
-TEST(DeckFaults, AZoneHasMasterAndSlaveOrOneKeyForBoth) {
-  EXPECT_EQ(faults_of_surfaces("between: [M, S]"), Sentences());
-  EXPECT_EQ(faults_of_surfaces("self: skin"), Sentences());
-  EXPECT_EQ(faults_of_surfaces("all: true"), Sentences());
-  EXPECT_EQ(faults_of_surfaces("self: skin, method: penalty, integration: nodes"), Sentences());
-  EXPECT_EQ(faults_of_surfaces("between: [M]"),
-            Sentences{"contact.a.between: found 1 name, expected two surfaces"});
-  EXPECT_EQ(faults_of_surfaces("between: [M, S, T]"),
-            Sentences{"contact.a.between: found 3 names, expected two surfaces"});
-  EXPECT_EQ(faults_of_surfaces("between: [M, M]"), Sentences{"contact.a.between.1: found 'M' a second time"});
-  EXPECT_EQ(faults_of_surfaces("self: skin, master: M"),
-            Sentences{"contact.a.master: found 'master' beside 'self', which stands for both sides, expected "
-                      "one of them"});
-  EXPECT_EQ(
-      faults_of_surfaces("all: true, slave: S"),
-      Sentences{"contact.a.slave: found 'slave' beside 'all', which stands for both sides, expected one "
-                "of them"});
-  EXPECT_EQ(faults_of_surfaces("between: [M, S], obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}"),
-            Sentences{"contact.a.obstacle: found 'obstacle' beside 'between', which stands for both sides, "
-                      "expected one of them"});
-  EXPECT_EQ(faults_of_surfaces("between: [M, S], self: skin"),
-            Sentences{"contact.a.self: found both 'between' and 'self', expected one of them"});
-  EXPECT_EQ(faults_of_surfaces("self: skin, integration: nodes, normal: slave"),
-            Sentences{"contact.a.normal: found slave with 'self', where the other side gives the normal, "
-                      "expected no 'normal'"});
-  EXPECT_EQ(faults_of_surfaces("all: false"),
-            (Sentences{"contact.a: 'master' or 'obstacle' is missing", "contact.a: 'slave' is missing"}));
-}
-
 TEST(DeckFaults, AnExplicitSchemeHasStepsOfItsOwn) {
   EXPECT_EQ(faults_of_explicit("end: 1"), Sentences{});
   EXPECT_EQ(faults_of_explicit("end: 1, step: auto, safety: 1, record: 0.1"), Sentences{});

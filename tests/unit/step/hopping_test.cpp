@@ -90,6 +90,17 @@ TEST(ALapJoint, TakesAsManyIterationsWhateverItsLoad) {
   }
 }
 
+/// Residuals of free bodies are followed below the tolerance, where rounding is nothing to tell about.
+TEST(ALapJoint, TellsOfRoundingOnlyAboveTheToleranceWhereOnlyFrictionHoldsIt) {
+  for (const char* integration : {"nodes", "mortar"}) {
+    Walk walk(lap_joint, {{"supports.1.fix", "[y, z]"}, {"contact.joint.integration", integration}});
+    ASSERT_TRUE(walk.to_end()) << integration;
+    EXPECT_LE(most_iterations(walk), 6) << integration;
+    for (const auto& report : walk.reports)
+      EXPECT_TRUE(report.rounding == 0 || report.rounding > report.tolerance) << integration;
+  }
+}
+
 /// A block that weighs next to nothing beside its stiffness slides a hundred times its size.
 TEST(AStiffBlock, SlidesFarWithoutACut) {
   Walk walk(R"(

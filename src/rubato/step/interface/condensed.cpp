@@ -351,7 +351,7 @@ bool Condensed::in_equilibrium(const State& trial, const Frozen& frozen, const C
     return true;
   if (!bulk_stall_.stalls(report_.residual) || !within_rounding(trial, frozen))
     return false;
-  report_.rounding = report_.residual;
+  report_.rounding = report_.residual <= report_.tolerance ? 0 : report_.residual;
   return true;
 }
 

@@ -44,7 +44,8 @@ void add_force(std::span<const PredictorPoint> points, int first, int last, Vect
 
 ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int components,
                                    NormalSolution how_far)
-    : compliance_(compliance), factor_(factor), components_(components), how_far_(how_far) {}
+    : compliance_(compliance), factor_(factor), components_(components), how_far_(how_far),
+      watched_(compliance) {}
 
 void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
                                Pulse& pulse) {
@@ -61,6 +62,7 @@ void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd&
   find_friction(points, d, pulse);
   if (how_far_ != NormalSolution::near && !sliding_.empty())
     solve_coupled(points, free, pulse);
+  watched_.forget(); // as large as the compliance itself where everything touches
 }
 
 /// Of bodies that only contact holds: friction that has been found for pressing forces as they were leaves
@@ -68,6 +70,7 @@ void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd&
 /// push into the master.
 void ContactPredictor::solve_coupled(std::span<PredictorPoint> points, const VectorXd& free, Pulse& pulse) {
   std::vector<PredictorPoint*> together;
+  FrictionCones cones;
   for (int round = 0; round < most_rounds && pulse.beat(); ++round) {
     VectorXd d = free;
     add_motion(points, 0, 2, d);
@@ -76,7 +79,10 @@ void ContactPredictor::solve_coupled(std::span<PredictorPoint> points, const Vec
     VectorXd forces(static_cast<Index>(together.size()) * components_);
     for (std::size_t k = 0; k < together.size(); ++k)
       forces.segment(static_cast<Index>(k) * components_, components_) = together[k]->force.head(components_);
-    const auto solved = solve_friction(cones_of(together, free, pulse), forces, pulse);
+    add_cones(together, free, cones, pulse);
+    if (pulse.stopped())
+      return;
+    const auto solved = solve_friction(cones, forces, pulse);
     if (!solved)
       return;
     for (std::size_t k = 0; k < together.size(); ++k)
@@ -102,28 +108,34 @@ bool ContactPredictor::join(std::span<PredictorPoint> points, const VectorXd& d,
   return together.size() > known.size();
 }
 
-FrictionCones ContactPredictor::cones_of(std::span<PredictorPoint* const> together, const VectorXd& free,
-                                         Pulse& pulse) {
+/// By the rows and columns of points that have joined.
+void ContactPredictor::add_cones(std::span<PredictorPoint* const> together, const VectorXd& free,
+                                 FrictionCones& cones, Pulse& pulse) {
+  const auto known = cones.friction.size();
   const auto count = static_cast<Index>(together.size());
-  const Index size = count * components_;
-  FrictionCones cones{MatrixXd(size, size), VectorXd(size), VectorXd(count)};
-  for (Index k = 0; k < count && pulse.beat(); ++k) {
+  watch(together);
+  cones.matrix.conservativeResize(count * components_, count * components_);
+  cones.values.conservativeResize(count * components_);
+  cones.friction.conservativeResize(count);
+  for (Index k = known; k < count && pulse.beat(); ++k) {
     const auto& point = *together[static_cast<std::size_t>(k)];
     cones.values.segment(k * components_, components_) = measures_of(point, free).head(components_);
     cones.friction[k] = point.friction;
     for (Index a = 0; a < components_; ++a) {
       push(point, static_cast<int>(a));
-      for (Index i = 0; i < count; ++i) {
+      const Index column = k * components_ + a;
+      for (Index i = 0; i <= k; ++i) {
         const auto& seeing = *together[static_cast<std::size_t>(i)];
-        cones.matrix.col(k * components_ + a).segment(i * components_, components_) =
+        cones.matrix.col(column).segment(i * components_, components_) =
             (seeing.frame.transpose() * seeing.stencil.gather(moved_)).head(components_);
       }
+      cones.matrix.row(column).head(k * components_) =
+          cones.matrix.col(column).head(k * components_).transpose();
     }
     auto diagonal = cones.matrix.diagonal().segment(k * components_, components_);
     diagonal[0] += point.penalty_compliance;
     diagonal.tail(components_ - 1).array() += point.tangential_compliance;
   }
-  return cones;
 }
 
 /// The largest gap or slip that forces do not fit, as a force on the point's own surface, in parts of the
@@ -191,6 +203,7 @@ void ContactPredictor::forget() {
   chosen_.clear();
   sliding_.clear();
   normal_compliance_.resize(0, 0);
+  watched_.forget();
 }
 
 /// Moves the surface by some of the forces of all points.
@@ -219,15 +232,33 @@ bool ContactPredictor::choose_more(std::span<PredictorPoint> points, const Vecto
   return static_cast<std::ptrdiff_t>(chosen_.size()) > known;
 }
 
-/// Moves the surface by a unit force along an axis of the frame of a point.
+/// Takes the parts of the surface that points stand on to those that push moves.
+void ContactPredictor::watch(std::span<PredictorPoint* const> points) {
+  for (const auto* point : points)
+    for (const auto& node : point->stencil.nodes)
+      for (const int at : node.at)
+        if (at >= 0)
+          watched_.add({&at, 1});
+  watched_.touch_added();
+}
+
+/// Moves what is watched by a unit force along an axis of the frame of a point.
 void ContactPredictor::push(const PredictorPoint& point, int axis) {
   pushing_.clear();
+  pushed_.clear();
   for (const auto& node : point.stencil.nodes)
     for (std::size_t c = 0; c < 3; ++c)
-      if (const int at = node.at[c]; at >= 0)
-        pushing_.push_back({at, node.weight * point.frame(static_cast<Index>(c), axis)});
-  moved_.setZero(static_cast<Index>(compliance_.surface().size()));
-  compliance_.add(factor_, pushing_, moved_);
+      if (const int at = node.at[c]; at >= 0) {
+        pushed_.push_back(watched_.active_dof_of(at));
+        pushing_.push_back(factor_ * (node.weight * point.frame(static_cast<Index>(c), axis)));
+      }
+  watched_motion_.setZero(watched_.size());
+  watched_.add_motion(
+      pushed_, Eigen::Map<const Eigen::RowVectorXd>(pushing_.data(), static_cast<Index>(pushing_.size())),
+      watched_motion_.data());
+  moved_.resize(static_cast<Index>(compliance_.surface().size()));
+  for (std::size_t k = 0; k < watched_.interface_dofs().size(); ++k)
+    moved_[watched_.interface_dofs()[k]] = watched_motion_[static_cast<Index>(k)];
 }
 
 /// By the rows and columns of the points chosen last.
@@ -235,6 +266,7 @@ void ContactPredictor::add_normal_compliance(Pulse& pulse) {
   const Index known = normal_compliance_.rows();
   const auto count = static_cast<Index>(chosen_.size());
   normal_compliance_.conservativeResize(count, count);
+  watch(chosen_);
   for (Index j = known; j < count && pulse.beat(); ++j) {
     push(*chosen_[static_cast<std::size_t>(j)], 0);
     for (Index i = 0; i <= j; ++i) {

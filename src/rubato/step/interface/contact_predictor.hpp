@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/contact/stencil.hpp"
+#include "rubato/step/interface/active_interface_compliance.hpp"
 #include "rubato/step/interface/compliance.hpp"
 #include "rubato/step/interface/friction_cones.hpp"
 #include "rubato/step/interface/normal_problem.hpp"
@@ -75,13 +76,14 @@ public:
 private:
   void add_motion(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& d);
   bool choose_more(std::span<PredictorPoint> points, const Eigen::VectorXd& d);
+  void watch(std::span<PredictorPoint* const> points);
   void push(const PredictorPoint& point, int axis);
   void add_normal_compliance(Pulse& pulse);
   void add_tangential_compliance(Pulse& pulse);
   void find_normal_forces(const Eigen::VectorXd& without, Pulse& pulse);
   void find_friction(std::span<PredictorPoint> points, const Eigen::VectorXd& without, Pulse& pulse);
-  FrictionCones cones_of(std::span<PredictorPoint* const> together, const Eigen::VectorXd& free,
-                         Pulse& pulse);
+  void add_cones(std::span<PredictorPoint* const> together, const Eigen::VectorXd& free, FrictionCones& cones,
+                 Pulse& pulse);
   static bool join(std::span<PredictorPoint> points, const Eigen::VectorXd& d,
                    std::vector<PredictorPoint*>& together);
   void solve_coupled(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Pulse& pulse);
@@ -97,9 +99,12 @@ private:
   Eigen::MatrixXd normal_compliance_;     ///< gaps of chosen points for unit pressing forces on each
   Eigen::MatrixXd tangential_compliance_; ///< slips of sliding ones for unit friction on each
   Eigen::VectorXd force_;                 ///< storage of add_motion
-  std::vector<ForceAt> pushing_;          ///< storage of push
-  Eigen::VectorXd moved_;                 ///< of the surface by the last push
-  std::vector<double> gaps_;              ///< storage of choose_more
+  ActiveInterfaceCompliance watched_;     ///< parts of the surface whose motion push tells
+  std::vector<int> pushed_;               ///< storage of push: of what is watched, and with which forces
+  std::vector<double> pushing_;
+  Eigen::VectorXd watched_motion_; ///< by the last push
+  Eigen::VectorXd moved_;          ///< the same by interface dof; not defined where nothing is watched
+  std::vector<double> gaps_;       ///< storage of choose_more
 };
 
 } // namespace rubato::step

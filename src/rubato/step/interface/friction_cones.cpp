@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/friction_cones.hpp"
 
-#include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_cholesky.hpp"
+#include "rubato/linalg/dense_lu.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace rubato::step {
 namespace {
@@ -23,11 +25,16 @@ constexpr double tolerance = 1e-9;
 /// traces of a rigid motion would let points go that press.
 constexpr double augmentation = 10;
 
+/// Of a point: two or three components.
+using PointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+using PointMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+
 /// Newton's method on F = projection of F − augmentation w, friction's limit following the pressing force.
 class Iteration {
 public:
   Iteration(const FrictionCones& cones, VectorXd forces)
-      : cones_(cones), forces_(std::move(forces)), size_(forces_.size() / cones.friction.size()) {}
+      : cones_(cones), forces_(std::move(forces)), size_(forces_.size() / cones.friction.size()),
+        slopes_(static_cast<std::size_t>(cones.friction.size())) {}
 
   bool run(Pulse& pulse) {
     linearise(forces_);
@@ -36,7 +43,10 @@ public:
         forces_ -= left_;
         return true;
       }
-      take(linalg::solve_square(slope_, -left_));
+      const auto whole = move();
+      if (!whole)
+        return false;
+      take(*whole);
     }
     return false;
   }
@@ -44,6 +54,13 @@ public:
   const VectorXd& forces() const { return forces_; }
 
 private:
+  /// d left = of_force dF + of_motion dw, of a point's own force and motion. A point that is not pressed has
+  /// left = F.
+  struct Slope {
+    bool pressed = false;
+    PointMatrix of_force, of_motion;
+  };
+
   /// Halves a move until it leaves less, and ends linearised there. Where no part does the whole is taken:
   /// the function has kinks.
   void take(const VectorXd& move) {
@@ -60,48 +77,99 @@ private:
     linearise(forces_);
   }
 
+  /// Takes away what is left to first order: by the forces that are not pressed first, the others are solved
+  /// for. Nothing where these move nothing.
+  std::optional<VectorXd> move() const {
+    const auto pressed = pressed_points();
+    VectorXd move = -left_;
+    for (const Index k : pressed)
+      move.segment(k * size_, size_).setZero();
+    const VectorXd carried = cones_.matrix * move;
+    VectorXd right(static_cast<Index>(pressed.size()) * size_);
+    for (std::size_t i = 0; i < pressed.size(); ++i) {
+      const Index k = pressed[i] * size_;
+      right.segment(static_cast<Index>(i) * size_, size_) =
+          -left_.segment(k, size_) - slope_of(pressed[i]).of_motion * carried.segment(k, size_);
+    }
+    const auto lu = linalg::DenseLu::of(slope_between(pressed));
+    if (!lu)
+      return std::nullopt;
+    const VectorXd solved = lu->solve(std::move(right));
+    for (std::size_t i = 0; i < pressed.size(); ++i)
+      move.segment(pressed[i] * size_, size_) = solved.segment(static_cast<Index>(i) * size_, size_);
+    return move;
+  }
+
+  std::vector<Index> pressed_points() const {
+    std::vector<Index> points;
+    for (Index k = 0; k < cones_.friction.size(); ++k)
+      if (slope_of(k).pressed)
+        points.push_back(k);
+    return points;
+  }
+
+  MatrixXd slope_between(const std::vector<Index>& points) const {
+    const Index size = static_cast<Index>(points.size()) * size_;
+    MatrixXd matrix(size, size);
+    for (Index j = 0; j < size; ++j) {
+      const auto motion = cones_.matrix.col(points[static_cast<std::size_t>(j / size_)] * size_ + j % size_);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        matrix.col(j).segment(static_cast<Index>(i) * size_, size_) =
+            slope_of(points[i]).of_motion.lazyProduct(motion.segment(points[i] * size_, size_));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+      matrix.block(static_cast<Index>(i) * size_, static_cast<Index>(i) * size_, size_, size_) +=
+          slope_of(points[i]).of_force;
+    return matrix;
+  }
+
   /// F − projection and its slope.
   void linearise(const VectorXd& f) {
     motion_ = cones_.values + cones_.matrix * f;
     left_ = f;
-    slope_ = MatrixXd::Identity(f.size(), f.size());
     for (Index k = 0; k < cones_.friction.size(); ++k)
       subtract_projection(k, f);
   }
 
   void subtract_projection(Index k, const VectorXd& f) {
     const Index n = k * size_;
-    const Index t = n + 1;
     const Index tangents = size_ - 1;
     const double by = augmentation / cones_.matrix(n, n);
-    const double pressed = f[n] - by * motion_[n];
-    if (pressed <= 0)
+    const double pressing = f[n] - by * motion_[n];
+    auto& slope = slopes_[static_cast<std::size_t>(k)];
+    slope.pressed = pressing > 0;
+    if (!slope.pressed)
       return;
-    Eigen::RowVectorXd pressing = -by * cones_.matrix.row(n);
-    pressing[n] += 1;
-    left_[n] -= pressed;
-    slope_.row(n) -= pressing;
-    const VectorXd wanted = f.segment(t, tangents) - by * motion_.segment(t, tangents);
-    MatrixXd rubbing = -by * cones_.matrix.middleRows(t, tangents);
-    rubbing.middleCols(t, tangents).diagonal().array() += 1;
-    const double limit = cones_.friction[k] * pressed;
+    left_[n] -= pressing;
+    // Of the projection, by F − augmentation w.
+    PointMatrix projected = PointMatrix::Zero(size_, size_);
+    projected(0, 0) = 1;
+    const PointVector wanted = f.segment(n + 1, tangents) - by * motion_.segment(n + 1, tangents);
+    const double limit = cones_.friction[k] * pressing;
     const double length = wanted.norm();
+    auto rubbing = projected.bottomRightCorner(tangents, tangents);
     if (length < limit) {
-      left_.segment(t, tangents) -= wanted;
-      slope_.middleRows(t, tangents) -= rubbing;
+      left_.segment(n + 1, tangents) -= wanted;
+      rubbing.setIdentity();
     } else if (length > 0) {
-      const VectorXd along = wanted / length;
-      left_.segment(t, tangents) -= limit * along;
-      slope_.middleRows(t, tangents) -= limit / length * (rubbing - along * (along.transpose() * rubbing)) +
-                                        cones_.friction[k] * along * pressing;
+      const PointVector along = wanted / length;
+      left_.segment(n + 1, tangents) -= limit * along;
+      rubbing.setIdentity();
+      rubbing -= along * along.transpose();
+      rubbing *= limit / length;
+      projected.col(0).tail(tangents) = cones_.friction[k] * along;
     }
+    slope.of_force = PointMatrix::Identity(size_, size_) - projected;
+    slope.of_motion = by * projected;
   }
+
+  const Slope& slope_of(Index k) const { return slopes_[static_cast<std::size_t>(k)]; }
 
   const FrictionCones& cones_;
   VectorXd forces_;
   Index size_; ///< unknowns of a point
   VectorXd motion_, left_;
-  MatrixXd slope_;
+  std::vector<Slope> slopes_; ///< by point
 };
 
 } // namespace
@@ -110,7 +178,7 @@ std::optional<VectorXd> solve_friction(const FrictionCones& cones, const VectorX
   Iteration near(cones, start);
   if (near.run(pulse))
     return near.forces();
-  Iteration sticking(cones, -linalg::solve_square(cones.matrix, cones.values));
+  Iteration sticking(cones, linalg::solve_positive_definite(cones.matrix, -cones.values));
   if (sticking.run(pulse))
     return sticking.forces();
   return std::nullopt;

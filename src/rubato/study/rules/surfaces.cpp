@@ -78,6 +78,12 @@ private:
   }
 
   void check_self() {
+    if (zone_.tie)
+      rules_.broken({at("tie"), at("self")}, "found 'tie' with 'self': a surface is one with itself already, "
+                                             "expected two surfaces, or no 'tie'");
+    if (zone_.freeze)
+      rules_.broken({at("freeze"), at("self")},
+                    "found 'freeze' with 'self', whose faces have to move to meet, expected no 'freeze'");
     if (zone_.normal != ContactNormal::master)
       rules_.broken({at("normal"), at("self")},
                     fmt::format("found {} with 'self', where the other side gives the normal, expected no "
