@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
               "16:3: materials.steel: 'density' is missing: the scheme hht moves masses"},
         Fault{"MasterIsSlave", "slave: lower_face", "slave: upper_face",
               "22:42: contact.interface.slave: found 'upper_face' as slave and as master, expected two "
-              "surfaces"},
+              "surfaces, or 'self' for one that touches itself"},
         Fault{"NeitherMasterNorObstacle", "master: upper_face, ", "",
               "22:3: contact.interface: 'master' or 'obstacle' is missing"},
         Fault{"ObstacleWithoutDirection", "master: upper_face",

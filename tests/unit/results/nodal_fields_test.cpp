@@ -67,8 +67,9 @@ TEST_F(FieldsOfBeams, HaveAValueForEachComponentOfEachNode) {
   for (const auto& each : fields_) {
     names.push_back(each.name);
     EXPECT_EQ(each.values.size(), static_cast<std::size_t>(each.components) * walk_.model.mesh.points.size());
-    if (each.components > 1)
+    if (each.components > 1) {
       EXPECT_EQ(each.component_names.size(), static_cast<std::size_t>(each.components)) << each.name;
+    }
   }
   EXPECT_EQ(names,
             (std::vector<std::string>{"displacement", "velocity", "acceleration", "stress", "von_mises",
@@ -109,9 +110,10 @@ TEST_F(FieldsOfBeams, HaveWhatContactPointsDoAtTheirNodes) {
 TEST_F(FieldsOfBeams, HaveNoContactOffTheSlaveSide) {
   const auto& slaves = walk_.model.zones[0].slave.nodes;
   for (std::size_t node = 0; node < walk_.model.mesh.points.size(); ++node)
-    if (std::ranges::find(slaves, static_cast<mesh::NodeIndex>(node)) == slaves.end())
+    if (std::ranges::find(slaves, static_cast<mesh::NodeIndex>(node)) == slaves.end()) {
       for (const char* name : {"contact_pressure", "contact_gap", "contact_slip", "contact_status"})
         EXPECT_EQ(field(name).values[node], 0) << name;
+    }
 }
 
 TEST(FieldsWithoutContact, AreFive) {

@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Points, OnEveryKindOfPoint,
                          testing::Values("integration: nodes", "integration: mortar",
                                          "method: nodal_lagrange",
                                          "method: penalty, friction_method: penalty"),
-                         [](const auto& info) { return "Kind" + std::to_string(info.index); });
+                         [](const auto& kind) { return "Kind" + std::to_string(kind.index); });
 
 TEST(BilateralContact, HoldsFromTheStartWhatTheDeckSaysIsInContact) {
   for (const char* active : {"true", "false"}) {

@@ -53,9 +53,9 @@ private:
                                    : "'master' or 'obstacle' is missing");
     if (!zone_.slave.empty() && zone_.slave == zone_.master)
       rules_.broken({at("slave"), at("master")},
-                    fmt::format("found {} as slave and as master, expected two surfaces, or 'self' for one "
-                                "that touches itself",
-                                shown(zone_.slave)));
+                    fmt::format("found {} as slave and as master, expected two surfaces{}",
+                                shown(zone_.slave),
+                                zone_.tie ? "" : ", or 'self' for one that touches itself"));
   }
 
   void check_no_sides(std::string_view way) {
