@@ -70,6 +70,7 @@ ModelingRun run_one(char letter, const study::Study& study, const std::filesyste
 void shorten(study::Study& study) {
   if (const auto reference = history("b_" + study.name))
     study.time.end = std::max(study.time.step, last_whole_step(*reference, study.time.step));
+  std::erase_if(study.fields.at, [&](double t) { return t > study.time.end; });
 }
 
 } // namespace
