@@ -107,6 +107,17 @@ const Eigen::MatrixXd& Compliance::whole(std::size_t body) {
   return s_[body];
 }
 
+void Compliance::add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {
+  const auto& starts = factor_.body_starts();
+  for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
+    linalg::ColumnSum sum(d.data() + starts[b], starts[b + 1] - starts[b]);
+    for (const auto& at : force)
+      if (at.force != 0 && at.interface_dof >= starts[b] && at.interface_dof < starts[b + 1])
+        sum.add(factor * at.force, column(at.interface_dof));
+    sum.add_rest();
+  }
+}
+
 /// The column at a place and those that are computed with it.
 void Compliance::compute(int body, Index place) {
   const auto b = static_cast<std::size_t>(body);

@@ -13,6 +13,12 @@
 
 namespace rubato::step {
 
+/// A force on one displacement of the surface.
+struct ForceAt {
+  int interface_dof = 0;
+  double force = 0;
+};
+
 class Compliance {
 public:
   /// Surfaces of bodies up to this size have S computed whole: three seconds at most.
@@ -40,6 +46,8 @@ public:
   Eigen::MatrixXd within_body(std::span<const int> interface_dofs);
   /// d += factor S force, one an interface dof; cheap where most of the force is zero.
   void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
+  /// The same with the force given by its entries.
+  void add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
 
   /// What a unit force at an interface dof moves of its body, computed when first asked for.
   const double* column(int interface_dof);

@@ -22,6 +22,9 @@ constexpr int most_rounds = 8;
 constexpr int unlimited = std::numeric_limits<int>::max();
 /// Misfit of forces and motions where frames are held, in parts of the largest force, of free bodies.
 constexpr double well_balanced = 1e-3;
+/// Unknowns of surfaces whose compliance is looked at where points stand only: of smaller ones that costs
+/// more than it saves.
+constexpr std::size_t least_watched = 2000;
 /// Those join first that are pushed in by this part of the deepest.
 constexpr double deep = 0.6;
 
@@ -232,8 +235,10 @@ bool ContactPredictor::choose_more(std::span<PredictorPoint> points, const Vecto
   return static_cast<std::ptrdiff_t>(chosen_.size()) > known;
 }
 
-/// Takes the parts of the surface that points stand on to those that push moves.
+/// Of a large surface, takes the parts that points stand on to those that push moves.
 void ContactPredictor::watch(std::span<PredictorPoint* const> points) {
+  if (compliance_.surface().size() < least_watched)
+    return;
   for (const auto* point : points)
     for (const auto& node : point->stencil.nodes)
       for (const int at : node.at)
@@ -242,21 +247,32 @@ void ContactPredictor::watch(std::span<PredictorPoint* const> points) {
   watched_.touch_added();
 }
 
-/// Moves what is watched by a unit force along an axis of the frame of a point.
+/// Moves the surface, of a large one what is watched, by a unit force along an axis of the frame of a point.
 void ContactPredictor::push(const PredictorPoint& point, int axis) {
   pushing_.clear();
-  pushed_.clear();
   for (const auto& node : point.stencil.nodes)
     for (std::size_t c = 0; c < 3; ++c)
-      if (const int at = node.at[c]; at >= 0) {
-        pushed_.push_back(watched_.active_dof_of(at));
-        pushing_.push_back(factor_ * (node.weight * point.frame(static_cast<Index>(c), axis)));
-      }
+      if (const int at = node.at[c]; at >= 0)
+        pushing_.push_back({at, node.weight * point.frame(static_cast<Index>(c), axis)});
+  const auto size = static_cast<Index>(compliance_.surface().size());
+  if (watched_.size() > 0) {
+    moved_.resize(size);
+    push_watched();
+  } else {
+    moved_.setZero(size);
+    compliance_.add(factor_, pushing_, moved_);
+  }
+}
+
+void ContactPredictor::push_watched() {
+  pushed_.clear();
+  Eigen::RowVectorXd force(static_cast<Index>(pushing_.size()));
+  for (const auto& [interface_dof, part] : pushing_) {
+    force[static_cast<Index>(pushed_.size())] = factor_ * part;
+    pushed_.push_back(watched_.active_dof_of(interface_dof));
+  }
   watched_motion_.setZero(watched_.size());
-  watched_.add_motion(
-      pushed_, Eigen::Map<const Eigen::RowVectorXd>(pushing_.data(), static_cast<Index>(pushing_.size())),
-      watched_motion_.data());
-  moved_.resize(static_cast<Index>(compliance_.surface().size()));
+  watched_.add_motion(pushed_, force, watched_motion_.data());
   for (std::size_t k = 0; k < watched_.interface_dofs().size(); ++k)
     moved_[watched_.interface_dofs()[k]] = watched_motion_[static_cast<Index>(k)];
 }

@@ -78,6 +78,7 @@ private:
   bool choose_more(std::span<PredictorPoint> points, const Eigen::VectorXd& d);
   void watch(std::span<PredictorPoint* const> points);
   void push(const PredictorPoint& point, int axis);
+  void push_watched();
   void add_normal_compliance(Pulse& pulse);
   void add_tangential_compliance(Pulse& pulse);
   void find_normal_forces(const Eigen::VectorXd& without, Pulse& pulse);
@@ -100,11 +101,11 @@ private:
   Eigen::MatrixXd tangential_compliance_; ///< slips of sliding ones for unit friction on each
   Eigen::VectorXd force_;                 ///< storage of add_motion
   ActiveInterfaceCompliance watched_;     ///< parts of the surface whose motion push tells
-  std::vector<int> pushed_;               ///< storage of push: of what is watched, and with which forces
-  std::vector<double> pushing_;
-  Eigen::VectorXd watched_motion_; ///< by the last push
-  Eigen::VectorXd moved_;          ///< the same by interface dof; not defined where nothing is watched
-  std::vector<double> gaps_;       ///< storage of choose_more
+  std::vector<ForceAt> pushing_;          ///< storage of push
+  std::vector<int> pushed_;               ///< the same by number of what is watched
+  Eigen::VectorXd watched_motion_;        ///< by the last push
+  Eigen::VectorXd moved_;                 ///< the same by interface dof; not defined where nothing is watched
+  std::vector<double> gaps_;              ///< storage of choose_more
 };
 
 } // namespace rubato::step
