@@ -22,9 +22,6 @@ constexpr int most_rounds = 8;
 constexpr int unlimited = std::numeric_limits<int>::max();
 /// Misfit of forces and motions where frames are held, in parts of the largest force, of free bodies.
 constexpr double well_balanced = 1e-3;
-/// Unknowns of surfaces whose compliance is looked at where points stand only: of smaller ones that costs
-/// more than it saves.
-constexpr std::size_t least_watched = 2000;
 /// Those join first that are pushed in by this part of the deepest.
 constexpr double deep = 0.6;
 
@@ -46,9 +43,9 @@ void add_force(std::span<const PredictorPoint> points, int first, int last, Vect
 }
 
 ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int components,
-                                   NormalSolution how_far)
+                                   NormalSolution how_far, std::size_t least_watched)
     : compliance_(compliance), factor_(factor), components_(components), how_far_(how_far),
-      watched_(compliance) {}
+      least_watched_(least_watched), watched_(compliance) {}
 
 void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
                                Pulse& pulse) {
@@ -237,7 +234,7 @@ bool ContactPredictor::choose_more(std::span<PredictorPoint> points, const Vecto
 
 /// Of a large surface, takes the parts that points stand on to those that push moves.
 void ContactPredictor::watch(std::span<PredictorPoint* const> points) {
-  if (compliance_.surface().size() < least_watched)
+  if (compliance_.surface().size() < least_watched_)
     return;
   for (const auto* point : points)
     for (const auto& node : point->stencil.nodes)

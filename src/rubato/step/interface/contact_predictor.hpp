@@ -49,13 +49,18 @@ void add_force(std::span<const PredictorPoint> points, int first, int last, Eige
 
 class ContactPredictor {
 public:
+  /// Unknowns of surfaces whose compliance is looked at where points stand only: of smaller ones that costs
+  /// more than it saves. Results are the same to the bit.
+  static constexpr std::size_t usual_least_watched = 2000;
+
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
   /// dimensions as `components`. How far pressing forces are solved for: `near` is enough for a start;
   /// `active_set` is for bodies that only contact holds, each of whose points moves all others by more than
   /// its own strain: there pressing and rubbing are solved for together, too; with `projected_cg` points join
   /// until none penetrates. `compliance` must outlive this.
   ContactPredictor(Compliance& compliance, double factor, int components,
-                   NormalSolution how_far = NormalSolution::near);
+                   NormalSolution how_far = NormalSolution::near,
+                   std::size_t least_watched = usual_least_watched);
 
   /// Improves the forces of the points, which have been measured with the surface at d: first the pressing
   /// ones, so that no gap is negative, then those along the slips for the pressing ones found, so that none
@@ -95,6 +100,7 @@ private:
   double factor_;
   Eigen::Index components_;
   NormalSolution how_far_;
+  std::size_t least_watched_;
   std::vector<PredictorPoint*> chosen_;   ///< those that may touch
   std::vector<std::size_t> sliding_;      ///< of those chosen
   Eigen::MatrixXd normal_compliance_;     ///< gaps of chosen points for unit pressing forces on each

@@ -8,7 +8,6 @@
 #include <limits>
 #include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace rubato::step {
@@ -65,19 +64,23 @@ TEST(Compliance, IsTheSameWholeAndByColumns) {
             1e-12 * expected.lpNorm<Eigen::Infinity>());
 }
 
-TEST_P(ComplianceOf, MovesTheSurfaceByFewForces) {
+TEST_P(ComplianceOf, MovesTheSurfaceByForcesGivenEitherWay) {
   auto compliance = of_blocks(GetParam());
   const auto all = positions_of(compliance);
   const Eigen::MatrixXd s = compliance.between(all);
   const auto size = static_cast<Eigen::Index>(all.size());
+  const std::vector<ForceAt> entries{{3, 1.5}, {40, -2}, {3, 0.5},  {100, 0},
+                                     {200, 4}, {41, 1},  {359, -3}, {7, 2}};
   Eigen::VectorXd force = Eigen::VectorXd::Zero(size);
-  for (const auto& [at, value] :
-       {std::pair(3, 2.0), {40, -2.0}, {200, 4.0}, {41, 1.0}, {359, -3.0}, {7, 2.0}})
-    force[at] = value;
+  for (const auto& at : entries)
+    force[at.interface_dof] += at.force;
   const Eigen::VectorXd start = Eigen::VectorXd::LinSpaced(size, -1, 1);
   const Eigen::VectorXd expected = start + 0.7 * s * force;
   Eigen::VectorXd d = start;
   compliance.add(0.7, force, d);
+  EXPECT_LE((d - expected).norm(), 1e-12 * expected.norm());
+  d = start;
+  compliance.add(0.7, entries, d);
   EXPECT_LE((d - expected).norm(), 1e-12 * expected.norm());
 }
 

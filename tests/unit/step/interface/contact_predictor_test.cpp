@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "unit/linalg/elastic_block.hpp"
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -124,6 +125,22 @@ protected:
   Compliance compliance_;
   std::vector<PredictorPoint> points_;
 };
+
+TEST_F(PushedBlock, HasTheSameForcesWhateverPartOfTheSurfaceIsLookedAt) {
+  for (const auto how_far : {NormalSolution::near, NormalSolution::active_set}) {
+    auto whole = points_;
+    auto watched = points_;
+    const VectorXd free = VectorXd::Zero(matrix_.rows());
+    ContactPredictor(compliance_, 0.7, 3, how_far).improve(whole, free, free, pulse_);
+    ContactPredictor(compliance_, 0.7, 3, how_far, 0).improve(watched, free, free, pulse_);
+    double largest = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      EXPECT_EQ(watched[i].force, whole[i].force) << i;
+      largest = std::max(largest, whole[i].force[0]);
+    }
+    EXPECT_GT(largest, 0);
+  }
+}
 
 TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
   ContactPredictor guess(compliance_, 1, 3);
