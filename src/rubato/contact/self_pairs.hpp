@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Which faces of a surface that touches itself may meet, and which of two is the slave.
 ///
-/// Not met are: faces that share a node; and faces that stand back to back, at the two sides of a thin part of
-/// the body, though their normals are opposite as those of faces that touch.
+/// Not met are: faces that share a node; and faces that stand back to back, at the two sides of a thin part
+/// of the body, though their normals are opposite as those of faces that touch.
 ///
 /// Were both faces of a pair slaves, each gap would be closed twice, by constraints that depend on each other
 /// (two passes; P. Wriggers, Computational Contact Mechanics, 2nd ed., Springer 2006). Of faces that meet one

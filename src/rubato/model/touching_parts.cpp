@@ -91,6 +91,7 @@ private:
 std::vector<SkinPart> skin_parts(const mesh::Mesh& mesh, const domain::Bulk& bulk, const Bodies& bodies) {
   const auto faces = mesh::skin(mesh, bulk.cells);
   std::vector<PlacedFace> places;
+  places.reserve(faces.size());
   for (const auto& face : faces)
     places.push_back(placed(mesh, face));
   FaceSets sets(faces.size());
