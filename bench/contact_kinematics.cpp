@@ -43,7 +43,7 @@ model::Model two_beams(std::int64_t which) {
 materials: {steel: {young: 200e9, poisson: 0, density: 7800}}
 supports: [{on: held, fix: )" +
                     (plane ? "[x, y]" : "[x, y, z]") + R"(}]
-contact: {interface: {master: master, slave: slave, friction: 0.2}}
+contact: {interface: {master: master, slave: slave, integration: nodes, friction: 0.2}}
 time: {scheme: static, step: 1, end: 1}
 )";
   return model::build_model(deck::parse_deck(deck, "bench.yaml").runs.front());

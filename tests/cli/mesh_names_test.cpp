@@ -103,7 +103,7 @@ supports:
 loads:
   - pressure: {on: load, value: 1e8}
 contact:
-  interface: {master: upper_contact, slave: lower_contact}
+  interface: {master: upper_contact, slave: lower_contact, integration: nodes}
 probes: {top: {point: [1, 1, 2]}, mean: {on: load, take: mean}}
 time: {scheme: hht, alpha: -0.1, step: 1e-4, end: 2e-4}
 )";

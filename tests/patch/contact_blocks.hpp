@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "support/decks.hpp"
 #include "support/walk.hpp"
 #include <cmath>
 #include <functional>
@@ -83,7 +84,7 @@ newton: {{residual: 1e-12}}
                      body("lower", blocks.lower_cells.value_or(blocks.cells), 0, blocks.lower,
                           "bottom: ground, top: lower_face"),
                      body("upper", blocks.cells, 1, blocks.upper, "top: roof, bottom: upper_face"),
-                     solid ? "solid" : "plane_strain", ends, sides, blocks.friction, blocks.zone);
+                     solid ? "solid" : "plane_strain", ends, sides, blocks.friction, on_nodes(blocks.zone));
 }
 
 inline PatchOutcome press(const ContactBlocks& blocks) {

@@ -49,6 +49,7 @@ supports:
 {}contact:
   press:
     slave: top
+    integration: nodes
     friction: {}
     obstacle:
       plane: {{point: [0, 1{}], normal: [0, -1{}]}}

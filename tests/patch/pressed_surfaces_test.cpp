@@ -133,20 +133,21 @@ protected:
 };
 
 TEST_P(PressedBlocks, StandOnALargerMaster) {
-  Walk walk(deck_of(GetParam(), "master: below, slave: above"));
+  Walk walk(deck_of(GetParam(), "master: below, slave: above, integration: nodes"));
   ASSERT_TRUE(walk.to_end());
   EXPECT_EQ(expect_contact(walk, 1, 0.0171).apart, 0);
 }
 
 TEST_P(PressedBlocks, StandOnALargerSlave) {
-  Walk walk(deck_of(GetParam(), "master: above, slave: below"));
+  Walk walk(deck_of(GetParam(), "master: above, slave: below, integration: nodes"));
   ASSERT_TRUE(walk.to_end());
   EXPECT_GT(expect_contact(walk, -1, 0.0172).apart, 0) << "the slave's ends face nothing";
 }
 
 TEST_P(PressedBlocks, StandOnACurvedMaster) {
   const auto study =
-      deck::parse_deck(deck_of(GetParam(), "master: below, slave: above"), "deck.yaml").runs.front();
+      deck::parse_deck(deck_of(GetParam(), "master: below, slave: above, integration: nodes"), "deck.yaml")
+          .runs.front();
   for (const bool ball : {false, true}) {
     Walk walk(model::build_model(study, curved(model::load_mesh(study.mesh), ball)));
     ASSERT_TRUE(walk.to_end());

@@ -32,6 +32,7 @@ contact:
   interface:
     master: Haut_Contact
     slave: Bas_Contact
+    integration: nodes
     friction: 0.2
     exclude_nodes: [Encastrement]
 time: {scheme: hht, alpha: -0.1, step: 5e-4, end: 0.03}
@@ -68,6 +69,7 @@ contact:
       cylinder: {point: [0, 1], radius: 1}
       move: {x: {value: 0.3, function: draw}, y: {value: -0.05, function: press}}
     slave: top
+    integration: nodes
     friction: 0.4
 time: {scheme: hht, alpha: -0.1, step: 5e-3, end: 0.15}
 probes: {corner: {node: corner}}

@@ -6,6 +6,12 @@
 
 namespace rubato::test {
 
+/// Entries of a contact zone, with contact points on the nodes unless they say where or tie.
+inline std::string on_nodes(const std::string& zone) {
+  const auto has = [&](const char* key) { return zone.find(key) != std::string::npos; };
+  return has("integration:") || has("tie:") ? zone : zone + ", integration: nodes";
+}
+
 /// A block of side 1 on a longer foundation, pressed down by 1000 N in all and pushed sideways at its top by
 /// a distance that grows with pseudo-time t from 0 to 1. Both are stiff: strains stay below 1e-5.
 inline const std::string block_on_plane = R"(
@@ -22,7 +28,7 @@ supports:
   - {on: ground, fix: [x, y]}
   - {on: top, x: {value: 1e-6, function: ramp}}
 loads: [{surface_force: {on: top, y: -1000}}]
-contact: {foot: {master: over, slave: under, friction: 0.3}}
+contact: {foot: {master: over, slave: under, integration: nodes, friction: 0.3}}
 time: {scheme: static, step: 0.25, end: 1}
 )";
 
@@ -38,7 +44,7 @@ physics: plane_stress
 materials: {steel: {young: 200e9, poisson: 0, density: 7800}}
 supports: [{on: clamp, fix: [x, y]}]
 loads: [{nodal_force: {on: force, y: -1e7}}]
-contact: {interface: {master: upper_face, slave: lower_face, friction: 0.2, exclude_nodes: [clamp]}}
+contact: {interface: {master: upper_face, slave: lower_face, integration: nodes, friction: 0.2, exclude_nodes: [clamp]}}
 time: {scheme: hht, alpha: -0.3, step: 1e-3, end: 0.012}
 newton: {residual: 1e-10}
 )";
@@ -57,8 +63,8 @@ supports:
   - {on: left, fix: x}
   - {on: roof, y: -0.03}
 contact:
-  below: {master: low_top, slave: mid_bottom}
-  above: {master: high_bottom, slave: mid_top}
+  below: {master: low_top, slave: mid_bottom, integration: nodes}
+  above: {master: high_bottom, slave: mid_top, integration: nodes}
 time: {scheme: static, step: 1, end: 1}
 )";
 

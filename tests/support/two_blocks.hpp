@@ -30,7 +30,7 @@ supports:
 loads:
   - nodal_force: {on: tip, y: -1e7}
 contact:
-  interface: {master: upper_face, slave: lower_face, friction: 0.2, exclude_nodes: [held]}
+  interface: {master: upper_face, slave: lower_face, integration: nodes, friction: 0.2, exclude_nodes: [held]}
 time: {scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}
 probes:
   end: {node: tip}

@@ -91,7 +91,7 @@ materials: {{steel: {{young: 200e9, poisson: 0, density: 7800}}}}
 supports: {}
 loads: [{{{}}}]
 contact:
-  interface: {{master: Haut_Contact, slave: Bas_Contact, friction: 0.2, {} exclude_nodes: [{}]}}
+  interface: {{master: Haut_Contact, slave: Bas_Contact, integration: nodes, friction: 0.2, {} exclude_nodes: [{}]}}
 time: {{{}, step: 1e-3, end: 0.012, start: at_rest_unloaded}}
 newton: {{residual: 1e-9}}
 probes: {{tip: {{{}}}}}

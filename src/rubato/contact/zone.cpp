@@ -227,9 +227,11 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
   zone.space_dimension = geometry.space_dimension;
   const auto rule = integration_of(settings);
   zone.unit_weights = rule.unit_weights;
-  if (zone.self && rule.points == nullptr)
-    master = slave = with_split_edges(slave, undeformed_places(mesh, slave));
   if (rule.points == nullptr) {
+    if (!settings.tie)
+      slave = with_split_edges(slave, undeformed_places(mesh, slave));
+    if (zone.self)
+      master = slave;
     zone.mortar = mortar_reference(mesh, slave, geometry);
     zone.points = make_mortar_points(*zone.mortar, slave, excluded_nodes);
   } else {
@@ -257,7 +259,7 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Obsta
 }
 
 std::optional<std::array<mesh::CellIndex, 2>> sharp_slave_edge(const Zone& zone) {
-  if (!zone.mortar || zone.self)
+  if (!zone.mortar || !zone.settings.tie)
     return std::nullopt;
   const auto faces = mortar::first_sharp_edge(zone.slave, zone.mortar->undeformed);
   if (!faces)

@@ -119,8 +119,8 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
 Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Obstacle obstacle, Surface slave,
                std::span<const mesh::NodeIndex> excluded_nodes, const ZoneGeometry& geometry);
 
-/// Two faces of a mortar zone's slave that make an edge too sharp for a mean normal of both: their cells, if
-/// any.
+/// Two faces of the slave of a tie by mortar that make an edge too sharp for a mean normal of both: their
+/// cells, if any. Where surfaces may part, a node at such an edge is a point on each side of it.
 std::optional<std::array<mesh::CellIndex, 2>> sharp_slave_edge(const Zone& zone);
 
 /// Where the nodes are: undeformed coordinates plus u; `start` is u at the beginning of the step. Obstacles

@@ -139,7 +139,6 @@ void read_touching(MapReader& map, bool known_method, study::ContactZone& zone) 
 
 /// The keys of read_touching, but for friction, which a rule is about.
 void refuse_touching(MapReader& map, study::ContactZone& zone) {
-  zone.integration.by = study::ContactIntegration::mortar;
   read(map.find("friction"), zone.friction);
   for (const auto* key : {"friction_method", "interference", "gap", "normal", "clamped_normal", "bilateral",
                           "freeze", "initially_active", "coefficients", "iterate", "restitution"})
@@ -154,12 +153,12 @@ study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
   const auto method = map.find("method");
   const bool known = read(method, zone.method, study::contact_method_words) || !method;
   zone.geometry.by = study::entry_of(zone.method).geometry;
-  zone.integration = study::usual_integration(zone, context.scheme.value_or(study::SchemeKind::moreau_jean));
   read(map.find("tie"), zone.tie);
   if (zone.tie)
     refuse_touching(map, zone);
   else
     read_touching(map, known, zone);
+  zone.integration = study::usual_integration(zone, context.scheme.value_or(study::TimeStepping{}.scheme));
   read_integration(map.find("integration"), zone.integration);
   read_names(map.find("exclude_nodes"), zone.exclude_nodes);
   read(map.find("history_force"), zone.history_force);

@@ -91,8 +91,8 @@ void check_edges(const contact::Zone& zone, const mesh::Mesh& mesh, std::vector<
     return;
   faults.push_back(fault_at(slave_of(zone.settings).path,
                             fmt::format("{} and {} of slave '{}' make an edge of more than 60 degrees, "
-                                        "whose nodes have no normal for the integration mortar; expected "
-                                        "a zone for each side of it",
+                                        "whose nodes a tie cannot hold on both sides; expected a tie for "
+                                        "each side of it",
                                         domain::cell_label(mesh, (*cells)[0]),
                                         domain::cell_label(mesh, (*cells)[1]), zone.settings.slave)));
 }

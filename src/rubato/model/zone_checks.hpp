@@ -32,7 +32,7 @@ void check_sheets(const mesh::Mesh& mesh, const Mention& name, const mesh::Sheet
 /// rule that misses the shape functions would hand on no uniform pressure.
 void check_rule(const study::ContactZone& zone, const contact::Surface& slave, std::vector<Fault>& faults);
 
-/// Nodes of a mortar slave have a normal: none of its edges is sharper than 60°.
+/// Nodes of a tied slave have one normal: none of its edges is sharper than 60°.
 void check_edges(const contact::Zone& zone, const mesh::Mesh& mesh, std::vector<Fault>& faults);
 
 /// A tie has to hold something.

@@ -228,12 +228,17 @@ constexpr FrictionMethod usual_friction_method(ContactMethod method) {
   return entry_of(method).friction.front();
 }
 
-/// Where the contact points of a zone stand where nothing is asked for. A surface that touches itself has no
-/// side that could be chosen finer or softer: mortar depends least on it. Nodal methods and explicit steps
-/// have their points on nodes.
+/// Where the contact points of a zone stand where nothing is asked for: by mortar, pressures depend neither
+/// on how the two meshes meet nor much on which side is the slave. On the nodes they stand where mortar is
+/// not possible: for nodal methods, explicit steps and where the surface of the normal is chosen.
 constexpr ContactRule usual_integration(const ContactZone& zone, SchemeKind scheme) {
-  const bool mortar = !zone.self.empty() && entry_of(zone.method).between_nodes && !is_explicit(scheme);
-  return {mortar ? ContactIntegration::mortar : ContactIntegration::nodes, 0};
+  const auto& mortar = entry_of(ContactIntegration::mortar);
+  const bool own_normal =
+      zone.normal != ContactNormal::master || zone.clamped_normal != ClampedNormal::projection;
+  const bool possible = entry_of(zone.method).between_nodes &&
+                        (mortar.explicit_steps || !is_explicit(scheme)) &&
+                        (mortar.chooses_normal || !own_normal);
+  return {zone.tie || possible ? ContactIntegration::mortar : ContactIntegration::nodes, 0};
 }
 
 } // namespace rubato::study

@@ -68,7 +68,7 @@ mesh:
 physics: solid
 materials: {rubber: {young: 1e6, poisson: 0.3}}
 supports: [{on: ground, fix: [x, y, z]}, {on: roof, fix: [x, y, z]}]
-contact: {rest: {master: below, slave: above}}
+contact: {rest: {master: below, slave: above, integration: nodes}}
 time: {scheme: static, step: 1, end: 1}
 )";
 

@@ -29,7 +29,7 @@ std::string blocks(bool solid) {
          "supports: [{on: ground, fix: [x, y" +
          (solid ? ", z" : "") + "]}, {on: roof, fix: [x, y" + (solid ? ", z" : "") +
          "]}]\n"
-         "contact: {rest: {master: below, slave: above, friction: 0.2}}\n"
+         "contact: {rest: {master: below, slave: above, integration: nodes, friction: 0.2}}\n"
          "time: {scheme: static, step: 1, end: 1}\n";
 }
 

@@ -23,6 +23,13 @@ Sentences faults_of_surfaces(const std::string& settings) {
   return sentences;
 }
 
+TEST(ContactZoneFaults, MortarHasTheNormalsOfTheSlaveAndClampsNoProjection) {
+  EXPECT_EQ(
+      faults_of_surfaces("master: M, slave: S, integration: mortar, clamped_normal: code_aster"),
+      Sentences{"contact.a.clamped_normal: found code_aster with the integration mortar, which clamps no "
+                "projection, expected no 'clamped_normal'"});
+}
+
 TEST(ContactZoneFaults, ZonesHaveMasterAndSlaveOrOneKeyForBoth) {
   EXPECT_EQ(faults_of_surfaces("between: [M, S]"), Sentences());
   EXPECT_EQ(faults_of_surfaces("self: skin"), Sentences());

@@ -226,22 +226,30 @@ TEST(DeckKeys, ContactMayLeaveItsSidesToTheModel) {
   const auto zone_of = [](const std::string& zone) {
     return parse_one(smallest_deck + "contact: {a: {" + zone + "}}").contact.at(0);
   };
-  const auto between = zone_of("between: [M, S]");
-  EXPECT_EQ(between.between, (std::vector<std::string>{"M", "S"}));
-  EXPECT_EQ(between.integration.by, study::ContactIntegration::nodes);
+  EXPECT_EQ(zone_of("between: [M, S]").between, (std::vector<std::string>{"M", "S"}));
   EXPECT_TRUE(zone_of("all: true").all);
   EXPECT_EQ(zone_of("self: skin").self, "skin");
 }
 
-TEST(DeckKeys, ContactWithItselfIsByMortarWhereTheMethodAndTheSchemeTakeIt) {
-  const auto integration = [](const std::string& deck, const std::string& zone) {
-    return parse_one(deck + "contact: {a: {self: skin" + zone + "}}").contact.at(0).integration.by;
+TEST(DeckKeys, ContactIsByMortarUnlessItCannotBe) {
+  using enum study::ContactIntegration;
+  const auto integration = [](const std::string& zone, const std::string& deck = smallest_deck) {
+    return parse_one(deck + "contact: {a: {" + zone + "}}").contact.at(0).integration.by;
   };
-  EXPECT_EQ(integration(smallest_deck, ""), study::ContactIntegration::mortar);
-  EXPECT_EQ(integration(smallest_deck, ", integration: nodes"), study::ContactIntegration::nodes);
-  EXPECT_EQ(integration(smallest_deck, ", method: nodal_lagrange"), study::ContactIntegration::nodes);
-  EXPECT_EQ(integration(replaced(smallest_deck, "newmark", "central_difference"), ", method: penalty"),
-            study::ContactIntegration::nodes);
+  const auto explicit_deck = replaced(smallest_deck, "newmark", "central_difference");
+  const std::string pair = "master: M, slave: S";
+  EXPECT_EQ(integration(pair), mortar);
+  EXPECT_EQ(integration("between: [M, S], friction: 0.3"), mortar);
+  EXPECT_EQ(integration("self: skin"), mortar);
+  EXPECT_EQ(integration(pair + ", tie: true"), mortar);
+  EXPECT_EQ(integration("slave: S, obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}"), mortar);
+  EXPECT_EQ(integration(pair + ", method: penalty"), mortar);
+  EXPECT_EQ(integration(pair + ", integration: nodes"), nodes);
+  EXPECT_EQ(integration(pair + ", method: nodal_lagrange"), nodes);
+  EXPECT_EQ(integration("self: skin, method: nodal_lagrange"), nodes);
+  EXPECT_EQ(integration(pair + ", normal: average"), nodes);
+  EXPECT_EQ(integration(pair + ", clamped_normal: code_aster"), nodes);
+  EXPECT_EQ(integration(pair + ", method: penalty", explicit_deck), nodes);
 }
 
 TEST(DeckKeys, AContactMethodBringsItsFrictionAndItsGeometryLoop) {

@@ -151,9 +151,9 @@ TEST(Model, BeginsAsTheDeckSaysAndElsewhereAtRest) {
 }
 
 TEST(Model, NumbersTheMultipliersOfItsZonesOneAfterAnother) {
-  const auto model =
-      model_of(with(two_blocks, "exclude_nodes: [held]}",
-                    "exclude_nodes: [held]}\n  second: {master: lower_face, slave: upper_face}"));
+  const auto model = model_of(
+      with(two_blocks, "exclude_nodes: [held]}",
+           "exclude_nodes: [held]}\n  second: {master: lower_face, slave: upper_face, integration: nodes}"));
   ASSERT_EQ(model.zones.size(), 2U);
   EXPECT_EQ(model.zones[0].multiplier_count(), 10);
   EXPECT_EQ(model.zones[1].multiplier_count(), 5);

@@ -28,7 +28,7 @@ std::string deck(const std::string& physics, const std::string& shape, const std
   };
   return fmt::format("mesh:\n  generate:\n{}{}physics: {}\n"
                      "materials: {{m: {{young: 1e6, poisson: 0.3, density: 3, cells: all}}}}\n"
-                     "contact: {{between: {{master: low_top, slave: high_bottom}}}}\n"
+                     "contact: {{between: {{master: low_top, slave: high_bottom, integration: nodes}}}}\n"
                      "time: {{scheme: newmark, contact_mass: {}, step: 1e-3, end: 1e-2}}\n",
                      body("low", 0, "{bottom: ground, top: low_top}"),
                      body("high", 2, "{bottom: high_bottom}"), physics, contact_mass);

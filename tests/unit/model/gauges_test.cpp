@@ -27,7 +27,7 @@ Model ring_round_pin() {
 physics: plane_strain
 materials: {steel: {young: 2e11, poisson: 0.3}}
 supports: [{on: core, fix: [x, y]}]
-contact: {rest: {master: pin_skin, slave: ring_skin}}
+contact: {rest: {master: pin_skin, slave: ring_skin, integration: nodes}}
 time: {scheme: static, step: 1, end: 1}
 )");
   return build_model(study, test::closed_rings(load_mesh(study.mesh)));

@@ -33,7 +33,7 @@ std::string ring_deck(int cells, const std::string& end = "6.283185307179586") {
          "materials: {steel: {young: 2e11, poisson: 0.3, density: 1}}\n"
          "supports: [{on: core, fix: [x, y]}]\n"
          "loads: [{gravity: {on: ring, y: -7.8e4}}]\n"
-         "contact: {rest: {master: pin_skin, slave: ring_skin, friction: 0}}\n"
+         "contact: {rest: {master: pin_skin, slave: ring_skin, integration: nodes, friction: 0}}\n"
          "time: {scheme: static, step: 1, end: 1}\n";
 }
 
@@ -162,7 +162,7 @@ physics: solid
 materials: {steel: {young: 2e11, poisson: 0.3, density: 1}}
 supports: [{on: outside, fix: [x, y, z]}]
 loads: [{gravity: {on: ball, y: -7.8e4}}]
-contact: {rest: {master: inside, slave: skin, friction: 0}}
+contact: {rest: {master: inside, slave: skin, integration: nodes, friction: 0}}
 time: {scheme: static, step: 1, end: 1}
 )";
 

@@ -82,7 +82,7 @@ TEST(StaticBody, MayRestOnAnObstacle) {
            "{left: skin, right: skin, top: skin, bottom: skin}}]}\n"
            "physics: plane_strain\n"
            "materials: {steel: {young: 1000, poisson: 0.25}}\n"
-           "contact: {rest: {slave: skin, friction: " +
+           "contact: {rest: {slave: skin, integration: nodes, friction: " +
            friction + ", obstacle: " + obstacle +
            "}}\n"
            "time: {scheme: static, step: 1, end: 1}\n";

@@ -31,7 +31,7 @@ mesh:
 physics: plane_strain
 materials: {rubber: {young: 1000, poisson: 0, density: 1, rayleigh: {stiffness: 1e-3, mass: 0}}}
 supports: [{on: ground, fix: y}, {on: roof, fix: y}, {on: left, fix: x}]
-contact: {fit: {master: face, slave: under}}
+contact: {fit: {master: face, slave: under, integration: nodes}}
 time: {scheme: static, step: 1, end: 3}
 )";
 

@@ -37,7 +37,7 @@ mesh:
 physics: axisymmetric
 materials: {rubber: {young: 20000, poisson: 0.3}}
 supports: [{on: axis, fix: x}, {on: pushed, y: -0.05}, {on: held, y: 0.05}]
-contact: {pole: {master: below, slave: above}}
+contact: {pole: {master: below, slave: above, integration: nodes}}
 time: {scheme: static, step: 1, end: 1}
 )";
 }

@@ -29,7 +29,7 @@ supports:
   - {on: right, x: -0.001}
   - {on: roof, y: )" +
          std::to_string(-push) + R"(}
-contact: {between: {master: low_top, slave: high_bottom)" +
+contact: {between: {master: low_top, slave: high_bottom, integration: nodes)" +
          more + R"(}}
 time: {scheme: static, step: 1, end: 1}
 )";

@@ -25,7 +25,7 @@ physics: solid
 materials: {steel: {young: 200e9, poisson: 0, density: 7800}}
 supports: [{on: clamp, fix: [x, y, z]}]
 loads: [{line_force: {on: struck, y: -1e7}}]
-contact: {interface: {master: upper_face, slave: lower_face, friction: 0.2, exclude_nodes: [clamp]}}
+contact: {interface: {master: upper_face, slave: lower_face, integration: nodes, friction: 0.2, exclude_nodes: [clamp]}}
 time: {step: 1e-3, end: 0.012}
 )";
 

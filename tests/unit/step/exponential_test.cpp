@@ -31,8 +31,9 @@ materials: {steel: {young: 200e9, poisson: 0.3, density: 7800}}
 supports: [{on: left, fix: x}]
 newton: {residual: 1e-10}
 )";
-const std::string floor_below =
-    "contact: {floor: {slave: under, obstacle: {plane: {point: [0, 0], normal: [0, 1]}}, " + law + "}}\n";
+const std::string floor_below = "contact: {floor: {slave: under, integration: nodes, obstacle: {plane: "
+                                "{point: [0, 0], normal: [0, 1]}}, " +
+                                law + "}}\n";
 
 /// Two of them, the lower one on the ground.
 const std::string blocks = R"(
@@ -45,7 +46,8 @@ materials: {steel: {young: 200e9, poisson: 0, density: 7800}}
 supports: [{on: left, fix: x}, {on: ground, fix: y}]
 newton: {residual: 1e-10}
 )";
-const std::string interface_between = "contact: {joint: {slave: under, master: over, " + law + "}}\n";
+const std::string interface_between =
+    "contact: {joint: {slave: under, integration: nodes, master: over, " + law + "}}\n";
 
 std::string pressed(double pressure) {
   return fmt::format("loads: [{{surface_force: {{on: roof, y: {:.17g}}}}}]\n"

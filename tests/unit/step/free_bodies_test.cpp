@@ -33,7 +33,7 @@ materials: {steel: {young: 2e11, poisson: 0.3}}
 functions: {ramp: {times: [0, 1], values: [0, 1]}}
 supports: [{on: base, fix: [x, y]}]
 loads: [{pressure: {on: roof, value: 1e6}}, {pressure: {on: side, value: 2e5, function: ramp}}]
-contact: {rest: {master: above, slave: under, friction: 0.4}}
+contact: {rest: {master: above, slave: under, integration: nodes, friction: 0.4}}
 time: {scheme: static, step: 1, end: 1}
 )";
 
@@ -48,7 +48,7 @@ materials: {steel: {young: 2e11, poisson: 0.3}}
 functions: {ramp: {times: [0, 1], values: [0, 1]}}
 supports: [{on: base, fix: [x, y, z]}]
 loads: [{pressure: {on: roof, value: 1e6}}, {pressure: {on: side, value: 2e5, function: ramp}}]
-contact: {rest: {master: above, slave: under, friction: 0.4}}
+contact: {rest: {master: above, slave: under, integration: nodes, friction: 0.4}}
 time: {scheme: static, step: 1, end: 1}
 )";
 
@@ -205,7 +205,7 @@ std::string saddle_deck(int cells) {
          "materials: {steel: {young: 2e11, poisson: 0.3, density: 7800}}\n"
          "supports: [{on: core, fix: [x, y]}]\n"
          "loads: [{gravity: {on: saddle, y: -10}}]\n"
-         "contact: {rest: {master: pin_skin, slave: saddle_skin, friction: 0.3}}\n"
+         "contact: {rest: {master: pin_skin, slave: saddle_skin, integration: nodes, friction: 0.3}}\n"
          "time: {scheme: static, step: 1, end: 1}\n";
 }
 
@@ -242,7 +242,7 @@ std::string ring_deck(int cells, double load) {
          "loads: [{gravity: {on: ring, y: " +
          std::to_string(-load) +
          "}}]\n"
-         "contact: {rest: {master: pin_skin, slave: ring_skin, friction: 0.3}}\n"
+         "contact: {rest: {master: pin_skin, slave: ring_skin, integration: nodes, friction: 0.3}}\n"
          "time: {scheme: static, step: 1, end: 1}\n";
 }
 

@@ -139,7 +139,7 @@ materials: {steel: {young: 2e11, poisson: 0.3}}
 functions: {push: {times: [0, 1, 2], values: [0, 0, 1]}}
 supports: [{on: base, fix: [x, y]}, {on: roof, x: {value: 1e-6, function: push}}]
 loads: [{pressure: {on: roof, value: 1e7}}]
-contact: {rest: {master: above, slave: under, friction: 1, method: penalty, friction_method: penalty}}
+contact: {rest: {master: above, slave: under, integration: nodes, friction: 1, method: penalty, friction_method: penalty}}
 time: {scheme: static, step: 1, end: 2}
 )";
 

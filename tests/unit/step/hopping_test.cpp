@@ -25,7 +25,7 @@ materials: {steel: {young: 210000, poisson: 0.3}}
 functions: {press: {times: [0, 1, 2], values: [0, 1, 1]}, drag: {times: [0, 1, 2], values: [0, 0, 1]}}
 supports: [{on: ground, fix: [x, y, z]}, {on: block_top, x: {value: 20, function: drag}, z: 0}]
 loads: [{pressure: {on: block_top, value: 20, function: press}}]
-contact: {slide: {master: above, slave: under}}
+contact: {slide: {master: above, slave: under, integration: nodes}}
 time: {scheme: static, step: 1, end: 1}
 )";
 
@@ -77,7 +77,7 @@ supports: [{on: left, fix: [x, y, z]}, {on: right, fix: [x, y, z]}]
 loads:
   - {pressure: {on: high_top, value: 10, function: ramp}}
   - {pressure: {on: low_bottom, value: 10, function: ramp}}
-contact: {joint: {master: low_top, slave: high_bottom, friction: 0.3}}
+contact: {joint: {master: low_top, slave: high_bottom, integration: nodes, friction: 0.3}}
 time: {scheme: static, step: 0.25, end: 1}
 )";
 
@@ -110,7 +110,7 @@ physics: solid
 materials: {stiff: {young: 1e15, poisson: 0.3, density: 7800}}
 initial: [{on: all, velocity: {x: 100}}]
 loads: [{gravity: {y: -9.81}}]
-contact: {floor: {slave: under, friction: 0.3, obstacle: {plane: {point: [0, 0, 0], normal: [0, 1, 0]}}}}
+contact: {floor: {slave: under, integration: nodes, friction: 0.3, obstacle: {plane: {point: [0, 0, 0], normal: [0, 1, 0]}}}}
 time: {step: 1e-3, end: 1}
 )");
   ASSERT_TRUE(walk.to_end());

@@ -125,7 +125,7 @@ physics: plane_strain
 materials: {steel: {young: 100, poisson: 0, density: 1}}
 functions: {ramp: {times: [0, 1], values: [0, 1]}}
 supports: [{on: ground, fix: [x, y]}, {on: roof, fix: [x, y]}]
-contact: {seam: {master: under, slave: over}}
+contact: {seam: {master: under, slave: over, integration: nodes}}
 time: {scheme: static, step: 0.25, end: 1}
 )";
 

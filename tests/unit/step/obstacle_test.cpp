@@ -29,7 +29,7 @@ functions: {ramp: {times: [0, 1], values: [0, 1]}, wave: {times: [0, 0.4, 1], va
 supports:
   - {on: top, x: 0, y: {value: -0.01, function: ramp}}
   - {on: plane, x: {value: 0.02, function: wave}, y: {value: 0.005, function: ramp}}
-contact: {foot: {master: over, slave: under, friction: 0.3}}
+contact: {foot: {master: over, slave: under, integration: nodes, friction: 0.3}}
 time: {scheme: static, step: 0.1, end: 1}
 newton: {residual: 1e-11}
 )";
@@ -209,6 +209,7 @@ contact:
       cylinder: {point: [0, 1], radius: 1}
       move: {x: {value: 0.3, function: draw}, y: {value: -0.05, function: press}}
     slave: top
+    integration: nodes
     friction: 0.4
 time: {scheme: static, step: 0.05, end: 1}
 newton: {residual: 1e-11}
@@ -268,6 +269,7 @@ contact:
       sphere: {point: [0, 0, 1.5], radius: 1.5}
       move: {x: {value: 0.2, function: draw}, y: {value: 0.1, function: draw}, z: {value: -0.1, function: press}}
     slave: top
+    integration: nodes
     friction: 0.3
 time: {scheme: static, step: 0.125, end: 1}
 newton: {residual: 1e-11}
@@ -294,7 +296,7 @@ mesh:
 physics: axisymmetric
 materials: {rubber: {young: 1e6, poisson: 0.3}}
 supports: [{on: ground, fix: y}, {on: axis, fix: x}]
-contact: {ball: {slave: top, obstacle: {sphere: {point: [0, 0.998], radius: 1}}}}
+contact: {ball: {slave: top, integration: nodes, obstacle: {sphere: {point: [0, 0.998], radius: 1}}}}
 time: {scheme: static, step: 1, end: 1}
 )");
   ASSERT_TRUE(walk.to_end());
@@ -314,7 +316,7 @@ mesh:
 physics: plane_strain
 materials: {rubber: {young: 1e6, poisson: 0.3}}
 contact:
-  wall: {obstacle: {cylinder: {point: [0, 0], radius: 1.4, side: inside}}, slave: skin, friction: 0.1}
+  wall: {obstacle: {cylinder: {point: [0, 0], radius: 1.4, side: inside}}, slave: skin, integration: nodes, friction: 0.1}
 time: {scheme: static, step: 1, end: 1}
 )");
   ASSERT_TRUE(walk.to_end());
@@ -334,7 +336,7 @@ mesh:
 physics: axisymmetric
 materials: {rubber: {young: 1e6, poisson: 0.3}}
 supports: [{on: ground, fix: y}, {on: axis, fix: x}]
-contact: {zone: {obstacle: {plane: {point: [0, 0.49], normal: [0, -1]}}, slave: top}}
+contact: {zone: {obstacle: {plane: {point: [0, 0.49], normal: [0, -1]}}, slave: top, integration: nodes}}
 time: {scheme: static, step: 1, end: 1}
 )";
   const auto force = [&](const Changes& changes) {

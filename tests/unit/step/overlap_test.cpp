@@ -29,7 +29,7 @@ mesh:
 physics: plane_strain
 materials: {rubber: {young: 1e6, poisson: 0}}
 supports: [{on: ground, fix: [x, y]}, {on: roof, fix: [x, y]}]
-contact: {fit: {master: over, slave: under, exclude_nodes: [corner]}}
+contact: {fit: {master: over, slave: under, integration: nodes, exclude_nodes: [corner]}}
 time: {scheme: static, step: 1, end: 1}
 )";
 

@@ -59,7 +59,7 @@ physics: plane_strain
 materials: {rubber: {young: 1e7, poisson: 0.3, density: 1000}}
 functions: {push: {times: [0, 1], values: [0, 1]}}
 supports: [{on: roof, fix: [x, y]}]
-contact: {rest: {slave: under, friction: 0.3}}
+contact: {rest: {slave: under, integration: nodes, friction: 0.3}}
 time: {scheme: static, step: 0.5, end: 1}
 )";
 
@@ -69,7 +69,7 @@ physics: solid
 materials: {rubber: {young: 1e7, poisson: 0.3, density: 1000}}
 functions: {push: {times: [0, 1], values: [0, 1]}}
 supports: [{on: roof, fix: [x, y, z]}]
-contact: {rest: {slave: under, friction: 0.3}}
+contact: {rest: {slave: under, integration: nodes, friction: 0.3}}
 time: {scheme: static, step: 0.5, end: 1}
 )";
 
@@ -141,7 +141,7 @@ TEST(RigidSurface, HasEveryComponentHeld) {
 }
 
 TEST(RigidSurface, IsNoSlave) {
-  const auto fault = refused({{"contact.rest", "{master: under, slave: table}"}});
+  const auto fault = refused({{"contact.rest", "{master: under, slave: table, integration: nodes}"}});
   EXPECT_NE(fault.find("contact surface 'table': 9 cells"), std::string::npos) << fault;
   EXPECT_NE(fault.find("bound no surface cell"), std::string::npos) << fault;
 }

@@ -160,6 +160,11 @@ private:
                     fmt::format("found {} with the integration {}, whose normals are those of the slave's "
                                 "nodes, expected no 'normal'",
                                 word_of(contact_normal_words, zone_.normal), rule.name));
+    if (!rule.chooses_normal && zone_.clamped_normal != ClampedNormal::projection)
+      rules_.broken({at("clamped_normal"), at("integration")},
+                    fmt::format("found {} with the integration {}, which clamps no projection, expected no "
+                                "'clamped_normal'",
+                                word_of(clamped_normal_words, zone_.clamped_normal), rule.name));
   }
 
   static std::string those_between_nodes() {

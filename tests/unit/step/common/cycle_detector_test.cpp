@@ -68,6 +68,7 @@ loads: [{nodal_force: {on: corner, x: -100, y: 10}}]
 contact:
   floor:
     slave: under
+    integration: nodes
     obstacle: {plane: {point: [0, 0], normal: [0, 1]}}
     exclude_nodes: [wall]
     friction: 0.3

@@ -151,7 +151,7 @@ mesh:
 physics: plane_strain
 materials: {rubber: {young: 2e6, poisson: 0}}
 supports: [{on: ground, fix: y}, {on: roof, y: -0.1}, {on: left, fix: x}]
-contact: {interface: {master: low_face, slave: high_face}}
+contact: {interface: {master: low_face, slave: high_face, integration: nodes}}
 time: {scheme: static, step: 1, end: 1, on_failure: {levels: 0}}
 )");
   ASSERT_TRUE(walk.to_end());

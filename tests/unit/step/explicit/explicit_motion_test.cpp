@@ -165,7 +165,7 @@ materials: {rubber: {young: 1e6, poisson: 0.3, density: 1000}}
 functions: {push: {times: [0, 0.005, 0.0051], values: [1, 1, 0]}}
 supports: [{on: ground, fix: [x, y]}]
 loads: [{gravity: {on: flying, x: 20, y: -400, function: push}}]
-contact: {zone: {master: face, slave: nose, friction: 0.3, method: penalty}}
+contact: {zone: {master: face, slave: nose, integration: nodes, friction: 0.3, method: penalty}}
 time: {scheme: central_difference, end: 0.03, record: 0.03}
 )";
 

@@ -165,8 +165,8 @@ TEST(UnknownsOfSurfaces, AreThoseOfBothSidesThatAreFree) {
 TEST(UnknownsOfSurfaces, OfSeveralZonesStandOnce) {
   const auto model = test::model_of(test::three_blocks);
   EXPECT_EQ(surface_unknowns(model).size(), 4U * 7U);
-  const auto twice =
-      test::model_of(test::three_blocks, {{"contact.again", "{master: mid_bottom, slave: low_top}"}});
+  const auto twice = test::model_of(
+      test::three_blocks, {{"contact.again", "{master: mid_bottom, slave: low_top, integration: nodes}"}});
   EXPECT_EQ(surface_unknowns(twice), surface_unknowns(model));
 }
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/decks.hpp"
 #include <string>
 
 namespace rubato {
@@ -41,7 +42,7 @@ std::string beams(const std::string& cells, const std::string& contact) {
          load +
          "]\n"
          "contact: {interface: {master: Above, slave: Below, exclude_nodes: [Wall], " +
-         contact +
+         test::on_nodes(contact) +
          "}}\n"
          "newton: {residual: 1e-12}\n"
          "time: {scheme: hht, alpha: -0.1, step: 5e-4, end: 4e-3}\n";
@@ -136,6 +137,8 @@ INSTANTIATE_TEST_SUITE_P(
                     RetrySettings{"SolidSerendipityExactFriction", "hexa20",
                                   "friction: 0.2, method: penalty, friction_method: augmented_lagrangian"},
                     RetrySettings{"SolidTetrahedra", "tetra10", "friction: 0.2"},
+                    RetrySettings{"PlaneMortar", "quad8", "friction: 0.2, integration: mortar"},
+                    RetrySettings{"SolidMortar", "hexa8", "friction: 0.2, integration: mortar"},
                     RetrySettings{"SolidGauss", "hexa8", "friction: 0.2, integration: {gauss: 2}"}),
     [](const auto& variant) { return variant.param.name; });
 

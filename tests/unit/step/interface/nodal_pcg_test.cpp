@@ -28,7 +28,7 @@ materials: {steel: {young: 200e9, poisson: 0.3, density: 7800}}
 functions: {wave: {times: [0, 0.004, 0.008], values: [-1, 1, -1]}}
 supports: [{on: wall, fix: [x, y, z]}]
 loads: [{line_force: {on: loaded, y: 5e6, function: wave}}]
-contact: {interface: {master: contact, slave: below, exclude_nodes: [wall]}}
+contact: {interface: {master: contact, slave: below, integration: nodes, exclude_nodes: [wall]}}
 time: {scheme: hht, alpha: -0.3, step: 4e-4, end: 0.008}
 newton: {residual: 1e-12}
 )";
@@ -43,7 +43,7 @@ materials: {rubber: {young: 1e6, poisson: 0.3, density: 1000}}
 functions: {wave: {times: [0, 0.3, 0.6, 1], values: [0, 1, -1, 1]}}
 supports: [{on: top, x: 0, y: {value: -0.02, function: wave}}]
 contact:
-  foot: {slave: under, obstacle: {plane: {point: [0, 0], normal: [0.03, 1]}}}
+  foot: {slave: under, integration: nodes, obstacle: {plane: {point: [0, 0], normal: [0.03, 1]}}}
 time: {scheme: hht, alpha: -0.3, step: 0.05, end: 1}
 newton: {residual: 1e-12}
 )";
