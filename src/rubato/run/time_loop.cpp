@@ -9,6 +9,7 @@
 #include "rubato/run/checkpoints.hpp"
 #include "rubato/run/energy_watch.hpp"
 #include "rubato/run/failure.hpp"
+#include "rubato/run/overlap_watch.hpp"
 #include "rubato/simulation/simulation.hpp"
 #include "rubato/study/schemes.hpp"
 
@@ -44,7 +45,8 @@ public:
                             .memento = course.from ? &course.from->memento : nullptr,
                             .tell_memory = [this](std::size_t bytes) { tell_memory(bytes); }}),
         keeper_(model.study, course, watch),
-        energy_(model.study.name, watch, course.from ? course.from->record : step::EnergyRecord()) {
+        energy_(model.study.name, watch, course.from ? course.from->record : step::EnergyRecord()),
+        overlaps_(model, watch) {
     if (!course.from)
       return;
     records_ = course.from->recorder.steps;
@@ -100,6 +102,7 @@ private:
   void record(const AcceptedStep& step) {
     recorder_->step(step.before, step.now, step.attempt, step.report, step.last);
     recorder_->energy(step.now.t, step.energy);
+    overlaps_.note(step.before, step.now);
   }
 
   /// A run that ends here is kept as it was before the attempt: resumed with other means, it makes it again.
@@ -266,6 +269,7 @@ private:
   std::optional<results::Recorder> recorder_; // once nothing can be refused any more: that leaves no folder
   CheckpointWriter keeper_;
   EnergyWatch energy_;
+  OverlapWatch overlaps_;
   int records_ = 0; ///< so far: steps of results
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;

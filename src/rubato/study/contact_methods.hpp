@@ -228,9 +228,10 @@ constexpr FrictionMethod usual_friction_method(ContactMethod method) {
   return entry_of(method).friction.front();
 }
 
-/// Where the contact points of a zone stand where nothing is asked for: by mortar, pressures depend neither
-/// on how the two meshes meet nor much on which side is the slave. On the nodes they stand where mortar is
-/// not possible: for nodal methods, explicit steps and where the surface of the normal is chosen.
+/// Where the contact points of a zone stand where nothing is asked for. By mortar pressures depend neither on
+/// how the two meshes meet nor much on which side is the slave. An obstacle has no mesh: before it points
+/// stand on the nodes, with its curvature in the tangent. So they do where mortar is not possible: for nodal
+/// methods, explicit steps and where the surface of the normal is chosen.
 constexpr ContactRule usual_integration(const ContactZone& zone, SchemeKind scheme) {
   const auto& mortar = entry_of(ContactIntegration::mortar);
   const bool own_normal =
@@ -238,7 +239,8 @@ constexpr ContactRule usual_integration(const ContactZone& zone, SchemeKind sche
   const bool possible = entry_of(zone.method).between_nodes &&
                         (mortar.explicit_steps || !is_explicit(scheme)) &&
                         (mortar.chooses_normal || !own_normal);
-  return {zone.tie || possible ? ContactIntegration::mortar : ContactIntegration::nodes, 0};
+  const bool meshed = !zone.obstacle;
+  return {zone.tie || (possible && meshed) ? ContactIntegration::mortar : ContactIntegration::nodes, 0};
 }
 
 } // namespace rubato::study

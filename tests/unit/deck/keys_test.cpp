@@ -242,7 +242,7 @@ TEST(DeckKeys, ContactIsByMortarUnlessItCannotBe) {
   EXPECT_EQ(integration("between: [M, S], friction: 0.3"), mortar);
   EXPECT_EQ(integration("self: skin"), mortar);
   EXPECT_EQ(integration(pair + ", tie: true"), mortar);
-  EXPECT_EQ(integration("slave: S, obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}"), mortar);
+  EXPECT_EQ(integration("slave: S, obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}"), nodes);
   EXPECT_EQ(integration(pair + ", method: penalty"), mortar);
   EXPECT_EQ(integration(pair + ", integration: nodes"), nodes);
   EXPECT_EQ(integration(pair + ", method: nodal_lagrange"), nodes);

@@ -33,7 +33,7 @@ mesh::Mesh with_table(const study::Study& study, Sense sense) {
   const int rows = bodies.dimension == 3 ? 2 : 1;
   for (int i = 0; i <= parts; ++i)
     for (int j = 0; j < rows; ++j)
-      nodes.push_back(builder.add_node({-0.5 + 2.0 * i / parts, -0.01, -0.5 + 2.0 * j}));
+      nodes.push_back(builder.add_node({-0.5 + 2.0 * i / parts, -0.01, rows == 1 ? 0 : -0.5 + 2.0 * j}));
   std::vector<mesh::MeshBuilder::CellHandle> faces;
   for (int i = 0; i < parts; ++i) {
     const auto at = static_cast<std::size_t>(i * rows);

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace rubato::contact::mortar {
@@ -115,7 +116,7 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Obst
                Workspace& workspace, Operators& into) {
   require_finite(slave, slave_x, "slave");
   auto& work = workspace.impl();
-  const double reach = reach_of(options, reference);
+  const double reach = options.reach > 0 ? options.reach : std::numeric_limits<double>::infinity();
   set_normals(slave, reference, slave_x, options, work.normals);
   work.clear_parts();
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The operators of mortar contact before an obstacle: no master, no segments; all Gauss points of the
-/// slave's sub-facets that are within reach and look at it.
+/// slave's sub-facets that look at it.
 ///
 ///   g_j = Σ_q w_q Φ_j g(x_q) / w_j,      n_j = Σ_q w_q Φ_j n(x_q) / |…|,      stencil D_jk / w_j
 /// The stencil has scalar weights and each node one averaged normal: a node before an obstacle is then the
@@ -14,8 +14,8 @@
 
 namespace rubato::contact::mortar {
 
-/// `offset`: how far the obstacle has come. Points are covered within `reach` on either side (options.reach,
-/// 0: the longest slave face). The anchor of a node is the mean place it faces. Throws as the other
+/// `offset`: how far the obstacle has come. Points are covered within options.reach on either side, by
+/// default at any distance: an obstacle has one face only, and a body may come from afar in one step. The anchor of a node is the mean place it faces. Throws as the other
 /// integrate.
 void integrate(const Surface& slave, const SlaveReference& reference, const Obstacle& obstacle,
                const Eigen::Vector3d& offset, std::span<const Eigen::Vector3d> slave_x,

@@ -122,15 +122,16 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Surf
   require_finite(slave, slave_x, "slave");
   require_finite(master, master_x, "master");
   auto& work = workspace.impl();
-  const double reach = reach_of(options, reference);
+  const double common_reach = reach_of(options, reference);
   set_masters(master, master_x, work);
   set_normals(slave, reference, slave_x, options, work.normals);
   if (options.mean_normals)
-    take_mean_normals(slave, slave_x, options, reach, work);
+    take_mean_normals(slave, slave_x, options, common_reach, work);
   work.clear_parts();
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     auto placed = slave_face(slave.faces[f], reference, slave_x, work.normals);
     placed.along_normals = options.mean_normals;
+    const double reach = options.reaches.empty() ? common_reach : options.reaches[f];
     find_candidates(static_cast<int>(f), placed, options, reach, work);
     if (!work.candidates.empty())
       integrate_face(slave, static_cast<int>(f), placed, reference, reach, work);

@@ -36,9 +36,11 @@ enum class Keep : std::uint8_t {
   never     ///< its function is given away: cross points of ties
 };
 
-/// Spans may be empty; else they have an entry for each slave node.
+/// Spans may be empty; else they have an entry for each slave node, `reaches` for each slave face.
 struct Options {
-  double reach = 0; ///< largest gap or penetration of partners; 0: the longest slave face
+  double reach =
+      0; ///< largest gap or penetration of partners; 0: the longest slave face, no limit to obstacles
+  std::span<const double> reaches = {};      ///< the same by slave face, in place of `reach`
   std::span<const HeldComponents> held = {}; ///< for normals on planes of symmetry
   std::span<const Keep> keep = {};
   /// Whether a slave and a master face may meet; empty: all may. Self contact excludes neighbours by it.

@@ -81,7 +81,7 @@ void Points::hold_those_that_return() {
 
 void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
                           Operators& into) {
-  const auto options = options_at(slave);
+  const auto options = options_at(slave, master);
   if (zone_->self)
     integrate(zone_->slave, *zone_->mortar, zone_->slave, slave, slave, options, workspace_, into);
   else if (zone_->obstacle)
@@ -90,8 +90,10 @@ void Points::integrate_at(const Positions& slave, const Positions& master, const
     integrate(zone_->slave, *zone_->mortar, zone_->master, slave, master, options, workspace_, into);
 }
 
-Options Points::options_at(const Positions& slave) const {
+Options Points::options_at(const Positions& slave, const Positions& master) {
   Options options{.held = zone_->held, .keep = keep_};
+  if (!zone_->obstacle && !self_)
+    options.reaches = reach_.at(slave, master);
   if (!self_)
     return options;
   options.may_pair = [this](int one, int other) { return self_->may_pair(one, other); };
@@ -100,7 +102,7 @@ Options Points::options_at(const Positions& slave) const {
   return options;
 }
 
-/// The tangents of the nodes where the step starts: as long as it is the same start, they are kept.
+/// What belongs to the start of the step is kept as long as it is the same start.
 void Points::take_start(const Configuration& configuration) {
   Positions start(zone_->slave.nodes.size());
   collect(
@@ -114,18 +116,35 @@ void Points::take_start(const Configuration& configuration) {
   keep_ = keep_of(*zone_);
   was_kept_.clear();
   changes_.clear();
+  if (zone_->obstacle)
+    return take_tangents_before_obstacle();
+  if (!self_)
+    begin_reach(configuration);
+  take_tangents();
+}
+
+void Points::begin_reach(const Configuration& configuration) {
+  Positions master;
+  collect(
+      zone_->master, [&](mesh::NodeIndex node) { return position_at_start(configuration, node); }, master);
+  reach_.begin(zone_->slave, zone_->master, start_slave_, master, zone_->mortar->longest_face);
+}
+
+void Points::take_tangents_before_obstacle() {
+  Operators before;
+  integrate_at(start_slave_, {}, zone_->obstacle->offset(start_t_), before);
   start_tangents_.resize(start_slave_.size());
-  if (zone_->obstacle) {
-    Operators before;
-    integrate_at(start_slave_, {}, zone_->obstacle->offset(start_t_), before);
-    std::ranges::transform(before.nodes, start_tangents_.begin(), &Node::tangents);
-    return;
-  }
+  std::ranges::transform(before.nodes, start_tangents_.begin(), &Node::tangents);
+}
+
+void Points::take_tangents() {
   std::vector<Vector3d> normals;
   if (self_)
-    mean_normals(zone_->slave, *zone_->mortar, start_slave_, options_at(start_slave_), workspace_, normals);
+    mean_normals(zone_->slave, *zone_->mortar, start_slave_, options_at(start_slave_, {}), workspace_,
+                 normals);
   else
     set_normals(zone_->slave, *zone_->mortar, start_slave_, {.held = zone_->held}, normals);
+  start_tangents_.resize(start_slave_.size());
   for (std::size_t i = 0; i < start_tangents_.size(); ++i)
     start_tangents_[i] = node_frame(*zone_->mortar, start_slave_, normals, i).tangents;
 }

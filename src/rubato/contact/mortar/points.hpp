@@ -9,6 +9,7 @@
 
 #include "rubato/contact/enforcement.hpp"
 #include "rubato/contact/mortar/operators.hpp"
+#include "rubato/contact/mortar/reach.hpp"
 #include "rubato/contact/self_pairs.hpp"
 
 #include <Eigen/Core>
@@ -37,14 +38,18 @@ private:
   using Positions = std::vector<Eigen::Vector3d>;
   void integrate_at(const Positions& slave, const Positions& master, const Eigen::Vector3d& offset,
                     Operators& into);
-  Options options_at(const Positions& slave) const;
+  Options options_at(const Positions& slave, const Positions& master);
   void take_start(const Configuration& configuration);
+  void begin_reach(const Configuration& configuration);
+  void take_tangents();
+  void take_tangents_before_obstacle();
   void hold_those_that_return();
   Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
 
   const Zone* zone_;
   std::vector<Keep> keep_;
   std::optional<SelfPairs> self_; ///< of a surface that touches itself: as it is where the step begins
+  Reach reach_; ///< between two meshes
   /// Of every slave node in this step: whether it was kept last, and how often that changed.
   std::vector<char> was_kept_;
   std::vector<int> changes_;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/mortar/reach.hpp"
+
+#include "rubato/contact/mortar/frames.hpp"
+#include "rubato/contact/point_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::contact::mortar {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Normals of master nodes at an edge are those of no side: depth along them is up to half too small.
+constexpr double depth_factor = 2;
+
+/// Of every slave node, behind the master node that is nearest to it.
+std::vector<double> depths_of(const Surface& master, std::span<const Vector3d> slave_x,
+                              std::span<const Vector3d> master_x) {
+  std::vector<Vector3d> normals;
+  nodal_normals(master, master_x, {}, normals);
+  const PointTree tree(master_x);
+  std::vector<double> depths;
+  for (const auto& x : slave_x) {
+    const auto nearest = tree.nearest(x).index;
+    depths.push_back(std::max(0., (master_x[nearest] - x).dot(normals[nearest])));
+  }
+  return depths;
+}
+
+Vector3d mean_motion(std::span<const Vector3d> from, std::span<const Vector3d> to) {
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t i = 0; i < from.size(); ++i)
+    sum += to[i] - from[i];
+  return sum / static_cast<double>(from.size());
+}
+
+double largest_motion(std::span<const Vector3d> from, std::span<const Vector3d> to, const Vector3d& common) {
+  double squared = 0;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    squared = std::max(squared, (to[i] - from[i] - common).squaredNorm());
+  return std::sqrt(squared);
+}
+
+} // namespace
+
+void Reach::begin(const Surface& slave, const Surface& master, std::span<const Vector3d> slave_x,
+                  std::span<const Vector3d> master_x, double longest_face) {
+  slave_.assign(slave_x.begin(), slave_x.end());
+  master_.assign(master_x.begin(), master_x.end());
+  const auto depths = depths_of(master, slave_x, master_x);
+  resting_.clear();
+  for (const auto& face : slave.faces) {
+    double depth = 0;
+    for (std::size_t i = 0; i < face.node_span().size(); ++i)
+      depth = std::max(depth, depths[static_cast<std::size_t>(face.positions[i])]);
+    resting_.push_back(longest_face + depth_factor * depth);
+  }
+}
+
+std::span<const double> Reach::at(std::span<const Vector3d> slave_x, std::span<const Vector3d> master_x) {
+  const Vector3d common = mean_motion(slave_, slave_x);
+  const double way = largest_motion(slave_, slave_x, common) + largest_motion(master_, master_x, common);
+  now_ = resting_;
+  for (auto& reach : now_)
+    reach += way;
+  return now_;
+}
+
+} // namespace rubato::contact::mortar
