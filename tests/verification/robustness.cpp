@@ -62,7 +62,7 @@ struct Draw {
   int steps = 0;
 };
 
-constexpr std::string_view by_mortar = ", integration: mortar";
+constexpr std::string_view by_mortar = ", integration: mortar", on_nodes = ", integration: nodes";
 
 std::string level(Dice& dice) {
   return dice.one_of({"newton", "fixed_point"});
@@ -225,7 +225,7 @@ checkpoint: {{last: false}}
 )",
       title, mesh_of(draw), draw.plane ? "plane_stress" : "solid", draw.poisson, fixed, fixed,
       draw.plane ? "nodal_force" : "line_force", -1e7 * draw.load, master, slave, draw.friction, draw.contact,
-      slave, draw.integration == Integration::mortar ? by_mortar : "", draw.numbers,
+      slave, draw.integration == Integration::mortar ? by_mortar : on_nodes, draw.numbers,
       iterate.empty() ? "" : ", ", iterate, draw.scheme, draw.time, draw.step, draw.steps * draw.step, z,
       1 + draw.shift, -0.1 - draw.gap, z);
 }
@@ -322,7 +322,7 @@ std::vector<RetrySettings> variants(std::uint32_t seed, int first, int count, Me
 RetrySettings by_nodes(const RetrySettings& variant) {
   auto changed = variant;
   if (const auto place = changed.deck.find(by_mortar); place != std::string::npos)
-    changed.deck.erase(place, by_mortar.size());
+    changed.deck.replace(place, by_mortar.size(), on_nodes);
   return changed;
 }
 
