@@ -10,7 +10,10 @@ namespace rubato::run {
 
 /// A slave point that was in front of its master, or no deeper behind it than half a face, and lies deeper
 /// than a whole face after the step: it came too far in one step, or its spring is too soft. Results from
-/// there on may be wrong, up to bodies that pass through each other. Said once a run.
+/// there on may be wrong, up to bodies that pass through each other. And a master node that came to lie
+/// behind the slave by more than half of its own edges, and more than the slave's points do behind the
+/// master: the slave's faces are too large to feel it. Said once a run, the latter
+/// only where the former was not.
 class OverlapWatch {
 public:
   /// Everything must outlive this.
@@ -19,9 +22,11 @@ public:
   void note(const step::State& before, const step::State& now);
 
 private:
+  void note_buried(const step::State& before, const step::State& now);
+
   const model::Model& model_;
   const Watch& watch_;
-  bool warned_ = false;
+  bool warned_ = false, buried_ = false;
 };
 
 } // namespace rubato::run

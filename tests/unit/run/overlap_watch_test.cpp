@@ -42,9 +42,11 @@ protected:
     watch_.warn = [this](const std::string& text) { warned_.push_back(text); };
   }
 
-  void walk(const std::vector<deck::Setting>& changes) {
+  void walk(const std::vector<deck::Setting>& changes) { run(far_apart, changes); }
+
+  void run(const std::string& deck, const std::vector<deck::Setting>& changes) {
     warned_.clear();
-    Walk walk(far_apart, changes);
+    Walk walk(deck, changes);
     OverlapWatch overlaps(walk.model, watch_);
     walk.accepted = [&] { overlaps.note(walk.before, walk.state()); };
     ASSERT_TRUE(walk.to_end());
@@ -93,6 +95,42 @@ TEST_F(Overlap, OfASoftSpringNamesItsCoefficient) {
   ASSERT_EQ(warned_.size(), 1U);
   EXPECT_NE(warned_.front().find("expected shorter steps or a larger coefficients.normal"), std::string::npos)
       << warned_.front();
+}
+
+/// A punch that is narrower than a face of the floor, which is the slave, and comes down between its nodes.
+const std::string narrow_punch = R"(
+mesh:
+  generate:
+    - {name: punch, rectangle: {from: [0.49, 0], to: [0.51, 0.1]}, divisions: [2, 5], cells: quad4, sides: {bottom: tip, top: roof}}
+    - {name: floor, rectangle: {from: [0, -0.5], to: [1, 0]}, divisions: [5, 3], cells: quad4, sides: {top: over, bottom: ground}}
+physics: plane_strain
+materials: {steel: {young: 1e9, poisson: 0.3, density: 1000}}
+supports: [{on: ground, fix: [x, y]}, {on: roof, x: 0, y: {value: -0.012, function: ramp}}]
+functions: {ramp: {times: [0, 1], values: [0, 1]}}
+contact: {rest: {master: tip, slave: over}}
+time: {scheme: static, step: 0.25, end: 1}
+)";
+
+TEST_F(Overlap, OfAMasterThatNodesOfTheSlaveDoNotFeelIsTold) {
+  run(narrow_punch, {{"contact.rest.integration", "nodes"}});
+  EXPECT_EQ(force_, 0);
+  ASSERT_EQ(warned_.size(), 1U);
+  EXPECT_NE(warned_.front().find("at t = 0.5 node "), std::string::npos) << warned_.front();
+  EXPECT_NE(
+      warned_.front().find("of the master of contact.rest lies 0.006 behind the slave, whose faces (up to "
+                           "0.2 long) do not feel it; results may be wrong from there on, expected the "
+                           "finer surface as slave, or smaller faces"),
+      std::string::npos)
+      << warned_.front();
+}
+
+TEST_F(Overlap, IsSmallOnTheRightSideAndByMortarOnEither) {
+  run(narrow_punch, {{"contact.rest", "{master: over, slave: tip}"}});
+  const double right = force_;
+  EXPECT_GT(right, 1e5);
+  EXPECT_TRUE(warned_.empty()) << warned_.front();
+  run(narrow_punch, {});
+  EXPECT_NEAR(-force_, right, 0.5 * right);
 }
 
 } // namespace

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/buried_nodes.hpp"
+
+#include "rubato/contact/mortar/frames.hpp"
+#include "rubato/contact/point_tree.hpp"
+#include "rubato/contact/projection.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace rubato::contact {
+namespace {
+
+using Eigen::Vector3d;
+
+std::vector<Vector3d> positions(const Surface& surface, const Configuration& configuration) {
+  std::vector<Vector3d> x;
+  for (const auto node : surface.nodes)
+    x.push_back(configuration.position(node));
+  return x;
+}
+
+/// Behind one face whose normal is against `normal`; 0 in front of it, beside it or where they do not face.
+double depth_behind(const Face& face, const std::vector<Vector3d>& slave_x, const Vector3d& x,
+                    const Vector3d& normal) {
+  FaceCoordinates nodes(3, face.node_count);
+  for (int i = 0; i < face.node_count; ++i)
+    nodes.col(i) = slave_x[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
+  const auto place = project(face.type, nodes, x, Wanted::inside);
+  if (!place.converged || !place.inside())
+    return 0;
+  const auto at = face_geometry(face.type, nodes, place.xi);
+  const Vector3d outward = at.tangents.col(0).cross(at.tangents.col(1)).stableNormalized();
+  return outward.dot(normal) < 0 ? std::max(0., outward.dot(at.position - x)) : 0;
+}
+
+} // namespace
+
+std::vector<double> buried_depths(const Zone& zone, const Configuration& configuration) {
+  const auto slave_x = positions(zone.slave, configuration), master_x = positions(zone.master, configuration);
+  std::vector<Vector3d> normals;
+  mortar::nodal_normals(zone.master, master_x, {}, normals);
+  const PointTree tree(slave_x);
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < master_x.size(); ++i) {
+    double depth = 0;
+    for (const int face : zone.slave.faces_of_node[tree.nearest(master_x[i]).index])
+      depth = std::max(depth, depth_behind(zone.slave.faces[static_cast<std::size_t>(face)], slave_x,
+                                           master_x[i], normals[i]));
+    depths.push_back(depth);
+  }
+  return depths;
+}
+
+std::vector<double> edges_around(const mesh::Mesh& mesh, const Surface& surface) {
+  std::vector<double> shortest(surface.nodes.size(), std::numeric_limits<double>::infinity());
+  for (const auto& face : surface.faces)
+    for (const auto& [from, to] : cell::topology(face.type).edges) {
+      const auto& a = mesh.points[static_cast<std::size_t>(face.nodes[from])];
+      const auto& b = mesh.points[static_cast<std::size_t>(face.nodes[to])];
+      for (int i = 0; i < face.node_count; ++i) {
+        auto& edge = shortest[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
+        edge = std::min(edge, (b - a).norm());
+      }
+    }
+  return shortest;
+}
+
+} // namespace rubato::contact
