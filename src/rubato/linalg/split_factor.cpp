@@ -108,13 +108,16 @@ std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span
   std::vector<char> on_surface(body_of.size(), 0);
   for (const int unknown : surface)
     on_surface[static_cast<std::size_t>(unknown)] = 1;
-  for (const char chosen : {0, 1})
-    for (int unknown = 0; unknown < matrix.cols(); ++unknown)
-      if (on_surface[static_cast<std::size_t>(unknown)] == chosen) {
-        auto& body = factor.bodies_[static_cast<std::size_t>(body_of[static_cast<std::size_t>(unknown)])];
-        body.unknowns.push_back(unknown);
-        body.surface_size += chosen;
-      }
+  const auto body_with = [&](int unknown) -> Body& {
+    return factor.bodies_[static_cast<std::size_t>(body_of[static_cast<std::size_t>(unknown)])];
+  };
+  for (int unknown = 0; unknown < matrix.cols(); ++unknown)
+    if (on_surface[static_cast<std::size_t>(unknown)] == 0)
+      body_with(unknown).unknowns.push_back(unknown);
+  for (const int unknown : surface) {
+    body_with(unknown).unknowns.push_back(unknown);
+    ++body_with(unknown).surface_size;
+  }
 
   std::vector<int> number(body_of.size());
   std::vector<LowerTriangle> triangles;

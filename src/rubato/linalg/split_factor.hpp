@@ -25,7 +25,7 @@ namespace rubato::linalg {
 class SplitFactor {
 public:
   /// Nothing comes back when the matrix is not positive definite to working precision or has a value that is
-  /// not finite. `surface` ascends. `tell` hears what the factor and the compliance of the surface need
+  /// not finite. The order of `surface` is kept. `tell` hears what the factor and its compliance need
   /// [bytes] as soon as their entries are counted, before the first value is computed. Throws
   /// TooLargeForMemory when they would not fit into `memory` [bytes], std::invalid_argument when the matrix
   /// is not square.

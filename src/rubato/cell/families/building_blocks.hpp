@@ -66,4 +66,13 @@ template <int Stride> void subtract_half_of_mid_edges(CellType type, std::span<d
   }
 }
 
+/// The same of the values of a face, each of whose edges runs from a corner to the next one: contact asks for
+/// them often.
+template <std::size_t Corners> void subtract_half_of_face_edges(std::span<double> values) {
+  for (std::size_t edge = 0; edge < Corners; ++edge) {
+    values[edge] -= 0.5 * values[Corners + edge];
+    values[(edge + 1) % Corners] -= 0.5 * values[Corners + edge];
+  }
+}
+
 } // namespace rubato::cell

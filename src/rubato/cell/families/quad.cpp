@@ -42,7 +42,7 @@ template <int Count, auto line> void product_hessians(const Vector3d& xi, std::s
 
 void values8(const Vector3d& xi, std::span<double> n) {
   product_values<8, hierarchic_line>(xi, n);
-  subtract_half_of_mid_edges<1>(CellType::quad8, n);
+  subtract_half_of_face_edges<4>(n);
 }
 
 void gradients8(const Vector3d& xi, std::span<double> dn) {

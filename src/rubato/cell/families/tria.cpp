@@ -41,7 +41,7 @@ void hessians3(const Vector3d&, std::span<double> ddn) {
 
 void values6(const Vector3d& xi, std::span<double> n) {
   std::ranges::copy(hierarchic_triangle(xi[0], xi[1]).value, n.begin());
-  subtract_half_of_mid_edges<1>(CellType::tria6, n);
+  subtract_half_of_face_edges<3>(n);
 }
 
 void gradients6(const Vector3d& xi, std::span<double> dn) {

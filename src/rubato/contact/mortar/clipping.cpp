@@ -66,19 +66,21 @@ Polygon clip(const Polygon& subject, const Polygon& clipper) {
 }
 
 std::size_t fan(const Polygon& polygon, std::array<Triangle, Polygon::capacity>& triangles) {
-  const auto triangle = [](const Vector2d& a, const Vector2d& b, const Vector2d& c) {
-    return Triangle{{a, b, c}, 0.5 * cross(b - a, c - a)};
-  };
   const std::size_t count = polygon.size();
   if (count < 3)
     return 0;
+  const Vector2d middle = mean_corner(polygon);
+  const auto triangle = [&](const std::array<std::size_t, 3>& indices) {
+    const auto corner = [&](std::size_t i) { return i < count ? polygon[i] : middle; };
+    const Vector2d a = corner(indices[0]), b = corner(indices[1]), c = corner(indices[2]);
+    return Triangle{{a, b, c}, 0.5 * cross(b - a, c - a), indices};
+  };
   if (count == 3) {
-    triangles[0] = triangle(polygon[0], polygon[1], polygon[2]);
+    triangles[0] = triangle({0, 1, 2});
     return 1;
   }
-  const Vector2d middle = mean_corner(polygon);
   for (std::size_t i = 0; i < count; ++i)
-    triangles[i] = triangle(middle, polygon[i], polygon[(i + 1) % count]);
+    triangles[i] = triangle({count, i, (i + 1) % count});
   return count;
 }
 

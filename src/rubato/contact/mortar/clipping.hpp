@@ -43,6 +43,7 @@ Polygon clip(const Polygon& subject, const Polygon& clipper);
 struct Triangle {
   std::array<Eigen::Vector2d, 3> corners;
   double area = 0;
+  std::array<std::size_t, 3> indices{}; ///< of the corners in the polygon; its size for the mean of them
 };
 
 /// A triangle as it is, any other polygon as a fan around the mean of its corners. Areas keep their sign: a

@@ -47,10 +47,24 @@ const Factors& factors_for(CellType type) {
   return table.at(type);
 }
 
+FaceTerms terms_of(CellType type) {
+  switch (type) {
+  case CellType::tria3:
+  case CellType::quad4:
+    return FaceTerms::bilinear;
+  case CellType::tria6:
+    return FaceTerms::quadratic;
+  case CellType::tria7:
+  case CellType::quad8:
+    return FaceTerms::serendipity;
+  default:
+    return FaceTerms::biquadratic;
+  }
+}
+
 } // namespace
 
-FacePolynomial::FacePolynomial(CellType type, const FaceCoordinates& nodes)
-    : bilinear_(cell::topology(type).order == 1) {
+FacePolynomial::FacePolynomial(CellType type, const FaceCoordinates& nodes) : terms_(terms_of(type)) {
   if (type == CellType::quad4) {
     const Eigen::Vector3d below = 0.25 * (nodes.col(0) + nodes.col(1)),
                           above = 0.25 * (nodes.col(2) + nodes.col(3));

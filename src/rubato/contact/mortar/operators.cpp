@@ -38,20 +38,30 @@ void find_candidates(int slave_face, const SlaveFace& placed, const Options& opt
     std::erase_if(work.candidates, [&](int face) { return !options.may_pair(slave_face, face); });
 }
 
+/// Adds the integral of one node's shape function.
+void add_weighted(const Workspace::Impl& work, std::array<double, 9> Point::*values, int node,
+                  Products& products) {
+  Eigen::Vector4d sum = products.col(node);
+  for (std::size_t i = 0; i < work.points.size(); ++i)
+    sum += (work.points[i].*values)[at(node)] * work.weighted[i];
+  products.col(node) = sum;
+}
+
 /// Adds the integrals over the points to the part, and to one overlap of it.
 void add_overlap(const SubFacet& facet, int slave_nodes, int master_nodes, int master_face,
                  Workspace::Impl& work, Part& part) {
   auto& overlap = work.overlaps.emplace_back();
   overlap.master_face = master_face;
+  work.weighted.clear();
   for (const auto& point : work.points) {
     const Eigen::Vector4d values = facet_values(facet, point.xi);
     part.covered.add(point.weight, values);
-    const Eigen::Vector4d weighted = point.weight * values;
-    for (int k = 0; k < slave_nodes; ++k)
-      part.slave.col(k) += point.slave_values[at(k)] * weighted;
-    for (int l = 0; l < master_nodes; ++l)
-      overlap.master.col(l) += point.master_values[at(l)] * weighted;
+    work.weighted.emplace_back(point.weight * values);
   }
+  for (int k = 0; k < slave_nodes; ++k)
+    add_weighted(work, &Point::slave_values, k, part.slave);
+  for (int l = 0; l < master_nodes; ++l)
+    add_weighted(work, &Point::master_values, l, overlap.master);
 }
 
 /// The part of one slave sub-facet before all candidates; `append(master)` fills work.points.

@@ -47,6 +47,7 @@ struct Workspace::Impl {
   FaceSearch search;
   std::vector<int> candidates;
   std::vector<Point> points;
+  std::vector<Eigen::Vector4d> weighted; ///< weights times H at the points
 
   std::vector<Part> parts; ///< those that are covered, face by face
   std::vector<Overlap> overlaps;

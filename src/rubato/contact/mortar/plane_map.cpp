@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace rubato::contact::mortar {
 namespace {
@@ -22,23 +23,105 @@ constexpr double far_away = 8;
 /// How far outside, in reference lengths, a place still belongs to the face.
 constexpr double outside = 0.5;
 
-double determinant_of(const FacePolynomial::Place& at) {
-  return at.by_first[0] * at.by_second[1] - at.by_first[1] * at.by_second[0];
+/// One Newton step of all points, and how far they have come. Conditions are numbers, 1 or 0, for vector
+/// instructions: compilers make none of branches.
+struct Round {
+  PlanePlaces::Numbers left;                    ///< of the way in the plane
+  PlanePlaces::Numbers first_step, second_step; ///< of ξ
+  PlanePlaces::Numbers moving, last; ///< whether the point moves on, and whether this was its last step
+
+  bool is_moving(std::size_t count) const {
+    return std::find(moving.begin(), moving.begin() + static_cast<std::ptrdiff_t>(count), 1.) !=
+           moving.begin() + static_cast<std::ptrdiff_t>(count);
+  }
+};
+
+template <FaceTerms terms> void take_steps(const FacePolynomial& face, PlanePlaces& places, Round& round) {
+  for (std::size_t i = 0; i < places.count; ++i) {
+    const double s = places.xi[0][i], t = places.xi[1][i];
+    const auto x = face.coordinate<terms>(0, s, t), y = face.coordinate<terms>(1, s, t);
+    const double left_x = places.p[0][i] - x.value, left_y = places.p[1][i] - y.value;
+    const double determinant = x.by_first * y.by_second - y.by_first * x.by_second;
+    const double inverse = 1 / determinant;
+    places.determinant[i] = determinant;
+    round.left[i] = std::max(std::abs(left_x), std::abs(left_y));
+    round.first_step[i] = inverse * (left_x * y.by_second - left_y * x.by_second);
+    round.second_step[i] = inverse * (x.by_first * left_y - y.by_first * left_x);
+  }
 }
 
-/// The Newton step to a point of the plane.
-Vector2d step_by(const FacePolynomial::Place& at, const Vector2d& left) {
-  const double inverse = 1 / determinant_of(at);
-  return {inverse * (left[0] * at.by_second[1] - left[1] * at.by_second[0]),
-          inverse * (at.by_first[0] * left[1] - at.by_first[1] * left[0])};
+/// Points that have arrived, or whose step makes no sense, stay where they are.
+void move(double small, PlanePlaces& places, Round& round) {
+  for (std::size_t i = 0; i < places.count; ++i) {
+    const double first = round.first_step[i], second = round.second_step[i];
+    const double length = std::max(std::abs(first), std::abs(second));
+    const double arrived = round.left[i] <= small ? 1 : round.last[i];
+    const double sensible = length <= far_away ? 1 : 0;
+    const double moving = round.moving[i] * (1 - arrived) * sensible;
+    places.found[i] = std::max(places.found[i], round.moving[i] * arrived);
+    places.xi[0][i] += moving > 0 ? first : 0;
+    places.xi[1][i] += moving > 0 ? second : 0;
+    round.last[i] = length <= last_step ? 1 : 0;
+    round.moving[i] = moving;
+  }
 }
 
-void set_values(CellType type, const Vector2d& xi, std::array<double, 9>& values) {
-  if (cell::topology(type).order == 2) {
-    values = face_values(type, xi);
+template <FaceTerms terms> void set_heights(const FacePolynomial& face, PlanePlaces& places) {
+  for (std::size_t i = 0; i < places.count; ++i)
+    places.height[i] = face.coordinate<terms>(2, places.xi[0][i], places.xi[1][i]).value;
+}
+
+bool belongs_to(bool triangle, const Vector2d& xi) {
+  if (triangle)
+    return std::min({xi[0], xi[1], 1 - xi[0] - xi[1]}) >= -outside;
+  return xi.lpNorm<Eigen::Infinity>() <= 1 + outside;
+}
+
+} // namespace
+
+PlaneMap::PlaneMap(CellType type, const FaceCoordinates& local)
+    : type_(type), cell_(&cell::reference_cell(type)), local_(local), polynomial_(type, local) {
+  const Vector3d first = local.col(0);
+  size_ = std::sqrt((local.colwise() - first).colwise().squaredNorm().maxCoeff()) + first.head<2>().norm();
+}
+
+PlanePlace PlaneMap::place_at(const Vector2d& xi) const {
+  const auto at = polynomial_.at(xi);
+  return {.xi = xi,
+          .height = at.position[2],
+          .determinant = at.by_first[0] * at.by_second[1] - at.by_first[1] * at.by_second[0],
+          .found = true};
+}
+
+void PlaneMap::find(PlanePlaces& places) const {
+  polynomial_.with_terms([&]<FaceTerms terms>() {
+    iterate<terms>(places);
+    set_heights<terms>(polynomial_, places);
+  });
+}
+
+template <FaceTerms terms> void PlaneMap::iterate(PlanePlaces& places) const {
+  const double small = rounding * size_;
+  Round round;
+  round.moving.fill(1);
+  round.last.fill(0);
+  places.found.fill(0);
+  for (int iteration = 0; iteration < max_iterations && round.is_moving(places.count); ++iteration) {
+    take_steps<terms>(polynomial_, places, round);
+    move(small, places, round);
+  }
+  const bool triangle = cell::topology(type_).corner_count == 3;
+  for (std::size_t i = 0; i < places.count; ++i)
+    if (!belongs_to(triangle, places.xi_at(i)))
+      places.found[i] = 0;
+}
+
+void PlaneMap::set_values(const Vector2d& xi, std::array<double, 9>& values) const {
+  if (polynomial_.terms() != FaceTerms::bilinear) {
+    cell_->values({xi[0], xi[1], 0}, values);
     return;
   }
-  if (type == CellType::tria3) {
+  if (type_ == CellType::tria3) {
     values[0] = 1 - xi[0] - xi[1];
     values[1] = xi[0];
     values[2] = xi[1];
@@ -50,54 +133,6 @@ void set_values(CellType type, const Vector2d& xi, std::array<double, 9>& values
   values[1] = right * below;
   values[2] = right * above;
   values[3] = left * above;
-}
-
-bool belongs_to(CellType type, const Vector2d& xi) {
-  if (cell::topology(type).corner_count == 3)
-    return std::min({xi[0], xi[1], 1 - xi[0] - xi[1]}) >= -outside;
-  return xi.lpNorm<Eigen::Infinity>() <= 1 + outside;
-}
-
-} // namespace
-
-PlaneMap::PlaneMap(CellType type, const FaceCoordinates& local)
-    : type_(type), local_(local), polynomial_(type, local) {
-  const Vector3d first = local.col(0);
-  size_ = std::sqrt((local.colwise() - first).colwise().squaredNorm().maxCoeff()) + first.head<2>().norm();
-}
-
-PlanePlace PlaneMap::place_at(const Vector2d& xi) const {
-  const auto at = polynomial_.at(xi);
-  PlanePlace place{
-      .xi = xi, .values = {}, .height = at.position[2], .determinant = determinant_of(at), .found = true};
-  set_values(type_, xi, place.values);
-  return place;
-}
-
-PlanePlace PlaneMap::place_of(const Vector2d& p, const Vector2d& start) const {
-  PlanePlace place;
-  place.xi = start;
-  const double small = rounding * size_;
-  bool last = false;
-  for (int iteration = 0; iteration < max_iterations; ++iteration) {
-    const auto at = polynomial_.at(place.xi);
-    const Vector2d left = p - at.position.head<2>();
-    place.height = at.position[2];
-    place.determinant = determinant_of(at);
-    if (last || left.lpNorm<Eigen::Infinity>() <= small) {
-      place.found = belongs_to(type_, place.xi);
-      break;
-    }
-    const Vector2d step = step_by(at, left);
-    const double length = step.lpNorm<Eigen::Infinity>();
-    if (!(length <= far_away))
-      break;
-    place.xi += step;
-    last = length <= last_step;
-  }
-  if (place.found)
-    set_values(type_, place.xi, place.values);
-  return place;
 }
 
 } // namespace rubato::contact::mortar

@@ -70,11 +70,16 @@ public:
 private:
   void append_part(const MasterFace& master, const PlaneMap& map, const Polygon& part,
                    std::vector<Point>& points) const;
+  /// The least distance of its points.
+  double append_triangle(const MasterFace& master, const PlaneMap& map, const Triangle& triangle,
+                         const std::array<Eigen::Vector2d, 3>& slave_corners,
+                         const std::array<Eigen::Vector2d, 3>& master_corners,
+                         std::vector<Point>& points) const;
   bool is_folded() const;
   PlanePlace flat_place(const Eigen::Vector2d& p) const;
-  PlanePlace slave_place(const Eigen::Vector2d& p, const Eigen::Vector2d& start) const;
-  PlanePlace master_place(const MasterFace& master, const PlaneMap& map, const Eigen::Vector3d& x,
-                          const Eigen::Vector2d& start) const;
+  void find_on_slave(PlanePlaces& places) const;
+  void find_on_master(const MasterFace& master, const PlaneMap& map, const PlanePlaces& on_slave,
+                      PlanePlaces& places) const;
 
   const SlaveFace& slave_;
   const SubFacet& facet_;

@@ -167,20 +167,33 @@ void PlaneOverlaps::append(const MasterFace& master, std::vector<Point>& points)
 
 namespace {
 
-/// Reference coordinates at the corners of a triangle, on both faces: between them Newton's method starts.
-struct Starts {
-  std::array<Vector2d, 3> slave, master;
-};
+using Corners = std::array<Vector2d, 3>;
 
-Vector2d between(const std::array<Vector2d, 3>& corners, const Vector3d& r) {
+Vector2d between(const Corners& corners, const Vector3d& r) {
   return corners[0] + r[0] * (corners[1] - corners[0]) + r[1] * (corners[2] - corners[0]);
 }
 
-/// ξ at p, or the start where it is not found.
-Vector2d found_or(const PlaneMap& map, const Vector2d& p, const Vector2d& start) {
-  const auto place = map.place_of(p, start);
-  return place.found ? place.xi : start;
-}
+/// Reference coordinates at the corners of a polygon and at their mean: between those of a triangle Newton's
+/// method starts.
+class CornerPlaces {
+public:
+  CornerPlaces(const PlaneMap& map, const Polygon& polygon, const Vector2d& start)
+      : places_(polygon.size() + 1) {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      places_.start(i, polygon[i], start);
+    places_.start(polygon.size(), mean_corner(polygon), start);
+    map.find(places_);
+    for (std::size_t i = 0; i < places_.count; ++i)
+      at_[i] = places_.found[i] != 0 ? places_.xi_at(i) : start;
+  }
+  Corners of(const std::array<std::size_t, 3>& corners) const {
+    return {at_[corners[0]], at_[corners[1]], at_[corners[2]]};
+  }
+
+private:
+  PlanePlaces places_;
+  std::array<Vector2d, PlanePlaces::capacity> at_;
+};
 
 } // namespace
 
@@ -189,29 +202,43 @@ void PlaneOverlaps::append_part(const MasterFace& master, const PlaneMap& map, c
   std::array<Triangle, Polygon::capacity> triangles;
   const auto count = fan(part, triangles);
   const auto first = points.size();
+  const CornerPlaces slave_corners(map_, part, facet_.middle);
+  const CornerPlaces master_corners(map, part, middle_of(master.type));
   double nearest = INFINITY;
-  for (const auto& [corners, area] : std::span(triangles).first(count)) {
-    Starts starts;
-    for (std::size_t i = 0; i < 3; ++i) {
-      starts.slave[i] = found_or(map_, corners[i], facet_.middle);
-      starts.master[i] = found_or(map, corners[i], middle_of(master.type));
-    }
-    for (const auto& [r, weight] : triangle_rule(slave_.type, master.type)) {
-      const Vector2d p = between(corners, r);
-      const auto on_slave = slave_place(p, between(starts.slave, r));
-      const auto on_master =
-          master_place(master, map, {p[0], p[1], on_slave.height}, between(starts.master, r));
-      const double distance = on_master.height - on_slave.height;
-      nearest = std::min(nearest, std::abs(distance));
-      const auto undeformed = undeformed_.at(on_slave.xi);
-      const double stretch =
-          measure_.thickness * undeformed.by_first.cross(undeformed.by_second).norm() / on_slave.determinant;
-      points.push_back({on_slave.xi, on_master.xi, on_slave.values, on_master.values,
-                        2 * area * weight * stretch, distance});
-    }
-  }
+  for (const auto& triangle : std::span(triangles).first(count))
+    nearest = std::min(nearest, append_triangle(master, map, triangle, slave_corners.of(triangle.indices),
+                                                master_corners.of(triangle.indices), points));
   if (!(nearest <= reach_))
     points.resize(first);
+}
+
+double PlaneOverlaps::append_triangle(const MasterFace& master, const PlaneMap& map, const Triangle& triangle,
+                                      const Corners& slave_corners, const Corners& master_corners,
+                                      std::vector<Point>& points) const {
+  const auto rule = triangle_rule(slave_.type, master.type);
+  PlanePlaces on_slave(rule.size()), on_master(rule.size());
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const Vector2d p = between(triangle.corners, rule[i].xi);
+    on_slave.start(i, p, between(slave_corners, rule[i].xi));
+    on_master.start(i, p, between(master_corners, rule[i].xi));
+  }
+  find_on_slave(on_slave);
+  find_on_master(master, map, on_slave, on_master);
+  double nearest = INFINITY;
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    auto& point = points.emplace_back();
+    point.xi = on_slave.xi_at(i);
+    point.eta = on_master.xi_at(i);
+    map_.set_values(point.xi, point.slave_values);
+    map.set_values(point.eta, point.master_values);
+    const auto undeformed = undeformed_.at(point.xi);
+    const double stretch =
+        measure_.thickness * undeformed.by_first.cross(undeformed.by_second).norm() / on_slave.determinant[i];
+    point.weight = 2 * triangle.area * rule[i].weight * stretch;
+    point.distance = on_master.height[i] - on_slave.height[i];
+    nearest = std::min(nearest, std::abs(point.distance));
+  }
+  return nearest;
 }
 
 /// Whether the map of the face turns over at a corner of the sub-facet: then it has no inverse.
@@ -222,11 +249,12 @@ bool PlaneOverlaps::is_folded() const {
   });
 }
 
-PlanePlace PlaneOverlaps::slave_place(const Vector2d& p, const Vector2d& start) const {
-  if (folded_)
-    return flat_place(p);
-  const auto place = map_.place_of(p, start);
-  return place.found && place.determinant > no_fold * flat_determinant_ ? place : flat_place(p);
+void PlaneOverlaps::find_on_slave(PlanePlaces& places) const {
+  if (!folded_)
+    map_.find(places);
+  for (std::size_t i = 0; i < places.count; ++i)
+    if (folded_ || places.found[i] == 0 || !(places.determinant[i] > no_fold * flat_determinant_))
+      places.set(i, flat_place(places.point_at(i)));
 }
 
 /// As if the sub-facet were flat and affine, and never beyond it: shares of nodes stay positive.
@@ -247,12 +275,14 @@ PlanePlace PlaneOverlaps::flat_place(const Vector2d& p) const {
 }
 
 /// Where Newton's method fails the closest point of the face is taken.
-PlanePlace PlaneOverlaps::master_place(const MasterFace& master, const PlaneMap& map, const Vector3d& x,
-                                       const Vector2d& start) const {
-  auto place = map.place_of(x.head<2>(), start);
-  if (!place.found)
-    place = map.place_at(project(master.type, map.local(), x).clamped);
-  return place;
+void PlaneOverlaps::find_on_master(const MasterFace& master, const PlaneMap& map, const PlanePlaces& on_slave,
+                                   PlanePlaces& places) const {
+  map.find(places);
+  for (std::size_t i = 0; i < places.count; ++i)
+    if (places.found[i] == 0) {
+      const Vector3d x(places.p[0][i], places.p[1][i], on_slave.height[i]);
+      places.set(i, map.place_at(project(master.type, map.local(), x).clamped));
+    }
 }
 
 } // namespace rubato::contact::mortar

@@ -5,6 +5,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/tolerances.hpp"
 #include "rubato/linalg/memory.hpp"
+#include "rubato/step/common/spatial_order.hpp"
 #include "rubato/step/full/linear_step.hpp"
 #include "rubato/time/step_control.hpp"
 
@@ -23,10 +24,20 @@ using model::SparseMatrix;
 
 namespace {
 
+/// Surfaces whose compliance may be computed by columns follow space: columns of neighbours are computed
+/// together.
+std::vector<int> ordered_surface(const Model& model) {
+  auto unknowns = surface_unknowns(model);
+  if (static_cast<Eigen::Index>(unknowns.size()) <= Compliance::usual_largest_whole)
+    return unknowns;
+  const auto nodes = Compliance::block_size / model.dofs.components;
+  return in_spatial_order(model, unknowns, static_cast<std::size_t>(nodes));
+}
+
 std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix,
                                             const std::function<void(std::size_t)>& tell_memory) {
   try {
-    return linalg::SplitFactor::of(matrix, surface_unknowns(model), linalg::available_memory(), tell_memory);
+    return linalg::SplitFactor::of(matrix, ordered_surface(model), linalg::available_memory(), tell_memory);
   } catch (const linalg::TooLargeForMemory& error) {
     throw InputError(
         fmt::format("the model is too large for this machine: with its {} unknowns {}; expected a "

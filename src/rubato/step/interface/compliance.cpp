@@ -11,11 +11,6 @@ namespace {
 
 using Eigen::Index;
 
-/// Neighbouring columns of large surfaces that are always computed together: enough for matrix–matrix
-/// products, few that are never asked for. The last digits of a column depend on its company there; as that
-/// is always the same, they don't depend on what was asked for before, and a resumed run has the same ones.
-constexpr Index block_size = 32;
-
 /// Where more of a force than this is not zero, half of the whole matrix is read sooner than its columns.
 constexpr double dense = 0.35;
 /// Columns of smaller surfaces are near anyway.

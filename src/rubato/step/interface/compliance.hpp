@@ -23,6 +23,11 @@ class Compliance {
 public:
   /// Surfaces of bodies up to this size have S computed whole: three seconds at most.
   static constexpr Eigen::Index usual_largest_whole = 5000;
+  /// Neighbouring columns of larger surfaces that are always computed together: enough for matrix–matrix
+  /// products, few that are never asked for. In space they belong to a patch of 4 by 4 nodes. The last digits
+  /// of a column depend on its company there; as that is always the same, they don't depend on what was asked
+  /// for before, and a resumed run has the same ones.
+  static constexpr Eigen::Index block_size = 48;
 
   /// `free_dofs`: the dof of every unknown; `dofs`: how many there are.
   Compliance(linalg::SplitFactor factor, std::span<const int> free_dofs, Eigen::Index dofs,
