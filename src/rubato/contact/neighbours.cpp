@@ -178,7 +178,7 @@ std::size_t NeighbourList::nearest_of(std::size_t point) const {
 void NeighbourList::follow_itself(const Configuration& configuration) {
   Points start;
   for (const auto node : zone_->master.nodes)
-    start.push_back(configuration.position(node) - configuration.increment(node));
+    start.push_back(configuration.start_position(node));
   if (start != step_start_) {
     step_start_ = std::move(start);
     self_->update(step_start_);

@@ -133,16 +133,22 @@ struct Configuration {
   double t = 0;       ///< of `displacement`
   double start_t = 0; ///< of `start`
 
-  Eigen::Vector3d position(mesh::NodeIndex node) const;
+  Eigen::Vector3d position(mesh::NodeIndex node) const { return moved_by(*displacement, node); }
+  /// Where the node was when the step began: the same to the last bit in all iterations of the step, as the
+  /// position minus the increment is not.
+  Eigen::Vector3d start_position(mesh::NodeIndex node) const { return moved_by(*start, node); }
   /// Displacement since the start of the step.
   Eigen::Vector3d increment(mesh::NodeIndex node) const;
+
+private:
+  Eigen::Vector3d moved_by(const Eigen::VectorXd& u, mesh::NodeIndex node) const;
 };
 
-inline Eigen::Vector3d Configuration::position(mesh::NodeIndex node) const {
+inline Eigen::Vector3d Configuration::moved_by(const Eigen::VectorXd& u, mesh::NodeIndex node) const {
   Eigen::Vector3d x = mesh->points[static_cast<std::size_t>(node)];
   const auto first = dofs->first_dof[static_cast<std::size_t>(node)];
   for (int i = 0; i < dofs->components; ++i)
-    x[i] += (*displacement)[first + i];
+    x[i] += u[first + i];
   return x;
 }
 

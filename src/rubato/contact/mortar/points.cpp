@@ -39,16 +39,6 @@ std::optional<SelfPairs> self_of(const Zone& zone) {
   return SelfPairs(zone.slave, zone.undeformed_master, zone.mortar->longest_face);
 }
 
-/// The same to the last bit in all iterations of a step, as the end minus the increment is not.
-Vector3d position_at_start(const Configuration& configuration, mesh::NodeIndex node) {
-  Vector3d x = configuration.mesh->points[static_cast<std::size_t>(node)];
-  const auto& dofs = *configuration.dofs;
-  const auto first = dofs.first_dof[static_cast<std::size_t>(node)];
-  for (int i = 0; i < dofs.components; ++i)
-    x[i] += (*configuration.start)[first + i];
-  return x;
-}
-
 } // namespace
 
 Points::Points(const Zone& zone) : zone_(&zone), keep_(keep_of(zone)), self_(self_of(zone)) {}
@@ -104,7 +94,7 @@ Options Points::options_at(const Positions& slave) const {
 void Points::take_start(const Configuration& configuration) {
   Positions start(zone_->slave.nodes.size());
   collect(
-      zone_->slave, [&](mesh::NodeIndex node) { return position_at_start(configuration, node); }, start);
+      zone_->slave, [&](mesh::NodeIndex node) { return configuration.start_position(node); }, start);
   if (start_t_ == configuration.start_t && start == start_slave_)
     return;
   start_t_ = configuration.start_t;
@@ -156,8 +146,8 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.tangents = node.tangents;
   k.closest_point = node.anchor;
   k.obstacle_displacement = anchor_motion(configuration);
-  const Vector3d start = gap_vector(node, [&](auto at) { return position_at_start(configuration, at); }) +
-                         k.obstacle_displacement;
+  const Vector3d start =
+      gap_vector(node, [&](auto at) { return configuration.start_position(at); }) + k.obstacle_displacement;
   k.slip_origin = (start_tangents_[position] - node.tangents).transpose() * start;
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
