@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/touching_parts.hpp"
 
+#include "rubato/core/disjoint_sets.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/corner_sets.hpp"
 #include "rubato/mesh/sheet.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace rubato::model {
@@ -69,24 +69,6 @@ std::vector<mesh::CornerSet> edges_of(const SurfaceFace& face) {
   return edges;
 }
 
-class FaceSets {
-public:
-  explicit FaceSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::size_t root(std::size_t item) {
-    while (parent_[item] != item)
-      item = parent_[item] = parent_[parent_[item]];
-    return item;
-  }
-  void join(std::size_t one, std::size_t other) {
-    one = root(one);
-    other = root(other);
-    parent_[std::max(one, other)] = std::min(one, other);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
-
 /// The skins of all bodies, cut along their sharp edges; in the order of their first faces.
 std::vector<SkinPart> skin_parts(const mesh::Mesh& mesh, const domain::Bulk& bulk, const Bodies& bodies) {
   const auto faces = mesh::skin(mesh, bulk.cells);
@@ -94,7 +76,7 @@ std::vector<SkinPart> skin_parts(const mesh::Mesh& mesh, const domain::Bulk& bul
   places.reserve(faces.size());
   for (const auto& face : faces)
     places.push_back(placed(mesh, face));
-  FaceSets sets(faces.size());
+  DisjointSets sets(faces.size());
   mesh::CornerSets edges;
   std::vector<std::vector<std::size_t>> faces_of_edge;
   for (std::size_t f = 0; f < faces.size(); ++f)
