@@ -36,7 +36,7 @@ double farthest_motion(const std::vector<Vector3d>& from, const std::vector<Vect
 
 /// Faces that touch are not farther apart than the longest of them.
 std::optional<SelfPairs> self_pairs_of(const Zone& zone) {
-  if (!zone.self)
+  if (!zone.meets_itself())
     return std::nullopt;
   return SelfPairs(zone.master, zone.undeformed_master, zone.master.longest_edge);
 }

@@ -223,11 +223,10 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
                std::span<const NodeIndex> excluded_nodes, const ZoneGeometry& geometry) {
   Zone zone;
   zone.settings = settings;
-  zone.self = !settings.self.empty();
   zone.space_dimension = geometry.space_dimension;
   const auto rule = integration_of(settings);
   zone.unit_weights = rule.unit_weights;
-  if (zone.self && rule.points == nullptr)
+  if (zone.meets_itself() && rule.points == nullptr)
     master = slave = with_split_edges(slave, undeformed_places(mesh, slave));
   if (rule.points == nullptr) {
     zone.mortar = mortar_reference(mesh, slave, geometry);
@@ -237,7 +236,7 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
   }
   zone.points_own_multipliers =
       std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
-  if (zone.self)
+  if (zone.meets_itself())
     zone.undeformed_master = undeformed_places(mesh, master);
   zone.master = std::move(master);
   zone.slave = std::move(slave);
@@ -257,7 +256,7 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Obsta
 }
 
 std::optional<std::array<mesh::CellIndex, 2>> sharp_slave_edge(const Zone& zone) {
-  if (!zone.mortar || zone.self)
+  if (!zone.mortar || zone.meets_itself())
     return std::nullopt;
   const auto faces = mortar::first_sharp_edge(zone.slave, zone.mortar->undeformed);
   if (!faces)

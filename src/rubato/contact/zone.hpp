@@ -59,9 +59,6 @@ struct Zone {
   std::vector<SlavePoint> points;
   GapOffset offset; ///< added to the gaps between the surfaces
   int space_dimension = 3;
-  /// Whether master and slave are one surface. Which of two of its parts is the slave is told by
-  /// self_pairs.hpp.
-  bool self = false;
   /// Of a surface that touches itself: its undeformed places, by position in the surface's nodes.
   std::vector<Eigen::Vector3d> undeformed_master;
   /// Whether every point stands on a node and has its multipliers for itself. Otherwise gaps close on average
@@ -75,6 +72,10 @@ struct Zone {
   std::vector<mortar::HeldComponents> held;
 
   double begin = 0; ///< the first instant of the run
+
+  /// Whether master and slave are one surface. Which of two of its parts is the slave is told by
+  /// self_pairs.hpp.
+  bool meets_itself() const { return !settings.self.empty(); }
 
   /// Whether its geometry is that of the undeformed bodies.
   bool holds_geometry() const { return settings.freeze || settings.tie; }

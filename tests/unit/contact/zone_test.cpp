@@ -176,6 +176,18 @@ TEST(SharedMultipliers, AreThoseOfFacesWhosePointsStandBetweenNodes) {
   EXPECT_FALSE(model_of("quad8").zones.front().shares_multipliers()) << "its sides are SEG3";
 }
 
+TEST(AZone, MeetsItselfWhereItsSettingsNameOneSurface) {
+  const auto model = model_of("quad4");
+  const auto& two = model.zones.front();
+  EXPECT_FALSE(two.meets_itself());
+  EXPECT_TRUE(two.undeformed_master.empty());
+  auto settings = two.settings;
+  settings.self = settings.slave;
+  const auto one = make_zone(model.mesh, settings, two.slave, two.slave, {}, {2, 1.0, {}});
+  EXPECT_TRUE(one.meets_itself());
+  EXPECT_EQ(one.undeformed_master.size(), one.slave.nodes.size());
+}
+
 TEST(ThePlaceAtTheStartOfAStep, IsTheSameToTheLastBitWhereverTheNodeHasGone) {
   const auto model = model_of("hexa8");
   Eigen::VectorXd start(model.dofs.dof_count), u(model.dofs.dof_count);

@@ -34,7 +34,7 @@ void collect(const Surface& surface, const PositionOf& position, std::vector<Vec
 }
 
 std::optional<SelfPairs> self_of(const Zone& zone) {
-  if (!zone.self)
+  if (!zone.meets_itself())
     return std::nullopt;
   return SelfPairs(zone.slave, zone.undeformed_master, zone.mortar->longest_face);
 }
@@ -72,7 +72,7 @@ void Points::hold_those_that_return() {
 void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
                           Operators& into) {
   const auto options = options_at(slave);
-  if (zone_->self)
+  if (zone_->meets_itself())
     integrate(zone_->slave, *zone_->mortar, zone_->slave, slave, slave, options, workspace_, into);
   else if (zone_->obstacle)
     integrate(zone_->slave, *zone_->mortar, *zone_->obstacle, offset, slave, options, workspace_, into);
