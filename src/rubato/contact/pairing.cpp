@@ -46,18 +46,11 @@ bool is_farther(const Face& face, const FaceCoordinates& nodes, const Vector3d& 
   return squared > (1 + rounding) * distance * distance;
 }
 
-FaceCoordinates coordinates_of(const Face& face, std::span<const Vector3d> of_surface) {
-  FaceCoordinates coordinates(3, face.node_count);
-  for (int i = 0; i < face.node_count; ++i)
-    coordinates.col(i) = of_surface[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
-  return coordinates;
-}
-
 /// Tries one more face.
 void consider(const Zone& zone, int face_index, const Vector3d& point, std::span<const Vector3d> master,
               Candidate& best) {
   const auto& face = zone.master.faces[static_cast<std::size_t>(face_index)];
-  const auto nodes = coordinates_of(face, master);
+  const auto nodes = values_of(face, master);
   const bool one_inside = best.face >= 0 && best.projection.inside();
   const double rounding_of_distance = same_distance * zone.master.longest_edge;
   if (one_inside && is_farther(face, nodes, point, best.distance + rounding_of_distance))
@@ -100,7 +93,7 @@ Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
 
 Pair pair_on(const Zone& zone, int face, const Vector3d& x, std::span<const Vector3d> master) {
   const auto& of_zone = zone.master.faces[static_cast<std::size_t>(face)];
-  return {face, project(of_zone.type, coordinates_of(of_zone, master), x)};
+  return {face, project(of_zone.type, values_of(of_zone, master), x)};
 }
 
 FaceCoordinates deformed(const Face& face, const Configuration& configuration) {

@@ -204,13 +204,6 @@ std::vector<SlavePoint> make_mortar_points(const mortar::SlaveReference& referen
   return points;
 }
 
-std::vector<Eigen::Vector3d> undeformed_places(const mesh::Mesh& mesh, const Surface& surface) {
-  std::vector<Eigen::Vector3d> places;
-  for (const auto node : surface.nodes)
-    places.push_back(mesh.points[static_cast<std::size_t>(node)]);
-  return places;
-}
-
 mortar::SlaveReference mortar_reference(const mesh::Mesh& mesh, const Surface& slave,
                                         const ZoneGeometry& geometry) {
   return mortar::make_slave_reference(slave, undeformed_places(mesh, slave),
