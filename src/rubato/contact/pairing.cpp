@@ -64,6 +64,13 @@ void consider(const Zone& zone, int face_index, const Vector3d& point, std::span
     best = candidate;
 }
 
+/// Unpaired where there is no face, or the projection lies too far outside it.
+Pair pair_of(const Candidate& best) {
+  if (best.face < 0 || !(best.projection.overshoot <= tolerances.paired_overshoot))
+    return {};
+  return {best.face, best.projection};
+}
+
 } // namespace
 
 Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::span<const Vector3d> master,
@@ -76,9 +83,7 @@ Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::spa
   for (const int face : faces)
     if (!guessed || face != guess)
       consider(zone, face, x, master, best);
-  if (!(best.projection.overshoot <= tolerances.paired_overshoot))
-    return {};
-  return {best.face, best.projection};
+  return pair_of(best);
 }
 
 Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
@@ -86,9 +91,7 @@ Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
   Candidate best;
   for (const int face : faces)
     consider(zone, face, x, master, best);
-  if (best.face < 0 || !(best.projection.overshoot <= tolerances.paired_overshoot))
-    return {};
-  return {best.face, best.projection};
+  return pair_of(best);
 }
 
 Pair pair_on(const Zone& zone, int face, const Vector3d& x, std::span<const Vector3d> master) {
