@@ -25,9 +25,7 @@ std::vector<Vector3d> positions(const Surface& surface, const Configuration& con
 /// Behind one face whose normal is against `normal`; 0 in front of it, beside it or where they do not face.
 double depth_behind(const Face& face, const std::vector<Vector3d>& slave_x, const Vector3d& x,
                     const Vector3d& normal) {
-  FaceCoordinates nodes(3, face.node_count);
-  for (int i = 0; i < face.node_count; ++i)
-    nodes.col(i) = slave_x[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
+  const auto nodes = values_of(face, slave_x);
   const auto place = project(face.type, nodes, x, Wanted::inside);
   if (!place.converged || !place.inside())
     return 0;

@@ -36,7 +36,7 @@ double farthest_motion(const std::vector<Vector3d>& from, const std::vector<Vect
 
 /// Faces that touch are not farther apart than the longest of them.
 std::optional<SelfPairs> self_pairs_of(const Zone& zone) {
-  if (!zone.self)
+  if (!zone.meets_itself())
     return std::nullopt;
   return SelfPairs(zone.master, zone.undeformed_master, zone.master.longest_edge);
 }
@@ -178,7 +178,7 @@ std::size_t NeighbourList::nearest_of(std::size_t point) const {
 void NeighbourList::follow_itself(const Configuration& configuration) {
   Points start;
   for (const auto node : zone_->master.nodes)
-    start.push_back(configuration.position(node) - configuration.increment(node));
+    start.push_back(configuration.start_position(node));
   if (start != step_start_) {
     step_start_ = std::move(start);
     self_->update(step_start_);

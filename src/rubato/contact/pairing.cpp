@@ -46,18 +46,11 @@ bool is_farther(const Face& face, const FaceCoordinates& nodes, const Vector3d& 
   return squared > (1 + rounding) * distance * distance;
 }
 
-FaceCoordinates coordinates_of(const Face& face, std::span<const Vector3d> of_surface) {
-  FaceCoordinates coordinates(3, face.node_count);
-  for (int i = 0; i < face.node_count; ++i)
-    coordinates.col(i) = of_surface[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
-  return coordinates;
-}
-
 /// Tries one more face.
 void consider(const Zone& zone, int face_index, const Vector3d& point, std::span<const Vector3d> master,
               Candidate& best) {
   const auto& face = zone.master.faces[static_cast<std::size_t>(face_index)];
-  const auto nodes = coordinates_of(face, master);
+  const auto nodes = values_of(face, master);
   const bool one_inside = best.face >= 0 && best.projection.inside();
   const double rounding_of_distance = same_distance * zone.master.longest_edge;
   if (one_inside && is_farther(face, nodes, point, best.distance + rounding_of_distance))
@@ -69,6 +62,13 @@ void consider(const Zone& zone, int face_index, const Vector3d& point, std::span
   candidate.distance = (point - face_position(face.type, nodes, candidate.projection.clamped)).norm();
   if (candidate.beats(best, rounding_of_distance))
     best = candidate;
+}
+
+/// Unpaired where there is no face, or the projection lies too far outside it.
+Pair pair_of(const Candidate& best) {
+  if (best.face < 0 || !(best.projection.overshoot <= tolerances.paired_overshoot))
+    return {};
+  return {best.face, best.projection};
 }
 
 } // namespace
@@ -83,9 +83,7 @@ Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::spa
   for (const int face : faces)
     if (!guessed || face != guess)
       consider(zone, face, x, master, best);
-  if (!(best.projection.overshoot <= tolerances.paired_overshoot))
-    return {};
-  return {best.face, best.projection};
+  return pair_of(best);
 }
 
 Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
@@ -93,14 +91,12 @@ Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
   Candidate best;
   for (const int face : faces)
     consider(zone, face, x, master, best);
-  if (best.face < 0 || !(best.projection.overshoot <= tolerances.paired_overshoot))
-    return {};
-  return {best.face, best.projection};
+  return pair_of(best);
 }
 
 Pair pair_on(const Zone& zone, int face, const Vector3d& x, std::span<const Vector3d> master) {
   const auto& of_zone = zone.master.faces[static_cast<std::size_t>(face)];
-  return {face, project(of_zone.type, coordinates_of(of_zone, master), x)};
+  return {face, project(of_zone.type, values_of(of_zone, master), x)};
 }
 
 FaceCoordinates deformed(const Face& face, const Configuration& configuration) {

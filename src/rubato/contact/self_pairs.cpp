@@ -36,13 +36,6 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-FaceCoordinates gathered(const Face& face, std::span<const Vector3d> x) {
-  FaceCoordinates coordinates(3, face.node_count);
-  for (int i = 0; i < face.node_count; ++i)
-    coordinates.col(i) = x[at(face.positions[at(i)])];
-  return coordinates;
-}
-
 /// From the corners alone; in 2D (t_y, −t_x). 0 of a face without area.
 Vector3d unit_normal(CellType type, const FaceCoordinates& x) {
   Vector3d normal;
@@ -60,7 +53,7 @@ Vector3d unit_normal(CellType type, const FaceCoordinates& x) {
 std::vector<FlatFace> flat_faces(const Surface& surface, std::span<const Vector3d> x) {
   std::vector<FlatFace> flat;
   for (const auto& face : surface.faces) {
-    const auto nodes = gathered(face, x);
+    const auto nodes = values_of(face, x);
     const Vector3d centre = nodes.rowwise().mean();
     flat.push_back({centre, unit_normal(face.type, nodes),
                     std::sqrt((nodes.colwise() - centre).colwise().squaredNorm().maxCoeff())});
@@ -144,7 +137,7 @@ std::vector<std::vector<int>> across_edges(const Surface& surface) {
 std::vector<Vector3d> unit_normals(const Surface& surface, std::span<const Vector3d> x) {
   std::vector<Vector3d> normals;
   for (const auto& face : surface.faces)
-    normals.push_back(unit_normal(face.type, gathered(face, x)));
+    normals.push_back(unit_normal(face.type, values_of(face, x)));
   return normals;
 }
 

@@ -2,6 +2,7 @@
 #include "rubato/contact/smooth_patches.hpp"
 
 #include "rubato/contact/mortar/frames.hpp"
+#include "rubato/core/disjoint_sets.hpp"
 
 #include <algorithm>
 #include <set>
@@ -63,6 +64,19 @@ Surface with_split_edges(const Surface& surface, std::span<const Eigen::Vector3d
       split.faces_of_node.push_back(std::move(side));
     }
   return split;
+}
+
+std::vector<std::size_t> smooth_parts(const Surface& surface, std::span<const Eigen::Vector3d> undeformed) {
+  DisjointSets sets(surface.faces.size());
+  for (const auto& [one, other] : mortar::smooth_neighbours(surface, undeformed))
+    sets.join(static_cast<std::size_t>(one), static_cast<std::size_t>(other));
+  std::vector<std::size_t> part_of_face(surface.faces.size());
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < part_of_face.size(); ++f) {
+    const auto root = sets.root(f); // the part's first face
+    part_of_face[f] = root == f ? count++ : part_of_face[root];
+  }
+  return part_of_face;
 }
 
 } // namespace rubato::contact

@@ -2,6 +2,7 @@
 /// The side of a body that may touch another: faces whose normals point out of the body.
 #pragma once
 
+#include "rubato/contact/projection.hpp"
 #include "rubato/mesh/mesh.hpp"
 
 #include <Eigen/Core>
@@ -39,6 +40,13 @@ struct Surface {
 
 /// Collects the nodes and neighbours of `faces`, which must be oriented already.
 Surface make_surface(const mesh::Mesh& mesh, std::vector<Face> faces);
+
+/// What a face has of values that are given by position in its surface's nodes, one column a node of the
+/// face.
+FaceCoordinates values_of(const Face& face, std::span<const Eigen::Vector3d> values);
+
+/// Where the nodes of a surface are undeformed, by position.
+std::vector<Eigen::Vector3d> undeformed_places(const mesh::Mesh& mesh, const Surface& surface);
 
 /// Reference dimension of a contact face: 1 for segments, 2 for triangles and quadrangles.
 int parametric_dimension(CellType type);

@@ -204,13 +204,6 @@ std::vector<SlavePoint> make_mortar_points(const mortar::SlaveReference& referen
   return points;
 }
 
-std::vector<Eigen::Vector3d> undeformed_places(const mesh::Mesh& mesh, const Surface& surface) {
-  std::vector<Eigen::Vector3d> places;
-  for (const auto node : surface.nodes)
-    places.push_back(mesh.points[static_cast<std::size_t>(node)]);
-  return places;
-}
-
 mortar::SlaveReference mortar_reference(const mesh::Mesh& mesh, const Surface& slave,
                                         const ZoneGeometry& geometry) {
   return mortar::make_slave_reference(slave, undeformed_places(mesh, slave),
@@ -223,14 +216,13 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
                std::span<const NodeIndex> excluded_nodes, const ZoneGeometry& geometry) {
   Zone zone;
   zone.settings = settings;
-  zone.self = !settings.self.empty();
   zone.space_dimension = geometry.space_dimension;
   const auto rule = integration_of(settings);
   zone.unit_weights = rule.unit_weights;
   if (rule.points == nullptr) {
     if (!settings.tie)
       slave = with_split_edges(slave, undeformed_places(mesh, slave));
-    if (zone.self)
+    if (zone.meets_itself())
       master = slave;
     zone.mortar = mortar_reference(mesh, slave, geometry);
     zone.points = make_mortar_points(*zone.mortar, slave, excluded_nodes);
@@ -239,7 +231,7 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
   }
   zone.points_own_multipliers =
       std::ranges::all_of(zone.points, [](const auto& point) { return point.node_position >= 0; });
-  if (zone.self)
+  if (zone.meets_itself())
     zone.undeformed_master = undeformed_places(mesh, master);
   zone.master = std::move(master);
   zone.slave = std::move(slave);

@@ -59,9 +59,6 @@ struct Zone {
   std::vector<SlavePoint> points;
   GapOffset offset; ///< added to the gaps between the surfaces
   int space_dimension = 3;
-  /// Whether master and slave are one surface. Which of two of its parts is the slave is told by
-  /// self_pairs.hpp.
-  bool self = false;
   /// Of a surface that touches itself: its undeformed places, by position in the surface's nodes.
   std::vector<Eigen::Vector3d> undeformed_master;
   /// Whether every point stands on a node and has its multipliers for itself. Otherwise gaps close on average
@@ -75,6 +72,10 @@ struct Zone {
   std::vector<mortar::HeldComponents> held;
 
   double begin = 0; ///< the first instant of the run
+
+  /// Whether master and slave are one surface. Which of two of its parts is the slave is told by
+  /// self_pairs.hpp.
+  bool meets_itself() const { return !settings.self.empty(); }
 
   /// Whether its geometry is that of the undeformed bodies.
   bool holds_geometry() const { return settings.freeze || settings.tie; }
@@ -133,16 +134,22 @@ struct Configuration {
   double t = 0;       ///< of `displacement`
   double start_t = 0; ///< of `start`
 
-  Eigen::Vector3d position(mesh::NodeIndex node) const;
+  Eigen::Vector3d position(mesh::NodeIndex node) const { return moved_by(*displacement, node); }
+  /// Where the node was when the step began: the same to the last bit in all iterations of the step, as the
+  /// position minus the increment is not.
+  Eigen::Vector3d start_position(mesh::NodeIndex node) const { return moved_by(*start, node); }
   /// Displacement since the start of the step.
   Eigen::Vector3d increment(mesh::NodeIndex node) const;
+
+private:
+  Eigen::Vector3d moved_by(const Eigen::VectorXd& u, mesh::NodeIndex node) const;
 };
 
-inline Eigen::Vector3d Configuration::position(mesh::NodeIndex node) const {
+inline Eigen::Vector3d Configuration::moved_by(const Eigen::VectorXd& u, mesh::NodeIndex node) const {
   Eigen::Vector3d x = mesh->points[static_cast<std::size_t>(node)];
   const auto first = dofs->first_dof[static_cast<std::size_t>(node)];
   for (int i = 0; i < dofs->components; ++i)
-    x[i] += (*displacement)[first + i];
+    x[i] += u[first + i];
   return x;
 }
 

@@ -2,6 +2,7 @@
 #include "rubato/mesh/quality.hpp"
 
 #include "rubato/cell/parts.hpp"
+#include "rubato/core/disjoint_sets.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/rounding.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace rubato::mesh {
@@ -34,36 +34,26 @@ void record_node(Findings& findings, const Mesh& mesh, NodeIndex node) {
   record(findings, mesh.node_names.empty() ? std::to_string(mesh.node_numbers[i]) : mesh.node_names[i]);
 }
 
-/// Nodes joined by cells: a forest with one tree for each connected set (union-find with path halving).
+/// Nodes joined by cells.
 class ConnectedNodes {
 public:
-  explicit ConnectedNodes(const Mesh& mesh) : parent_(mesh.points.size()), bulk_(mesh.points.size(), false) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+  explicit ConnectedNodes(const Mesh& mesh) : sets_(mesh.points.size()), bulk_(mesh.points.size(), false) {
     for_each_cell(mesh, [this](CellIndex, const cell::CellTopology&, NodeSpan nodes) {
       for (const auto node : nodes)
-        join(nodes.front(), node);
+        sets_.join(static_cast<std::size_t>(nodes.front()), static_cast<std::size_t>(node));
     });
     for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, NodeSpan nodes) {
       if (shape.dimension == mesh.dimension)
-        bulk_[static_cast<std::size_t>(root(nodes.front()))] = true;
+        bulk_[root(nodes.front())] = true;
     });
   }
 
-  NodeIndex root(NodeIndex node) {
-    while (parent(node) != node) {
-      parent(node) = parent(parent(node));
-      node = parent(node);
-    }
-    return node;
-  }
-  bool in_bulk(NodeIndex node) { return bulk_[static_cast<std::size_t>(root(node))]; }
+  std::size_t root(NodeIndex node) { return sets_.root(static_cast<std::size_t>(node)); }
+  bool in_bulk(NodeIndex node) { return bulk_[root(node)]; }
   int body_count() const { return static_cast<int>(std::ranges::count(bulk_, true)); }
 
 private:
-  NodeIndex& parent(NodeIndex node) { return parent_[static_cast<std::size_t>(node)]; }
-  void join(NodeIndex a, NodeIndex b) { parent(root(b)) = root(a); }
-
-  std::vector<NodeIndex> parent_;
+  DisjointSets sets_;
   std::vector<bool> bulk_; ///< of a root: its set has a bulk cell
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/touching_parts.hpp"
 
+#include "rubato/contact/smooth_patches.hpp"
 #include "rubato/core/naming.hpp"
-#include "rubato/mesh/corner_sets.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/model/bodies.hpp"
+#include "rubato/model/named_faces.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace rubato::model {
@@ -21,8 +21,6 @@ namespace {
 using Eigen::Vector3d;
 using mesh::SurfaceFace;
 
-/// Cosine of the angle beyond which an edge parts a skin.
-constexpr double sharp = 0.5;
 /// Beyond this product of their normals faces do not face each other.
 constexpr double facing = -0.1;
 /// How far behind each other faces of bodies that overlap are, in sizes of the smaller face.
@@ -56,64 +54,18 @@ bool in_front(const PlacedFace& one, const PlacedFace& other, double behind) {
   return apart.dot(one.normal) > -behind && apart.dot(other.normal) < behind;
 }
 
-/// Where the edges of a face are: of a segment its ends.
-std::vector<mesh::CornerSet> edges_of(const SurfaceFace& face) {
-  const auto& shape = cell::topology(face.type);
-  std::vector<mesh::CornerSet> edges;
-  if (shape.dimension == 1)
-    for (const auto& node : face.nodes().first(2))
-      edges.push_back(mesh::corner_set(std::span(&node, 1)));
-  else
-    for (const auto& edge : shape.edges)
-      edges.push_back(mesh::corner_set(face.nodes(), edge));
-  return edges;
-}
-
-class FaceSets {
-public:
-  explicit FaceSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::size_t root(std::size_t item) {
-    while (parent_[item] != item)
-      item = parent_[item] = parent_[parent_[item]];
-    return item;
-  }
-  void join(std::size_t one, std::size_t other) {
-    one = root(one);
-    other = root(other);
-    parent_[std::max(one, other)] = std::min(one, other);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
-
 /// The skins of all bodies, cut along their sharp edges; in the order of their first faces.
 std::vector<SkinPart> skin_parts(const mesh::Mesh& mesh, const domain::Bulk& bulk, const Bodies& bodies) {
   const auto faces = mesh::skin(mesh, bulk.cells);
-  std::vector<PlacedFace> places;
-  places.reserve(faces.size());
-  for (const auto& face : faces)
-    places.push_back(placed(mesh, face));
-  FaceSets sets(faces.size());
-  mesh::CornerSets edges;
-  std::vector<std::vector<std::size_t>> faces_of_edge;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (const auto& edge : edges_of(faces[f])) {
-      const auto number = static_cast<std::size_t>(edges.insert(edge));
-      faces_of_edge.resize(std::max(faces_of_edge.size(), number + 1));
-      for (const auto other : faces_of_edge[number])
-        if (places[f].normal.dot(places[other].normal) >= sharp)
-          sets.join(f, other);
-      faces_of_edge[number].push_back(f);
-    }
+  const auto surface = surface_of(mesh, faces);
+  const auto part_of_face = contact::smooth_parts(surface, contact::undeformed_places(mesh, surface));
   std::vector<SkinPart> parts;
-  std::map<std::size_t, std::size_t> part_of_root;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto [found, is_new] = part_of_root.emplace(sets.root(f), parts.size());
-    if (is_new)
+    if (part_of_face[f] == parts.size())
       parts.push_back({bodies.of(faces[f].nodes().front()), {}, {}, {}});
-    parts[found->second].faces.push_back(faces[f]);
-    parts[found->second].places.push_back(places[f]);
+    auto& part = parts[part_of_face[f]];
+    part.faces.push_back(faces[f]);
+    part.places.push_back(placed(mesh, faces[f]));
   }
   return parts;
 }

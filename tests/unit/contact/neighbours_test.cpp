@@ -5,7 +5,13 @@
 
 #include "support/decks.hpp"
 #include "support/model_of.hpp"
+#include "unit/contact/flattened_ring.hpp"
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
 
 namespace rubato::contact {
 namespace {
@@ -104,6 +110,82 @@ TEST_F(NodesOnNodes, StandOnTheBorderATraceBeyondIt) {
     shift(hop);
   EXPECT_FALSE(list_.release_beyond_borders());
 }
+
+/// Dofs of every node of a plane mesh.
+domain::DofMap dofs_of(const mesh::Mesh& mesh) {
+  domain::DofMap dofs;
+  dofs.components = 2;
+  for (mesh::NodeIndex node = 0; node < mesh.node_count(); ++node) {
+    dofs.first_dof.push_back(2 * node);
+    dofs.nodes.push_back(node);
+  }
+  dofs.dof_count = 2 * mesh.node_count();
+  return dofs;
+}
+
+Zone zone_with_itself(const test::Line& line) {
+  study::ContactZone settings;
+  settings.self = settings.master = settings.slave = "skin";
+  return make_zone(line.mesh, settings, line.surface, line.surface, {}, {2, 1.0, {}});
+}
+
+Eigen::VectorXd displacement_to(const std::vector<Eigen::Vector3d>& x, const mesh::Mesh& mesh) {
+  Eigen::VectorXd u(2 * mesh.node_count());
+  for (std::size_t node = 0; node < x.size(); ++node)
+    u.segment<2>(2 * static_cast<Eigen::Index>(node)) = (x[node] - mesh.points[node]).head<2>();
+  return u;
+}
+
+/// A ring that is partly pressed flat at an angle.
+struct Pressed {
+  int count;
+  double angle, part;
+};
+
+/// Faces of these rings are as far apart as others, or as oblique as faces that just look at each other: the
+/// last bits of the start tell the sides apart.
+class ARingPressedFlat : public testing::TestWithParam<Pressed> {};
+
+TEST_P(ARingPressedFlat, HasTheSidesOfTheStartOfTheStepInEveryIteration) {
+  const auto line = test::ring(GetParam().count);
+  const auto dofs = dofs_of(line.mesh);
+  const auto zone = zone_with_itself(line);
+  const Eigen::VectorXd start =
+      GetParam().part * displacement_to(test::flattened(line, GetParam().angle), line.mesh);
+  SelfPairs sides(zone.master, zone.undeformed_master, zone.master.longest_edge);
+  std::vector<Eigen::Vector3d> places;
+  const Configuration before{&line.mesh, &dofs, &start, &start};
+  for (const auto node : zone.master.nodes)
+    places.push_back(before.position(node));
+  sides.update(places);
+  NeighbourList list(zone);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-0.002, 0.002);
+  int paired = 0;
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    Eigen::VectorXd u = start;
+    for (auto& component : u)
+      component += any(random);
+    list.forget_visits();
+    list.update({&line.mesh, &dofs, &u, &start});
+    for (std::size_t p = 0; p < zone.points.size(); ++p) {
+      const auto& pair = list.pairs()[p];
+      if (!pair.paired())
+        continue;
+      ++paired;
+      EXPECT_TRUE(std::ranges::any_of(
+          zone.points[p].stands_on,
+          [&](const PointOnFace& place) { return sides.may_pair(place.face, pair.master_face); }))
+          << "iteration " << iteration << ", point " << p;
+    }
+  }
+  EXPECT_GT(paired, 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rings, ARingPressedFlat,
+                         testing::Values(Pressed{6, std::numbers::pi / 2, 0.6},
+                                         Pressed{8, std::numbers::pi / 4, 0.7}, Pressed{48, 0, 1}),
+                         [](const auto& ring) { return "Of" + std::to_string(ring.param.count) + "Faces"; });
 
 } // namespace
 } // namespace rubato::contact

@@ -94,9 +94,7 @@ struct Fit {
 Fit fit_on(const Zone& zone, int face, const Vector3d& x, const std::vector<Vector3d>& master) {
   const auto pair = pair_on(zone, face, x, master);
   const auto& of_zone = zone.master.faces[static_cast<std::size_t>(face)];
-  FaceCoordinates nodes(3, of_zone.node_count);
-  for (int i = 0; i < of_zone.node_count; ++i)
-    nodes.col(i) = master[static_cast<std::size_t>(of_zone.positions[static_cast<std::size_t>(i)])];
+  const auto nodes = values_of(of_zone, master);
   return {(x - face_position(of_zone.type, nodes, pair.projection.clamped)).norm(), pair.projection.inside()};
 }
 
@@ -161,30 +159,33 @@ TEST_P(PairsOn, AreTheSameWhateverFaceIsGuessed) {
   }
 }
 
+TEST_P(PairsOn, AreTheSameAmongTheFacesAroundANode) {
+  const auto model =
+      test::model_of(plates, {{"mesh.generate.0.cells", GetParam()}, {"mesh.generate.1.cells", GetParam()}});
+  const auto& zone = model.zones.front();
+  const auto u = moved(model, 0.05);
+  const Configuration configuration{&model.mesh, &model.dofs, &u, &u};
+  std::vector<Vector3d> master;
+  for (const auto node : zone.master.nodes)
+    master.push_back(configuration.position(node));
+  const PointTree tree(master);
+  int paired = 0, unpaired = 0;
+  for (const auto& point : zone.points) {
+    const auto x = position(point, configuration);
+    const auto node = tree.nearest(x).index;
+    const auto around = pair_around(zone, node, x, master);
+    const auto among = pair_among(zone, zone.master.faces_of_node[node], x, master);
+    EXPECT_EQ(among.master_face, around.master_face);
+    EXPECT_EQ(among.projection.clamped, around.projection.clamped);
+    EXPECT_FALSE(pair_among(zone, {}, x, master).paired());
+    ++(around.paired() ? paired : unpaired);
+  }
+  EXPECT_GT(paired, 0);
+  EXPECT_GT(unpaired, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Faces, PairsOn, testing::Values("hexa8", "hexa20", "hexa27", "tetra4", "tetra10"),
                          [](const auto& cells) { return std::string(cells.param); });
-
-TEST(Surface, KnowsItsNodesTheirFacesAndItsEdges) {
-  const auto model = test::model_of(plates);
-  const auto& master = model.zones.front().master;
-  EXPECT_EQ(master.faces.size(), 30U);
-  EXPECT_EQ(master.nodes.size(), 42U);
-  EXPECT_TRUE(std::ranges::is_sorted(master.nodes));
-  EXPECT_NEAR(master.shortest_edge, 2. / 6, 1e-14);
-  EXPECT_NEAR(master.longest_edge, 2. / 5, 1e-14);
-  std::size_t seen = 0;
-  for (std::size_t position = 0; position < master.nodes.size(); ++position) {
-    EXPECT_EQ(master.position_of(master.nodes[position]), static_cast<int>(position));
-    for (const int face : master.faces_of_node[position]) {
-      const auto nodes = master.faces[static_cast<std::size_t>(face)].node_span();
-      EXPECT_NE(std::ranges::find(nodes, master.nodes[position]), nodes.end());
-      ++seen;
-    }
-  }
-  EXPECT_EQ(seen, 4 * master.faces.size());
-  EXPECT_EQ(master.position_of(-1), -1);
-  EXPECT_EQ(master.position_of(model.zones.front().slave.nodes.front()), -1);
-}
 
 } // namespace
 } // namespace rubato::contact

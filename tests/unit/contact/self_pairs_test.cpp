@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "unit/contact/flattened_ring.hpp"
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -15,76 +15,12 @@ namespace rubato::contact {
 namespace {
 
 using Eigen::Vector3d;
+using test::centre;
+using test::flattened;
+using test::is_inside;
+using test::Line;
+using test::ring;
 constexpr double pi = std::numbers::pi;
-
-/// A line of segments with its places.
-struct Line {
-  mesh::Mesh mesh;
-  Surface surface;
-  std::vector<Vector3d> x;
-};
-
-/// Adds segments from place to place, their normals to the right of the way; closed: the last leads to the
-/// first.
-void add_way(const std::vector<Vector3d>& places, bool closed, std::vector<Face>& faces, mesh::Mesh& mesh) {
-  const auto first = mesh.node_count();
-  mesh.points.insert(mesh.points.end(), places.begin(), places.end());
-  const auto count = static_cast<mesh::NodeIndex>(places.size());
-  for (mesh::NodeIndex i = 0; i + (closed ? 0 : 1) < count; ++i) {
-    Face face;
-    face.node_count = 2;
-    face.nodes = {first + i, first + (i + 1) % count};
-    faces.push_back(face);
-  }
-}
-
-Line line_of(mesh::Mesh mesh, std::vector<Face> faces) {
-  Line line;
-  line.mesh = std::move(mesh);
-  line.surface = make_surface(line.mesh, std::move(faces));
-  line.x = line.mesh.points;
-  return line;
-}
-
-/// A circle of that radius; the inside of a ring goes round clockwise.
-std::vector<Vector3d> circle(double radius, int count, bool inside) {
-  std::vector<Vector3d> places;
-  for (int i = 0; i < count; ++i) {
-    const double angle = 2 * pi * i / count * (inside ? -1 : 1);
-    places.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
-  }
-  return places;
-}
-
-Line ring(int count = 24) {
-  Line line;
-  std::vector<Face> faces;
-  add_way(circle(0.95, count, true), true, faces, line.mesh);
-  add_way(circle(1, count, false), true, faces, line.mesh);
-  return line_of(std::move(line.mesh), std::move(faces));
-}
-
-Vector3d centre(const Line& line, int face) {
-  const auto& nodes = line.surface.faces[static_cast<std::size_t>(face)].nodes;
-  return (line.mesh.points[static_cast<std::size_t>(nodes[0])] +
-          line.mesh.points[static_cast<std::size_t>(nodes[1])]) /
-         2;
-}
-
-bool is_inside(const Line& line, int face) {
-  return centre(line, face).norm() < 0.96;
-}
-
-/// The ring's inside flattened along the direction of that angle; its wall stays as thick as it is.
-std::vector<Vector3d> flattened(const Line& line, double angle) {
-  const Vector3d along(std::cos(angle), std::sin(angle), 0);
-  std::vector<Vector3d> x;
-  for (const auto& point : line.mesh.points) {
-    const Vector3d radial = point.normalized(), inside = 0.95 * radial;
-    x.push_back(inside - 0.95 * along.dot(inside) * along + (point - inside));
-  }
-  return x;
-}
 
 template <class Visit> void for_each_pair(const Line& line, const Visit& visit) {
   const auto count = static_cast<int>(line.surface.faces.size());

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// A surface whose nodes at sharp edges stand in it once for every smooth side.
+// The smooth parts of a surface, and the surface whose nodes at sharp edges stand in it once for each.
 #include "rubato/contact/smooth_patches.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <set>
+#include <tuple>
 #include <vector>
 
 namespace rubato::contact {
@@ -50,23 +53,90 @@ TEST(ACubeWithSplitEdges, HasEveryNodeOnceAFace) {
     }
 }
 
+/// Heights of a line of nodes at x = 0, 1, …: a sheet that is bent along them; `order` gives its
+/// slopes.
+struct Folded {
+  mesh::Mesh mesh;
+  std::vector<Face> faces;
+};
+
+Folded folded(const std::vector<double>& heights, const std::vector<mesh::NodeIndex>& order) {
+  Folded sheet;
+  const auto count = static_cast<mesh::NodeIndex>(heights.size());
+  for (const double y : {0.0, 1.0})
+    for (mesh::NodeIndex i = 0; i < count; ++i)
+      sheet.mesh.points.emplace_back(i, y, heights[static_cast<std::size_t>(i)]);
+  for (const auto first : order) {
+    Face face;
+    face.type = CellType::quad4;
+    face.node_count = 4;
+    face.nodes = {first, first + 1, first + 1 + count, first + count};
+    sheet.faces.push_back(face);
+  }
+  return sheet;
+}
+
+std::vector<std::size_t> parts_of(const Folded& sheet) {
+  const auto surface = make_surface(sheet.mesh, sheet.faces);
+  return smooth_parts(surface, undeformed_places(sheet.mesh, surface));
+}
+
 /// A roof: its ridge is as sharp as the slopes are steep.
 TEST(ARoof, IsSplitAtItsRidgeIfThatIsSharp) {
-  for (const auto& [height, nodes] : {std::pair(0.5, 6U), std::pair(0.7, 8U)}) {
-    mesh::Mesh mesh;
-    for (const double y : {0.0, 1.0})
-      for (const double x : {-1.0, 0.0, 1.0})
-        mesh.points.emplace_back(x, y, x == 0 ? height : 0);
-    std::vector<Face> faces;
-    for (const mesh::NodeIndex first : {0, 1}) {
-      Face face;
-      face.type = CellType::quad4;
-      face.node_count = 4;
-      face.nodes = {first, first + 1, first + 4, first + 3};
-      faces.push_back(face);
-    }
-    EXPECT_EQ(with_split_edges(make_surface(mesh, faces), mesh.points).nodes.size(), nodes) << height;
+  for (const auto& [height, nodes, parts] : {std::tuple(0.5, 6U, 1U), std::tuple(0.7, 8U, 2U)}) {
+    const auto roof = folded({0, height, 0}, {0, 1});
+    EXPECT_EQ(with_split_edges(make_surface(roof.mesh, roof.faces), roof.mesh.points).nodes.size(), nodes)
+        << height;
+    EXPECT_EQ(parts_of(roof).back() + 1, parts) << height;
   }
+}
+
+TEST(TheSmoothParts, OfACubeAreItsFaces) {
+  const auto mesh = cube();
+  EXPECT_EQ(smooth_parts(make_surface(mesh, skin()), mesh.points),
+            (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));
+}
+
+/// Sharp at nodes 2 and 5 of 0 to 7, and bent at others.
+TEST(TheSmoothParts, AreNumberedInTheOrderOfTheirFirstFaces) {
+  const std::vector<double> heights{0, 0.3, 0.5, -1, -2, -3, 0, 3};
+  EXPECT_EQ(parts_of(folded(heights, {0, 1, 2, 3, 4, 5, 6})),
+            (std::vector<std::size_t>{0, 0, 1, 1, 1, 2, 2}));
+  EXPECT_EQ(parts_of(folded(heights, {6, 4, 1, 5, 0, 3, 2})),
+            (std::vector<std::size_t>{0, 1, 2, 0, 2, 1, 1}));
+}
+
+/// Neighbours turn by 45° each, the first and the last of them by 135°.
+TEST(TheSmoothParts, ReachAsFarAroundAsNeighboursAreSmooth) {
+  mesh::Mesh mesh;
+  std::vector<Face> faces;
+  for (const double z : {0.0, 1.0})
+    for (int i = 0; i < 5; ++i)
+      mesh.points.emplace_back(std::cos(i * std::numbers::pi / 4), std::sin(i * std::numbers::pi / 4), z);
+  for (const mesh::NodeIndex first : {3, 0, 2, 1}) {
+    Face face;
+    face.type = CellType::quad4;
+    face.node_count = 4;
+    face.nodes = {first, first + 1, first + 6, first + 5};
+    faces.push_back(face);
+  }
+  const auto surface = make_surface(mesh, faces);
+  EXPECT_EQ(smooth_parts(surface, mesh.points), std::vector<std::size_t>(4, 0));
+}
+
+/// In the plane edges are nodes.
+TEST(TheSmoothParts, OfALineEndAtItsSharpCorners) {
+  mesh::Mesh mesh;
+  mesh.dimension = 2;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {2, 0.5, 0}, {2, 2, 0}};
+  std::vector<Face> faces;
+  for (const mesh::NodeIndex first : {0, 1, 2}) {
+    Face face;
+    face.node_count = 2;
+    face.nodes = {first, first + 1};
+    faces.push_back(face);
+  }
+  EXPECT_EQ(smooth_parts(make_surface(mesh, faces), mesh.points), (std::vector<std::size_t>{0, 0, 1}));
 }
 
 } // namespace

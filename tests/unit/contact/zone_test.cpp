@@ -176,5 +176,35 @@ TEST(SharedMultipliers, AreThoseOfFacesWhosePointsStandBetweenNodes) {
   EXPECT_FALSE(model_of("quad8").zones.front().shares_multipliers()) << "its sides are SEG3";
 }
 
+TEST(AZone, MeetsItselfWhereItsSettingsNameOneSurface) {
+  const auto model = model_of("quad4");
+  const auto& two = model.zones.front();
+  EXPECT_FALSE(two.meets_itself());
+  EXPECT_TRUE(two.undeformed_master.empty());
+  auto settings = two.settings;
+  settings.self = settings.slave;
+  const auto one = make_zone(model.mesh, settings, two.slave, two.slave, {}, {2, 1.0, {}});
+  EXPECT_TRUE(one.meets_itself());
+  EXPECT_EQ(one.undeformed_master.size(), one.slave.nodes.size());
+}
+
+TEST(ThePlaceAtTheStartOfAStep, IsTheSameToTheLastBitWhereverTheNodeHasGone) {
+  const auto model = model_of("hexa8");
+  Eigen::VectorXd start(model.dofs.dof_count), u(model.dofs.dof_count);
+  for (Eigen::Index i = 0; i < start.size(); ++i) {
+    start[i] = 0.01 / static_cast<double>(i + 3);
+    u[i] = start[i] + 7.0 / static_cast<double>(i + 11);
+  }
+  const Configuration before{&model.mesh, &model.dofs, &start, &start};
+  const Configuration later{&model.mesh, &model.dofs, &u, &start};
+  for (const auto node : model.dofs.nodes) {
+    const Eigen::Vector3d place =
+        model.mesh.points[static_cast<std::size_t>(node)] + start.segment<3>(model.dofs.dof(node, 0));
+    EXPECT_EQ(later.start_position(node), place);
+    EXPECT_EQ(before.position(node), place);
+    EXPECT_NE(later.position(node), place);
+  }
+}
+
 } // namespace
 } // namespace rubato::contact

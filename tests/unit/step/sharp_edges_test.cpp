@@ -96,8 +96,9 @@ time: {scheme: static, step: 1, end: 1}
   EXPECT_EQ(walk.resultants().in_contact, 6);
   EXPECT_NEAR(walk.resultants().normal, 1e6, 1e-3);
   for (std::size_t i = 0; i < walk.slave_count(); ++i)
-    if (walk.pressure(i) != 0)
+    if (walk.pressure(i) != 0) {
       EXPECT_NEAR(walk.pressure(i), 1e6, 1e-3) << walk.slave_point(i).transpose();
+    }
 }
 
 TEST(SharpEdges, AreNotTied) {

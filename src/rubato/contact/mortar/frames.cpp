@@ -27,13 +27,6 @@ double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
 
-FaceCoordinates coordinates_of(const Face& face, std::span<const Vector3d> x) {
-  FaceCoordinates coordinates(3, face.node_count);
-  for (int i = 0; i < face.node_count; ++i)
-    coordinates.col(i) = x[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
-  return coordinates;
-}
-
 /// The unit normal of a face at ξ; 0 where it has no area.
 Vector3d unit_normal(CellType type, const FaceCoordinates& coordinates, const Vector2d& xi) {
   const auto at = face_geometry(type, coordinates, xi);
@@ -103,7 +96,7 @@ void nodal_normals(const Surface& surface, std::span<const Vector3d> x, std::spa
                    std::vector<Vector3d>& normals) {
   normals.assign(surface.nodes.size(), Vector3d::Zero());
   for (const auto& face : surface.faces) {
-    const auto coordinates = coordinates_of(face, x);
+    const auto coordinates = values_of(face, x);
     for (std::size_t i = 0; i < face.node_span().size(); ++i)
       normals[static_cast<std::size_t>(face.positions[i])] +=
           unit_normal(face.type, coordinates, node_place(face.type, i));
@@ -155,7 +148,7 @@ void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, d
                   [&](const Edge& edge, const EdgePlace& place) { edges[edge].push_back(place); });
   const auto normal_at = [&](const EdgePlace& place) {
     const auto& face = surface.faces[static_cast<std::size_t>(place.face)];
-    return unit_normal(face.type, coordinates_of(face, x), place.xi);
+    return unit_normal(face.type, values_of(face, x), place.xi);
   };
   for (const auto& [edge, places] : edges)
     for (std::size_t i = 1; i < places.size(); ++i) {

@@ -20,9 +20,7 @@ void set_masters(const Surface& master, std::span<const Vector3d> x, Workspace::
     const auto& face = master.faces[f];
     auto& placed = work.masters[f];
     placed.type = face.type;
-    placed.x.resize(3, face.node_count);
-    for (int i = 0; i < face.node_count; ++i)
-      placed.x.col(i) = x[at(face.positions[at(i)])];
+    placed.x = values_of(face, x);
     boxes[f] = box_of(face.type, placed.x);
   }
   work.search.build(boxes);

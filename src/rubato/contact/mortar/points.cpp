@@ -34,19 +34,9 @@ void collect(const Surface& surface, const PositionOf& position, std::vector<Vec
 }
 
 std::optional<SelfPairs> self_of(const Zone& zone) {
-  if (!zone.self)
+  if (!zone.meets_itself())
     return std::nullopt;
   return SelfPairs(zone.slave, zone.undeformed_master, zone.mortar->longest_face);
-}
-
-/// The same to the last bit in all iterations of a step, as the end minus the increment is not.
-Vector3d position_at_start(const Configuration& configuration, mesh::NodeIndex node) {
-  Vector3d x = configuration.mesh->points[static_cast<std::size_t>(node)];
-  const auto& dofs = *configuration.dofs;
-  const auto first = dofs.first_dof[static_cast<std::size_t>(node)];
-  for (int i = 0; i < dofs.components; ++i)
-    x[i] += (*configuration.start)[first + i];
-  return x;
 }
 
 } // namespace
@@ -82,7 +72,7 @@ void Points::hold_those_that_return() {
 void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
                           Operators& into) {
   const auto options = options_at(slave, master);
-  if (zone_->self)
+  if (zone_->meets_itself())
     integrate(zone_->slave, *zone_->mortar, zone_->slave, slave, slave, options, workspace_, into);
   else if (zone_->obstacle)
     integrate(zone_->slave, *zone_->mortar, *zone_->obstacle, offset, slave, options, workspace_, into);
@@ -106,7 +96,7 @@ Options Points::options_at(const Positions& slave, const Positions& master) {
 void Points::take_start(const Configuration& configuration) {
   Positions start(zone_->slave.nodes.size());
   collect(
-      zone_->slave, [&](mesh::NodeIndex node) { return position_at_start(configuration, node); }, start);
+      zone_->slave, [&](mesh::NodeIndex node) { return configuration.start_position(node); }, start);
   if (start_t_ == configuration.start_t && start == start_slave_)
     return;
   start_t_ = configuration.start_t;
@@ -126,7 +116,7 @@ void Points::take_start(const Configuration& configuration) {
 void Points::begin_reach(const Configuration& configuration) {
   Positions master;
   collect(
-      zone_->master, [&](mesh::NodeIndex node) { return position_at_start(configuration, node); }, master);
+      zone_->master, [&](mesh::NodeIndex node) { return configuration.start_position(node); }, master);
   reach_.begin(zone_->slave, zone_->master, start_slave_, master, zone_->mortar->longest_face);
 }
 
@@ -175,8 +165,8 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.tangents = node.tangents;
   k.closest_point = node.anchor;
   k.obstacle_displacement = anchor_motion(configuration);
-  const Vector3d start = gap_vector(node, [&](auto at) { return position_at_start(configuration, at); }) +
-                         k.obstacle_displacement;
+  const Vector3d start =
+      gap_vector(node, [&](auto at) { return configuration.start_position(at); }) + k.obstacle_displacement;
   k.slip_origin = (start_tangents_[position] - node.tangents).transpose() * start;
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;

@@ -18,13 +18,6 @@ constexpr int full_weight_degree = 8;
 constexpr double on_axis = 1e-12;
 constexpr HeldComponents radial = 1;
 
-FaceCoordinates gathered(const Face& face, std::span<const Vector3d> values) {
-  FaceCoordinates coordinates(3, face.node_count);
-  for (int i = 0; i < face.node_count; ++i)
-    coordinates.col(i) = values[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
-  return coordinates;
-}
-
 double diameter(const FaceCoordinates& x) {
   double squared = 0;
   for (Eigen::Index i = 0; i < x.cols(); ++i)
@@ -54,7 +47,7 @@ SlaveReference make_slave_reference(const Surface& slave, std::vector<Vector3d> 
   reference.full_weight.assign(slave.nodes.size(), 0);
   reference.tangent_neighbour = tangent_neighbours(slave);
   for (const auto& face : slave.faces) {
-    const auto coordinates = gathered(face, reference.undeformed);
+    const auto coordinates = values_of(face, reference.undeformed);
     reference.dimension = parametric_dimension(face.type) + 1;
     reference.longest_face = std::max(reference.longest_face, diameter(coordinates));
     reference.first_facet.push_back(reference.facet_area.size());
@@ -84,7 +77,7 @@ void require_finite(const Surface& surface, std::span<const Vector3d> x, const c
 
 SlaveFace slave_face(const Face& face, const SlaveReference& reference, std::span<const Vector3d> x,
                      std::span<const Vector3d> normals) {
-  return {face.type, gathered(face, x), gathered(face, reference.undeformed), gathered(face, normals)};
+  return {face.type, values_of(face, x), values_of(face, reference.undeformed), values_of(face, normals)};
 }
 
 void set_normals(const Surface& slave, const SlaveReference& reference, std::span<const Vector3d> x,

@@ -4,42 +4,23 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/linalg/elastic_block.hpp"
-#include <limits>
-#include <numeric>
+#include "unit/step/interface/two_blocks_compliance.hpp"
 #include <string>
 #include <vector>
 
 namespace rubato::step {
 namespace {
 
-/// Of two blocks that nothing couples.
-Compliance of_blocks(Eigen::Index largest_whole) {
-  const auto block = test::elastic_block(5, 4, 3);
-  const auto size = static_cast<int>(block.rows());
-  linalg::SparseMatrix both(2 * size, 2 * size);
-  for (int j = 0; j < 2 * size; ++j)
-    for (linalg::SparseMatrix::InnerIterator entry(block, j % size); entry; ++entry)
-      both.insert(entry.row() + j / size * size, j) = (1 + j / size) * entry.value();
-  std::vector<int> all(static_cast<std::size_t>(2 * size));
-  std::iota(all.begin(), all.end(), 0);
-  const auto no_limit = std::numeric_limits<std::size_t>::max();
-  return {*linalg::SplitFactor::of(both, all, no_limit), all, 2 * size, largest_whole};
-}
-
-std::vector<int> positions_of(const Compliance& compliance) {
-  std::vector<int> all(compliance.surface().size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
+using test::compliance_of_two_blocks;
+using test::interface_dofs_of;
 
 class ComplianceOf : public testing::TestWithParam<int> {};
 
 TEST_P(ComplianceOf, HasTheSameBitsInWhateverOrderItIsAskedFor) {
-  auto by_one = of_blocks(GetParam());
-  auto backwards = of_blocks(GetParam());
-  auto whole = of_blocks(GetParam());
-  const auto all = positions_of(whole);
+  auto by_one = compliance_of_two_blocks(GetParam());
+  auto backwards = compliance_of_two_blocks(GetParam());
+  auto whole = compliance_of_two_blocks(GetParam());
+  const auto all = interface_dofs_of(whole);
   for (const int position : all)
     by_one.column(position);
   for (std::size_t i = all.size(); i > 0; i -= std::min<std::size_t>(i, 7)) {
@@ -55,9 +36,9 @@ INSTANTIATE_TEST_SUITE_P(SurfacesWholeUpTo, ComplianceOf, testing::Values(0, 500
                          [](const auto& chosen) { return std::to_string(chosen.param); });
 
 TEST(Compliance, IsTheSameWholeAndByColumns) {
-  auto whole = of_blocks(5000);
-  auto by_columns = of_blocks(0);
-  const auto all = positions_of(whole);
+  auto whole = compliance_of_two_blocks(5000);
+  auto by_columns = compliance_of_two_blocks(0);
+  const auto all = interface_dofs_of(whole);
   const Eigen::MatrixXd expected = whole.between(all);
   EXPECT_EQ(expected, expected.transpose());
   EXPECT_LE((by_columns.between(all) - expected).lpNorm<Eigen::Infinity>(),
@@ -65,8 +46,8 @@ TEST(Compliance, IsTheSameWholeAndByColumns) {
 }
 
 TEST_P(ComplianceOf, MovesTheSurfaceByForcesGivenEitherWay) {
-  auto compliance = of_blocks(GetParam());
-  const auto all = positions_of(compliance);
+  auto compliance = compliance_of_two_blocks(GetParam());
+  const auto all = interface_dofs_of(compliance);
   const Eigen::MatrixXd s = compliance.between(all);
   const auto size = static_cast<Eigen::Index>(all.size());
   const std::vector<ForceAt> entries{{3, 1.5}, {40, -2}, {3, 0.5},  {100, 0},
@@ -85,8 +66,8 @@ TEST_P(ComplianceOf, MovesTheSurfaceByForcesGivenEitherWay) {
 }
 
 TEST_P(ComplianceOf, MovesTheSurfaceByForcesEverywhereOnOneBody) {
-  auto compliance = of_blocks(GetParam());
-  const auto all = positions_of(compliance);
+  auto compliance = compliance_of_two_blocks(GetParam());
+  const auto all = interface_dofs_of(compliance);
   const auto size = static_cast<Eigen::Index>(all.size());
   Eigen::VectorXd force = Eigen::VectorXd::LinSpaced(size, -1, 3);
   force.tail(size / 2).setZero();
