@@ -10,6 +10,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 double displacement_of(const PrescribedDof& prescribed, double t) {
+  if (prescribed.field)
+    return prescribed.field->field->at(prescribed.field->place, t);
   return prescribed.value * (prescribed.function ? value_at(*prescribed.function, t) : 1.0);
 }
 
