@@ -115,13 +115,13 @@ void check_offset(const contact::Zone& zone, const study::TimeStepping& time, st
   const bool keeps_overlaps = time.scheme == study::SchemeKind::moreau_jean;
   try {
     for (const auto& point : zone.points) {
-      zone.offset.at(point.place, time.end);
       zone.offset.at(point.place, time.begin);
       if (const double overlap = zone.offset.overlap_at(point.place, time.begin);
           keeps_overlaps && overlap != 0) {
         faults.push_back(overlap_at_start(zone, point, overlap, time.begin));
         return;
       }
+      zone.offset.at(point.place, time.end);
     }
   } catch (const InputError& error) {
     faults.insert(faults.end(), error.faults().begin(), error.faults().end());

@@ -245,7 +245,8 @@ private:
   /// A value of the study turns out to be none on the way, as an expression at some instant.
   void refuse(const InputError& error) {
     result_.status = Status::interrupted;
-    result_.message = fmt::format("{} after t = {:g}", error.what(), simulation_.state().t);
+    result_.message =
+        fmt::format("{}; the last whole step ends at t = {:g}", error.what(), simulation_.state().t);
     result_.loop_seconds = loop_seconds();
     take_counters();
     finish();
