@@ -20,9 +20,8 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// A field at an undeformed place, a function of time.
 struct FieldAtPlace {
-  std::shared_ptr<const FieldFunction> field; ///< [length]
+  std::shared_ptr<const FieldFunction> field; ///< [length], there is one
   std::array<double, 3> place{};
-  bool operator==(const FieldAtPlace& other) const { return *field == *other.field && place == other.place; }
 };
 
 /// A displacement that is prescribed: value times function (1 when there is none), or a field.
@@ -30,9 +29,11 @@ struct PrescribedDof {
   int dof = 0;
   double value = 0; ///< [length]
   std::optional<Function> function;
-  std::optional<FieldAtPlace> field = {}; ///< instead of value and function
-  bool operator==(const PrescribedDof&) const = default;
+  std::shared_ptr<const FieldAtPlace> field = {}; ///< instead of value and function; few have one
 };
+
+/// Whether they prescribe the same of the same dof.
+bool operator==(const PrescribedDof& a, const PrescribedDof& b);
 
 /// What it is at instant t [length]. Throws InputError when a field is no finite number there.
 double displacement_of(const PrescribedDof& prescribed, double t);

@@ -25,7 +25,10 @@ struct FieldFunction {
   /// no finite number there: one sentence with the place and the instant.
   double at(std::span<const double, 3> place, double t) const;
 
-  bool operator==(const FieldFunction&) const = default;
+  /// Whether they are the same function, wherever the study has them.
+  bool operator==(const FieldFunction& other) const {
+    return number == other.number && expression == other.expression && function == other.function;
+  }
 };
 
 /// "x = 0.5, y = 0, z = 0, t = 1e-3".

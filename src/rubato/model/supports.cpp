@@ -58,7 +58,8 @@ private:
     for (const double t : {study_.time.begin, study_.time.end})
       field->at(place, t); // throws now rather than in a step
     if (field->expression->has('t'))
-      return {dof, 0, std::nullopt, constraint::FieldAtPlace{field, place}};
+      return {dof, 0, std::nullopt,
+              std::make_shared<const constraint::FieldAtPlace>(constraint::FieldAtPlace{field, place})};
     return {dof, field->number * field->expression->at(place, study_.time.begin), field->function};
   }
 
