@@ -41,6 +41,17 @@ TEST_P(BadDeck, IsRefusedWithOneSentenceAndLeavesNothing) {
 INSTANTIATE_TEST_SUITE_P(
     Of, BadDeck,
     testing::Values(
+        Fault{
+            "AssigningExpression", "y: -1e7", "y: x = 1",
+            "20:31: loads.0.nodal_force.y: found 'x = 1', expected a number or an expression of x, y, z and "
+            "t: '=' at character 3 would assign, expected '==', which compares"},
+        Fault{
+            "CallingExpression", "y: -1e7", "y: tann('x')",
+            "20:31: loads.0.nodal_force.y: found 'tann('x')', expected a number or an expression of x, y, z "
+            "and t: unknown name 'tann' at character 1; did you mean 'tan'?"},
+        Fault{"InfiniteExpression", "y: -1e7", "y: 1/(x-1)",
+              "20:31: loads.0.nodal_force.y: '1/(x-1)' is infinite at x = 1, y = 0.2, z = 0, t = 0, expected "
+              "a finite number"},
         Fault{"UnknownKey", "thickness: 1", "thicknes: 1",
               "14:1: unknown key 'thicknes'; did you mean 'thickness'?"},
         Fault{"WrongType", "step: 1e-4", "step: soon",
@@ -125,6 +136,20 @@ TEST(BadDecks, AreRefusedBeforeTheirFirstRun) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(outcome.err.starts_with("error: deck.yaml:28:")) << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "deck"));
+}
+
+TEST(BadDecks, WhoseExpressionEndsInAStepKeepTheStepsBefore) {
+  const test::ScratchFolder folder;
+  test::write_text(folder / "deck.yaml",
+                   with(two_blocks, "y: -1e7", "y: \"if(abs(t-3e-4) < 1e-6, 1/0, -1e7)\""));
+  const auto outcome = test::run_program({"run", "deck.yaml", "-q"}, folder.path());
+  const std::string told = "loads.0.nodal_force.y: 'if(abs(t-3e-4) < 1e-6, 1/0, -1e7)' is infinite at x = 1, "
+                           "y = 0.2, z = 0, t = 0.0003, expected a finite number";
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "error: deck.yaml:20:31: " + told + "\n");
+  const auto summary = test::text_of(folder / "deck/run/run.json");
+  EXPECT_NE(summary.find("\"status\": \"interrupted\""), std::string::npos);
+  EXPECT_NE(summary.find(told + "; the last whole step ends at t = 0.0002"), std::string::npos);
 }
 
 TEST(BadDecks, AreRefusedWhenTheOutputCannotBeMade) {

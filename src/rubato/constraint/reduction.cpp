@@ -9,7 +9,16 @@ namespace rubato::constraint {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+bool operator==(const PrescribedDof& a, const PrescribedDof& b) {
+  const bool same_field = a.field && b.field
+                              ? *a.field->field == *b.field->field && a.field->place == b.field->place
+                              : !a.field && !b.field;
+  return same_field && a.dof == b.dof && a.value == b.value && a.function == b.function;
+}
+
 double displacement_of(const PrescribedDof& prescribed, double t) {
+  if (prescribed.field)
+    return prescribed.field->field->at(prescribed.field->place, t);
   return prescribed.value * (prescribed.function ? value_at(*prescribed.function, t) : 1.0);
 }
 

@@ -2,11 +2,14 @@
 /// Which displacements are unknown: u = T q + g(t).
 #pragma once
 
+#include "rubato/core/field_function.hpp"
 #include "rubato/core/function.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,14 +18,24 @@ namespace rubato::constraint {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-/// A displacement that is prescribed: value times function (1 when there is none).
+/// A field at an undeformed place, a function of time.
+struct FieldAtPlace {
+  std::shared_ptr<const FieldFunction> field; ///< [length], there is one
+  std::array<double, 3> place{};
+};
+
+/// A displacement that is prescribed: value times function (1 when there is none), or a field.
 struct PrescribedDof {
   int dof = 0;
   double value = 0; ///< [length]
   std::optional<Function> function;
+  std::shared_ptr<const FieldAtPlace> field = {}; ///< instead of value and function; few have one
 };
 
-/// What it is at instant t [length].
+/// Whether they prescribe the same of the same dof.
+bool operator==(const PrescribedDof& a, const PrescribedDof& b);
+
+/// What it is at instant t [length]. Throws InputError when a field is no finite number there.
 double displacement_of(const PrescribedDof& prescribed, double t);
 
 /// The displacements u of all dofs as functions of the unknowns q and of time, u = T q + g(t). Forces on

@@ -51,7 +51,7 @@ void FrozenPoints::measure(std::size_t point, const VectorXd& multipliers, const
       k.closest_point += zone_->obstacle->displacement(zone_->begin, configuration.t);
       k.obstacle_displacement = zone_->obstacle->displacement(configuration.start_t, configuration.t);
     }
-    k.gap_origin -= zone_->offset.change(zone_->begin, configuration.t);
+    k.gap_origin -= zone_->offset.change(zone_->points[point].place, zone_->begin, configuration.t);
     if (zone_->settings.tie)
       k.slip_origin = -k.tangents.transpose() * k.stencil.gather(*configuration.start, *configuration.dofs);
     measure_in_frozen_frame(k, configuration);

@@ -449,8 +449,8 @@ void with_evaluation(const Zone& zone, const SlavePoint& point, const Pair& pair
     with_clamped<2>(zone, point, pair, configuration, into, visit);
 }
 
-void add_offset(const Zone& zone, double t, Kinematics& k) {
-  k.gap_origin = -zone.offset.at(t);
+void add_offset(const Zone& zone, const SlavePoint& point, double t, Kinematics& k) {
+  k.gap_origin = -zone.offset.at(point.place, t);
   k.gap -= k.gap_origin;
 }
 
@@ -472,7 +472,7 @@ void evaluate_kinematics(const Zone& zone, const SlavePoint& point, const Pair& 
       evaluation.measure();
       evaluation.differentiate();
     });
-  add_offset(zone, configuration.t, into);
+  add_offset(zone, point, configuration.t, into);
 }
 
 void measure_kinematics(const Zone& zone, const SlavePoint& point, const Pair& pair,
@@ -481,7 +481,7 @@ void measure_kinematics(const Zone& zone, const SlavePoint& point, const Pair& p
     evaluate_before(*zone.obstacle, point, configuration, into);
   else
     with_evaluation(zone, point, pair, configuration, into, [](auto&& evaluation) { evaluation.measure(); });
-  add_offset(zone, configuration.t, into);
+  add_offset(zone, point, configuration.t, into);
 }
 
 } // namespace rubato::contact

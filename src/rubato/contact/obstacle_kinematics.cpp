@@ -9,13 +9,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
-Vector3d undeformed(const SlavePoint& point, const mesh::Mesh& mesh) {
-  Vector3d x = Vector3d::Zero();
-  for (std::size_t i = 0; i < point.nodes.size(); ++i)
-    x += point.shape[i] * mesh.points[static_cast<std::size_t>(point.nodes[i])];
-  return x;
-}
-
 void take_nodes(const SlavePoint& point, int components, Kinematics& k) {
   const auto count = static_cast<Index>(point.nodes.size());
   k.stencil.components = components;
@@ -54,7 +47,7 @@ void vary(const PlaceOnObstacle& place, const Vector3d& moved, Kinematics& k) {
 
 PlaceOnObstacle place_before(const Obstacle& obstacle, const SlavePoint& point, const Vector3d& x,
                              const Configuration& configuration) {
-  return place_on(obstacle, obstacle.offset(configuration.t), x, undeformed(point, *configuration.mesh));
+  return place_on(obstacle, obstacle.offset(configuration.t), x, point.place);
 }
 
 void evaluate_before(const Obstacle& obstacle, const SlavePoint& point, const Configuration& configuration,

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 /// What moves in a step but the bodies.
 struct Moving {
   Vector3d obstacle = Vector3d::Zero(); ///< how far it comes
-  double offset = 0;                    ///< how much the zone's offset opens
+  double offset = 0;                    ///< how much the zone's offset opens at the point
 };
 
 /// Takes a frozen place along with the obstacle it is on, and the gap along with the offset.
@@ -52,12 +52,13 @@ std::vector<PointEvaluation> velocity_frames(Discretisation& discretisation, con
   std::vector<PointEvaluation> points;
   measure(discretisation, VectorXd::Zero(zone.multiplier_count()), start, points);
   const double end = start.t + law.step;
-  const Moving moving{zone.obstacle ? zone.obstacle->displacement(start.t, end) : Vector3d::Zero().eval(),
-                      zone.offset.change(start.t, end)};
+  Moving moving{.obstacle =
+                    zone.obstacle ? zone.obstacle->displacement(start.t, end) : Vector3d::Zero().eval()};
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].kinematics)
       continue;
     const auto& k = *points[i].kinematics;
+    moving.offset = zone.offset.change(zone.points[i].place, start.t, end);
     const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - moving.obstacle / law.step;
     const double normal = k.normal.dot(relative) + moving.offset / law.step;
     const bool holds = zone.settings.tie || (!touched.empty() && touched[i] != 0);

@@ -204,6 +204,13 @@ std::vector<SlavePoint> make_mortar_points(const mortar::SlaveReference& referen
   return points;
 }
 
+Eigen::Vector3d undeformed_place(const mesh::Mesh& mesh, const SlavePoint& point) {
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < point.nodes.size(); ++i)
+    x += point.shape[i] * mesh.points[static_cast<std::size_t>(point.nodes[i])];
+  return x;
+}
+
 mortar::SlaveReference mortar_reference(const mesh::Mesh& mesh, const Surface& slave,
                                         const ZoneGeometry& geometry) {
   return mortar::make_slave_reference(slave, undeformed_places(mesh, slave),
@@ -235,8 +242,10 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
     zone.undeformed_master = undeformed_places(mesh, master);
   zone.master = std::move(master);
   zone.slave = std::move(slave);
-  for (auto& point : zone.points)
+  for (auto& point : zone.points) {
     point.weight = rule.unit_weights ? 1.0 : point.area;
+    point.place = undeformed_place(mesh, point);
+  }
   if (settings.normal != study::ContactNormal::master)
     for (auto& point : zone.points)
       add_turning_nodes(zone.slave, point);

@@ -37,6 +37,7 @@ struct AxisPressure {
 /// Where contact is enforced. A slave node shared by several faces carries one point whose weight is the sum
 /// of theirs: its displacement, multiplier and master face are the same seen from each of them.
 struct SlavePoint {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< where it is undeformed
   std::vector<mesh::NodeIndex> nodes; ///< those that move it and, when the normal is the slave's, turn it
   std::vector<double> shape;    ///< value of each node's shape function at the point; 0 for turning nodes
   std::vector<int> multipliers; ///< positions in the slave surface's nodes, of the nodes with shape ≠ 0

@@ -119,9 +119,9 @@ void read_normals(MapReader& map, study::ContactZone& zone) {
 /// What is added to the gaps of the mesh.
 void read_offsets(MapReader& map, study::ContactZone& zone) {
   if (const auto interference = map.find("interference"))
-    zone.interference = read_amplitude(*interference);
+    zone.interference = read_field(*interference);
   if (const auto gap = map.find("gap"))
-    zone.gap = read_amplitude(*gap);
+    zone.gap = read_field(*gap);
 }
 
 /// What only surfaces have that touch and part.

@@ -38,6 +38,8 @@ bool read_point(const Found& value, const Context& context, std::array<double, 3
 
 /// A number, or a number times a named function of time.
 study::Amplitude read_amplitude(const Value& value);
+/// A number or an expression, or one of them times a named function of time.
+study::Field read_field(const Value& value);
 
 void read_contact(const Found& value, const Context& context, std::vector<study::ContactZone>& zones);
 /// The rigid surface that stands for a zone's master.

@@ -64,7 +64,7 @@ void read_fixed(const Value& fix, const Context& context, study::Support& suppor
     auto& component = support.components[*axis];
     if (component)
       word.fault(fmt::format("{} is given a second time", study::axis_words[*axis]));
-    component = study::Amplitude{};
+    component = study::Field();
   }
 }
 
@@ -74,7 +74,7 @@ study::Support read_support(const Value& value, const Context& context) {
   read_name(map.require("on"), support.on);
   for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto given = map.find(study::axis_words[axis]))
-      support.components[axis] = read_amplitude(*given);
+      support.components[axis] = read_field(*given);
   if (const auto fix = map.find("fix"))
     read_fixed(*fix, context, support);
   map.finish();
@@ -95,6 +95,20 @@ void read_components(MapReader& map, const Context& context, study::Load& load) 
     }
   if (!given && map.is_map())
     map.value().fault("has no component, expected at least one of x, y, z");
+}
+
+/// A value, or a map of it and the function of time that multiplies it.
+template <class Varying> Varying read_varying(const Value& value) {
+  Varying varying;
+  if (!value.tree().is(Tree::Kind::map)) {
+    read(Found(value), varying.value);
+    return varying;
+  }
+  MapReader map(value);
+  read(map.require("value"), varying.value);
+  read_name(map.find("function"), varying.function);
+  map.finish();
+  return varying;
 }
 
 study::Load read_load(const Value& value, study::LoadKind kind, const Context& context) {
@@ -124,16 +138,11 @@ void read_functions(const Found& value, std::map<std::string, Function>& functio
 }
 
 study::Amplitude read_amplitude(const Value& value) {
-  study::Amplitude amplitude;
-  if (!value.tree().is(Tree::Kind::map)) {
-    read(Found(value), amplitude.value);
-    return amplitude;
-  }
-  MapReader map(value);
-  read(map.require("value"), amplitude.value);
-  read_name(map.find("function"), amplitude.function);
-  map.finish();
-  return amplitude;
+  return read_varying<study::Amplitude>(value);
+}
+
+study::Field read_field(const Value& value) {
+  return read_varying<study::Field>(value);
 }
 
 bool read_point(const Found& value, const Context& context, std::array<double, 3>& point) {

@@ -152,6 +152,22 @@ bool read(const Found& value, std::optional<double>& target, const study::Range&
   return good;
 }
 
+bool read(const Found& value, study::FieldValue& target) {
+  if (!value)
+    return false;
+  const auto& tree = value->tree();
+  if (!tree.is(Tree::Kind::word)) {
+    value->number_fault(fmt::format("found {}, expected a number or an expression", described(tree)));
+    return false;
+  }
+  const auto number = is_plain_word(tree) ? number_in<double>(tree.text) : std::nullopt;
+  if (number && std::isfinite(*number))
+    target = *number;
+  else
+    target = study::Formula{tree.text};
+  return true;
+}
+
 bool read(const Found& value, bool& target) {
   constexpr std::array<study::Word<bool>, 2> table{{{"true", true}, {"false", false}}};
   return read(value, target, table);

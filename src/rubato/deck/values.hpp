@@ -77,6 +77,8 @@ private:
 /// faulty (the fault is added). Numbers are strict: "1e-3s", inf and nan are faults.
 bool read(const Found& value, double& target, const study::Range& range = {});
 bool read(const Found& value, std::optional<double>& target, const study::Range& range = {});
+/// A number, or any other text: an expression, which is judged with the study.
+bool read(const Found& value, study::FieldValue& target);
 bool read(const Found& value, int& target, const study::Range& range = {});
 bool read(const Found& value, bool& target);
 bool read(const Found& value, std::optional<bool>& target);

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/load/field_forces.hpp"
 #include "rubato/load/nodal_forces.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/study/fields.hpp"
 #include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <utility>
 
 namespace rubato::model {
 namespace {
@@ -17,39 +21,99 @@ using Eigen::VectorXd;
 
 class LoadBuilder {
 public:
-  LoadBuilder(const mesh::Mesh& mesh, const domain::DofMap& dofs, const domain::Bulk& bulk,
-              std::vector<Fault>& faults)
-      : mesh_(mesh), dofs_(dofs), bulk_(bulk), faults_(faults) {}
+  LoadBuilder(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
+              const domain::Bulk& bulk, std::vector<Fault>& faults)
+      : study_(study), mesh_(mesh), dofs_(dofs), bulk_(bulk), faults_(faults) {}
 
-  VectorXd pattern(const study::Load& load, const Mention& on) {
-    VectorXd force = VectorXd::Zero(dofs_.dof_count);
-    const Vector3d value(load.components[0], load.components[1], load.components[2]);
-    switch (load.kind) {
-    case study::LoadKind::nodal_force:
-      if (const auto nodes = nodes_or_fault(mesh_, on, faults_); !nodes.empty())
-        load::add_nodal_force(mesh_, dofs_, nodes, value, force);
-      break;
-    case study::LoadKind::line_force:
-      load::add_line_force(mesh_, dofs_, edges(on), value, force);
-      break;
-    case study::LoadKind::surface_force:
-      add_on_faces(on, [&](const auto& faces) {
-        load::add_surface_force(mesh_, dofs_, bulk_.section, faces, value, force);
-      });
-      break;
-    case study::LoadKind::pressure:
-      add_on_faces(on, [&](const auto& faces) {
-        load::add_pressure(mesh_, dofs_, bulk_.section, faces, load.components[0], force);
-      });
-      break;
-    case study::LoadKind::gravity:
-      add_gravity(on, value, force);
-      break;
-    }
+  Force force_of(const study::Load& load, const std::string& path) {
+    Force force{VectorXd::Zero(dofs_.dof_count), function_named(study_, load.function)};
+    const Mention on{load.on, path + ".on"};
+    if (load.kind == study::LoadKind::pressure)
+      add_pressure(load, on, path, force);
+    else
+      add_vector(load, on, path, force);
     return force;
   }
 
 private:
+  void add_pressure(const study::Load& load, const Mention& on, const std::string& path, Force& force) {
+    add_on_faces(on, [&](const auto& faces) {
+      const auto& pressure = load.components[0];
+      if (const auto* number = pressure.number())
+        load::add_pressure(mesh_, dofs_, bulk_.section, faces, *number, force.pattern);
+      else
+        add_field(load, pressure, path + ".value", force, [&](const load::VisitPlace& visit) {
+          load::visit_pressure(mesh_, dofs_, bulk_.section, faces, visit);
+        });
+    });
+  }
+
+  /// Numbers together, each expression by itself.
+  void add_vector(const study::Load& load, const Mention& on, const std::string& path, Force& force) {
+    Vector3d numbers = Vector3d::Zero();
+    for (int i = 0; i < dofs_.components; ++i)
+      if (const auto* number = load.components[static_cast<std::size_t>(i)].number())
+        numbers[i] = *number;
+    const auto add_fields = [&](const auto& places_of) {
+      for (int i = 0; i < dofs_.components; ++i)
+        if (const auto& value = load.components[static_cast<std::size_t>(i)]; value.formula() != nullptr)
+          add_field(load, value, fmt::format("{}.{}", path, "xyz"[static_cast<std::size_t>(i)]), force,
+                    [&](const load::VisitPlace& visit) { places_of(i, visit); });
+    };
+    switch (load.kind) {
+    case study::LoadKind::nodal_force:
+      if (const auto nodes = nodes_or_fault(mesh_, on, faults_); !nodes.empty()) {
+        load::add_nodal_force(mesh_, dofs_, nodes, numbers, force.pattern);
+        add_fields([&](int i, const auto& visit) { load::visit_nodal_force(mesh_, dofs_, nodes, i, visit); });
+      }
+      break;
+    case study::LoadKind::line_force: {
+      const auto lines = edges(on);
+      load::add_line_force(mesh_, dofs_, lines, numbers, force.pattern);
+      add_fields([&](int i, const auto& visit) { load::visit_line_force(mesh_, dofs_, lines, i, visit); });
+      break;
+    }
+    case study::LoadKind::surface_force:
+      add_on_faces(on, [&](const auto& faces) {
+        load::add_surface_force(mesh_, dofs_, bulk_.section, faces, numbers, force.pattern);
+        add_fields([&](int i, const auto& visit) {
+          load::visit_surface_force(mesh_, dofs_, bulk_.section, faces, i, visit);
+        });
+      });
+      break;
+    case study::LoadKind::gravity: {
+      const auto part = heavy_part(on);
+      load::add_gravity(mesh_, dofs_, part, numbers, force.pattern);
+      add_fields([&](int i, const auto& visit) { load::visit_gravity(mesh_, dofs_, part, i, visit); });
+      break;
+    }
+    case study::LoadKind::pressure:
+      break;
+    }
+  }
+
+  /// What an expression without t gives is part of the pattern.
+  void add_field(const study::Load& load, const study::FieldValue& value, const std::string& path,
+                 Force& force, const std::function<void(const load::VisitPlace&)>& visit_places) {
+    auto field = study::field_function(value, {}, study_.functions, path);
+    if (!field.varies_in_time()) {
+      visit_places([&](const load::LoadedPlace& at) {
+        const double here = field.at(at.place, study_.time.begin);
+        for (std::size_t i = 0; i < at.dofs.size(); ++i)
+          force.pattern[at.dofs[i]] += at.weights[i] * here;
+      });
+      return;
+    }
+    field.function = function_named(study_, load.function);
+    load::FieldForce moving{field, {}};
+    visit_places([&](const load::LoadedPlace& at) {
+      for (const double t : {study_.time.begin, study_.time.end})
+        field.at(at.place, t); // throws now rather than in a step
+      moving.places.push_back(at);
+    });
+    force.fields.push_back(std::move(moving));
+  }
+
   std::vector<load::Face> edges(const Mention& on) {
     std::vector<load::Face> edges;
     const auto* group = cells_named(mesh_, on, faults_);
@@ -82,15 +146,13 @@ private:
     add(faces);
   }
 
-  void add_gravity(const Mention& on, const Vector3d& acceleration, VectorXd& force) {
-    if (on.name.empty()) {
-      load::add_gravity(mesh_, dofs_, bulk_, acceleration, force);
-      return;
-    }
+  domain::Bulk heavy_part(const Mention& on) {
+    if (on.name.empty())
+      return bulk_;
+    domain::Bulk part{bulk_.section, {}, bulk_.laws, {}};
     const auto* group = cells_named(mesh_, on, faults_);
     if (group == nullptr)
-      return;
-    domain::Bulk part{bulk_.section, {}, bulk_.laws, {}};
+      return part;
     for (std::size_t i = 0; i < bulk_.cells.size(); ++i)
       if (std::ranges::binary_search(group->items, bulk_.cells[i])) {
         part.cells.push_back(bulk_.cells[i]);
@@ -99,9 +161,10 @@ private:
     if (part.cells.empty())
       faults_.push_back(fault_at(
           on.path, fmt::format("group '{}' holds no cells that deform, expected some for gravity", on.name)));
-    load::add_gravity(mesh_, dofs_, part, acceleration, force);
+    return part;
   }
 
+  const study::Study& study_;
   const mesh::Mesh& mesh_;
   const domain::DofMap& dofs_;
   const domain::Bulk& bulk_;
@@ -112,16 +175,16 @@ private:
 
 std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                                const domain::Bulk& bulk, std::vector<Fault>& faults) {
-  LoadBuilder builder(mesh, dofs, bulk, faults);
+  LoadBuilder builder(study, mesh, dofs, bulk, faults);
   std::vector<Force> forces;
   for (std::size_t i = 0; i < study.loads.size(); ++i) {
     const auto& load = study.loads[i];
-    const Mention on{load.on, fmt::format("loads.{}.{}.on", i, study::word_of(study::load_words, load.kind))};
+    const auto path = fmt::format("loads.{}.{}", i, study::word_of(study::load_words, load.kind));
     try {
-      forces.push_back({builder.pattern(load, on), function_named(study, load.function)});
+      forces.push_back(builder.force_of(load, path));
     } catch (const InputError& error) {
       for (const auto& fault : error.faults())
-        faults.push_back(fault_at(on.path, fault.text));
+        faults.push_back(fault_at(fault.path.empty() ? path + ".on" : fault.path, fault.text));
     }
   }
   return forces;

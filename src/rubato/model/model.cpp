@@ -194,8 +194,11 @@ Model build_model(const study::Study& study, mesh::Mesh mesh) {
 
 VectorXd external_force(const Model& model, double t) {
   VectorXd force = VectorXd::Zero(model.dofs.dof_count);
-  for (const auto& part : model.forces)
+  for (const auto& part : model.forces) {
     force += value_of(part.function, t) * part.pattern;
+    for (const auto& field : part.fields)
+      load::add_field_force(field, t, force);
+  }
   return force;
 }
 

@@ -7,6 +7,7 @@
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/domain.hpp"
+#include "rubato/load/field_forces.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/products.hpp"
 #include "rubato/study/study.hpp"
@@ -23,10 +24,11 @@ namespace rubato::model {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-/// A force pattern times a function of time (1 when there is none).
+/// A force pattern times a function of time (1 when there is none), and what of the load changes otherwise.
 struct Force {
   Eigen::VectorXd pattern; ///< [force], one a dof
   std::optional<Function> function;
+  std::vector<load::FieldForce> fields = {}; ///< expressions of t
 };
 
 /// A spring from a dof to the ground, slack at displacement 0.

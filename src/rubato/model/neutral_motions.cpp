@@ -183,13 +183,31 @@ Work work_of(const Model& model, const RigidMotions& rigid, std::span<const Rigi
   return work;
 }
 
+/// Parts of a run at whose ends a load that changes otherwise than by a factor is looked at.
+constexpr int looks = 8;
+
+/// What the loads push with, each a pattern whose size does not matter.
+std::vector<VectorXd> load_patterns(const Model& model) {
+  std::vector<VectorXd> patterns;
+  const auto& time = model.study.time;
+  for (const auto& force : model.forces) {
+    patterns.push_back(force.pattern);
+    for (const auto& field : force.fields)
+      for (int i = 0; i <= looks; ++i) {
+        auto& pattern = patterns.emplace_back(VectorXd::Zero(force.pattern.size()));
+        load::add_field_force(field, time.begin + i * (time.end - time.begin) / looks, pattern);
+      }
+  }
+  return patterns;
+}
+
 /// Leaves out what loads work on: they move such a body without end, or until it hangs below its support.
 MatrixXd without_work(const Model& model, const RigidMotions& rigid, std::span<const RigidMotion> motions,
                       const MatrixXd& faceted, MatrixXd coefficients) {
-  for (const auto& force : model.forces) {
+  for (const auto& pattern : load_patterns(model)) {
     if (coefficients.cols() == 0)
       return coefficients;
-    const auto [done, most] = work_of(model, rigid, motions, coefficients, force.pattern);
+    const auto [done, most] = work_of(model, rigid, motions, coefficients, pattern);
     const double facets = (coefficients.transpose() * faceted * coefficients).diagonal().maxCoeff();
     if (done.norm() <= off_its_place * facets * most)
       continue;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/build.hpp"
+#include "rubato/study/fields.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
+#include <memory>
+#include <span>
 
 namespace rubato::model {
 namespace {
@@ -17,10 +21,10 @@ public:
       : study_(study), mesh_(mesh), dofs_(dofs), faults_(faults) {}
 
   void add(const study::Support& support, const std::string& path) {
-    for (const auto node : body_nodes_or_fault(mesh_, dofs_, {support.on, path + ".on"}, "to hold", faults_))
-      for (int i = 0; i < dofs_.components; ++i)
-        if (const auto& amplitude = support.components[static_cast<std::size_t>(i)])
-          prescribe(path, node, i, *amplitude);
+    const auto nodes = body_nodes_or_fault(mesh_, dofs_, {support.on, path + ".on"}, "to hold", faults_);
+    for (int i = 0; i < dofs_.components; ++i)
+      if (const auto& displacement = support.components[static_cast<std::size_t>(i)])
+        prescribe(path, nodes, i, *displacement);
   }
 
   std::vector<PrescribedDof> prescribed() const {
@@ -31,13 +35,37 @@ public:
   }
 
 private:
-  void prescribe(const std::string& path, mesh::NodeIndex node, int component,
-                 const study::Amplitude& amplitude) {
-    const int dof = dofs_.dof(node, component);
-    const PrescribedDof wanted{dof, amplitude.value, function_named(study_, amplitude.function)};
-    const auto [entry, fresh] = by_dof_.emplace(dof, wanted);
-    const auto& there = entry->second;
-    if (fresh || (there.value == wanted.value && there.function == wanted.function) || told_)
+  void prescribe(const std::string& path, std::span<const mesh::NodeIndex> nodes, int component,
+                 const study::Field& displacement) {
+    const auto at = fmt::format("{}.{}", path, "xyz"[static_cast<std::size_t>(component)]);
+    const auto field =
+        std::make_shared<const FieldFunction>(study::field_function(displacement, study_.functions, at));
+    try {
+      for (const auto node : nodes)
+        prescribe(path, node, component, prescribed_at(node, dofs_.dof(node, component), field));
+    } catch (const InputError& error) {
+      faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
+    }
+  }
+
+  /// An expression that does not change with time is a number at each node.
+  PrescribedDof prescribed_at(mesh::NodeIndex node, int dof,
+                              const std::shared_ptr<const FieldFunction>& field) const {
+    if (!field->expression)
+      return {dof, field->number, field->function};
+    const auto& x = mesh_.points[static_cast<std::size_t>(node)];
+    const std::array place{x[0], x[1], x[2]};
+    for (const double t : {study_.time.begin, study_.time.end})
+      field->at(place, t); // throws now rather than in a step
+    if (field->expression->has('t'))
+      return {dof, 0, std::nullopt,
+              std::make_shared<const constraint::FieldAtPlace>(constraint::FieldAtPlace{field, place})};
+    return {dof, field->number * field->expression->at(place, study_.time.begin), field->function};
+  }
+
+  void prescribe(const std::string& path, mesh::NodeIndex node, int component, const PrescribedDof& wanted) {
+    const auto [entry, fresh] = by_dof_.emplace(wanted.dof, wanted);
+    if (fresh || entry->second == wanted || told_)
       return;
     told_ = true;
     faults_.push_back(

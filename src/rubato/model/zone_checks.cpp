@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <span>
 
 namespace rubato::model {
 namespace {
@@ -28,6 +29,17 @@ std::optional<int> held_component(const contact::Zone& zone, const domain::DofMa
     if (is_held(zone.slave, c) && !is_held(zone.master, c))
       return c;
   return std::nullopt;
+}
+
+Fault overlap_at_start(const contact::Zone& zone, const contact::SlavePoint& point, double overlap,
+                       double t) {
+  const auto is_overlap = [](const auto& term) { return term.sense == contact::GapOffset::Sense::overlaps; };
+  const auto& path = std::ranges::find_if(zone.offset.terms, is_overlap)->length.path;
+  const std::span<const double, 3> place(point.place.data(), 3);
+  return fault_at(path,
+                  fmt::format("{}: found {} at {}, the first instant, but the scheme moreau_jean leaves "
+                              "overlaps of the start as they are, expected 0 there",
+                              path, overlap, shown_place(place, t)));
 }
 
 } // namespace
@@ -95,6 +107,25 @@ void check_edges(const contact::Zone& zone, const mesh::Mesh& mesh, std::vector<
                                         "each side of it",
                                         domain::cell_label(mesh, (*cells)[0]),
                                         domain::cell_label(mesh, (*cells)[1]), zone.settings.slave)));
+}
+
+void check_offset(const contact::Zone& zone, const study::TimeStepping& time, std::vector<Fault>& faults) {
+  if (zone.offset.terms.empty())
+    return;
+  const bool keeps_overlaps = time.scheme == study::SchemeKind::moreau_jean;
+  try {
+    for (const auto& point : zone.points) {
+      zone.offset.at(point.place, time.begin);
+      if (const double overlap = zone.offset.overlap_at(point.place, time.begin);
+          keeps_overlaps && overlap != 0) {
+        faults.push_back(overlap_at_start(zone, point, overlap, time.begin));
+        return;
+      }
+      zone.offset.at(point.place, time.end);
+    }
+  } catch (const InputError& error) {
+    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+  }
 }
 
 void check_tie(const contact::Zone& zone, const mesh::Mesh& mesh, const domain::DofMap& dofs,

@@ -35,6 +35,10 @@ void check_rule(const study::ContactZone& zone, const contact::Surface& slave, s
 /// Nodes of a tied slave have one normal: none of its edges is sharper than 60°.
 void check_edges(const contact::Zone& zone, const mesh::Mesh& mesh, std::vector<Fault>& faults);
 
+/// What is added to the gaps is a number at each point when the run begins, and no overlap then where the
+/// scheme leaves overlaps of the start as they are.
+void check_offset(const contact::Zone& zone, const study::TimeStepping& time, std::vector<Fault>& faults);
+
 /// A tie has to hold something.
 void check_tie(const contact::Zone& zone, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                const constraint::Reduction& reduction, std::vector<Fault>& faults);

@@ -117,6 +117,7 @@ public:
   std::vector<contact::Zone> make() {
     for (const auto& settings : study_.contact) {
       known_faults_ = faults_.size();
+      at_hand_ = settings.name;
       for (auto& chosen : chosen_zones(settings))
         add(std::move(chosen));
     }
@@ -251,7 +252,8 @@ private:
 
   void complete(contact::Zone& zone, std::string choice) {
     check_edges(zone, mesh_, faults_);
-    zone.offset = contact::make_gap_offset(zone.settings, study_.functions);
+    zone.offset = contact::make_gap_offset(zone.settings, study_.functions, "contact." + at_hand_);
+    check_offset(zone, study_.time, faults_);
     zone.begin = study_.time.begin;
     zone.held = held_components(zone.slave, dofs_, reduction_);
     zone.choice = std::move(choice);
@@ -274,6 +276,7 @@ private:
   std::vector<Fault>& faults_;
   std::optional<SideMeasures> measures_;
   std::size_t known_faults_ = 0; ///< before the zone at hand
+  std::string at_hand_;          ///< its name in the study: those of 'all' have others
   std::vector<contact::Zone> zones_;
 };
 

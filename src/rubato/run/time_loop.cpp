@@ -199,6 +199,9 @@ private:
       tell_progress(result);
     } catch (const WriteError& error) {
       break_off(error);
+    } catch (const InputError& error) {
+      refuse(error);
+      throw;
     }
   }
 
@@ -240,6 +243,16 @@ private:
     result_.status = Status::interrupted;
     result_.message = fmt::format("{} after t = {:g}", error.what(), simulation_.state().t);
     broken_off_ = true;
+  }
+
+  /// A value of the study turns out to be none on the way, as an expression at some instant.
+  void refuse(const InputError& error) {
+    result_.status = Status::interrupted;
+    result_.message =
+        fmt::format("{}; the last whole step ends at t = {:g}", error.what(), simulation_.state().t);
+    result_.loop_seconds = loop_seconds();
+    take_counters();
+    finish();
   }
 
   void take_counters() {

@@ -113,9 +113,11 @@ EnergyAccount::Obstacles EnergyAccount::work_of_obstacles(const State& committed
       continue;
     const Eigen::Vector3d way =
         moves ? zone.obstacle->displacement(committed.t, trial.t) : Eigen::Vector3d::Zero().eval();
-    const double apart = -zone.offset.change(committed.t, trial.t);
     const auto add = [&](const State& state, double part) {
-      for (const auto& outcome : state.zones[z].outcomes) {
+      const auto& outcomes = state.zones[z].outcomes;
+      for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        const auto& outcome = outcomes[i];
+        const double apart = -zone.offset.change(zone.points[i].place, committed.t, trial.t);
         work.normal += part * (way.dot(outcome.normal) + apart * contact::pressing_force(outcome));
         work.tangential += part * way.dot(outcome.tangential);
       }

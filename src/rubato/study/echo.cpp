@@ -83,21 +83,27 @@ Json echo(const Function& function) {
           {"outside", word(outside_words, function.outside)}};
 }
 
-void put_components(Json& map, const std::array<std::optional<Amplitude>, 3>& components) {
-  for (std::size_t axis = 0; axis < axis_words.size(); ++axis) {
-    const auto& component = components[axis];
-    if (!component)
-      continue;
-    auto& entry = map[std::string(axis_words[axis])];
-    entry["value"] = component->value;
-    put_name(entry, "function", component->function);
-  }
+Json echo(double number) {
+  return number;
 }
 
-Json echo(const Amplitude& amplitude) {
-  Json map{{"value", amplitude.value}};
-  put_name(map, "function", amplitude.function);
+/// Expressions as they are written.
+Json echo(const FieldValue& value) {
+  return value.number() != nullptr ? Json(*value.number()) : Json(value.formula()->text);
+}
+
+/// A value times a function of time.
+template <class Varying> Json echo_varying(const Varying& varying) {
+  Json map{{"value", echo(varying.value)}};
+  put_name(map, "function", varying.function);
   return map;
+}
+
+template <class Varying>
+void put_components(Json& map, const std::array<std::optional<Varying>, 3>& components) {
+  for (std::size_t axis = 0; axis < axis_words.size(); ++axis)
+    if (components[axis])
+      map[std::string(axis_words[axis])] = echo_varying(*components[axis]);
 }
 
 Json echo(const Support& support) {
@@ -110,10 +116,10 @@ Json echo(const Load& load, int dimension) {
   auto map = Json::object();
   put_name(map, "on", load.on);
   if (load.kind == LoadKind::pressure)
-    map["value"] = load.components[0];
+    map["value"] = echo(load.components[0]);
   else
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
-      map[std::string(axis_words[axis])] = load.components[axis];
+      map[std::string(axis_words[axis])] = echo(load.components[axis]);
   put_name(map, "function", load.function);
   return {{word(load_words, load.kind), map}};
 }
@@ -186,8 +192,8 @@ void put_surfaces(Json& map, const ContactZone& zone, Physics physics) {
 /// What only surfaces have that touch and part.
 void put_touching(Json& map, const ContactZone& zone) {
   map["friction_method"] = word(friction_method_words, zone.friction_method);
-  map["interference"] = echo(zone.interference);
-  map["gap"] = echo(zone.gap);
+  map["interference"] = echo_varying(zone.interference);
+  map["gap"] = echo_varying(zone.gap);
   map["normal"] = word(contact_normal_words, zone.normal);
   if (!zone.obstacle)
     map["clamped_normal"] = word(clamped_normal_words, zone.clamped_normal);

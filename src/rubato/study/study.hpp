@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -93,10 +94,42 @@ struct Amplitude {
   bool operator==(const Amplitude&) const = default;
 };
 
+/// The text of an expression (core/expression.hpp) of x, y, z, the undeformed place, and t, the instant.
+struct Formula {
+  std::string text;
+  bool operator==(const Formula&) const = default;
+};
+
+/// A number, or an expression: a number at each place and instant.
+struct FieldValue {
+  FieldValue(double number = 0) : is(number) {}
+  FieldValue(Formula formula) : is(std::move(formula)) {}
+
+  std::variant<double, Formula> is;
+
+  /// The number or the expression; null when it is the other one.
+  const double* number() const { return std::get_if<double>(&is); }
+  const Formula* formula() const { return std::get_if<Formula>(&is); }
+  bool operator==(const FieldValue&) const = default;
+};
+
+/// A number or an expression, times a named function of time when `function` is not empty.
+struct Field {
+  Field() = default;
+  Field(double number, std::string of_time = {}) : value(number), function(std::move(of_time)) {}
+  Field(Formula formula, std::string of_time = {})
+      : value(std::move(formula)), function(std::move(of_time)) {}
+  Field(Amplitude amplitude) : value(amplitude.value), function(std::move(amplitude.function)) {}
+
+  FieldValue value;
+  std::string function;
+  bool operator==(const Field&) const = default;
+};
+
 /// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`).
 struct Support {
   std::string on;
-  std::array<std::optional<Amplitude>, 3> components;
+  std::array<std::optional<Field>, 3> components;
   bool operator==(const Support&) const = default;
 };
 
@@ -110,8 +143,8 @@ enum class LoadKind {
 
 struct Load {
   LoadKind kind = LoadKind::nodal_force;
-  std::string on;                     ///< gravity: empty means every cell
-  std::array<double, 3> components{}; ///< pressure: the first
+  std::string on;                         ///< gravity: empty means every cell
+  std::array<FieldValue, 3> components{}; ///< pressure: the first
   std::string function;
   bool operator==(const Load&) const = default;
 };
@@ -200,8 +233,8 @@ struct ContactZone {
   std::string self;                 ///< a surface that touches itself
   bool all = false;                 ///< every two surfaces of different bodies that can touch
   double friction = 0;              ///< Coulomb's μ ≥ 0
-  Amplitude interference; ///< how much larger a body is than its mesh: taken from the gap [length], ≥ 0
-  Amplitude gap;          ///< added to the gap that the mesh has [length]
+  Field interference;     ///< how much larger a body is than its mesh: taken from the gap [length], ≥ 0
+  Field gap;              ///< added to the gap that the mesh has [length]
   bool bilateral = false; ///< points that have touched at the end of a step do not open any more
   bool freeze = false;    ///< what faces what, and along which normals, is as in the undeformed bodies
   bool tie = false;       ///< what faces each other undeformed moves together, in every direction

@@ -96,7 +96,7 @@ TEST(ContactZoneFaults, InterferencesAreOverlaps) {
                 "not follow, expected an implicit scheme"});
   EXPECT_EQ(fault("gap: {value: 0.1, function: f}"),
             Sentences{"contact.a.gap: found a gap that changes, which the scheme central_difference does not "
-                      "follow, expected an implicit scheme or a number"});
+                      "follow, expected an implicit scheme or a number or an expression without t"});
 }
 
 TEST(ContactZoneFaults, TiesHaveNothingOfSurfacesThatTouch) {

@@ -75,10 +75,23 @@ const Mistake type_mistakes[] = {
     {"step: 1e-3", "step: '1e-3'", "'1e-3'", "time.step: found the text '1e-3', expected a number > 0"},
     {"step: 1e-3", "step: [1e-3]", "[1e-3]", "time.step: found a list, expected a number > 0"},
     {"step: 1e-3", "step:", "step:", "time.step: found nothing, expected a number > 0"},
-    {"x: 0.1", "x: inf", "inf", "supports.1.x: found 'inf', expected a number"},
-    {"x: 0.1", "x: .nan", ".nan", "supports.1.x: found '.nan', expected a number"},
-    {"x: 0.1", "x: 1e999", "1e999", "supports.1.x: found '1e999', expected a number"},
-    {"x: 0.1", "x: 0x10", "0x10", "supports.1.x: found '0x10', expected a number"},
+    {"x: 0.1", "x: inf", "inf",
+     "supports.1.x: found 'inf', expected a number or an expression of x, y, z and t: unknown name 'inf' at "
+     "character 1; expected one of x, y, z, t, pi, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, "
+     "log, "
+     "log10, sqrt, abs, floor, ceil, sign, atan2, if, min, max"},
+    {"x: 0.1", "x: .nan", ".nan",
+     "supports.1.x: found '.nan', expected a number or an expression of x, y, z and t: no number, or one "
+     "that is "
+     "out of range, begins at character 1"},
+    {"x: 0.1", "x: 1e999", "1e999",
+     "supports.1.x: found '1e999', expected a number or an expression of x, y, z and t: no number, or one "
+     "that is "
+     "out of range, begins at character 1"},
+    {"x: 0.1", "x: 0x10", "0x10",
+     "supports.1.x: found '0x10', expected a number or an expression of x, y, z and t: a number is followed "
+     "by "
+     "'x' at character 2, expected an operator"},
     {"refine: 2", "refine: 2.0", "2.0", "mesh.refine: found '2.0', expected a whole number from 1 to 1000"},
     {"levels: 6", "levels: 99999999999", "99999999999",
      "time.on_failure.levels: found '99999999999', expected a whole number from 0 to 50"},

@@ -171,7 +171,7 @@ TEST(DeckKeys, Loads) {
   const auto loads = parse_one(full_deck).loads;
   ASSERT_EQ(loads.size(), 5U);
   const auto is = [&](std::size_t i, study::LoadKind kind, const std::string& on,
-                      std::array<double, 3> components, const std::string& function) {
+                      const std::array<study::FieldValue, 3>& components, const std::string& function) {
     EXPECT_EQ(loads[i], (study::Load{kind, on, components, function})) << i;
   };
   is(0, study::LoadKind::nodal_force, "Force", {0, -1e7, 0}, "ramp");

@@ -112,5 +112,33 @@ TEST_F(Loaded, SurfacesWithABodyOnBothSidesAreRefused) {
   EXPECT_EQ(faults_[0].text.rfind("loaded surface 'inside': ", 0), 0U) << faults_[0].text;
 }
 
+TEST_F(Loaded, ExpressionsOfPlaceArePartOfThePattern) {
+  const auto forces = forces_of({{LoadKind::nodal_force, "wall", {3, study::Formula{"1+y"}, 0}, "ramp"}});
+  EXPECT_EQ(forces.at(0).pattern, on_nodes({0, 4}, 0, 3) + on_nodes({0}, 1, 1) + on_nodes({4}, 1, 2));
+  EXPECT_TRUE(forces.at(0).fields.empty());
+  EXPECT_TRUE(forces.at(0).function.has_value());
+}
+
+TEST_F(Loaded, ExpressionsOfTimeAreComputedAtEachInstant) {
+  const auto forces = forces_of({{LoadKind::line_force, "end", {0, study::Formula{"6*t*y"}, 0}, "ramp"},
+                                 {LoadKind::pressure, "end", {study::Formula{"t"}, 0, 0}, ""}});
+  ASSERT_EQ(forces.at(0).fields.size(), 1U);
+  EXPECT_TRUE(forces[0].pattern.isZero(0));
+  VectorXd force = VectorXd::Zero(16);
+  load::add_field_force(forces[0].fields[0], 0.5, force);
+  // ∫ N 6 t y dy over the edge of length 1: t and 2 t, times the function
+  EXPECT_LE((force - on_nodes({3}, 1, 0.25) - on_nodes({7}, 1, 0.5)).norm(), 1e-14);
+  force.setZero();
+  load::add_field_force(forces.at(1).fields.at(0), 4, force);
+  EXPECT_LE((force - on_nodes({3, 7}, 0, -1)).norm(), 1e-14);
+}
+
+TEST_F(Loaded, ExpressionsWithoutANumberAreRefusedAtTheirPlace) {
+  forces_of({{LoadKind::nodal_force, "wall", {study::Formula{"1/x"}, 0, 0}, ""}});
+  EXPECT_EQ(test::told(faults_),
+            (Texts{"loads.0.nodal_force.x: loads.0.nodal_force.x: '1/x' is infinite at x = 0, y = 0, z = 0, "
+                   "t = 0, expected a finite number"}));
+}
+
 } // namespace
 } // namespace rubato::model

@@ -71,6 +71,32 @@ TEST_F(Supported, DofsMayNotBeHeldInTwoWays) {
   }
 }
 
+TEST_F(Supported, NodesMoveAsTheExpressionOfTheirPlaceSays) {
+  const study::Field along{study::Formula{"1e-3*y"}, "ramp"};
+  const auto still = reduction_of({{"wall", {along, none, none}}});
+  ASSERT_EQ(still.prescribed().size(), 2U);
+  EXPECT_FALSE(still.prescribed()[0].field || still.prescribed()[1].field) << "a number at each node";
+  EXPECT_EQ(still.imposed(1)[0], 0);
+  EXPECT_EQ(still.imposed(1)[6], 0.5e-3);
+  const study::Field moving{study::Formula{"y*t^2"}, "ramp"};
+  const auto moved = reduction_of({{"wall", {moving, none, none}}});
+  EXPECT_EQ(moved.imposed(2)[6], 4);
+  EXPECT_EQ(moved.imposed(1)[6], 0.5);
+  EXPECT_TRUE(faults_.empty());
+}
+
+TEST_F(Supported, ExpressionsWithoutANumberAreRefusedAtTheirNode) {
+  const auto divided = [](const char* text) { return study::Field{study::Formula{text}}; };
+  EXPECT_EQ(reduction_of({{"wall", {none, divided("1/y"), none}}}).prescribed().size(), 0U);
+  EXPECT_EQ(told(), (Texts{"supports.0.y: supports.0.y: '1/y' is infinite at x = 0, y = 0, z = 0, t = 0, "
+                           "expected a finite number"}));
+  faults_.clear();
+  reduction_of({{"wall", {divided("x*t"), none, none}}, {"N1", {divided("x*t"), none, none}}});
+  EXPECT_TRUE(faults_.empty()) << "the same twice";
+  reduction_of({{"wall", {divided("x*t"), none, none}}, {"N1", {divided("y*t"), none, none}}});
+  EXPECT_EQ(told(), (Texts{"supports.1: node N1 (0, 0) has two different displacements prescribed in x"}));
+}
+
 TEST_F(Supported, SpringsStandAtEachNodeAlongEachStiffAxis) {
   auto numbered = part();
   numbered.study.springs = {{"wall", {3, 0, 0}}, {"N2", {1, 2, 7}}, {"loose", {1, 1, 0}}};

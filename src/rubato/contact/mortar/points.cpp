@@ -170,7 +170,7 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.slip_origin = (start_tangents_[position] - node.tangents).transpose() * start;
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
-  const double offset = zone_->offset.at(configuration.t);
+  const double offset = zone_->offset.at(point.place, configuration.t);
   k.gap = node.gap + offset;
   k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : 0.0) - offset;
   if (zone_->space_dimension == 2)

@@ -279,16 +279,17 @@ std::vector<double> ContactEvaluator::moved_out(std::size_t z, const ContactIter
                                                 const contact::Configuration& configuration) const {
   std::vector<double> moved;
   const auto& before = committed_.zones[z].outcomes;
-  const double opened = model_.zones[z].offset.change(configuration.start_t, configuration.t);
+  const auto& zone = model_.zones[z];
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if (!(before[i].gap < contact::reach(model_.zones[z])) || iterate.status[z][i] == Status::open ||
+    if (!(before[i].gap < contact::reach(zone)) || iterate.status[z][i] == Status::open ||
         !before[i].normal.isZero(0))
       continue;
     const auto& k = *iterate.points[z][i].kinematics;
     const Eigen::Vector3d way =
         k.stencil.sum([&](auto node) { return configuration.increment(node); }) - k.obstacle_displacement;
     moved.resize(before.size(), 0.0);
-    moved[i] = k.normal.dot(way) + opened;
+    moved[i] =
+        k.normal.dot(way) + zone.offset.change(zone.points[i].place, configuration.start_t, configuration.t);
   }
   return moved;
 }

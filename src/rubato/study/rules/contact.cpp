@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Contact zones: each by itself, and with the scheme that moves the bodies.
+#include "rubato/study/fields.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -60,14 +61,14 @@ private:
   }
 
   void check_offsets() {
-    rules_.amplitude(at("gap"), zone_.gap);
-    rules_.amplitude(at("interference"), zone_.interference);
-    if (zone_.interference.value < 0)
+    rules_.field(at("gap"), zone_.gap);
+    rules_.field(at("interference"), zone_.interference);
+    if (const auto* number = zone_.interference.value.number(); number != nullptr && *number < 0)
       rules_.broken(
           {at("interference"), at("interference.value")},
           fmt::format("found {}, an interference is a positive overlap, expected gap: {}, which sets "
                       "surfaces apart",
-                      zone_.interference.value, -zone_.interference.value));
+                      *number, -*number));
     const auto* function = function_of(zone_.interference);
     if (function != nullptr && std::ranges::any_of(function->values, [](double value) { return value < 0; }))
       rules_.broken({at("interference.function"), "functions"},
@@ -77,8 +78,8 @@ private:
   }
 
   /// Nothing where it has none, or a bad one.
-  const Function* function_of(const Amplitude& amplitude) const {
-    const auto found = rules_.study.functions.find(amplitude.function);
+  const Function* function_of(const Field& field) const {
+    const auto found = rules_.study.functions.find(field.function);
     const bool usable = found != rules_.study.functions.end() && !found->second.times.empty() &&
                         found->second.times.size() == found->second.values.size();
     return usable ? &found->second : nullptr;
@@ -115,10 +116,10 @@ private:
     expect(zone_.obstacle.has_value(), "obstacle", "an obstacle", "supports, which hold or move a surface");
     expect(!entry_of(zone_.integration.by).ties, "integration", entry_of(zone_.integration.by).name,
            "mortar or nodes");
-    expect(zone_.interference.value != 0, "interference", "an interference",
+    expect(!is_zero(zone_.interference), "interference", "an interference",
            "none: what lies between the "
            "surfaces stays as it is");
-    expect(zone_.gap.value != 0, "gap", "a gap", "none: what lies between the surfaces stays as it is");
+    expect(!is_zero(zone_.gap), "gap", "a gap", "none: what lies between the surfaces stays as it is");
     expect(zone_.bilateral, "bilateral", "bilateral: true", "one of them");
     expect(zone_.freeze, "freeze", "freeze: true", "one of them: a tie holds its geometry");
   }
@@ -227,13 +228,13 @@ private:
                     fmt::format("found the integration {}, but the scheme {} computes forces point by point, "
                                 "expected integration: nodes",
                                 rule.name, word_of(scheme_words, time.scheme)));
-    if (zone_.interference.value != 0 || !zone_.gap.function.empty())
+    const bool overlaps = !is_zero(zone_.interference);
+    if (overlaps || varies_in_time(zone_.gap))
       rules_.broken(
-          {zone_.interference.value != 0 ? at("interference") : at("gap"), "time.scheme"},
+          {overlaps ? at("interference") : at("gap"), "time.scheme"},
           fmt::format("found {}, which the scheme {} does not follow, expected an implicit scheme{}",
-                      zone_.interference.value != 0 ? "an interference" : "a gap that changes",
-                      word_of(scheme_words, time.scheme),
-                      zone_.interference.value != 0 ? "" : " or a number"));
+                      overlaps ? "an interference" : "a gap that changes", word_of(scheme_words, time.scheme),
+                      overlaps ? "" : " or a number or an expression without t"));
     check_explicit_bonds(word_of(scheme_words, time.scheme));
   }
 
@@ -250,8 +251,9 @@ private:
                     "found a restitution, but redistributed contact mass leaves nothing that could bounce, "
                     "expected contact_mass: consistent or no restitution");
     const auto* function = function_of(zone_.interference);
+    const auto* number = zone_.interference.value.number(); // of an expression the model asks
     const double at_start =
-        zone_.interference.value * (function != nullptr ? value_at(*function, time.begin) : 1.0);
+        number == nullptr ? 0.0 : *number * (function != nullptr ? value_at(*function, time.begin) : 1.0);
     if (jumps && at_start != 0)
       rules_.broken(
           {at("interference"), "time.scheme"},

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/study/rules/rules.hpp"
 
+#include "rubato/core/error.hpp"
+#include "rubato/core/expression.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,9 +89,26 @@ void Rules::function(const std::string& path, const std::string& name) {
          fmt::format("no function is called {}{}", shown(name), suggestion(name, known)));
 }
 
-void Rules::amplitude(const std::string& path, const Amplitude& amplitude, const Range& range) {
-  number(amplitude.function.empty() ? path : path + ".value", amplitude.value, range);
-  function(path + ".function", amplitude.function);
+void Rules::field_value(const std::string& path, const FieldValue& value) {
+  if (const auto* number_given = value.number())
+    return number(path, *number_given);
+  const auto& text = value.formula()->text;
+  try {
+    if (Expression(text).has('z') && dimension_of(study.physics) < 3)
+      broken({path, "physics"}, fmt::format("found z in {}, {} has x and y only", shown(text),
+                                            word_of(physics_words, study.physics)));
+  } catch (const InputError& error) {
+    broken({path}, study.functions.contains(text)
+                       ? fmt::format("found {}, a function of time, expected {{value: 1, function: {}}}",
+                                     shown(text), text)
+                       : error.faults().front().text);
+  }
+}
+
+void Rules::field(const std::string& path, const Field& field) {
+  const auto value = path + ".value";
+  field_value(field.function.empty() ? path : value, field.value);
+  function(path + ".function", field.function);
 }
 
 void Rules::axis(const std::string& path, std::size_t axis) {

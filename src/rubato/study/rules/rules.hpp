@@ -48,8 +48,10 @@ public:
   void chosen_name(const std::string& path, const std::string& name, std::span<const std::string> before);
   /// The name of a function that there is; empty: none.
   void function(const std::string& path, const std::string& name);
-  /// A number, times a function that there is.
-  void amplitude(const std::string& path, const Amplitude& amplitude, const Range& range = {});
+  /// A finite number, or an expression that can be computed, of coordinates that the physics has.
+  void field_value(const std::string& path, const FieldValue& value);
+  /// The same, times a function that there is.
+  void field(const std::string& path, const Field& field);
   /// A component that the physics has.
   void axis(const std::string& path, std::size_t axis);
 

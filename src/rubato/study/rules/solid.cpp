@@ -80,8 +80,8 @@ void check_components(Rules& rules, const std::array<std::optional<Component>, 3
       continue;
     const auto at = fmt::format("{}.{}", path, axis_words.at(axis));
     rules.axis(at, axis);
-    if constexpr (std::is_same_v<Component, Amplitude>)
-      rules.amplitude(at, *components[axis]);
+    if constexpr (std::is_same_v<Component, Field>)
+      rules.field(at, *components[axis]);
     else
       rules.number(at, *components[axis]);
   }
@@ -97,8 +97,8 @@ void check_load(Rules& rules, const Load& load, const std::string& path) {
   for (std::size_t axis = 0; axis < load.components.size(); ++axis) {
     const bool is_pressure = load.kind == LoadKind::pressure;
     const auto at = is_pressure ? path + ".value" : fmt::format("{}.{}", path, axis_words.at(axis));
-    rules.number(at, load.components[axis]);
-    if (!is_pressure && load.components[axis] != 0)
+    rules.field_value(at, load.components[axis]);
+    if (!is_pressure && load.components[axis] != 0.0)
       rules.axis(at, axis);
   }
   rules.function(path + ".function", load.function);

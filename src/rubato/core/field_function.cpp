@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/field_function.hpp"
+
+#include "rubato/core/error.hpp"
+#include "rubato/core/naming.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+namespace rubato {
+
+bool FieldFunction::varies_in_place() const {
+  return expression && (expression->has('x') || expression->has('y') || expression->has('z'));
+}
+
+bool FieldFunction::varies_in_time() const {
+  return function.has_value() || (expression && expression->has('t'));
+}
+
+double FieldFunction::at(std::span<const double, 3> place, double t) const {
+  const double factor = function ? value_at(*function, t) : 1.0;
+  if (!expression)
+    return number * factor;
+  const double value = expression->at(place, t);
+  if (!std::isfinite(value))
+    throw InputError({fault_at(
+        path, fmt::format("{}: {} is {} at {}, expected a finite number", path, shown(expression->text()),
+                          std::isnan(value) ? "not a number" : "infinite", shown_place(place, t)))});
+  return number * value * factor;
+}
+
+std::string shown_place(std::span<const double, 3> place, double t) {
+  return fmt::format("x = {:.6g}, y = {:.6g}, z = {:.6g}, t = {:.6g}", place[0], place[1], place[2], t);
+}
+
+} // namespace rubato
