@@ -177,7 +177,7 @@ TEST_F(AboveAPlate, APointBesideItSeesItsBorder) {
 
 TEST_F(AboveAPlate, TheOffsetOfTheZoneIsAddedToTheGapAlone) {
   const auto without = kinematics();
-  zone_.offset.terms = {{0.125, {}}};
+  zone_.offset.terms.push_back({.length = {.number = 0.125, .expression = {}, .function = {}}});
   const auto with = kinematics();
   EXPECT_NEAR(with.gap, 0.375, 1e-15);
   EXPECT_NEAR(with.gap_origin, -0.125, 1e-15);

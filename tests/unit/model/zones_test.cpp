@@ -72,7 +72,7 @@ TEST(AZone, HasItsGapAndTheFirstInstantOfTheRun) {
   const auto model = model_of(deck);
   const auto& zone = model.zones.front();
   EXPECT_EQ(zone.begin, 1);
-  EXPECT_EQ(zone.offset.at(1), 0.03);
+  EXPECT_EQ(zone.offset.at(Eigen::Vector3d::Zero(), 1), 0.03);
 }
 
 TEST(Zones, StandInTheOrderOfTheStudyEachWithItsMultipliersBehindThoseBefore) {
