@@ -114,10 +114,11 @@ mesh::Mesh with_segments(const study::Study& study,
 
 /// The upper block alone has contact, with the table.
 study::Study on_table(const std::string& slave) {
-  return test::study_of(with(with(test::two_blocks, "  - {on: held, fix: [x, y]}",
-                                  "  - {on: held, fix: [x, y]}\n  - {on: table, fix: [x, y]}"),
-                             "{master: upper_face, slave: lower_face, friction: 0.2, exclude_nodes: [held]}",
-                             "{master: table, slave: " + slave + "}"));
+  return test::study_of(with(
+      with(test::two_blocks, "  - {on: held, fix: [x, y]}",
+           "  - {on: held, fix: [x, y]}\n  - {on: table, fix: [x, y]}"),
+      "{master: upper_face, slave: lower_face, integration: nodes, friction: 0.2, exclude_nodes: [held]}",
+      "{master: table, slave: " + slave + "}"));
 }
 
 /// The normals of the master's faces, 2D: (t_y, −t_x).
