@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/neighbours.hpp"
 
+#include "rubato/contact/motion.hpp"
 #include "rubato/contact/point_tree.hpp"
 #include "rubato/core/tolerances.hpp"
 
@@ -18,21 +19,6 @@ constexpr double margin_in_edges = 0.75;
 
 /// How far beyond the border a point that hops stays on a face, in its reference lengths.
 constexpr double kept_overshoot = 0.25;
-
-Vector3d mean_motion(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
-  Vector3d sum = Vector3d::Zero();
-  for (std::size_t i = 0; i < from.size(); ++i)
-    sum += to[i] - from[i];
-  return sum / static_cast<double>(from.size());
-}
-
-double farthest_motion(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to,
-                       const Vector3d& common) {
-  double squared = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    squared = std::max(squared, (to[i] - from[i] - common).squaredNorm());
-  return std::sqrt(squared);
-}
 
 /// Faces that touch are not farther apart than the longest of them.
 std::optional<SelfPairs> self_pairs_of(const Zone& zone) {

@@ -2,6 +2,7 @@
 #include "rubato/contact/self_pairs.hpp"
 
 #include "rubato/contact/mortar/search.hpp"
+#include "rubato/contact/motion.hpp"
 #include "rubato/contact/projection.hpp"
 #include "rubato/contact/two_sides.hpp"
 
@@ -214,13 +215,7 @@ std::vector<SelfPairs::Meeting> SelfPairs::meetings() const {
 }
 
 double SelfPairs::reach_at(std::span<const Vector3d> x) const {
-  Vector3d common = Vector3d::Zero();
-  for (std::size_t j = 0; j < start_.size(); ++j)
-    common += (x[j] - start_[j]) / static_cast<double>(start_.size());
-  double squared = 0;
-  for (std::size_t j = 0; j < start_.size(); ++j)
-    squared = std::max(squared, (x[j] - start_[j] - common).squaredNorm());
-  return reach_ + 2 * std::sqrt(squared);
+  return reach_ + 2 * farthest_motion(start_, x, mean_motion(start_, x));
 }
 
 void SelfPairs::update(std::span<const Vector3d> x) {

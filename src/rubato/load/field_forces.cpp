@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/load/field_forces.hpp"
 
+#include "rubato/load/cell_masses.hpp"
 #include "rubato/load/face_integrals.hpp"
 
 namespace rubato::load {
@@ -66,32 +67,27 @@ void visit_pressure(const mesh::Mesh& mesh, const domain::DofMap& dofs, const el
 
 void visit_gravity(const mesh::Mesh& mesh, const domain::DofMap& dofs, const domain::Bulk& bulk,
                    int component, const VisitPlace& visit) {
-  Eigen::MatrixXd consistent;
   LoadedPlace at;
-  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    const auto [block, index] = mesh.place_of(bulk.cells[i]);
-    const auto nodes = block->cell(index);
-    const auto size = static_cast<Index>(nodes.size());
-    consistent.resize(size, size);
-    element::mass(block->type, domain::CellPoints(mesh, nodes), material::density(bulk.law(i)), bulk.section,
-                  consistent);
+  for_each_cell_mass(mesh, bulk, [&](const auto& nodes, const Eigen::MatrixXd& mass) {
     at.dofs.clear();
     for (const auto node : nodes)
       at.dofs.push_back(dofs.dof(node, component));
-    for (Index n = 0; n < size; ++n) {
+    for (Index n = 0; n < mass.cols(); ++n) {
       at.place = array_of(mesh.points[static_cast<std::size_t>(nodes[static_cast<std::size_t>(n)])]);
-      at.weights.assign(consistent.col(n).begin(), consistent.col(n).end());
+      at.weights.assign(mass.col(n).begin(), mass.col(n).end());
       visit(at);
     }
-  }
+  });
+}
+
+void add_at(const LoadedPlace& at, double value, Eigen::VectorXd& force) {
+  for (std::size_t i = 0; i < at.dofs.size(); ++i)
+    force[at.dofs[i]] += at.weights[i] * value;
 }
 
 void add_field_force(const FieldForce& load, double t, Eigen::VectorXd& force) {
-  for (const auto& at : load.places) {
-    const double value = load.value.at(at.place, t);
-    for (std::size_t i = 0; i < at.dofs.size(); ++i)
-      force[at.dofs[i]] += at.weights[i] * value;
-  }
+  for (const auto& at : load.places)
+    add_at(at, load.value.at(at.place, t), force);
 }
 
 } // namespace rubato::load

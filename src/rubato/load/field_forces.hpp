@@ -43,6 +43,9 @@ struct FieldForce {
   std::vector<LoadedPlace> places;
 };
 
+/// Adds what `value` at one place puts on the nodes to `force`, one a dof.
+void add_at(const LoadedPlace& at, double value, Eigen::VectorXd& force);
+
 /// Adds its nodal forces at instant t to `force`, one a dof. Throws what the value throws.
 void add_field_force(const FieldForce& load, double t, Eigen::VectorXd& force);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/load/nodal_forces.hpp"
 
+#include "rubato/load/cell_masses.hpp"
 #include "rubato/load/face_integrals.hpp"
 #include "rubato/mesh/names.hpp"
 
@@ -68,18 +69,11 @@ void add_pressure(const mesh::Mesh& mesh, const domain::DofMap& dofs, const elem
 
 void add_gravity(const mesh::Mesh& mesh, const domain::DofMap& dofs, const domain::Bulk& bulk,
                  const Vector3d& acceleration, VectorXd& force) {
-  Eigen::MatrixXd consistent;
-  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    const auto [block, index] = mesh.place_of(bulk.cells[i]);
-    const auto nodes = block->cell(index);
-    const auto size = static_cast<Index>(nodes.size());
-    consistent.resize(size, size);
-    element::mass(block->type, domain::CellPoints(mesh, nodes), material::density(bulk.law(i)), bulk.section,
-                  consistent);
-    const VectorXd node_mass = consistent.rowwise().sum();
-    for (Index n = 0; n < size; ++n)
+  for_each_cell_mass(mesh, bulk, [&](const auto& nodes, const Eigen::MatrixXd& mass) {
+    const VectorXd node_mass = mass.rowwise().sum();
+    for (Index n = 0; n < node_mass.size(); ++n)
       add(mesh, dofs, nodes[static_cast<std::size_t>(n)], node_mass[n] * acceleration, force);
-  }
+  });
 }
 
 } // namespace rubato::load

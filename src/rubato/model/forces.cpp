@@ -98,9 +98,7 @@ private:
     auto field = study::field_function(value, {}, study_.functions, path);
     if (!field.varies_in_time()) {
       visit_places([&](const load::LoadedPlace& at) {
-        const double here = field.at(at.place, study_.time.begin);
-        for (std::size_t i = 0; i < at.dofs.size(); ++i)
-          force.pattern[at.dofs[i]] += at.weights[i] * here;
+        load::add_at(at, field.at(at.place, study_.time.begin), force.pattern);
       });
       return;
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,9 @@ contact::Configuration at(const model::Model& model, const step::State& state) {
   return {&model.mesh, &model.dofs, &state.motion.u, &state.motion.u, state.t, state.t};
 }
 
-bool has_sides_to_swap(const contact::Zone& zone) {
-  return !zone.obstacle && zone.settings.self.empty() && !zone.holds_geometry();
+/// A master whose nodes could lie unfelt behind another slave.
+bool has_another_side(const contact::Zone& zone) {
+  return !zone.obstacle && !zone.meets_itself() && !zone.holds_geometry();
 }
 
 /// How deep the slave's own points lie, by a soft spring or because the step was long.
@@ -61,43 +63,53 @@ double felt_depth(const contact::ZoneState& state) {
   return depth;
 }
 
-/// Of every node of the master how much deeper it lies than the slave feels, in its edges.
+/// Of every node of the master [length].
 std::vector<double> unfelt_depths(const model::Model& model, std::size_t z, const step::State& state) {
-  const auto& zone = model.zones[z];
-  const auto edges = contact::edges_around(model.mesh, zone.master);
   const double felt = felt_depth(state.zones[z]);
-  auto depths = contact::buried_depths(zone, at(model, state));
-  for (std::size_t i = 0; i < depths.size(); ++i)
-    depths[i] = (depths[i] - felt) / edges[i];
+  auto depths = contact::buried_depths(model.zones[z], at(model, state));
+  for (auto& depth : depths)
+    depth -= felt;
   return depths;
 }
 
-/// The deepest of those that were not as deep before: its position in the master's nodes.
-std::optional<std::size_t> newly_buried(const model::Model& model, std::size_t z, const step::State& before,
-                                        const step::State& now) {
+/// The node that lies deepest in its edges, of those that did not lie as deep before; its position in the
+/// master's nodes.
+std::optional<Deepest> newly_buried(const model::Model& model, std::size_t z, std::span<const double> edges,
+                                    const step::State& before, const step::State& now) {
   const auto depths = unfelt_depths(model, z, now);
-  if (std::ranges::max(depths) <= buried)
-    return std::nullopt;
-  const auto former = unfelt_depths(model, z, before);
-  std::optional<std::size_t> deepest;
-  for (std::size_t i = 0; i < depths.size(); ++i)
-    if (depths[i] > buried && former[i] <= buried && (!deepest || depths[i] > depths[*deepest]))
-      deepest = i;
+  const auto in_edges = [&](const std::vector<double>& of, std::size_t i) { return of[i] / edges[i]; };
+  std::vector<double> former;
+  std::optional<Deepest> deepest;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (in_edges(depths, i) <= buried || (deepest && in_edges(depths, i) <= in_edges(depths, deepest->point)))
+      continue;
+    if (former.empty())
+      former = unfelt_depths(model, z, before);
+    if (in_edges(former, i) <= buried)
+      deepest = {i, depths[i]};
+  }
+  if (deepest)
+    deepest->depth += felt_depth(now.zones[z]);
   return deepest;
 }
 
-std::string sentence_of_buried(const model::Model& model, const contact::Zone& zone, std::size_t found,
-                               const step::State& now) {
-  const double depth = contact::buried_depths(zone, at(model, now))[found];
+std::string sentence_of_buried(const model::Model& model, const contact::Zone& zone, const Deepest& found,
+                               double t) {
   return fmt::format(
       "{}: at t = {:g} node {} of the master of contact.{} lies {:.3g} behind the slave, whose "
       "faces (up to {:.3g} long) do not feel it; results may be wrong from there on, expected "
       "the finer surface as slave, or smaller faces",
-      model.study.name, now.t, model::node_label(model.mesh, zone.master.nodes[found]), zone.settings.name,
-      depth, zone.slave.longest_edge);
+      model.study.name, t, model::node_label(model.mesh, zone.master.nodes[found.point]), zone.settings.name,
+      found.depth, zone.slave.longest_edge);
 }
 
 } // namespace
+
+OverlapWatch::OverlapWatch(const model::Model& model, const Watch& watch) : model_(model), watch_(watch) {
+  for (const auto& zone : model.zones)
+    edges_.push_back(has_another_side(zone) ? contact::edges_around(model.mesh, zone.master)
+                                            : std::vector<double>());
+}
 
 void OverlapWatch::note(const step::State& before, const step::State& now) {
   for (std::size_t z = 0; z < model_.zones.size() && !warned_; ++z)
@@ -112,11 +124,11 @@ void OverlapWatch::note(const step::State& before, const step::State& now) {
 void OverlapWatch::note_buried(const step::State& before, const step::State& now) {
   for (std::size_t z = 0; z < model_.zones.size() && !buried_; ++z) {
     const auto& zone = model_.zones[z];
-    if (!has_sides_to_swap(zone))
+    if (edges_[z].empty())
       continue;
-    if (const auto found = newly_buried(model_, z, before, now)) {
+    if (const auto found = newly_buried(model_, z, edges_[z], before, now)) {
       buried_ = true;
-      watch_.warn(sentence_of_buried(model_, zone, *found, now));
+      watch_.warn(sentence_of_buried(model_, zone, *found, now.t));
     }
   }
 }

@@ -6,18 +6,20 @@
 #include "rubato/run/time_loop.hpp"
 #include "rubato/step/state.hpp"
 
+#include <vector>
+
 namespace rubato::run {
 
 /// A slave point that was in front of its master, or no deeper behind it than half a face, and lies deeper
 /// than a whole face after the step: it came too far in one step, or its spring is too soft. Results from
 /// there on may be wrong, up to bodies that pass through each other. And a master node that came to lie
 /// behind the slave by more than half of its own edges, and more than the slave's points do behind the
-/// master: the slave's faces are too large to feel it. Said once a run, the latter
-/// only where the former was not.
+/// master: the slave's faces are too large to feel it. Said once a run, the latter only where the former was
+/// not.
 class OverlapWatch {
 public:
   /// Everything must outlive this.
-  OverlapWatch(const model::Model& model, const Watch& watch) : model_(model), watch_(watch) {}
+  OverlapWatch(const model::Model& model, const Watch& watch);
 
   void note(const step::State& before, const step::State& now);
 
@@ -26,6 +28,8 @@ private:
 
   const model::Model& model_;
   const Watch& watch_;
+  /// By zone, the shortest edge around each node of the master; empty where no master is looked at.
+  std::vector<std::vector<double>> edges_;
   bool warned_ = false, buried_ = false;
 };
 

@@ -98,19 +98,29 @@ Fit fit_on(const Zone& zone, int face, const Vector3d& x, const std::vector<Vect
   return {(x - face_position(of_zone.type, nodes, pair.projection.clamped)).norm(), pair.projection.inside()};
 }
 
-class PairsOn : public testing::TestWithParam<const char*> {};
+std::vector<Vector3d> master_of(const Zone& zone, const Configuration& configuration) {
+  std::vector<Vector3d> master;
+  for (const auto node : zone.master.nodes)
+    master.push_back(configuration.position(node));
+  return master;
+}
+
+class PairsOn : public testing::TestWithParam<const char*> {
+protected:
+  static model::Model model_of_plates() {
+    return test::model_of(plates,
+                          {{"mesh.generate.0.cells", GetParam()}, {"mesh.generate.1.cells", GetParam()}});
+  }
+};
 
 TEST_P(PairsOn, AreWithTheNearestFaceOfAllThatHoldTheProjection) {
-  const auto model =
-      test::model_of(plates, {{"mesh.generate.0.cells", GetParam()}, {"mesh.generate.1.cells", GetParam()}});
+  const auto model = model_of_plates();
   const auto& zone = model.zones.front();
   int paired = 0, unpaired = 0;
   for (const double amount : {0.02, -0.05, 0.1}) {
     const auto u = moved(model, amount);
     const Configuration configuration{&model.mesh, &model.dofs, &u, &u};
-    std::vector<Vector3d> master;
-    for (const auto node : zone.master.nodes)
-      master.push_back(configuration.position(node));
+    const auto master = master_of(zone, configuration);
     const auto pairs = find_pairs(zone, configuration);
     ASSERT_EQ(pairs.size(), zone.points.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -138,14 +148,11 @@ TEST_P(PairsOn, AreWithTheNearestFaceOfAllThatHoldTheProjection) {
 }
 
 TEST_P(PairsOn, AreTheSameWhateverFaceIsGuessed) {
-  const auto model =
-      test::model_of(plates, {{"mesh.generate.0.cells", GetParam()}, {"mesh.generate.1.cells", GetParam()}});
+  const auto model = model_of_plates();
   const auto& zone = model.zones.front();
   const auto u = moved(model, 0.05);
   const Configuration configuration{&model.mesh, &model.dofs, &u, &u};
-  std::vector<Vector3d> master;
-  for (const auto node : zone.master.nodes)
-    master.push_back(configuration.position(node));
+  const auto master = master_of(zone, configuration);
   const PointTree tree(master);
   for (const auto& point : zone.points) {
     const auto x = position(point, configuration);
@@ -160,14 +167,11 @@ TEST_P(PairsOn, AreTheSameWhateverFaceIsGuessed) {
 }
 
 TEST_P(PairsOn, AreTheSameAmongTheFacesAroundANode) {
-  const auto model =
-      test::model_of(plates, {{"mesh.generate.0.cells", GetParam()}, {"mesh.generate.1.cells", GetParam()}});
+  const auto model = model_of_plates();
   const auto& zone = model.zones.front();
   const auto u = moved(model, 0.05);
   const Configuration configuration{&model.mesh, &model.dofs, &u, &u};
-  std::vector<Vector3d> master;
-  for (const auto node : zone.master.nodes)
-    master.push_back(configuration.position(node));
+  const auto master = master_of(zone, configuration);
   const PointTree tree(master);
   int paired = 0, unpaired = 0;
   for (const auto& point : zone.points) {

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/bulk_cells.hpp"
-#include "support/patch_mesh.hpp"
+#include "distorted_body.hpp"
 #include <functional>
 #include <string>
 
@@ -15,21 +14,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using study::Physics;
 
-const material::LinearElastic law{210., 0.3, 7.8};
-constexpr double thickness = 0.7;
-
-/// The distorted unit square or cube moved to 1 ≤ x ≤ 2.
-class EveryBodyUnderAField : public testing::TestWithParam<test::BulkCase> {
+class EveryBodyUnderAField : public DistortedBody {
 protected:
-  Physics physics_ = GetParam().physics;
-  int d_ = element::component_count(physics_);
-  element::Section section_{physics_, thickness};
-  mesh::Mesh mesh_ =
-      test::patch_mesh(GetParam().type, 2, test::moved_by(test::shaken(d_, 2, 0.2), Vector3d(1, 0, 0)));
-  domain::Bulk bulk_ = test::whole_bulk(mesh_, section_, law);
-  domain::DofMap dofs_ = domain::number_dofs(mesh_, bulk_.cells, d_);
-  std::vector<test::BoundarySide> sides_ = test::boundary_sides(mesh_);
-
   std::vector<Face> faces() const {
     std::vector<Face> faces;
     for (const auto& side : sides_)

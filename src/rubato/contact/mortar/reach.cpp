@@ -2,10 +2,10 @@
 #include "rubato/contact/mortar/reach.hpp"
 
 #include "rubato/contact/mortar/frames.hpp"
+#include "rubato/contact/motion.hpp"
 #include "rubato/contact/point_tree.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rubato::contact::mortar {
 namespace {
@@ -29,20 +29,6 @@ std::vector<double> depths_of(const Surface& master, std::span<const Vector3d> s
   return depths;
 }
 
-Vector3d mean_motion(std::span<const Vector3d> from, std::span<const Vector3d> to) {
-  Vector3d sum = Vector3d::Zero();
-  for (std::size_t i = 0; i < from.size(); ++i)
-    sum += to[i] - from[i];
-  return sum / static_cast<double>(from.size());
-}
-
-double largest_motion(std::span<const Vector3d> from, std::span<const Vector3d> to, const Vector3d& common) {
-  double squared = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    squared = std::max(squared, (to[i] - from[i] - common).squaredNorm());
-  return std::sqrt(squared);
-}
-
 } // namespace
 
 void Reach::begin(const Surface& slave, const Surface& master, std::span<const Vector3d> slave_x,
@@ -61,7 +47,7 @@ void Reach::begin(const Surface& slave, const Surface& master, std::span<const V
 
 std::span<const double> Reach::at(std::span<const Vector3d> slave_x, std::span<const Vector3d> master_x) {
   const Vector3d common = mean_motion(slave_, slave_x);
-  const double way = largest_motion(slave_, slave_x, common) + largest_motion(master_, master_x, common);
+  const double way = farthest_motion(slave_, slave_x, common) + farthest_motion(master_, master_x, common);
   now_ = resting_;
   for (auto& reach : now_)
     reach += way;
