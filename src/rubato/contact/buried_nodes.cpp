@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace rubato::contact {
 namespace {
@@ -36,18 +38,31 @@ double depth_behind(const Face& face, const std::vector<Vector3d>& slave_x, cons
 
 } // namespace
 
-std::vector<double> buried_depths(const Zone& zone, const Configuration& configuration) {
-  const auto slave_x = positions(zone.slave, configuration), master_x = positions(zone.master, configuration);
+BuriedNodes::BuriedNodes(const Zone& zone, std::vector<double> shallow)
+    : zone_(&zone), shallow_(std::move(shallow)), near_(zone.master.nodes.size(), 0) {}
+
+std::vector<double> BuriedNodes::depths(const Configuration& configuration) {
+  const auto slave_x = positions(zone_->slave, configuration);
+  const auto master_x = positions(zone_->master, configuration);
+  const auto is_near = [&](std::size_t i) {
+    return (slave_x[near_[i]] - master_x[i]).squaredNorm() <= shallow_[i] * shallow_[i];
+  };
+  std::vector<double> depths(master_x.size(), 0.);
+  std::optional<PointTree> tree; // most often neither is asked for
   std::vector<Vector3d> normals;
-  mortar::nodal_normals(zone.master, master_x, {}, normals);
-  const PointTree tree(slave_x);
-  std::vector<double> depths;
   for (std::size_t i = 0; i < master_x.size(); ++i) {
-    double depth = 0;
-    for (const int face : zone.slave.faces_of_node[tree.nearest(master_x[i]).index])
-      depth = std::max(depth, depth_behind(zone.slave.faces[static_cast<std::size_t>(face)], slave_x,
-                                           master_x[i], normals[i]));
-    depths.push_back(depth);
+    if (is_near(i))
+      continue;
+    if (!tree)
+      tree.emplace(slave_x);
+    near_[i] = tree->nearest(master_x[i]).index;
+    if (is_near(i))
+      continue;
+    if (normals.empty())
+      mortar::nodal_normals(zone_->master, master_x, {}, normals);
+    for (const int face : zone_->slave.faces_of_node[near_[i]])
+      depths[i] = std::max(depths[i], depth_behind(zone_->slave.faces[static_cast<std::size_t>(face)],
+                                                   slave_x, master_x[i], normals[i]));
   }
   return depths;
 }

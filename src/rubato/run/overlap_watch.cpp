@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/overlap_watch.hpp"
 
-#include "rubato/contact/buried_nodes.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rubato::run {
@@ -19,7 +17,7 @@ constexpr double deep = 1, shallow = 0.5;
 
 struct Deepest {
   std::size_t point = 0;
-  double depth = 0;
+  double depth = 0; ///< [length]
 };
 
 std::optional<Deepest> newly_deep(const contact::Zone& zone, const contact::ZoneState& before,
@@ -63,33 +61,24 @@ double felt_depth(const contact::ZoneState& state) {
   return depth;
 }
 
-/// Of every node of the master [length].
-std::vector<double> unfelt_depths(const model::Model& model, std::size_t z, const step::State& state) {
-  const double felt = felt_depth(state.zones[z]);
-  auto depths = contact::buried_depths(model.zones[z], at(model, state));
-  for (auto& depth : depths)
-    depth -= felt;
-  return depths;
-}
-
-/// The node that lies deepest in its edges, of those that did not lie as deep before; its position in the
-/// master's nodes.
-std::optional<Deepest> newly_buried(const model::Model& model, std::size_t z, std::span<const double> edges,
+/// The node of a master that lies deepest in its limit, of those that did not lie as deep before: its
+/// position there. What the slave feels is added to each limit.
+std::optional<Deepest> newly_buried(const model::Model& model, BuriedMaster& master,
                                     const step::State& before, const step::State& now) {
-  const auto depths = unfelt_depths(model, z, now);
-  const auto in_edges = [&](const std::vector<double>& of, std::size_t i) { return of[i] / edges[i]; };
+  const auto depths = master.nodes.depths(at(model, now));
+  const double felt = felt_depth(now.zones[master.zone]), felt_before = felt_depth(before.zones[master.zone]);
   std::vector<double> former;
   std::optional<Deepest> deepest;
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    if (in_edges(depths, i) <= buried || (deepest && in_edges(depths, i) <= in_edges(depths, deepest->point)))
+    if (depths[i] <= master.limits[i] + felt)
       continue;
     if (former.empty())
-      former = unfelt_depths(model, z, before);
-    if (in_edges(former, i) <= buried)
+      former = master.nodes.depths(at(model, before));
+    const bool deeper =
+        !deepest || depths[i] / master.limits[i] > deepest->depth / master.limits[deepest->point];
+    if (former[i] <= master.limits[i] + felt_before && deeper)
       deepest = {i, depths[i]};
   }
-  if (deepest)
-    deepest->depth += felt_depth(now.zones[z]);
   return deepest;
 }
 
@@ -106,9 +95,13 @@ std::string sentence_of_buried(const model::Model& model, const contact::Zone& z
 } // namespace
 
 OverlapWatch::OverlapWatch(const model::Model& model, const Watch& watch) : model_(model), watch_(watch) {
-  for (const auto& zone : model.zones)
-    edges_.push_back(has_another_side(zone) ? contact::edges_around(model.mesh, zone.master)
-                                            : std::vector<double>());
+  for (std::size_t z = 0; z < model.zones.size(); ++z)
+    if (const auto& zone = model.zones[z]; has_another_side(zone)) {
+      auto limits = contact::edges_around(model.mesh, zone.master);
+      for (auto& limit : limits)
+        limit *= buried;
+      masters_.push_back({z, limits, contact::BuriedNodes(zone, limits)});
+    }
 }
 
 void OverlapWatch::note(const step::State& before, const step::State& now) {
@@ -117,20 +110,14 @@ void OverlapWatch::note(const step::State& before, const step::State& now) {
       warned_ = true;
       watch_.warn(sentence(model_, model_.zones[z], *found, before.t, now.t));
     }
-  if (!warned_)
+  if (!warned_ && !buried_)
     note_buried(before, now);
 }
 
 void OverlapWatch::note_buried(const step::State& before, const step::State& now) {
-  for (std::size_t z = 0; z < model_.zones.size() && !buried_; ++z) {
-    const auto& zone = model_.zones[z];
-    if (edges_[z].empty())
-      continue;
-    if (const auto found = newly_buried(model_, z, edges_[z], before, now)) {
-      buried_ = true;
-      watch_.warn(sentence_of_buried(model_, zone, *found, now.t));
-    }
-  }
+  for (auto& master : masters_)
+    if (const auto found = newly_buried(model_, master, before, now); found && !std::exchange(buried_, true))
+      watch_.warn(sentence_of_buried(model_, model_.zones[master.zone], *found, now.t));
 }
 
 } // namespace rubato::run

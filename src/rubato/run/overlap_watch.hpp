@@ -2,6 +2,7 @@
 /// Says when surfaces have come deep into each other within a step.
 #pragma once
 
+#include "rubato/contact/buried_nodes.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/run/time_loop.hpp"
 #include "rubato/step/state.hpp"
@@ -9,6 +10,13 @@
 #include <vector>
 
 namespace rubato::run {
+
+/// A master whose nodes are looked at.
+struct BuriedMaster {
+  std::size_t zone = 0;
+  std::vector<double> limits; ///< by position in its nodes, the depth from which on one is buried [length]
+  contact::BuriedNodes nodes;
+};
 
 /// A slave point that was in front of its master, or no deeper behind it than half a face, and lies deeper
 /// than a whole face after the step: it came too far in one step, or its spring is too soft. Results from
@@ -28,8 +36,7 @@ private:
 
   const model::Model& model_;
   const Watch& watch_;
-  /// By zone, the shortest edge around each node of the master; empty where no master is looked at.
-  std::vector<std::vector<double>> edges_;
+  std::vector<BuriedMaster> masters_; ///< those that could lie unfelt behind their slave
   bool warned_ = false, buried_ = false;
 };
 

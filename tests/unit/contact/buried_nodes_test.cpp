@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/model_of.hpp"
+#include <cmath>
 #include <string>
 
 namespace rubato::contact {
@@ -27,13 +28,15 @@ time: {scheme: static, step: 1, end: 1}
 )";
 }
 
-std::vector<double> depths(const model::Model& model, double x, double y) {
+std::vector<double> depths(const model::Model& model, double x, double y, double least = 0) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.dofs.dof_count));
   for (const auto node : model.zones.front().slave.nodes) {
     u[model.dofs.dof(node, 0)] = x;
     u[model.dofs.dof(node, 1)] = y;
   }
-  return buried_depths(model.zones.front(), {&model.mesh, &model.dofs, &u, &u});
+  const auto& zone = model.zones.front();
+  return BuriedNodes(zone, std::vector(zone.master.nodes.size(), least))
+      .depths({&model.mesh, &model.dofs, &u, &u});
 }
 
 TEST(BuriedNodes, AreThoseBehindAFaceThatLooksAtThem) {
@@ -54,6 +57,32 @@ TEST(BuriedNodes, AreNotBesideTheSlave) {
       ++buried;
     }
   EXPECT_EQ(buried, 3) << "x = 0.75, 0.875, 1";
+}
+
+TEST(BuriedNodes, AreNotLookedAtNearASlaveNode) {
+  const auto model = test::model_of(blocks("{master: over, slave: under}"));
+  const auto found = depths(model, 0, -0.1, 0.2); // slave nodes at x = 0, 1, 2
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double away =
+        std::abs(model.mesh.points[static_cast<std::size_t>(model.zones.front().master.nodes[i])].x() - 1);
+    EXPECT_NEAR(found[i], std::hypot(away, 0.1) > 0.2 ? 0.1 : 0, 1e-14) << away;
+  }
+}
+
+TEST(BuriedNodes, AreFoundWhereverTheyWereBefore) {
+  const auto model = test::model_of(blocks("{master: over, slave: under}"));
+  const auto& zone = model.zones.front();
+  const std::vector<double> shallow(zone.master.nodes.size(), 0.2);
+  BuriedNodes buried(zone, shallow);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.dofs.dof_count));
+  for (const double x : {0.0, -0.7, 0.3, -1.2}) {
+    for (const auto node : zone.slave.nodes) {
+      u[model.dofs.dof(node, 0)] = x;
+      u[model.dofs.dof(node, 1)] = -0.1;
+    }
+    const contact::Configuration configuration{&model.mesh, &model.dofs, &u, &u};
+    EXPECT_EQ(buried.depths(configuration), BuriedNodes(zone, shallow).depths(configuration)) << x;
+  }
 }
 
 TEST(BuriedNodes, DoNotLookTheSameWay) {
