@@ -19,6 +19,7 @@ using Eigen::Vector3d;
 
 std::vector<Vector3d> positions(const Surface& surface, const Configuration& configuration) {
   std::vector<Vector3d> x;
+  x.reserve(surface.nodes.size());
   for (const auto node : surface.nodes)
     x.push_back(configuration.position(node));
   return x;

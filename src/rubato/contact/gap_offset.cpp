@@ -27,7 +27,7 @@ double length_of(const GapOffset::Term& term, const Vector3d& place, double t) {
 
 } // namespace
 
-double GapOffset::at(const Vector3d& place, double t) const {
+double GapOffset::sum_at(const Vector3d& place, double t) const {
   double sum = 0;
   for (const auto& term : terms)
     sum += term.sense == Sense::opens ? length_of(term, place, t) : -length_of(term, place, t);

@@ -24,7 +24,7 @@ struct GapOffset {
 
   /// Added to the gap that the surfaces have [length]; > 0 opens. Throws InputError at the value in the study
   /// when that is no finite number there, or an interference < 0.
-  double at(const Eigen::Vector3d& place, double t) const;
+  double at(const Eigen::Vector3d& place, double t) const { return terms.empty() ? 0.0 : sum_at(place, t); }
   /// How much it opens between two instants.
   double change(const Eigen::Vector3d& place, double from, double to) const {
     return moves() ? at(place, to) - at(place, from) : 0.0;
@@ -33,6 +33,9 @@ struct GapOffset {
   bool moves() const;
   /// The part of it that is an interference, ≥ 0.
   double overlap_at(const Eigen::Vector3d& place, double t) const;
+
+private:
+  double sum_at(const Eigen::Vector3d& place, double t) const;
 };
 
 /// `functions` are the deck's; those that the zone names are among them. `path`: of the zone in the study.

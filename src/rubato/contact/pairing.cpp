@@ -107,6 +107,8 @@ FaceCoordinates deformed(const Face& face, const Configuration& configuration) {
 }
 
 Vector3d position(const SlavePoint& point, const Configuration& configuration) {
+  if (point.node_position >= 0)
+    return configuration.position(point.nodes.front());
   Vector3d x = Vector3d::Zero();
   for (std::size_t i = 0; i < point.nodes.size(); ++i)
     if (point.shape[i] != 0)

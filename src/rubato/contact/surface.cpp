@@ -53,13 +53,6 @@ Surface make_surface(const mesh::Mesh& mesh, std::vector<Face> faces) {
   return surface;
 }
 
-FaceCoordinates values_of(const Face& face, std::span<const Eigen::Vector3d> values) {
-  FaceCoordinates of_face(3, face.node_count);
-  for (int i = 0; i < face.node_count; ++i)
-    of_face.col(i) = values[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
-  return of_face;
-}
-
 std::vector<Eigen::Vector3d> undeformed_places(const mesh::Mesh& mesh, const Surface& surface) {
   std::vector<Eigen::Vector3d> places;
   for (const auto node : surface.nodes)

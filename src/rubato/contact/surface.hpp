@@ -43,7 +43,12 @@ Surface make_surface(const mesh::Mesh& mesh, std::vector<Face> faces);
 
 /// What a face has of values that are given by position in its surface's nodes, one column a node of the
 /// face.
-FaceCoordinates values_of(const Face& face, std::span<const Eigen::Vector3d> values);
+inline FaceCoordinates values_of(const Face& face, std::span<const Eigen::Vector3d> values) {
+  FaceCoordinates of_face(3, face.node_count);
+  for (int i = 0; i < face.node_count; ++i)
+    of_face.col(i) = values[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
+  return of_face;
+}
 
 /// Where the nodes of a surface are undeformed, by position.
 std::vector<Eigen::Vector3d> undeformed_places(const mesh::Mesh& mesh, const Surface& surface);

@@ -19,20 +19,20 @@ void dgecon_(const char* norm, const int* size, const double* factors, const int
 namespace rubato::linalg {
 namespace {
 
-using Eigen::VectorXd;
+using Eigen::MatrixXd;
 
 constexpr double singular = 1e-15;
 /// Pivots within this factor leave no doubt: the estimate costs more than the factors of a small matrix.
 constexpr double doubtful = 1e-6;
 constexpr Eigen::Index without_estimate = 48;
 
-bool beyond_doubt(const Eigen::MatrixXd& factors) {
+bool beyond_doubt(const MatrixXd& factors) {
   const auto pivots = factors.diagonal().cwiseAbs();
   return pivots.minCoeff() > doubtful * pivots.maxCoeff();
 }
 
 /// LAPACK's estimate in the 1-norm.
-double reciprocal_condition(const Eigen::MatrixXd& factors, double matrix_norm) {
+double reciprocal_condition(const MatrixXd& factors, double matrix_norm) {
   const auto size = static_cast<int>(factors.rows());
   std::vector<double> work(4 * static_cast<std::size_t>(size));
   std::vector<int> integer_work(static_cast<std::size_t>(size));
@@ -45,36 +45,36 @@ double reciprocal_condition(const Eigen::MatrixXd& factors, double matrix_norm) 
 
 } // namespace
 
-std::optional<DenseLu> DenseLu::of(Eigen::MatrixXd matrix) {
+std::optional<DenseLu> DenseLu::of(MatrixXd matrix) {
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("LU factors of a matrix that is not square");
-  const VectorXd column_sums = matrix.cwiseAbs().colwise().sum();
-  if (!std::isfinite(column_sums.sum()))
+  if (!std::isfinite(matrix.cwiseAbs().sum()))
     return std::nullopt;
   DenseLu lu;
-  if (matrix.rows() > 0 && matrix.rows() <= without_estimate) {
-    lu.small_.emplace(matrix);
-    const bool sound = beyond_doubt(lu.small_->matrixLU()) || lu.small_->rcond() > singular;
-    return sound ? std::optional(std::move(lu)) : std::nullopt;
-  }
-  use_one_blas_thread_by_default();
   lu.factors_ = std::move(matrix);
-  const auto size = static_cast<int>(lu.factors_.rows());
-  if (size == 0)
-    return lu;
-  const double norm = column_sums.maxCoeff();
-  lu.pivots_.resize(static_cast<std::size_t>(size));
+  const bool sound = lu.factors_.rows() <= without_estimate ? lu.factor_small() : lu.factor_large();
+  return sound ? std::optional(std::move(lu)) : std::nullopt;
+}
+
+bool DenseLu::factor_small() {
+  if (factors_.rows() == 0)
+    return true;
+  small_ = std::make_unique<Eigen::PartialPivLU<Eigen::Ref<MatrixXd>>>(factors_);
+  return beyond_doubt(factors_) || small_->rcond() > singular;
+}
+
+bool DenseLu::factor_large() {
+  use_one_blas_thread_by_default();
+  const double norm = factors_.cwiseAbs().colwise().sum().maxCoeff();
+  const auto size = static_cast<int>(factors_.rows());
+  pivots_.resize(static_cast<std::size_t>(size));
   int info = 0;
-  dgetrf_(&size, &size, lu.factors_.data(), &size, lu.pivots_.data(), &info);
-  if (info != 0)
-    return std::nullopt;
-  if (!beyond_doubt(lu.factors_) && !(reciprocal_condition(lu.factors_, norm) > singular))
-    return std::nullopt;
-  return lu;
+  dgetrf_(&size, &size, factors_.data(), &size, pivots_.data(), &info);
+  return info == 0 && (beyond_doubt(factors_) || reciprocal_condition(factors_, norm) > singular);
 }
 
 Eigen::VectorXd DenseLu::solve(Eigen::VectorXd right_side) const {
-  const auto size = static_cast<int>(small_ ? small_->rows() : factors_.rows());
+  const auto size = static_cast<int>(factors_.rows());
   if (right_side.size() != size)
     throw std::invalid_argument("a right side of another size than the factored matrix");
   if (small_)

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,12 +19,23 @@ public:
   /// std::invalid_argument when it is not square.
   static std::optional<DenseLu> of(Eigen::MatrixXd matrix);
 
+  DenseLu(DenseLu&&) = default;
+  DenseLu& operator=(DenseLu&&) = default;
+  DenseLu(const DenseLu&) = delete;
+  DenseLu& operator=(const DenseLu&) = delete;
+  ~DenseLu() = default;
+
   Eigen::VectorXd solve(Eigen::VectorXd right_side) const;
 
 private:
-  std::optional<Eigen::PartialPivLU<Eigen::MatrixXd>> small_;
-  Eigen::MatrixXd factors_; ///< of LAPACK
-  std::vector<int> pivots_;
+  DenseLu() = default;
+  bool factor_small();
+  bool factor_large();
+
+  Eigen::MatrixXd factors_; ///< in the place of the matrix; a move leaves its numbers where they are
+  /// Of a small matrix: refers to the numbers of `factors_`.
+  std::unique_ptr<Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>> small_;
+  std::vector<int> pivots_; ///< of LAPACK
 };
 
 } // namespace rubato::linalg

@@ -71,13 +71,16 @@ std::optional<EquilibratedMatrix> equilibrated(const SparseMatrix& matrix) {
 }
 
 void equilibrate(Eigen::MatrixXd& matrix, Eigen::VectorXd& rows, Eigen::VectorXd& columns) {
-  rows.setZero(matrix.rows());
+  const Eigen::Index size = matrix.rows();
+  rows.setZero(size);
   columns.resize(matrix.cols());
   for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-    auto column = matrix.col(j);
-    columns[j] = inverse_of(column.lpNorm<Eigen::Infinity>());
-    column *= columns[j];
-    rows = rows.cwiseMax(column.cwiseAbs());
+    double* column = matrix.col(j).data();
+    columns[j] = inverse_of(matrix.col(j).lpNorm<Eigen::Infinity>());
+    for (Eigen::Index i = 0; i < size; ++i) { // one pass: small matrices of every iteration come here
+      column[i] *= columns[j];
+      rows[i] = std::max(rows[i], std::abs(column[i]));
+    }
   }
   rows = rows.unaryExpr(&inverse_of);
   for (auto column : matrix.colwise())

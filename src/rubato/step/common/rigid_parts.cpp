@@ -198,6 +198,8 @@ MatrixXd RigidParts::resultants(const VectorXd& x) const {
 double RigidParts::work(const MatrixXd& motion, const MatrixXd& force) const {
   double sum = 0;
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    if (bodies_[body].held)
+      continue;
     const auto column = static_cast<Index>(body);
     sum += force.col(column).dot(bodies_[body].fit * motion.col(column));
   }
