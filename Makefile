@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# The doors of the house; each is a few words a person could type. JOBS=4 builds with four jobs.
+# What can be done with a clone, a target each. JOBS=4 builds with four jobs.
 JOBS ?= 2
 GMSH ?= 0
 CLANG_TIDY ?= clang-tidy

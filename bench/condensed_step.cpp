@@ -26,7 +26,7 @@ constexpr double motion = 6e-3; ///< [s]
 step::State in_motion(const model::Model& model) {
   simulation::Simulation beams(model);
   while (beams.state().t < motion)
-    if (!beams.attempt().accepted())
+    if (!beams.advance().accepted())
       throw std::runtime_error("a step did not converge");
   return beams.state();
 }

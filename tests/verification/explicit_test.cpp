@@ -47,7 +47,7 @@ TEST(ExplicitModelingF, AgreesWithFineImplicitStepsWithoutContact) {
 TEST(ExplicitModelingF, AgreesWithFineImplicitSteps) {
   const std::vector<deck::Setting> shorter{
       {"time.end", "0.006"}, {"runs.implicit.time.step", "2e-5"}, {"runs.implicit.checks", "~"}};
-  const auto deck = deck::read_deck(RUBATO_SOURCE_DIR "/cases/sdnl140/witness.yaml", shorter);
+  const auto deck = deck::read_deck(RUBATO_SOURCE_DIR "/cases/sdnl140/explicit.yaml", shorter);
   const auto explicit_run = finish(deck.runs.front());
   const auto implicit_run = finish(deck.runs.back());
   for (const double t : {0.001, 0.002, 0.004, 0.006})

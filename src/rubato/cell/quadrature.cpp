@@ -12,7 +12,7 @@
 namespace rubato::cell {
 namespace {
 
-using RuleTable = std::array<Rule, static_cast<std::size_t>(CellType::hexa27) + 1>;
+using RuleTable = std::array<Rule, cell_type_count>;
 
 RuleTable every_rule(int ReferenceCell::*degree) {
   RuleTable table;

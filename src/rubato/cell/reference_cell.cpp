@@ -10,7 +10,7 @@
 namespace rubato::cell {
 namespace {
 
-using Table = std::array<const ReferenceCell*, static_cast<std::size_t>(CellType::hexa27) + 1>;
+using Table = std::array<const ReferenceCell*, cell_type_count>;
 
 /// Runs once: apart from the look-up, which is called for every contact point.
 [[gnu::cold]] Table every_reference_cell() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Inside the room only: points and weights on the reference cells of topology.hpp, by shape.
+/// Inside the module only: points and weights on the reference cells of topology.hpp, by shape.
 #pragma once
 
 #include "rubato/cell/quadrature.hpp"

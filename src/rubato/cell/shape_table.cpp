@@ -8,7 +8,7 @@
 namespace rubato::cell {
 namespace {
 
-using Tables = std::array<ShapeTable, static_cast<std::size_t>(CellType::hexa27) + 1>;
+using Tables = std::array<ShapeTable, cell_type_count>;
 
 Tables every_table(std::span<const QuadraturePoint> (*rule)(CellType)) {
   Tables tables;

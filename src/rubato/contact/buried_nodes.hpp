@@ -2,8 +2,8 @@
 /// Master nodes behind the slave.
 ///
 /// Contact tests the slave's points against the master, not the master's nodes against the slave: what is
-/// smaller than a slave face may sink into it between its nodes, by nodes and by mortar alike. Whoever wants
-/// to know looks here.
+/// smaller than a slave face may sink into it between its nodes, by nodes and by mortar alike. This
+/// finds such nodes.
 #pragma once
 
 #include "rubato/contact/zone.hpp"

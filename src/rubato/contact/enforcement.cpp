@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/enforcement.hpp"
 
-#include "rubato/contact/factored_response.hpp"
 #include "rubato/contact/frozen_frame.hpp"
+#include "rubato/contact/point_tangent.hpp"
 #include "rubato/contact/spring_friction.hpp"
 #include "rubato/core/tolerances.hpp"
 
@@ -144,12 +144,12 @@ void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcome
 /// A node that gave its function away has the mean pressure of those that took it.
 void inherit_pressures(std::span<const PointEvaluation> points, std::vector<PointOutcome>& outcomes) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& heirs = points[i].heirs;
+    const auto& receivers = points[i].receivers;
     double sum = 0;
-    for (const int heir : heirs)
-      sum += outcomes[static_cast<std::size_t>(heir)].pressure;
-    if (!heirs.empty())
-      outcomes[i].pressure = sum / static_cast<double>(heirs.size());
+    for (const int receiver : receivers)
+      sum += outcomes[static_cast<std::size_t>(receiver)].pressure;
+    if (!receivers.empty())
+      outcomes[i].pressure = sum / static_cast<double>(receivers.size());
   }
 }
 
@@ -290,8 +290,8 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
                std::nullopt};
   law.exponential = {.pressure = zone->settings.pressure.value_or(0),
                      .clearance = zone->settings.clearance.value_or(0)};
-  if (!frozen_thresholds.empty())
-    law.frozen_threshold = frozen_thresholds[index];
+  if (!frozen_friction_pressures.empty())
+    law.frozen_friction_pressure = frozen_friction_pressures[index];
   law.tied = zone->settings.tie;
   law.stays_closed = !stays_closed.empty() && stays_closed[index] != 0;
   if (!coefficients->resistance.empty())
@@ -320,7 +320,7 @@ std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const Point
   for (std::size_t i = 0; i < points.size(); ++i)
     if (status[i] != Status::open) {
       auto point_law = law.of_point(i);
-      point_law.frozen_threshold.reset();
+      point_law.frozen_friction_pressure.reset();
       pressures[i] = friction_pressure(points[i].variables, point_law);
     }
   return pressures;

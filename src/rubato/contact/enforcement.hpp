@@ -77,8 +77,8 @@ struct PointEvaluation {
   std::optional<Kinematics> kinematics;
   PointState variables;
   double cover = 1; ///< part of the point's area that faces the master: less than 1 in mortar only
-  /// Of a mortar node that faces so little that it gives its function away: the points that have it.
-  std::vector<int> heirs{};
+  /// Of a mortar node that faces so little that its dual function is shared among others: those points.
+  std::vector<int> receivers{};
 };
 
 /// Gap, slip and multipliers of a point, the latter interpolated from the nodes that share it.
@@ -143,7 +143,7 @@ struct ZoneLaw {
   const ZoneCoefficients* coefficients = nullptr;
   double friction = 0; ///< the zone's μ or, during continuation, a part of it
   /// P of every point, while a loop holds it; empty otherwise.
-  std::span<const double> frozen_thresholds = {};
+  std::span<const double> frozen_friction_pressures = {};
   /// Of a bilateral zone: whether a point has touched before this step; else empty.
   std::span<const std::uint8_t> stays_closed = {};
 

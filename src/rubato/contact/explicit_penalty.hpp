@@ -5,12 +5,12 @@
 ///   p = k_n ⟨−g⟩                                      on the deformed surfaces
 ///   t = −k_t s,  |t| ≤ μ p                            s: elastic slip, a vector in the tangent plane
 /// s grows with the slip increments of the steps, whatever their number, and is cut back to |t| = μ p when it
-/// slips (return mapping). It must be carried from step to step: the thousandth part of a millisecond is too
-/// short for a slip that starts anew each step to make any friction.
+/// slips (return mapping). It must be carried from step to step: steps of 1e-6 s
+/// are too short for a slip that starts anew in each of them to make any friction.
 ///
 /// A point that faced nothing and is found to penetrate when it faces the master again (a tip that has slid
-/// off an edge and comes back) would be shot away. The gap it is found with is its offset instead: p = k_n
-/// ⟨g₀ − g⟩, and g₀ follows g as far as the point comes out by itself.
+/// off an edge and comes back) would get an excessive force. The gap it is found with is its offset instead:
+/// p = k_n ⟨g₀ − g⟩, and g₀ follows g as far as the point comes out by itself.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"

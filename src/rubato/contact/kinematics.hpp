@@ -2,8 +2,8 @@
 /// Gap, slip and frame of a paired contact point, with their exact derivatives.
 ///
 /// The point's local unknowns q are the displacements of its slave nodes, then of its master face's nodes,
-/// component by component. With x_s the slave point and ξ̄ its clamped projection on the master face (PHYSICS:
-/// 2):
+/// component by component. With x_s the slave point and ξ̄ its clamped projection on the master face
+/// (docs/theory/contact-kinematics.md):
 ///   g = n·(x_s − x_m(ξ̄)) + offset,   g > 0 open;  n leaves the master; offset: the zone's (gap_offset.hpp)
 ///   Δs_a = τ_a·[(u_s − u_s⁰) − Σ N_j(ξ̄)(u_mj − u_mj⁰)],  ⁰ = start of the step
 ///   τ₁ = t₁/|t₁|, τ₂ = n × τ₁

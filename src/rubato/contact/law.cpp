@@ -43,9 +43,9 @@ FrictionPressure pressure_of_spring(const PointState& point, const PointLaw& law
 }
 
 /// P with its derivatives, zero while it is held.
-FrictionPressure threshold_of(const PointState& point, const PointLaw& law) {
-  if (law.frozen_threshold)
-    return {.value = *law.frozen_threshold};
+FrictionPressure friction_pressure_of(const PointState& point, const PointLaw& law) {
+  if (law.frozen_friction_pressure)
+    return {.value = *law.frozen_friction_pressure};
   return normal_law(law.method).friction_pressure(point, law);
 }
 
@@ -58,7 +58,7 @@ Vector2d relative_to_saturation(const PointState& point, const PointLaw& law) {
 }
 
 Vector2d relative_to_limit(const PointState& point, const PointLaw& law) {
-  return law.tangential / (law.friction * threshold_of(point, law).value) * point.slip;
+  return law.tangential / (law.friction * friction_pressure_of(point, law).value) * point.slip;
 }
 
 Vector2d relative_friction(const PointState& point, const PointLaw& law) {
@@ -134,7 +134,7 @@ void rub_by_spring(const PointState& point, Status status, const PointLaw& law, 
     response.kept_friction = shrinking(relative_friction(point, law));
     return;
   }
-  const auto threshold = threshold_of(point, law);
+  const auto threshold = friction_pressure_of(point, law);
   const Direction along(point.slip);
   response.traction.tail<2>() = -law.friction * threshold.value * along.unit;
   response.d_traction.bottomRows<2>() = -law.friction * along.unit * threshold.derivative;
@@ -149,7 +149,7 @@ struct Saturation {
 };
 
 Saturation saturate(const PointState& point, Status status, const PointLaw& law, PointResponse& response) {
-  const auto threshold = threshold_of(point, law);
+  const auto threshold = friction_pressure_of(point, law);
   Saturation result{law.friction * threshold.value, relative_friction(point, law)};
   if (status == Status::slip) {
     const Direction along(result.rho);
@@ -176,7 +176,7 @@ void rub_by_multiplier(const PointState& point, Status status, const PointLaw& l
 }
 
 bool rubs(const PointState& point, Status status, const PointLaw& law) {
-  return status != Status::open && law.friction > 0 && threshold_of(point, law).value > 0 &&
+  return status != Status::open && law.friction > 0 && friction_pressure_of(point, law).value > 0 &&
          (status == Status::stick || relative_friction(point, law).norm() > 0);
 }
 
@@ -200,7 +200,7 @@ bool presses(const PointState& point, const PointLaw& law) {
 /// pull opens points beside it.
 bool comes_sliding(const PointState& point, const PointLaw& law) {
   return point.semi.isZero(0) &&
-         law.resistance * point.slip.norm() > law.friction * threshold_of(point, law).value;
+         law.resistance * point.slip.norm() > law.friction * friction_pressure_of(point, law).value;
 }
 
 bool never(const PointState& /*point*/, const PointLaw& /*law*/) {
@@ -382,7 +382,7 @@ Status wanted_status(const PointState& point, const PointLaw& law) {
     return Status::stick;
   if (!law.stays_closed && !normal_law(law.method).touches(point, law))
     return Status::open;
-  const bool sticks = law.friction > 0 && threshold_of(point, law).value > 0 &&
+  const bool sticks = law.friction > 0 && friction_pressure_of(point, law).value > 0 &&
                       relative_friction(point, law).norm() <= 1 &&
                       !friction_law(law.friction_method).comes_sliding(point, law);
   return sticks ? Status::stick : Status::slip;
@@ -404,7 +404,7 @@ PointResponse respond(const PointState& point, Status status, const PointLaw& la
 }
 
 double friction_pressure(const PointState& point, const PointLaw& law) {
-  return std::max(0.0, threshold_of(point, law).value);
+  return std::max(0.0, friction_pressure_of(point, law).value);
 }
 
 } // namespace rubato::contact

@@ -44,7 +44,7 @@ struct PointLaw {
   double gap_tolerance = 0; ///< an open point closes when it penetrates more than that [length]
   int tangents = 2;         ///< tangential directions: 1 in 2D
   /// P while an outer loop holds it; follows the point otherwise.
-  std::optional<double> frozen_threshold;
+  std::optional<double> frozen_friction_pressure;
   exponential::Numbers exponential{}; ///< of that method
   bool stays_closed = false;          ///< it has touched, and is bilateral
   bool tied = false;                  ///< λ, Λ₁, Λ₂ are tractions that hold gap and slips at 0
@@ -69,8 +69,9 @@ struct PointResponse {
   }
 };
 
-/// The status that the present variables call for: in contact iff T_n > 0, sticking iff friction stays below
-/// its limit. Frictionless points in contact count as slipping.
+/// The status that the present variables call for: in contact iff T_n > 0 or the point stays closed
+/// (`stays_closed`); sticking iff friction stays below its limit and the point does not come sliding
+/// (FrictionLaw::comes_sliding). Tied points stick. Frictionless points in contact count as slipping.
 Status wanted_status(const PointState& point, const PointLaw& law);
 
 /// Traction and equations of a point of that status. In contact without pressure there is no friction yet

@@ -24,7 +24,7 @@ struct Candidate {
   double distance = INFINITY;
 
   /// Of equally good faces the first in the zone wins, in whatever order they are tried.
-  bool beats(const Candidate& other, double rounding_of_distance) const {
+  bool precedes(const Candidate& other, double rounding_of_distance) const {
     if (other.face < 0)
       return true;
     if (projection.inside() != other.projection.inside())
@@ -60,7 +60,7 @@ void consider(const Zone& zone, int face_index, const Vector3d& point, std::span
   if (one_inside && !candidate.projection.inside())
     return;
   candidate.distance = (point - face_position(face.type, nodes, candidate.projection.clamped)).norm();
-  if (candidate.beats(best, rounding_of_distance))
+  if (candidate.precedes(best, rounding_of_distance))
     best = candidate;
 }
 

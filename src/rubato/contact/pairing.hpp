@@ -21,7 +21,7 @@ struct Pair {
 };
 
 /// The projection of each slave point: the faces around the nearest master node are tried; one that holds the
-/// orthogonal projection beats any that doesn't, then the shortest distance wins, of equal ones the first
+/// orthogonal projection precedes any that doesn't, then the shortest distance wins, of equal ones the first
 /// face. A point whose projection lies more than half a reference length outside the face it got is unpaired.
 std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuration);
 

@@ -75,7 +75,7 @@ private:
   std::vector<Eigen::Vector3d> start_; ///< places of the nodes there
   std::vector<double> thickness_; ///< of the body behind each face, undeformed; infinite where it is thick
   std::vector<std::pair<int, int>> neighbours_; ///< faces that share a node of the surface
-  std::vector<std::vector<int>> across_edge_; ///< of each face those beyond a sharp edge (smooth_patches.hpp)
+  std::vector<std::vector<int>> across_edge_;   ///< of each face those beyond a sharp edge (sharp_edges.hpp)
   std::vector<Role> role_;
 };
 

@@ -6,7 +6,7 @@
 #include "rubato/contact/law.hpp"
 #include "rubato/contact/mortar/frames.hpp"
 #include "rubato/contact/projection.hpp"
-#include "rubato/contact/smooth_patches.hpp"
+#include "rubato/contact/sharp_edges.hpp"
 
 #include <Eigen/Geometry>
 

@@ -2,6 +2,7 @@
 /// The types of cells; their nodes, sides and edges are in cell/topology.hpp.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace rubato {
@@ -25,7 +26,10 @@ enum class CellType : std::uint8_t {
   penta18,
   hexa8,
   hexa20,
-  hexa27
+  hexa27 // the last: cell_type_count
 };
+
+/// Sizes tables by cell type.
+inline constexpr std::size_t cell_type_count = static_cast<std::size_t>(CellType::hexa27) + 1;
 
 } // namespace rubato

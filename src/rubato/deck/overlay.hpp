@@ -20,7 +20,7 @@ struct Change {
 };
 
 /// Lays `over` over a whole deck: maps are merged, anything else is replaced, nothing (`~`) removes. Of
-/// mesh.file and mesh.generate the one in `over` drives out the other.
+/// mesh.file and mesh.generate the one in `over` removes the other.
 void lay_over(Tree& deck, const Tree& over);
 
 /// Parses settings; faults for unreadable paths and values and for unknown runs (`runs`: the names there

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The deck room: a YAML deck becomes studies, plain data that the rest of the program works from.
+/// The deck module: a YAML deck becomes studies, plain data that the rest of the program works from.
 #pragma once
 
 #include "rubato/deck/places.hpp"

@@ -27,7 +27,7 @@ MatrixXd extrapolation_of(const cell::ReferenceCell& cell) {
   return at_nodes * linalg::pseudo_inverse(at_points);
 }
 
-using Table = std::array<MatrixXd, static_cast<std::size_t>(CellType::hexa27) + 1>;
+using Table = std::array<MatrixXd, cell_type_count>;
 
 Table every_extrapolation() {
   Table table;

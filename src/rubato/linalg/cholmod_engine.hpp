@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// CHOLMOD behind the Cholesky factors of this room. With long indices throughout: a factor of more than 2^31
-/// entries then needs no second path.
+/// CHOLMOD behind the Cholesky factors of this module. With long indices throughout: a factor of more than
+/// 2^31 entries then needs no second path.
 #pragma once
 
 #include "rubato/linalg/direct_solver.hpp"

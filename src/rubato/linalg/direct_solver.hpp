@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The only room that knows CHOLMOD, UMFPACK and MUMPS: factor and solve sparse systems.
+/// The only module that knows CHOLMOD, UMFPACK and MUMPS: factor and solve sparse systems.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Consistent masses of cells, for body forces. Only this room includes this.
+/// Consistent masses of cells, for body forces. Only this module includes this.
 #pragma once
 
 #include "rubato/load/nodal_forces.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Integrals over the sides of bodies, by quadrature on the undeformed shape. Only this room includes this.
+/// Integrals over the sides of bodies, by quadrature on the undeformed shape. Only this module includes this.
 #pragma once
 
 #include "rubato/cell/shape_table.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The sign of cells: every room above counts on bulk cells of positive volume (in 2D: counter-clockwise).
+/// The sign of cells: all other modules expect bulk cells of positive volume (in 2D: counter-clockwise).
 #pragma once
 
 #include "rubato/mesh/mesh.hpp"

@@ -80,7 +80,7 @@ MeshReport examine(const Mesh& mesh);
 
 /// The least of the Jacobian determinants at the corners, each divided by the lengths of the edge tangents
 /// there and by its value in the ideal cell (square, cube, equilateral triangle, regular tetrahedron, …).
-/// Quadratic edges count with their tangent at the corner, so a middle node gone astray shows. Surface cells
+/// Quadratic edges count with their tangent at the corner, so a misplaced middle node shows. Surface cells
 /// in 3D are measured along their own mean normal. Knupp, "Algebraic mesh quality metrics", SIAM J. Sci.
 /// Comput. 23 (2001). Nothing for points and segments.
 std::optional<double> scaled_jacobian(CellType type, std::span<const NodeIndex> nodes,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/touching_parts.hpp"
 
-#include "rubato/contact/smooth_patches.hpp"
+#include "rubato/contact/sharp_edges.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/model/bodies.hpp"

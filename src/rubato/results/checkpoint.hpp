@@ -23,7 +23,7 @@ struct Checkpoint {
   std::uint32_t start = 0;  ///< fingerprint of the other run's end that this one began with, or 0
   double setup_seconds = 0; ///< spent so far, as loop_seconds
   double loop_seconds = 0;
-  simulation::Memento memento; ///< of explicit runs without the ledger, which its motion tells
+  simulation::Memento memento; ///< explicit runs have no ledger in it: it is rebuilt from the motion
   step::EnergyRecord record;
   RecorderPosition recorder;
 };

@@ -3,7 +3,7 @@
 ///
 ///   probes.csv             t, then <probe>.x, <probe>.y[, <probe>.z] of every probe
 ///   resultants_<zone>.csv  t; points in contact, sticking; force of the master on the slave x, y[, z];
-///                          normal part (∫p); friction part (|∫ tangential traction|); largest pressure;
+///                          normal part (Σ|N|); friction part (|∫ tangential traction|); largest pressure;
 ///                          smallest gap
 ///   energy.csv             t and the parts of the energy ledger
 ///   steps.jsonl            one JSON object a step tried, accepted or not

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The head of a checkpoint file: it says what the file is and vouches for the rest of it.
+/// The head of a checkpoint file: what the file is, and a checksum of the rest of it.
 #pragma once
 
 #include <cstddef>

@@ -150,9 +150,10 @@ private:
     watch_.say(
         fmt::format("{}: scheme {}{}", name(), scheme, massless ? ", contact surfaces without mass" : ""));
     if (!course_.from && feeds_on_contact(model_, time::make_scheme(settings)))
-      watch_.warn(fmt::format("{}: {} without damping gains energy where exact contact opens and closes; "
-                              "moreau_jean doesn't, hht with alpha: -0.1 hardly",
-                              name(), scheme));
+      watch_.warn(
+          fmt::format("{}: {} without damping gains energy where exact contact opens and closes; expected "
+                      "moreau_jean (no gain) or hht with alpha: -0.1 (hardly any)",
+                      name(), scheme));
   }
 
   /// `where`: in which step.
@@ -177,9 +178,9 @@ private:
   /// Says where a step stands. Whether it may go on.
   bool goes_on(const simulation::Moment& moment) const {
     auto progress = progress_of(moment.attempt);
-    progress.iterations = moment.beat.iterations;
-    progress.contact_points = moment.beat.contact_points;
-    progress.residual = moment.beat.residual;
+    progress.iterations = moment.progress.iterations;
+    progress.contact_points = moment.progress.contact_points;
+    progress.residual = moment.progress.residual;
     progress.within = true;
     watch_.within(progress);
     return !watch_.stop();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rubato/step/energy.hpp"
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/progress.hpp"
 #include "rubato/step/report.hpp"
 
 #include <functional>
@@ -41,7 +41,7 @@ struct StepResult {
 /// Where an attempt stands that is being made.
 struct Moment {
   const Attempt& attempt;
-  step::Beat beat;
+  step::ProgressState progress;
 };
 
 /// Is told of moments; whether the attempt is to go on.

@@ -65,7 +65,7 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
   trial.attempt = next();
   step::GoesOn asked;
   if (goes_on)
-    asked = [&](const step::Beat& beat) { return goes_on({trial.attempt, beat}); };
+    asked = [&](const step::ProgressState& state) { return goes_on({trial.attempt, state}); };
   trial.report = step::advance(model_, scheme_, systems_.of(control_.length()), state_, trial.attempt.end,
                                trial.state, asked);
   if (trial.report.outcome == step::Outcome::interrupted)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// A study in motion: the one time loop, for the program, other programs, tests and benchmarks.
+/// Time integration of a study, for the program, other programs, tests and benchmarks.
 ///
 ///   simulation::Simulation beams(study);
 ///   while (!beams.finished())
@@ -44,7 +44,7 @@ public:
   Simulation& operator=(Simulation&&) noexcept;
 
   /// One accepted step: attempts until one is accepted, none is left or one is interrupted; never ends with
-  /// Verdict::cut. `goes_on` is asked at least once an iteration (step/pulse.hpp), in explicit simulations
+  /// Verdict::cut. `goes_on` is asked at least once an iteration (step/progress.hpp), in explicit simulations
   /// every few steps. An interrupted implicit attempt leaves nothing; an explicit one keeps what it has come
   /// towards the record, so that the next attempt goes on from there, to the same bits.
   /// Throws what observers and `goes_on` throw, and InputError when the matrix of a shorter step does not fit

@@ -29,7 +29,7 @@ class Attempts {
 public:
   Attempts(const Model& model, const time::Scheme& scheme, EffectiveSystem& system, const State& committed,
            double t, const GoesOn& goes_on)
-      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), pulse_(goes_on),
+      : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), progress_(goes_on),
         other_start_(other_start(model, system)),
         has_augmentation_(std::ranges::any_of(model.zones, contact::has_augmentation)) {}
 
@@ -110,11 +110,11 @@ private:
   }
 
   template <NewtonSystem Solver> StepReport solve_by(const ContactEvaluator& side, State& trial) {
-    Solver solver(model_, scheme_, system_, committed_, t_, side, pulse_);
+    Solver solver(model_, scheme_, system_, committed_, t_, side, progress_);
     return solve_levels(
         model_, side,
         [&](State& to, const Frozen& frozen) {
-          return run_newton(solver, model_.study.newton.max_iterations, pulse_, to, frozen);
+          return run_newton(solver, model_.study.newton.max_iterations, progress_, to, frozen);
         },
         committed_, trial);
   }
@@ -124,7 +124,7 @@ private:
   EffectiveSystem& system_;
   const State& committed_;
   double t_;
-  Pulse pulse_;
+  Progress progress_;
   std::optional<Start> other_start_;
   bool has_augmentation_;
   int spent_ = 0;

@@ -4,7 +4,7 @@
 
 #include "rubato/model/model.hpp"
 #include "rubato/step/common/effective_system.hpp"
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/progress.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
@@ -20,7 +20,7 @@ std::string solver_of(const model::Model& model, const EffectiveSystem& system);
 State predict(const model::Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
               const State& committed, double t);
 
-/// Advances `committed` to t. `goes_on` is asked at least once an iteration (step/pulse.hpp); when it says
+/// Advances `committed` to t. `goes_on` is asked at least once an iteration (step/progress.hpp); when it says
 /// no, the step ends as interrupted and `trial` means nothing. On success `trial` is the state at t. A failed
 /// attempt is repeated with other augmentations, then with other loops, then with friction raised in parts,
 /// before it is reported.

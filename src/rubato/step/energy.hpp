@@ -110,9 +110,10 @@ private:
   bool closed_ = false; ///< the first step is done
 };
 
-/// What normal contact springs hold, ½ N ⟨−g⟩ each [force · length]. Exact methods have none: between nodes
-/// their points may penetrate a little, gaps being closed on average. Springs of friction begin anew in every
-/// step and give back nothing of what they took: it counts as friction.
+/// What normal contact springs hold [force · length]: the area of a point times the energy of its law, ½ N
+/// ⟨−g⟩ of linear springs. Exact methods have none: between nodes their points may penetrate a little, gaps
+/// being closed on average. Springs of friction begin anew in every step and give back nothing of what they
+/// took: it counts as friction.
 double energy_of_springs(std::span<const contact::Zone> zones, std::span<const contact::ZoneState> states);
 
 } // namespace rubato::step

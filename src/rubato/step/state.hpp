@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Everything a step changes. Accepting a step is a copy of trial to committed, rolling back is none at all.
+/// Everything a step changes. An accepted trial is moved into the state; a rejected one is dropped.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"

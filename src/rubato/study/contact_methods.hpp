@@ -231,7 +231,7 @@ constexpr FrictionMethod usual_friction_method(ContactMethod method) {
 /// Where the contact points of a zone stand where nothing is asked for. By mortar pressures depend neither on
 /// how the two meshes meet nor much on which side is the slave. An obstacle has no mesh: before it points
 /// stand on the nodes, with its curvature in the tangent. So they do where mortar is not possible: for nodal
-/// methods, explicit steps and where the surface of the normal is chosen.
+/// methods, explicit steps and where the surface of the normal is chosen. Ties take mortar in any case.
 constexpr ContactRule usual_integration(const ContactZone& zone, SchemeKind scheme) {
   const auto& mortar = entry_of(ContactIntegration::mortar);
   const bool own_normal =

@@ -321,7 +321,7 @@ enum class Solver { automatic, condensed, full };
 
 struct NewtonSettings {
   int max_iterations = 40;
-  double residual = 1e-8; ///< relative, PHYSICS.md's residual test
+  double residual = 1e-8; ///< relative, as docs/theory/time-integration.md defines it
   bool operator==(const NewtonSettings&) const = default;
 };
 

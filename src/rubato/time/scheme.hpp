@@ -3,8 +3,9 @@
 ///
 /// A scheme is Newmark's pair β, γ and the weights of the terms of equilibrium at the end (now) and at the
 /// start (before) of a step of length h:
-///   m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F(u₁) + f₀ F(u₀) = 0,   F = internal + contact − external
-///   force u₁ = ũ + d,  v₁ = ṽ + γ/(βh) d,  a₁ = ã + d/(βh²)
+///   m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F(u₁) + f₀ F(u₀) = 0,
+///   F = internal + contact − external force,
+///   u₁ = ũ + d,  v₁ = ṽ + γ/(βh) d,  a₁ = ã + d/(βh²)
 /// with the predictor ũ = u₀, ṽ = (β−γ)/β v₀ + (2β−γ)h/(2β) a₀, ã = −v₀/(βh) + (2β−1)/(2β) a₀.
 #pragma once
 

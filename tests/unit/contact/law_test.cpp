@@ -122,7 +122,7 @@ TEST(NodalPenaltyLaw, IsASpringUpToCoulombsLimit) {
 
 TEST(HeldThreshold, TakesThePlaceOfThePressure) {
   for (auto law : {steel, soft, spring}) {
-    law.frozen_threshold = 3;
+    law.frozen_friction_pressure = 3;
     const PointState point{-0.2, {2, 0}, 10, {0, 0}};
     EXPECT_DOUBLE_EQ(respond(point, Status::slip, law).traction[1], -0.4 * 3);
     EXPECT_NE(friction_pressure(point, steel), 3);
@@ -168,7 +168,7 @@ TEST_P(LawTangent, IsTheDerivativeOfTheLaw) {
   const auto& [variant, status, held] = GetParam();
   auto law = law_of(variant.method, variant.friction);
   if (held)
-    law.frozen_threshold = 1.5;
+    law.frozen_friction_pressure = 1.5;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(-1, 1);
   for (int trial = 0; trial < 50; ++trial) {

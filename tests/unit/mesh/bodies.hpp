@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Bodies and measures that the tests of the mesh room share.
+/// Bodies and measures that the tests of the mesh module share.
 #pragma once
 
 #include "rubato/cell/parts.hpp"

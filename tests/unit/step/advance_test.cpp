@@ -59,13 +59,13 @@ TEST(Advance, HasOneWayWithoutContact) {
 
 TEST(Advance, EndsAtOnceWhenItIsAskedTo) {
   const Walk walk(test::block_on_plane);
-  for (const int beats : {0, 1, 2}) {
+  for (const int reports : {0, 1, 2}) {
     State trial;
     int asked = 0;
-    const auto report = advance(walk, trial, [&](const Beat&) { return asked++ < beats; });
+    const auto report = advance(walk, trial, [&](const ProgressState&) { return asked++ < reports; });
     EXPECT_EQ(report.outcome, Outcome::interrupted);
     EXPECT_FALSE(report.failed()) << "nothing else is to be tried";
-    EXPECT_EQ(asked, beats + 1) << "it asks no more";
+    EXPECT_EQ(asked, reports + 1) << "it asks no more";
   }
 }
 

@@ -53,7 +53,7 @@ inline time::Motion motion(double u, double v, double a) {
   return {Eigen::VectorXd::Constant(1, u), Eigen::VectorXd::Constant(1, v), Eigen::VectorXd::Constant(1, a)};
 }
 
-/// One free step by the room's own predictor, corrector and coefficients.
+/// One free step by the module's own predictor, corrector and coefficients.
 inline time::Motion step(const time::Scheme& scheme, const Oscillator& spring, double h,
                          const time::Motion& start) {
   const auto c = time::coefficients_of(scheme, h);

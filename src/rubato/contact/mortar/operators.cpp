@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/operators.hpp"
 
-#include "rubato/contact/mortar/mean_normals.hpp"
 #include "rubato/contact/mortar/parts.hpp"
+#include "rubato/contact/mortar/self_contact_normals.hpp"
 
 namespace rubato::contact::mortar {
 namespace {

@@ -26,14 +26,14 @@
 
 namespace rubato::contact::mortar {
 
-/// Below this share of its full weight a node is dropped: it gives its function to its neighbours.
+/// Below this share of its full weight a node is dropped: its dual function is shared among its neighbours.
 inline constexpr double least_kept_share = 0.01;
 
 /// Who decides whether a node is kept.
 enum class Keep : std::uint8_t {
   by_cover, ///< kept from 1 % of its full weight on
   always,   ///< kept if anything of it is covered
-  never     ///< its function is given away: cross points of ties
+  never     ///< its dual function is shared among its neighbours: cross points of ties
 };
 
 /// Spans may be empty; else they have an entry for each slave node, `reaches` for each slave face.
@@ -45,13 +45,14 @@ struct Options {
   std::span<const Keep> keep = {};
   /// Whether a slave and a master face may meet; empty: all may. Self contact excludes neighbours by it.
   std::function<bool(int slave_face, int master_face)> may_pair = {};
-  /// Of a surface that meets itself: directions of slave nodes are those of both sides (mean_normals.hpp).
+  /// Of a surface that meets itself: directions of slave nodes are those of both sides
+  /// (self_contact_normals.hpp).
   bool mean_normals = false;
 };
 
 enum class Cover : std::uint8_t {
   none,    ///< meets nothing: no unknown, no gap
-  dropped, ///< covered, but its function is given away: its pressure is the mean of its heirs'
+  dropped, ///< covered, but its function is shared among receivers: its pressure is the mean of theirs
   kept
 };
 
@@ -65,8 +66,8 @@ struct Node {
   Cover cover = Cover::none;
   /// With an obstacle: the mean place it faces; G_j is counted from there. 0 with a master.
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();
-  double gap = 0;         ///< g_j where it was integrated; 0 unless kept
-  std::vector<int> heirs; ///< of a dropped node: positions of the kept nodes that have its function
+  double gap = 0;             ///< g_j where it was integrated; 0 unless kept
+  std::vector<int> receivers; ///< of a dropped node: positions of the kept nodes that have its function
 
   bool kept() const { return cover == Cover::kept; }
 };

@@ -85,7 +85,7 @@ void set_normals(const Surface& slave, const SlaveReference& reference, std::spa
 Frame node_frame(const SlaveReference& reference, std::span<const Eigen::Vector3d> x,
                  std::span<const Eigen::Vector3d> normals, std::size_t node);
 
-/// Decides who is kept, shares all functions, and starts each node with cover, weight, frame and heirs.
+/// Decides who is kept, shares all functions, and starts each node with cover, weight, frame and receivers.
 void share_functions(const Surface& slave, const SlaveReference& reference,
                      std::span<const Eigen::Vector3d> slave_x, const Options& options,
                      Workspace::Impl& workspace, Operators& into);

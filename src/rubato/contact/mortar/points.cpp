@@ -150,7 +150,7 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   const auto& point = zone_->points[position];
   into.pair = node.kept() ? Pair::before_obstacle() : Pair{};
   into.cover = node.kept() ? node.weight / point.area : 1;
-  into.heirs = node.heirs;
+  into.receivers = node.receivers;
   if (!node.kept()) {
     into.kinematics.reset();
     into.variables = variables_of(*zone_, point, multipliers, into.kinematics);

@@ -49,7 +49,7 @@ private:
   const Zone* zone_;
   std::vector<Keep> keep_;
   std::optional<SelfPairs> self_; ///< of a surface that touches itself: as it is where the step begins
-  Reach reach_; ///< between two meshes
+  Reach reach_;                   ///< between two meshes
   /// Of every slave node in this step: whether it was kept last, and how often that changed.
   std::vector<char> was_kept_;
   std::vector<int> changes_;

@@ -140,10 +140,10 @@ private:
   void name_heirs(int node) {
     if (is_kept(node) || !(work_.covered[at(node)] > 0))
       return;
-    auto& heirs = into_.nodes[at(node)].heirs;
-    heirs.insert(heirs.end(), work_.takers.begin(), work_.takers.end());
-    std::ranges::sort(heirs);
-    heirs.erase(std::unique(heirs.begin(), heirs.end()), heirs.end());
+    auto& receivers = into_.nodes[at(node)].receivers;
+    receivers.insert(receivers.end(), work_.takers.begin(), work_.takers.end());
+    std::ranges::sort(receivers);
+    receivers.erase(std::unique(receivers.begin(), receivers.end()), receivers.end());
   }
 
   const Surface& slave_;
@@ -168,7 +168,7 @@ void start_nodes(const Surface& slave, const SlaveReference& reference,
     node.cover = work.kept[j] != 0 ? Cover::kept : work.covered[j] > 0 ? Cover::dropped : Cover::none;
     node.anchor.setZero();
     node.gap = 0;
-    node.heirs.clear();
+    node.receivers.clear();
     into.kept_count += node.kept() ? 1 : 0;
   }
 }

@@ -73,7 +73,7 @@ private:
 /// down: HDF5 has damaged files on which it crashes, and then a program that has rehearsed goes on.
 void rehearse(const std::filesystem::path& path, const std::function<void()>& read);
 
-/// Room for `count` texts of `width` characters as MED wants it.
+/// Space for `count` texts of `width` characters as MED wants it.
 std::string text_buffer(std::size_t count, std::size_t width);
 
 /// The `index`-th text of that width, without the blanks and zeros that fill it.

@@ -81,7 +81,7 @@ public:
         held_(model.zones.size()), former_faces_(model.zones.size()), between_(model.zones.size()) {}
 
   StepReport run() {
-    pressures_ = hold_thresholds();
+    pressures_ = hold_friction_pressures();
     settle_geometry();
     report_.rounds = std::move(rounds_);
     report_.iterations = iterations_;
@@ -124,7 +124,7 @@ private:
       if (!report_.converged() || !loop.exists)
         return;
       const auto before = std::move(pressures_);
-      pressures_ = hold_thresholds();
+      pressures_ = hold_friction_pressures();
       const double change = relative_change(before, pressures_);
       const bool settled = loop.settles(change, round);
       rounds_.push_back({LoopLevel::friction, round, iterations_ - spent, change, settled});
@@ -210,7 +210,7 @@ private:
   }
 
   /// The friction pressures that are frozen from here on, zone after zone.
-  std::vector<double> hold_thresholds() {
+  std::vector<double> hold_friction_pressures() {
     if (!loops(&study::ContactZone::threshold))
       return {};
     const auto here = side_.at(trial_, held_);

@@ -5,7 +5,7 @@
 
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/cycle_detector.hpp"
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/progress.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 
@@ -42,7 +42,8 @@ concept NewtonSystem = requires(S system, const S known, State& trial, const Fro
 /// Iterates from `trial` (u, v, a, multipliers and statuses) to the end of the step, with at most
 /// `most_iterations` linear solves. Corrections are halved where iterates come back.
 template <NewtonSystem S>
-StepReport run_newton(S& system, int most_iterations, Pulse& pulse, State& trial, const Frozen& frozen) {
+StepReport run_newton(S& system, int most_iterations, Progress& progress, State& trial,
+                      const Frozen& frozen) {
   if (const auto outcome = system.start(trial, frozen))
     return system.ended(*outcome, frozen);
   CycleDetector cycle;
@@ -61,7 +62,7 @@ StepReport run_newton(S& system, int most_iterations, Pulse& pulse, State& trial
     if (iteration == most_iterations)
       break;
     const double residual = iteration > 0 ? report.residual : std::numeric_limits<double>::quiet_NaN();
-    if (!pulse.beat(system.points_in_contact(), residual))
+    if (!progress.report(system.points_in_contact(), residual))
       return system.ended(Outcome::interrupted, frozen);
     if (const auto outcome = system.correct(trial, frozen, *part))
       return system.ended(*outcome, frozen);

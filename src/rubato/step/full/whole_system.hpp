@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Motion and contact of one implicit step solved for together, with whatever the outer loops freeze.
 ///
-/// Geometry, friction threshold and contact status that no loop holds are re-evaluated in every iteration;
-/// the tangent is exact. Unknowns are the free displacements and the contact multipliers:
+/// Geometry, friction threshold and contact status that no loop holds are re-evaluated in every iteration.
+/// The tangent is exact for points on nodes and faces; mortar keeps its operators and frames within an
+/// iteration. Unknowns are the free displacements and the contact multipliers:
 ///   [A + f₁ ∂f_c/∂u   f₁ ∂f_c/∂λ] [d ]     [residual ]
 ///   [  ∂e/∂u            ∂e/∂λ   ] [dλ] = − [equations]
 #pragma once
 
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/equilibrium.hpp"
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/progress.hpp"
 
 #include <optional>
 
@@ -17,9 +18,9 @@ namespace rubato::step {
 
 class WholeSystem {
 public:
-  /// Everything must outlive this. It has no loop of its own that would need the pulse.
+  /// Everything must outlive this. It has no loop of its own that would need the progress.
   WholeSystem(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-              const State& committed, double t, const ContactEvaluator& side, Pulse& pulse);
+              const State& committed, double t, const ContactEvaluator& side, Progress& progress);
 
   // As NewtonSystem asks (common/newton.hpp).
   std::optional<Outcome> start(State& trial, const Frozen& frozen);

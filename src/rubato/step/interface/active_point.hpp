@@ -3,7 +3,7 @@
 /// that it shares with other points stay (shared_multipliers.hpp).
 #pragma once
 
-#include "rubato/contact/factored_response.hpp"
+#include "rubato/contact/point_tangent.hpp"
 #include "rubato/step/interface/active_interface_compliance.hpp"
 #include "rubato/step/interface/shared_multipliers.hpp"
 

@@ -25,8 +25,8 @@ public:
   static constexpr Eigen::Index usual_largest_whole = 5000;
   /// Neighbouring columns of larger surfaces that are always computed together: enough for matrix–matrix
   /// products, few that are never asked for. In space they belong to a patch of 4 by 4 nodes. The last digits
-  /// of a column depend on its company there; as that is always the same, they don't depend on what was asked
-  /// for before, and a resumed run has the same ones.
+  /// of a column depend on which columns are computed with it; as these are always the same, they don't
+  /// depend on what was asked for before, and a resumed run has the same ones.
   static constexpr Eigen::Index block_size = 48;
 
   /// `free_dofs`: the dof of every unknown; `dofs`: how many there are.

@@ -21,7 +21,7 @@ using model::Model;
 constexpr double nearly_balanced = 1e-6;
 
 NormalSolution normal_solution(const Model& model, const EffectiveSystem& system) {
-  if (predicts_exactly(model))
+  if (prediction_is_exact(model))
     return NormalSolution::projected_cg;
   return system.has_free_bodies ? NormalSolution::active_set : NormalSolution::near;
 }
@@ -63,8 +63,8 @@ std::optional<Start> other_start(const Model& model, const EffectiveSystem& syst
 }
 
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                     const State& committed, double t, const ContactEvaluator& side, Pulse& pulse)
-    : model_(model), scheme_(scheme), system_(system), side_(side), pulse_(pulse),
+                     const State& committed, double t, const ContactEvaluator& side, Progress& progress)
+    : model_(model), scheme_(scheme), system_(system), side_(side), progress_(progress),
       equilibrium_(model, scheme, system, committed, t), scratch_(scratch_of(model, system, scheme)),
       scale_(committed.force_scale), reach_(reach_of(model, system)), surface_(model, scheme, system) {}
 
@@ -90,7 +90,7 @@ std::optional<Outcome> Condensed::begin(State& trial, const Frozen& frozen) {
   side_.start_iterations();
   if (starts_from_prediction(model_, side_.variant().start))
     predict_contact(trial, frozen);
-  return pulse_.stopped() ? std::optional(Outcome::interrupted) : std::nullopt;
+  return progress_.stopped() ? std::optional(Outcome::interrupted) : std::nullopt;
 }
 
 /// The bulk is solved for; where that leaves too much, the iterations go on from there.
@@ -136,7 +136,7 @@ void Condensed::start_from(const State& trial) {
 }
 
 void Condensed::predict_contact(State& trial, const Frozen& frozen) {
-  step::predict_contact({model_, system_, side_, frozen, equilibrium_, pulse_}, surface_, reach_,
+  step::predict_contact({model_, system_, side_, frozen, equilibrium_, progress_}, surface_, reach_,
                         scratch_.predictor, now(), trial);
   // Only points that are predicted are followed, and not those that take part of others' multipliers.
   measured_ = std::ranges::all_of(frozen, [](const FrozenZone& zone) { return zone.status.empty(); }) &&

@@ -29,7 +29,7 @@ bool can_condense(const model::Model& model, const EffectiveSystem& system);
 /// always exactly.
 std::optional<Start> other_start(const model::Model& model, const EffectiveSystem& system);
 
-/// A point in contact and its force z (contact/factored_response.hpp).
+/// A point in contact and its force z (contact/point_tangent.hpp).
 struct PointInContact {
   std::size_t zone = 0;
   std::size_t index = 0;
@@ -56,7 +56,7 @@ class Condensed {
 public:
   /// Everything must outlive this.
   Condensed(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-            const State& committed, double t, const ContactEvaluator& side, Pulse& pulse);
+            const State& committed, double t, const ContactEvaluator& side, Progress& progress);
 
   // As NewtonSystem asks (common/newton.hpp).
   std::optional<Outcome> start(State& trial, const Frozen& frozen);
@@ -100,7 +100,7 @@ private:
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
   const ContactEvaluator& side_;
-  Pulse& pulse_;
+  Progress& progress_;
   Equilibrium equilibrium_;
   CondensedScratch& scratch_;
   StepReport report_;

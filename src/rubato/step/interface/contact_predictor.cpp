@@ -48,30 +48,31 @@ ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int co
       least_watched_(least_watched), watched_(compliance) {}
 
 void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
-                               Pulse& pulse) {
+                               Progress& progress) {
   forget();
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
   const int rounds = how_far_ == NormalSolution::projected_cg ? unlimited : most_rounds;
-  for (int round = 0; round < rounds && pulse.beat() && choose_more(points, d); ++round) {
-    find_normal_forces(unpressed, pulse);
+  for (int round = 0; round < rounds && progress.report() && choose_more(points, d); ++round) {
+    find_normal_forces(unpressed, progress);
     d = unpressed;
     add_motion(points, 0, 0, d);
   }
   d += free - unpressed;
-  find_friction(points, d, pulse);
+  find_friction(points, d, progress);
   if (how_far_ != NormalSolution::near && !sliding_.empty())
-    solve_coupled(points, free, pulse);
+    solve_coupled(points, free, progress);
   watched_.forget(); // as large as the compliance itself where everything touches
 }
 
 /// Of bodies that only contact holds: friction that has been found for pressing forces as they were leaves
 /// gaps of the size of a rigid motion. Those that press are solved for together, then those too that they
 /// push into the master.
-void ContactPredictor::solve_coupled(std::span<PredictorPoint> points, const VectorXd& free, Pulse& pulse) {
+void ContactPredictor::solve_coupled(std::span<PredictorPoint> points, const VectorXd& free,
+                                     Progress& progress) {
   std::vector<PredictorPoint*> together;
   FrictionCones cones;
-  for (int round = 0; round < most_rounds && pulse.beat(); ++round) {
+  for (int round = 0; round < most_rounds && progress.report(); ++round) {
     VectorXd d = free;
     add_motion(points, 0, 2, d);
     if (misfit_by_point_compliance(points, d) <= well_balanced || !join(points, d, together))
@@ -79,10 +80,10 @@ void ContactPredictor::solve_coupled(std::span<PredictorPoint> points, const Vec
     VectorXd forces(static_cast<Index>(together.size()) * components_);
     for (std::size_t k = 0; k < together.size(); ++k)
       forces.segment(static_cast<Index>(k) * components_, components_) = together[k]->force.head(components_);
-    add_cones(together, free, cones, pulse);
-    if (pulse.stopped())
+    add_cones(together, free, cones, progress);
+    if (progress.stopped())
       return;
-    const auto solved = solve_friction(cones, forces, pulse);
+    const auto solved = solve_friction(cones, forces, progress);
     if (!solved)
       return;
     for (std::size_t k = 0; k < together.size(); ++k)
@@ -110,14 +111,14 @@ bool ContactPredictor::join(std::span<PredictorPoint> points, const VectorXd& d,
 
 /// By the rows and columns of points that have joined.
 void ContactPredictor::add_cones(std::span<PredictorPoint* const> together, const VectorXd& free,
-                                 FrictionCones& cones, Pulse& pulse) {
+                                 FrictionCones& cones, Progress& progress) {
   const auto known = cones.friction.size();
   const auto count = static_cast<Index>(together.size());
   watch(together);
   cones.matrix.conservativeResize(count * components_, count * components_);
   cones.values.conservativeResize(count * components_);
   cones.friction.conservativeResize(count);
-  for (Index k = known; k < count && pulse.beat(); ++k) {
+  for (Index k = known; k < count && progress.report(); ++k) {
     const auto& point = *together[static_cast<std::size_t>(k)];
     cones.values.segment(k * components_, components_) = measures_of(point, free).head(components_);
     cones.friction[k] = point.friction;
@@ -275,12 +276,12 @@ void ContactPredictor::push_watched() {
 }
 
 /// By the rows and columns of the points chosen last.
-void ContactPredictor::add_normal_compliance(Pulse& pulse) {
+void ContactPredictor::add_normal_compliance(Progress& progress) {
   const Index known = normal_compliance_.rows();
   const auto count = static_cast<Index>(chosen_.size());
   normal_compliance_.conservativeResize(count, count);
   watch(chosen_);
-  for (Index j = known; j < count && pulse.beat(); ++j) {
+  for (Index j = known; j < count && progress.report(); ++j) {
     push(*chosen_[static_cast<std::size_t>(j)], 0);
     for (Index i = 0; i <= j; ++i) {
       const auto& seeing = *chosen_[static_cast<std::size_t>(i)];
@@ -290,11 +291,11 @@ void ContactPredictor::add_normal_compliance(Pulse& pulse) {
   }
 }
 
-void ContactPredictor::add_tangential_compliance(Pulse& pulse) {
+void ContactPredictor::add_tangential_compliance(Progress& progress) {
   const Index tangents = components_ - 1;
   const auto count = static_cast<Index>(sliding_.size());
   tangential_compliance_.resize(count * tangents, count * tangents);
-  for (Index j = 0; j < count && pulse.beat(); ++j) {
+  for (Index j = 0; j < count && progress.report(); ++j) {
     const auto& point = *chosen_[sliding_[static_cast<std::size_t>(j)]];
     for (Index b = 0; b < tangents; ++b) {
       push(point, static_cast<int>(1 + b));
@@ -311,10 +312,10 @@ void ContactPredictor::add_tangential_compliance(Pulse& pulse) {
 }
 
 /// `without`: the surface without pressing forces.
-void ContactPredictor::find_normal_forces(const VectorXd& without, Pulse& pulse) {
+void ContactPredictor::find_normal_forces(const VectorXd& without, Progress& progress) {
   const auto count = static_cast<Index>(chosen_.size());
-  add_normal_compliance(pulse);
-  if (pulse.stopped())
+  add_normal_compliance(progress);
+  if (progress.stopped())
     return;
   VectorXd gaps(count);
   VectorXd forces(count);
@@ -325,14 +326,14 @@ void ContactPredictor::find_normal_forces(const VectorXd& without, Pulse& pulse)
     forces[k] = point.force[0];
     matrix(k, k) += point.penalty_compliance;
   }
-  solve_normal_problem(matrix, gaps, how_far_, forces, pulse);
+  solve_normal_problem(matrix, gaps, how_far_, forces, progress);
   for (Index k = 0; k < count; ++k)
     chosen_[static_cast<std::size_t>(k)]->force[0] = forces[k];
 }
 
 /// `without`: the surface under the pressing forces alone.
 void ContactPredictor::find_friction(std::span<PredictorPoint> points, const VectorXd& without,
-                                     Pulse& pulse) {
+                                     Progress& progress) {
   for (auto& point : points)
     if (point.force[0] == 0 || point.friction == 0)
       point.force.tail<2>().setZero();
@@ -343,8 +344,8 @@ void ContactPredictor::find_friction(std::span<PredictorPoint> points, const Vec
   if (sliding_.empty())
     return;
   const Index tangents = components_ - 1;
-  add_tangential_compliance(pulse);
-  if (pulse.stopped())
+  add_tangential_compliance(progress);
+  if (progress.stopped())
     return;
   VectorXd slips(tangential_compliance_.rows());
   VectorXd forces(tangential_compliance_.rows());
@@ -355,7 +356,7 @@ void ContactPredictor::find_friction(std::span<PredictorPoint> points, const Vec
     forces.segment(k * tangents, tangents) = point.force.segment(1, tangents);
     limits[k] = point.friction * point.force[0];
   }
-  solve_tresca_problem(tangential_compliance_, slips, limits, static_cast<int>(tangents), forces, pulse);
+  solve_tresca_problem(tangential_compliance_, slips, limits, static_cast<int>(tangents), forces, progress);
   for (Index k = 0; k < limits.size(); ++k)
     chosen_[sliding_[static_cast<std::size_t>(k)]]->force.segment(1, tangents) =
         forces.segment(k * tangents, tangents);

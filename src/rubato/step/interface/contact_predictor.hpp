@@ -8,7 +8,7 @@
 #include "rubato/step/interface/compliance.hpp"
 #include "rubato/step/interface/friction_cones.hpp"
 #include "rubato/step/interface/normal_problem.hpp"
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/progress.hpp"
 
 #include <Eigen/Core>
 
@@ -68,9 +68,9 @@ public:
   /// penetrate get none. What points do to one
   /// another is computed when they press or penetrate first in a call: kept for the next one, it leads to
   /// other points that stick.
-  /// Nothing that comes of it counts when the pulse has stopped.
+  /// Nothing that comes of it counts when the progress has stopped.
   void improve(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Eigen::VectorXd d,
-               Pulse& pulse);
+               Progress& progress);
 
   /// How much a sweep would change the forces now that the points have been measured anew and the surface
   /// is at d, in parts of the largest one. The points must be those of the last call.
@@ -84,15 +84,15 @@ private:
   void watch(std::span<PredictorPoint* const> points);
   void push(const PredictorPoint& point, int axis);
   void push_watched();
-  void add_normal_compliance(Pulse& pulse);
-  void add_tangential_compliance(Pulse& pulse);
-  void find_normal_forces(const Eigen::VectorXd& without, Pulse& pulse);
-  void find_friction(std::span<PredictorPoint> points, const Eigen::VectorXd& without, Pulse& pulse);
+  void add_normal_compliance(Progress& progress);
+  void add_tangential_compliance(Progress& progress);
+  void find_normal_forces(const Eigen::VectorXd& without, Progress& progress);
+  void find_friction(std::span<PredictorPoint> points, const Eigen::VectorXd& without, Progress& progress);
   void add_cones(std::span<PredictorPoint* const> together, const Eigen::VectorXd& free, FrictionCones& cones,
-                 Pulse& pulse);
+                 Progress& progress);
   static bool join(std::span<PredictorPoint> points, const Eigen::VectorXd& d,
                    std::vector<PredictorPoint*>& together);
-  void solve_coupled(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Pulse& pulse);
+  void solve_coupled(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Progress& progress);
   double misfit_by_point_compliance(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
   double point_compliance_of(std::size_t chosen) const;
 

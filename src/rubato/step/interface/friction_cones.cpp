@@ -36,9 +36,9 @@ public:
       : cones_(cones), forces_(std::move(forces)), size_(forces_.size() / cones.friction.size()),
         slopes_(static_cast<std::size_t>(cones.friction.size())) {}
 
-  bool run(Pulse& pulse) {
+  bool run(Progress& progress) {
     linearise(forces_);
-    for (int round = 0; round < most_newton_steps && pulse.beat() && left_.allFinite(); ++round) {
+    for (int round = 0; round < most_newton_steps && progress.report() && left_.allFinite(); ++round) {
       if (left_.lpNorm<Eigen::Infinity>() <= tolerance * forces_.lpNorm<Eigen::Infinity>()) {
         forces_ -= left_;
         return true;
@@ -174,12 +174,13 @@ private:
 
 } // namespace
 
-std::optional<VectorXd> solve_friction(const FrictionCones& cones, const VectorXd& start, Pulse& pulse) {
+std::optional<VectorXd> solve_friction(const FrictionCones& cones, const VectorXd& start,
+                                       Progress& progress) {
   Iteration near(cones, start);
-  if (near.run(pulse))
+  if (near.run(progress))
     return near.forces();
   Iteration sticking(cones, linalg::solve_positive_definite(cones.matrix, -cones.values));
-  if (sticking.run(pulse))
+  if (sticking.run(progress))
     return sticking.forces();
   return std::nullopt;
 }

@@ -2,7 +2,7 @@
 /// Coulomb's friction of few points that move one another strongly, pressing and rubbing solved at once.
 #pragma once
 
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/progress.hpp"
 
 #include <Eigen/Core>
 
@@ -23,6 +23,6 @@ struct FrictionCones {
 /// Curnier 1991), from `start`, and if that fails from where every point sticks. Nothing where neither comes
 /// to its end.
 std::optional<Eigen::VectorXd> solve_friction(const FrictionCones& cones, const Eigen::VectorXd& start,
-                                              Pulse& pulse);
+                                              Progress& progress);
 
 } // namespace rubato::step

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The linear system of the points in contact, on a bulk that answers by its surface compliance S.
 ///
-/// Unknowns are (δz, δξ) of each point (contact/factored_response.hpp): the change of its force and of its
+/// Unknowns are (δz, δξ) of each point (contact/point_tangent.hpp): the change of its force and of its
 /// place on the master. Its own multipliers are eliminated; those that points share are unknowns δm beside
 /// them, each with the sum of the equations of its points (shared_multipliers.hpp). With C the change of
 /// force put on the dofs, f₁ the scheme's weight of forces, f_c what contact puts on the surface now, and d₀

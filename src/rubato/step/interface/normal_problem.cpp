@@ -37,13 +37,13 @@ constexpr int least_iterations = 500;
 
 /// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle. Whether it
 /// does.
-bool normal_active_set(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Pulse& pulse) {
+bool normal_active_set(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Progress& progress) {
   VectorXd forces = settled;
   VectorXd open = gaps;
   open.noalias() += matrix * forces;
   std::vector<Index> set;
   set.reserve(static_cast<std::size_t>(forces.size()));
-  for (int round = 0; round < most_sets && pulse.beat(); ++round) {
+  for (int round = 0; round < most_sets && progress.report(); ++round) {
     set.clear();
     for (Index k = 0; k < forces.size(); ++k)
       if (matrix(k, k) > 0 && (forces[k] > 0 || (forces[k] == 0 && open[k] < 0)))
@@ -76,9 +76,9 @@ public:
         forces[k] = 0;
   }
 
-  bool run(Pulse& pulse) {
+  bool run(Progress& progress) {
     const Index most = 2 * most_changes * (forces_.size() + 1);
-    for (Index round = 0; round < most && pulse.beat(); ++round) {
+    for (Index round = 0; round < most && progress.report(); ++round) {
       const VectorXd wanted = wanted_forces();
       if (!wanted.allFinite())
         return false;
@@ -160,7 +160,7 @@ public:
     length_ = 1 / operator_norm();
   }
 
-  std::optional<VectorXd> run(const CgLimits& limits, Pulse& pulse) {
+  std::optional<VectorXd> run(const CgLimits& limits, Progress& progress) {
     restart();
     for (int iteration = 0; iteration < limits.max_iterations; ++iteration) {
       const Gradients gradients(x_, gradient_);
@@ -172,7 +172,7 @@ public:
         conjugate_step();
       else
         proportion(gradients.chopped);
-      if (!pulse.beat())
+      if (!progress.report())
         return std::nullopt;
     }
     return std::nullopt;
@@ -255,12 +255,14 @@ std::vector<Index> movable(const MatrixXd& matrix) {
 }
 
 /// Whether it came to its end; else the forces stay as they were.
-bool conjugate_gradients(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces, Pulse& pulse) {
+bool conjugate_gradients(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces,
+                         Progress& progress) {
   const auto points = movable(matrix);
   const VectorXd gaps = values(points);
   const CgLimits limits{gap_tolerance * gaps.lpNorm<Eigen::Infinity>(),
                         least_iterations + iterations_per_unknown * static_cast<int>(points.size())};
-  const auto found = minimise_over_nonnegative(matrix(points, points), gaps, forces(points), limits, pulse);
+  const auto found =
+      minimise_over_nonnegative(matrix(points, points), gaps, forces(points), limits, progress);
   if (!found)
     return false;
   forces.setZero();
@@ -271,13 +273,13 @@ bool conjugate_gradients(const MatrixXd& matrix, const VectorXd& values, VectorX
 } // namespace
 
 bool solve_normal_problem(const MatrixXd& matrix, const VectorXd& values, NormalSolution how_far,
-                          VectorXd& forces, Pulse& pulse) {
-  if (how_far == NormalSolution::projected_cg && conjugate_gradients(matrix, values, forces, pulse))
+                          VectorXd& forces, Progress& progress) {
+  if (how_far == NormalSolution::projected_cg && conjugate_gradients(matrix, values, forces, progress))
     return true;
   normal_gauss_seidel(matrix, values, forces);
-  if (normal_active_set(matrix, values, forces, pulse))
+  if (normal_active_set(matrix, values, forces, progress))
     return true;
-  return how_far != NormalSolution::near && solve_complementarity(matrix, values, forces, pulse);
+  return how_far != NormalSolution::near && solve_complementarity(matrix, values, forces, progress);
 }
 
 void normal_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces) {
@@ -303,13 +305,15 @@ void normal_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, VectorX
   }
 }
 
-bool solve_complementarity(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces, Pulse& pulse) {
-  return ActiveSet(matrix, values, forces).run(pulse);
+bool solve_complementarity(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces,
+                           Progress& progress) {
+  return ActiveSet(matrix, values, forces).run(progress);
 }
 
 std::optional<VectorXd> minimise_over_nonnegative(const MatrixXd& matrix, const VectorXd& values,
-                                                  VectorXd start, const CgLimits& limits, Pulse& pulse) {
-  return Minimisation(matrix, values, std::move(start)).run(limits, pulse);
+                                                  VectorXd start, const CgLimits& limits,
+                                                  Progress& progress) {
+  return Minimisation(matrix, values, std::move(start)).run(limits, progress);
 }
 
 } // namespace rubato::step

@@ -5,7 +5,7 @@
 /// (points between parts that are held) keep the force 0.
 #pragma once
 
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/progress.hpp"
 
 #include <Eigen/Core>
 
@@ -21,9 +21,9 @@ enum class NormalSolution {
 };
 
 /// Improves `forces` ≥ 0. Whether the solution is exact, not only near. Nothing that comes of it counts when
-/// the pulse has stopped.
+/// the progress has stopped.
 bool solve_normal_problem(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,
-                          NormalSolution how_far, Eigen::VectorXd& forces, Pulse& pulse);
+                          NormalSolution how_far, Eigen::VectorXd& forces, Progress& progress);
 
 /// Projected Gauss–Seidel sweeps until one changes neither which F are positive nor any of them by more than
 /// a hundredth of the largest.
@@ -34,7 +34,7 @@ void normal_gauss_seidel(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& v
 /// that this ends where sets that change at once may go round (Lawson and Hanson, Solving Least Squares
 /// Problems, 1974, chapter 23). The matrix is positive definite. Whether it has come to the end.
 bool solve_complementarity(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,
-                           Eigen::VectorXd& forces, Pulse& pulse);
+                           Eigen::VectorXd& forces, Progress& progress);
 
 /// When conjugate gradients end.
 struct CgLimits {
@@ -45,9 +45,9 @@ struct CgLimits {
 /// Modified proportioning with reduced gradient projections (MPRGP), preconditioned in the face (Dostál and
 /// Schöberl, Comput. Optim. Appl. 30, 2005; Domorádová and Dostál, Numer. Linear Algebra Appl. 14, 2007),
 /// from `start` ≥ 0. The diagonal of the matrix is positive; the matrix may be singular. Nothing comes back
-/// when the iterations do not suffice or the pulse has stopped.
+/// when the iterations do not suffice or the progress has stopped.
 std::optional<Eigen::VectorXd> minimise_over_nonnegative(const Eigen::MatrixXd& matrix,
                                                          const Eigen::VectorXd& values, Eigen::VectorXd start,
-                                                         const CgLimits& limits, Pulse& pulse);
+                                                         const CgLimits& limits, Progress& progress);
 
 } // namespace rubato::step

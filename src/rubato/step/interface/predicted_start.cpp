@@ -45,8 +45,9 @@ public:
     begin();
     const int rounds = takes_bases_ ? most_predictions_of_free_bodies : most_predictions;
     for (int round = 0; round < rounds; ++round) {
-      predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved, site_.pulse);
-      if (site_.pulse.stopped())
+      predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved,
+                         site_.progress);
+      if (site_.progress.stopped())
         return;
       take_prediction(site_.model, points_, trial_);
       move(round);

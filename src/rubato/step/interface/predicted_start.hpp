@@ -33,14 +33,14 @@ struct PredictorSite {
   const ContactEvaluator& side;
   const Frozen& frozen;
   Equilibrium& equilibrium;
-  Pulse& pulse;
+  Progress& progress;
 };
 
 /// Takes `trial` to statuses and multipliers of predicted forces and its surfaces, and those of `surface`, to
 /// where these push them: contact in frames that follow the surface, until the forces fit the frames they
 /// lead to, beginning where the forces of the last step would push it. Points that press in the end touch at
 /// first, all others are open. With free bodies the base is where these come to rest. `now` is contact
-/// there, of the points that are predicted. Nothing that comes of it counts when the pulse has stopped.
+/// there, of the points that are predicted. Nothing that comes of it counts when the progress has stopped.
 void predict_contact(const PredictorSite& site, SurfaceMotion& surface, Reach& reach,
                      PredictorScratch& scratch, ContactIterate& now, State& trial);
 

@@ -183,12 +183,12 @@ VectorXd force_on_surface(std::span<const PredictorPoint> points, Index interfac
   return -force;
 }
 
-bool predicts_exactly(const Model& model) {
+bool prediction_is_exact(const Model& model) {
   return !model.zones.empty() && study::entry_of(model.zones.front().settings.method).exact_prediction;
 }
 
 bool starts_from_prediction(const Model& model, Start start) {
-  return predicts_exactly(model) ||
+  return prediction_is_exact(model) ||
          (start == Start::predicted && std::ranges::none_of(model.zones, holds_both_ways)) ||
          (start == Start::usual && std::ranges::none_of(model.zones, starts_from_last_step));
 }

@@ -35,7 +35,7 @@ Eigen::VectorXd force_on_surface(std::span<const PredictorPoint> points, Eigen::
 
 /// Whether contact is by a method whose normal problem the prediction solves to its end, in every round of
 /// loops: all zones then have it.
-bool predicts_exactly(const model::Model& model);
+bool prediction_is_exact(const model::Model& model);
 
 /// Whether an attempt that starts so guesses its contact first.
 bool starts_from_prediction(const model::Model& model, Start start);

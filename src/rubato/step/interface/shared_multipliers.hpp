@@ -2,13 +2,13 @@
 /// Multipliers that several contact points share, as unknowns of the interface's linear system.
 ///
 /// Points between the nodes of a slave face interpolate them, m_p = Σ ψ_pn m_n, and the equations of a node
-/// sum those of its points: with δe_p = E_q δq + E_m δm_p (contact/factored_response.hpp)
+/// sum those of its points: with δe_p = E_q δq + E_m δm_p (contact/point_tangent.hpp)
 ///   Σ_p ψ_pn (E_q δq_p + E_m Σ_k ψ_pk δm_k) = −Σ_p ψ_pn e_p.
 /// Open points have E_q = 0: multipliers of nodes all of whose points are open see displacements through
 /// those of their neighbours only, and are eliminated.
 #pragma once
 
-#include "rubato/contact/factored_response.hpp"
+#include "rubato/contact/point_tangent.hpp"
 #include "rubato/linalg/direct_solver.hpp"
 
 #include <Eigen/Core>

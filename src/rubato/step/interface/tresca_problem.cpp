@@ -23,14 +23,14 @@ constexpr int most_stick_sets = 30;
 
 /// From what the sweeps have found; keeps that when the set doesn't settle.
 void tresca_active_set(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits,
-                       VectorXd& settled, Pulse& pulse) {
+                       VectorXd& settled, Progress& progress) {
   VectorXd forces = settled;
   VectorXd moved = slips;
   moved.noalias() += matrix * forces;
   VectorXd next, held;
   std::vector<Index> sticking;
   sticking.reserve(static_cast<std::size_t>(forces.size()));
-  for (int round = 0; round < most_stick_sets && pulse.beat(); ++round) {
+  for (int round = 0; round < most_stick_sets && progress.report(); ++round) {
     sticking.clear();
     next.setZero(forces.size()); // at the bounds first
     for (Index k = 0; k < forces.size(); ++k) {
@@ -61,10 +61,10 @@ void tresca_active_set(const MatrixXd& matrix, const VectorXd& slips, const Vect
 } // namespace
 
 void solve_tresca_problem(const MatrixXd& matrix, const VectorXd& values, const VectorXd& limits,
-                          int tangents, VectorXd& forces, Pulse& pulse) {
+                          int tangents, VectorXd& forces, Progress& progress) {
   tresca_gauss_seidel(matrix, values, limits, tangents, forces);
   if (tangents == 1)
-    tresca_active_set(matrix, values, limits, forces, pulse);
+    tresca_active_set(matrix, values, limits, forces, progress);
 }
 
 void tresca_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, const VectorXd& limits, int tangents,

@@ -4,7 +4,7 @@
 /// none below it: the minimum of F·values + F·matrix F/2 within the limits.
 #pragma once
 
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/progress.hpp"
 
 #include <Eigen/Core>
 
@@ -12,9 +12,10 @@ namespace rubato::step {
 
 /// Improves `forces` by sweeps, and where a point has one tangent by an active set between the bounds, which
 /// is taken where it settles. `matrix`: [length/force], symmetric; `values`: [length]; `limits`: [force], one
-/// a point. Nothing that comes of it counts when the pulse has stopped.
+/// a point. Nothing that comes of it counts when the progress has stopped.
 void solve_tresca_problem(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,
-                          const Eigen::VectorXd& limits, int tangents, Eigen::VectorXd& forces, Pulse& pulse);
+                          const Eigen::VectorXd& limits, int tangents, Eigen::VectorXd& forces,
+                          Progress& progress);
 
 /// Projected Gauss–Seidel sweeps until one changes no force by more than a hundredth of the largest limit.
 void tresca_gauss_seidel(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values,

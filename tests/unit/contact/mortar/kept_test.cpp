@@ -53,8 +53,8 @@ TEST(DroppedNodes, GiveTheirFunctionToTheKeptNodesOfTheSubFacet) {
   EXPECT_EQ(dropped.cover, Cover::dropped);
   EXPECT_TRUE(dropped.stencil.nodes.empty());
   EXPECT_EQ(dropped.weight, 0);
-  ASSERT_EQ(dropped.heirs.size(), 1U);
-  EXPECT_EQ(&operators.nodes[static_cast<std::size_t>(dropped.heirs[0])], &at(two, operators, 1));
+  ASSERT_EQ(dropped.receivers.size(), 1U);
+  EXPECT_EQ(&operators.nodes[static_cast<std::size_t>(dropped.receivers[0])], &at(two, operators, 1));
   EXPECT_NEAR(at(two, operators, 1).weight, 0.55, 1e-15);
   expect_consistent(two, operators, 1.05);
 }
@@ -64,8 +64,8 @@ TEST(DroppedNodes, WithoutKeptOnesInTheSubFacetGiveToThoseOfTheFace) {
   const auto operators = two.operators();
   EXPECT_EQ(at(two, operators, 0).cover, Cover::dropped);
   EXPECT_EQ(at(two, operators, 0.5).cover, Cover::dropped);
-  EXPECT_EQ(at(two, operators, 0.5).heirs, at(two, operators, 0).heirs);
-  ASSERT_EQ(at(two, operators, 0).heirs.size(), 1U);
+  EXPECT_EQ(at(two, operators, 0.5).receivers, at(two, operators, 0).receivers);
+  ASSERT_EQ(at(two, operators, 0).receivers.size(), 1U);
   EXPECT_NEAR(at(two, operators, 1).weight, 0.25 + 0.002, 1e-15);
   expect_consistent(two, operators, 1.002);
 }
@@ -125,7 +125,7 @@ TEST(NodesThatNeverMeet, HaveNoWeightAndNoHeirs) {
   const auto& far = at(two, operators, 3);
   EXPECT_EQ(far.cover, Cover::none);
   EXPECT_EQ(far.weight, 0);
-  EXPECT_TRUE(far.heirs.empty());
+  EXPECT_TRUE(far.receivers.empty());
   EXPECT_EQ(gap_vector(far, test::reading(two.mesh.points)), Vector3d::Zero());
 }
 

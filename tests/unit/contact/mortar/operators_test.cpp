@@ -235,7 +235,7 @@ TEST(MortarOperators, AreTheSameInUsedStorage) {
     EXPECT_EQ(fresh.nodes[j].stencil.nodes, used.nodes[j].stencil.nodes);
     EXPECT_EQ(fresh.nodes[j].stencil.weights, used.nodes[j].stencil.weights);
     EXPECT_EQ(fresh.nodes[j].weight, used.nodes[j].weight);
-    EXPECT_EQ(fresh.nodes[j].heirs, used.nodes[j].heirs);
+    EXPECT_EQ(fresh.nodes[j].receivers, used.nodes[j].receivers);
   }
 }
 

@@ -85,13 +85,13 @@ constexpr double coupling = -0.1625e6; ///< of x and y
 template <class Solver> StepReport attempt(test::Walk& walk, Start start) {
   auto system = make_effective_system(walk.model, walk.scheme, 1);
   const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {.start = start});
-  Pulse pulse;
-  Solver solver(walk.model, walk.scheme, system, walk.state(), 1, side, pulse);
+  Progress progress;
+  Solver solver(walk.model, walk.scheme, system, walk.state(), 1, side, progress);
   auto trial = predict(walk.model, walk.scheme, system, walk.state(), 1);
   return solve_levels(
       walk.model, side,
       [&](State& to, const Frozen& frozen) {
-        return run_newton(solver, walk.model.study.newton.max_iterations, pulse, to, frozen);
+        return run_newton(solver, walk.model.study.newton.max_iterations, progress, to, frozen);
       },
       walk.state(), trial);
 }

@@ -125,12 +125,12 @@ TEST(ALoopOfTheStatusThatDoesNotSettle, SaysSo) {
   const double t = walk.target();
   State trial = predict(walk.model, walk.scheme, system, walk.state(), t);
   const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {});
-  Pulse pulse;
-  WholeSystem whole(walk.model, walk.scheme, system, walk.state(), t, side, pulse);
+  Progress progress;
+  WholeSystem whole(walk.model, walk.scheme, system, walk.state(), t, side, progress);
   const auto report = solve_levels(
       walk.model, side,
       [&](State& to, const Frozen& frozen) {
-        return run_newton(whole, walk.model.study.newton.max_iterations, pulse, to, frozen);
+        return run_newton(whole, walk.model.study.newton.max_iterations, progress, to, frozen);
       },
       walk.state(), trial);
   EXPECT_EQ(report.outcome, Outcome::status_unsettled);

@@ -73,9 +73,9 @@ Iterates iterates_of(Changes changes) {
     const double t = walk.target();
     found.end = predict(model, walk.scheme, system, walk.state(), t);
     const ContactEvaluator side(model, walk.scheme, system, walk.state(), {.start = Start::last_step});
-    Pulse pulse;
-    WholeSystem whole(model, walk.scheme, system, walk.state(), t, side, pulse);
-    const auto report = run_newton(whole, iterations, pulse, found.end, Frozen(model.zones.size()));
+    Progress progress;
+    WholeSystem whole(model, walk.scheme, system, walk.state(), t, side, progress);
+    const auto report = run_newton(whole, iterations, progress, found.end, Frozen(model.zones.size()));
     found.residuals.push_back(report.residual);
     if (report.converged())
       break;

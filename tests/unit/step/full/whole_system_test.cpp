@@ -32,8 +32,8 @@ struct Attempt {
   double t = walk.target();
   State trial = predict(walk.model, walk.scheme, system, walk.state(), t);
   ContactEvaluator side{walk.model, walk.scheme, system, walk.state(), {.start = Start::last_step}};
-  Pulse pulse;
-  WholeSystem whole{walk.model, walk.scheme, system, walk.state(), t, side, pulse};
+  Progress progress;
+  WholeSystem whole{walk.model, walk.scheme, system, walk.state(), t, side, progress};
   Frozen frozen = Frozen(walk.model.zones.size());
 };
 
@@ -77,7 +77,7 @@ TEST(AWholeSystem, MovesByThePartOfTheCorrectionThatItIsTold) {
 /// The block bears 1000 N; what it gets the plane gives.
 TEST(AWholeSystem, HasContactForcesInBalance) {
   Attempt attempt(test::block_on_plane);
-  ASSERT_TRUE(run_newton(attempt.whole, 20, attempt.pulse, attempt.trial, attempt.frozen).converged());
+  ASSERT_TRUE(run_newton(attempt.whole, 20, attempt.progress, attempt.trial, attempt.frozen).converged());
   EXPECT_GT(attempt.whole.points_in_contact(), 0);
   const auto& force = attempt.trial.contact_force;
   EXPECT_EQ(attempt.whole.force_norm(), force.norm());
@@ -153,7 +153,7 @@ TEST(AWholeSystem, SaysWhenAnIterateIsNotFinite) {
 TEST(AWholeSystem, TellsWhatIsNotMetWhereItEndsTooSoon) {
   Attempt attempt(test::block_on_plane, pressed_down());
   attempt.let_all_be(Status::open);
-  const auto report = run_newton(attempt.whole, 1, attempt.pulse, attempt.trial, attempt.frozen);
+  const auto report = run_newton(attempt.whole, 1, attempt.progress, attempt.trial, attempt.frozen);
   EXPECT_EQ(report.outcome, Outcome::too_many_iterations);
   EXPECT_EQ(report.iterations, 1);
   EXPECT_FALSE(report.worst.empty());

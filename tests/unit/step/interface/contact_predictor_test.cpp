@@ -101,7 +101,7 @@ protected:
   }
   static double unit() { return 1e-3; }
 
-  Pulse pulse_;
+  Progress progress_;
 
   /// The surface under the points' forces.
   VectorXd moved() {
@@ -131,8 +131,8 @@ TEST_F(PushedBlock, HasTheSameForcesWhateverPartOfTheSurfaceIsLookedAt) {
     auto whole = points_;
     auto watched = points_;
     const VectorXd free = VectorXd::Zero(matrix_.rows());
-    ContactPredictor(compliance_, 0.7, 3, how_far).improve(whole, free, free, pulse_);
-    ContactPredictor(compliance_, 0.7, 3, how_far, 0).improve(watched, free, free, pulse_);
+    ContactPredictor(compliance_, 0.7, 3, how_far).improve(whole, free, free, progress_);
+    ContactPredictor(compliance_, 0.7, 3, how_far, 0).improve(watched, free, free, progress_);
     double largest = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       EXPECT_EQ(watched[i].force, whole[i].force) << i;
@@ -145,7 +145,7 @@ TEST_F(PushedBlock, HasTheSameForcesWhateverPartOfTheSurfaceIsLookedAt) {
 TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
   ContactPredictor guess(compliance_, 1, 3);
   for (int round = 0; round < 20; ++round)
-    guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), pulse_);
+    guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), progress_);
   const VectorXd d = moved();
   double largest = 0;
   for (const auto& point : points_)
@@ -167,12 +167,12 @@ TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
 
 TEST_F(PushedBlock, FindsTheSameForcesAgain) {
   ContactPredictor guess(compliance_, 1, 3);
-  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), pulse_);
+  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), progress_);
   const auto first = points_;
   for (auto& point : points_)
     point.force.setZero();
   guess.forget();
-  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), pulse_);
+  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), progress_);
   for (std::size_t i = 0; i < points_.size(); ++i)
     EXPECT_EQ(points_[i].force, first[i].force);
 }

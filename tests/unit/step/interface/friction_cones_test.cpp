@@ -30,7 +30,7 @@ MatrixXd compliance_of_a_body(Index size, std::mt19937& random) {
 }
 
 TEST(Complementarity, OfASoftlyHeldBodyIsSolvedToItsEnd) {
-  Pulse pulse;
+  Progress progress;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-1, 1);
   for (const Index size : {1, 3, 12, 40}) {
@@ -39,7 +39,7 @@ TEST(Complementarity, OfASoftlyHeldBodyIsSolvedToItsEnd) {
     for (auto& value : values)
       value = any(random);
     VectorXd forces = VectorXd::Ones(size);
-    ASSERT_TRUE(solve_complementarity(matrix, values, forces, pulse)) << size;
+    ASSERT_TRUE(solve_complementarity(matrix, values, forces, progress)) << size;
     const VectorXd open = values + matrix * forces;
     EXPECT_GE(forces.minCoeff(), 0) << size;
     EXPECT_GE(open.minCoeff(), -1e-8) << size;
@@ -57,13 +57,13 @@ FrictionCones pushed(double push, Index components) {
 }
 
 TEST(FrictionCones, APointSticksBelowItsLimitAndSlipsAtIt) {
-  Pulse pulse;
+  Progress progress;
   for (const Index components : {2, 3}) {
-    const auto sticks = solve_friction(pushed(0.4, components), VectorXd::Zero(components), pulse);
+    const auto sticks = solve_friction(pushed(0.4, components), VectorXd::Zero(components), progress);
     ASSERT_TRUE(sticks);
     EXPECT_NEAR((*sticks)[0], 1, 1e-9);
     EXPECT_NEAR((*sticks)[1], -0.4, 1e-9);
-    const auto slips = solve_friction(pushed(2, components), VectorXd::Zero(components), pulse);
+    const auto slips = solve_friction(pushed(2, components), VectorXd::Zero(components), progress);
     ASSERT_TRUE(slips);
     EXPECT_NEAR((*slips)[0], 1, 1e-9);
     EXPECT_NEAR((*slips)[1], -0.5, 1e-9);
@@ -71,16 +71,16 @@ TEST(FrictionCones, APointSticksBelowItsLimitAndSlipsAtIt) {
 }
 
 TEST(FrictionCones, APointThatIsApartHasNoForce) {
-  Pulse pulse;
+  Progress progress;
   auto cones = pushed(0.4, 3);
   cones.values[0] = 0.1;
-  const auto forces = solve_friction(cones, VectorXd::Ones(3), pulse);
+  const auto forces = solve_friction(cones, VectorXd::Ones(3), progress);
   ASSERT_TRUE(forces);
   EXPECT_TRUE(forces->isZero(0));
 }
 
 TEST(FrictionCones, PointsOfASoftlyHeldBodyFulfilCoulombsLaw) {
-  Pulse pulse;
+  Progress progress;
   std::mt19937 random(2);
   std::uniform_real_distribution<double> any(-1, 1);
   int solved = 0;
@@ -91,7 +91,7 @@ TEST(FrictionCones, PointsOfASoftlyHeldBodyFulfilCoulombsLaw) {
                         VectorXd::Constant(points, 0.3)};
     for (auto& value : cones.values)
       value = any(random);
-    const auto forces = solve_friction(cones, VectorXd::Zero(3 * points), pulse);
+    const auto forces = solve_friction(cones, VectorXd::Zero(3 * points), progress);
     if (!forces)
       continue;
     ++solved;

@@ -40,11 +40,11 @@ void expect_solved(const Example& made, const VectorXd& x, unsigned seed) {
 }
 
 TEST(ProjectedConjugateGradients, FindForcesAndGapsThatExcludeEachOther) {
-  Pulse pulse;
+  Progress progress;
   for (unsigned seed = 1; seed <= 30; ++seed) {
     const auto made = example(25, seed % 3 == 0 ? 12 : 30, seed);
     const auto x =
-        minimise_over_nonnegative(made.matrix, made.linear, VectorXd::Ones(25), {1e-10, 5000}, pulse);
+        minimise_over_nonnegative(made.matrix, made.linear, VectorXd::Ones(25), {1e-10, 5000}, progress);
     ASSERT_TRUE(x) << "seed " << seed;
     expect_solved(made, *x, seed);
   }
@@ -52,26 +52,28 @@ TEST(ProjectedConjugateGradients, FindForcesAndGapsThatExcludeEachOther) {
 
 TEST(ProjectedConjugateGradients, SayWhenTheirIterationsDoNotSuffice) {
   const auto made = example(25, 30, 4);
-  Pulse pulse;
-  EXPECT_FALSE(minimise_over_nonnegative(made.matrix, made.linear, VectorXd::Ones(25), {1e-12, 2}, pulse));
+  Progress progress;
+  EXPECT_FALSE(minimise_over_nonnegative(made.matrix, made.linear, VectorXd::Ones(25), {1e-12, 2}, progress));
 }
 
 TEST(ProjectedConjugateGradients, EndWhenTheirPulseStops) {
   const auto made = example(25, 30, 4);
-  int beats = 0;
-  Pulse pulse([&](const Beat&) { return ++beats < 3; });
-  EXPECT_FALSE(minimise_over_nonnegative(made.matrix, made.linear, VectorXd::Ones(25), {1e-10, 5000}, pulse));
-  EXPECT_EQ(beats, 3);
+  int reports = 0;
+  Progress progress([&](const ProgressState&) { return ++reports < 3; });
+  EXPECT_FALSE(
+      minimise_over_nonnegative(made.matrix, made.linear, VectorXd::Ones(25), {1e-10, 5000}, progress));
+  EXPECT_EQ(reports, 3);
 }
 
 TEST(ANormalProblem, HasOneSolutionHoweverItIsFound) {
-  Pulse pulse;
+  Progress progress;
   for (unsigned seed = 1; seed <= 30; ++seed) {
     const auto made = example(25, 30, seed);
     std::array<VectorXd, 2> found;
     for (const auto how_far : {NormalSolution::active_set, NormalSolution::projected_cg}) {
       VectorXd forces = VectorXd::Zero(25);
-      ASSERT_TRUE(solve_normal_problem(made.matrix, made.linear, how_far, forces, pulse)) << "seed " << seed;
+      ASSERT_TRUE(solve_normal_problem(made.matrix, made.linear, how_far, forces, progress))
+          << "seed " << seed;
       expect_solved(made, forces, seed);
       found[how_far == NormalSolution::active_set ? 0 : 1] = forces;
     }
@@ -81,25 +83,25 @@ TEST(ANormalProblem, HasOneSolutionHoweverItIsFound) {
 }
 
 TEST(ANormalProblem, IsSolvedByConjugateGradientsWherePointsSayTheSame) {
-  Pulse pulse;
+  Progress progress;
   for (unsigned seed = 1; seed <= 30; ++seed) {
     const auto once = example(8, 12, seed);
     Example twice{once.matrix.replicate(2, 2), once.linear.replicate(2, 1)};
     VectorXd forces = VectorXd::Zero(16);
     ASSERT_TRUE(
-        solve_normal_problem(twice.matrix, twice.linear, NormalSolution::projected_cg, forces, pulse));
+        solve_normal_problem(twice.matrix, twice.linear, NormalSolution::projected_cg, forces, progress));
     expect_solved(twice, forces, seed);
     EXPECT_GT(forces.maxCoeff(), 0) << "seed " << seed;
   }
 }
 
 TEST(ANormalProblem, LeavesPointsBetweenHeldPartsAlone) {
-  Pulse pulse;
+  Progress progress;
   for (const auto how_far :
        {NormalSolution::near, NormalSolution::active_set, NormalSolution::projected_cg}) {
     VectorXd forces = VectorXd::Zero(3);
     const MatrixXd matrix = Eigen::Vector3d(0, 2, 0).asDiagonal();
-    solve_normal_problem(matrix, Eigen::Vector3d(-1, -3, 1), how_far, forces, pulse);
+    solve_normal_problem(matrix, Eigen::Vector3d(-1, -3, 1), how_far, forces, progress);
     EXPECT_EQ(forces[0], 0);
     EXPECT_NEAR(forces[1], 1.5, 1e-12);
     EXPECT_EQ(forces[2], 0);
@@ -108,11 +110,12 @@ TEST(ANormalProblem, LeavesPointsBetweenHeldPartsAlone) {
 
 TEST(ANormalProblem, EndsWhenItsPulseStops) {
   const auto made = example(25, 30, 4);
-  int beats = 0;
-  Pulse pulse([&](const Beat&) { return ++beats < 3; });
+  int reports = 0;
+  Progress progress([&](const ProgressState&) { return ++reports < 3; });
   VectorXd forces = VectorXd::Zero(25);
-  EXPECT_FALSE(solve_normal_problem(made.matrix, made.linear, NormalSolution::projected_cg, forces, pulse));
-  EXPECT_EQ(beats, 3);
+  EXPECT_FALSE(
+      solve_normal_problem(made.matrix, made.linear, NormalSolution::projected_cg, forces, progress));
+  EXPECT_EQ(reports, 3);
 }
 
 } // namespace

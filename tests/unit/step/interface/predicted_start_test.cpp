@@ -29,14 +29,15 @@ public:
       : model(walk.model), scheme(walk.scheme), committed(walk.state()),
         system(make_effective_system(model, scheme, walk.length())),
         side(model, scheme, system, committed, {}), frozen(model.zones.size()),
-        equilibrium(model, scheme, system, committed, walk.target()), pulse(std::move(goes_on)),
+        equilibrium(model, scheme, system, committed, walk.target()), progress(std::move(goes_on)),
         surface(model, scheme, system), reach(reach_of(model, system)),
         scratch(*system.compliance, scheme.contact_weight(), model.dofs.components,
                 system.has_free_bodies ? NormalSolution::active_set : NormalSolution::near),
         trial(predict(model, scheme, system, committed, walk.target())) {
     surface.start_from(trial.motion, equilibrium);
     side.start_iterations();
-    predict_contact({model, system, side, frozen, equilibrium, pulse}, surface, reach, scratch, now, trial);
+    predict_contact({model, system, side, frozen, equilibrium, progress}, surface, reach, scratch, now,
+                    trial);
   }
 
   const std::vector<Status>& status() const { return trial.zones[0].status; }
@@ -60,7 +61,7 @@ public:
   ContactEvaluator side;
   Frozen frozen;
   Equilibrium equilibrium;
-  Pulse pulse;
+  Progress progress;
   SurfaceMotion surface;
   Reach reach;
   PredictorScratch scratch;
@@ -186,13 +187,13 @@ TEST(ABlockAbove, FallsOntoThePlaneInOnePrediction) {
 
 TEST(APrediction, EndsAtTheNextBeatWhenItIsAskedTo) {
   const Walk walk(test::two_beams);
-  int beats = 0;
-  const Predicted whole(walk, [&](const Beat&) { return ++beats > 0; });
-  ASSERT_GT(beats, 1);
-  beats = 0;
-  const Predicted stopped(walk, [&](const Beat&) { return ++beats < 1; });
-  EXPECT_TRUE(stopped.pulse.stopped());
-  EXPECT_EQ(beats, 1);
+  int reports = 0;
+  const Predicted whole(walk, [&](const ProgressState&) { return ++reports > 0; });
+  ASSERT_GT(reports, 1);
+  reports = 0;
+  const Predicted stopped(walk, [&](const ProgressState&) { return ++reports < 1; });
+  EXPECT_TRUE(stopped.progress.stopped());
+  EXPECT_EQ(reports, 1);
   EXPECT_EQ(stopped.trial.zones, walk.state().zones) << "nothing of it is taken";
 }
 

@@ -43,8 +43,8 @@ TEST(TrescaProblem, OfOneTangentIsSolvedToItsEnd) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Rubbing points(seed, 12, 1);
     VectorXd forces = VectorXd::Zero(12);
-    Pulse pulse;
-    solve_tresca_problem(points.matrix, points.values, points.limits, 1, forces, pulse);
+    Progress progress;
+    solve_tresca_problem(points.matrix, points.values, points.limits, 1, forces, progress);
     const VectorXd slips = points.slips(forces);
     for (Index i = 0; i < 12; ++i) {
       if (std::abs(forces[i]) < points.limits[i]) {
@@ -65,8 +65,8 @@ TEST(TrescaProblem, OfTwoTangentsKeepsItsLimitsAndLosesEnergy) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Rubbing points(seed, 8, 2);
     VectorXd forces = VectorXd::Zero(16);
-    Pulse pulse;
-    solve_tresca_problem(points.matrix, points.values, points.limits, 2, forces, pulse);
+    Progress progress;
+    solve_tresca_problem(points.matrix, points.values, points.limits, 2, forces, progress);
     EXPECT_LT(points.energy(forces), 0) << "that of no forces";
     for (Index i = 0; i < 8; ++i)
       EXPECT_LE(forces.segment<2>(2 * i).norm(), (1 + 1e-12) * points.limits[i]);
@@ -84,8 +84,8 @@ TEST(TrescaProblem, OfAPointAloneIsKnown) {
   const MatrixXd matrix = 2 * MatrixXd::Identity(2, 2);
   for (const double limit : {1.0, 10.0}) {
     VectorXd forces = VectorXd::Zero(2);
-    Pulse pulse;
-    solve_tresca_problem(matrix, Eigen::Vector2d(6, -8), VectorXd::Constant(1, limit), 2, forces, pulse);
+    Progress progress;
+    solve_tresca_problem(matrix, Eigen::Vector2d(6, -8), VectorXd::Constant(1, limit), 2, forces, progress);
     EXPECT_LE((forces - std::min(limit, 5.0) * Eigen::Vector2d(-0.6, 0.8)).norm(), 1e-14);
   }
 }
@@ -95,9 +95,9 @@ TEST(TrescaProblem, LeavesWhatTheSweepsFoundWhereItIsStopped) {
   VectorXd swept = VectorXd::Zero(12);
   tresca_gauss_seidel(points.matrix, points.values, points.limits, 1, swept);
   VectorXd forces = VectorXd::Zero(12);
-  Pulse pulse([](const Beat&) { return false; });
-  solve_tresca_problem(points.matrix, points.values, points.limits, 1, forces, pulse);
-  EXPECT_TRUE(pulse.stopped());
+  Progress progress([](const ProgressState&) { return false; });
+  solve_tresca_problem(points.matrix, points.values, points.limits, 1, forces, progress);
+  EXPECT_TRUE(progress.stopped());
   EXPECT_EQ(forces, swept);
 }
 

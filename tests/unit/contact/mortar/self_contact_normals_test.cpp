@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Normals that belong to both of two faces of a surface that meets itself.
-#include "rubato/contact/mortar/mean_normals.hpp"
+#include "rubato/contact/mortar/self_contact_normals.hpp"
 
 #include <gtest/gtest.h>
 

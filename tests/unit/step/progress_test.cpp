@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Steps that are asked to end: in every loop they have, and nothing is left of them.
-#include "rubato/step/pulse.hpp"
+#include "rubato/step/progress.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,23 +13,23 @@ namespace {
 
 using test::Walk;
 
-TEST(Pulse, GoesOnWithoutAFunction) {
-  Pulse pulse;
-  EXPECT_TRUE(pulse.beat());
-  EXPECT_TRUE(pulse.beat(3, 0.1));
-  EXPECT_FALSE(pulse.stopped());
+TEST(Progress, GoesOnWithoutAFunction) {
+  Progress progress;
+  EXPECT_TRUE(progress.report());
+  EXPECT_TRUE(progress.report(3, 0.1));
+  EXPECT_FALSE(progress.stopped());
 }
 
-TEST(Pulse, CountsIterationsAndTellsWhatItKnewLast) {
-  std::vector<Beat> heard;
-  Pulse pulse([&](const Beat& beat) {
-    heard.push_back(beat);
+TEST(Progress, CountsIterationsAndTellsWhatItKnewLast) {
+  std::vector<ProgressState> heard;
+  Progress progress([&](const ProgressState& state) {
+    heard.push_back(state);
     return true;
   });
-  pulse.beat();
-  pulse.beat(3, 0.5);
-  pulse.beat();
-  pulse.beat(4, 0.25);
+  progress.report();
+  progress.report(3, 0.5);
+  progress.report();
+  progress.report(4, 0.25);
   ASSERT_EQ(heard.size(), 4U);
   EXPECT_TRUE(std::isnan(heard[0].residual));
   EXPECT_EQ(heard[1].iterations, 0);
@@ -39,13 +39,13 @@ TEST(Pulse, CountsIterationsAndTellsWhatItKnewLast) {
   EXPECT_EQ(heard[3].residual, 0.25);
 }
 
-TEST(Pulse, OnceStoppedAsksNoMore) {
+TEST(Progress, OnceStoppedAsksNoMore) {
   int asked = 0;
-  Pulse pulse([&](const Beat&) { return ++asked < 2; });
-  EXPECT_TRUE(pulse.beat());
-  EXPECT_FALSE(pulse.beat());
-  EXPECT_FALSE(pulse.beat(1, 1));
-  EXPECT_TRUE(pulse.stopped());
+  Progress progress([&](const ProgressState&) { return ++asked < 2; });
+  EXPECT_TRUE(progress.report());
+  EXPECT_FALSE(progress.report());
+  EXPECT_FALSE(progress.report(1, 1));
+  EXPECT_TRUE(progress.stopped());
   EXPECT_EQ(asked, 2);
 }
 
@@ -72,15 +72,15 @@ protected:
 TEST_P(InterruptedStep, LeavesNothingBehindWhereverItIs) {
   const State before = walk_.state();
   State whole;
-  int beats = 0;
-  const auto report = step(whole, [&](const Beat&) { return ++beats > 0; });
+  int reports = 0;
+  const auto report = step(whole, [&](const ProgressState&) { return ++reports > 0; });
   ASSERT_TRUE(report.converged());
-  ASSERT_GE(beats, report.iterations) << "a beat an iteration at least";
-  for (int last = 1; last <= beats; ++last) {
+  ASSERT_GE(reports, report.iterations) << "a report an iteration at least";
+  for (int last = 1; last <= reports; ++last) {
     State trial;
     int asked = 0;
-    const auto interrupted = step(trial, [&](const Beat&) { return ++asked < last; });
-    EXPECT_EQ(interrupted.outcome, Outcome::interrupted) << "at beat " << last;
+    const auto interrupted = step(trial, [&](const ProgressState&) { return ++asked < last; });
+    EXPECT_EQ(interrupted.outcome, Outcome::interrupted) << "at report " << last;
     EXPECT_EQ(asked, last) << "went on after it was to end";
     EXPECT_FALSE(interrupted.failed());
   }
@@ -95,16 +95,16 @@ TEST_P(InterruptedStep, LeavesNothingBehindWhereverItIs) {
 
 TEST_P(InterruptedStep, TellsOfItsIterations) {
   State trial;
-  Beat last;
+  ProgressState last;
   bool knows_residual = false;
-  const auto report = step(trial, [&](const Beat& beat) {
-    EXPECT_GE(beat.iterations, last.iterations);
-    EXPECT_LE(beat.iterations, last.iterations + 1);
-    last = beat;
-    knows_residual = knows_residual || std::isfinite(beat.residual);
+  const auto report = step(trial, [&](const ProgressState& state) {
+    EXPECT_GE(state.iterations, last.iterations);
+    EXPECT_LE(state.iterations, last.iterations + 1);
+    last = state;
+    knows_residual = knows_residual || std::isfinite(state.residual);
     return true;
   });
-  EXPECT_GE(last.iterations, report.iterations - 1) << "a beat is before the last linear solve";
+  EXPECT_GE(last.iterations, report.iterations - 1) << "a report is before the last linear solve";
   EXPECT_LE(last.iterations, report.iterations);
   EXPECT_GT(last.contact_points, 0);
   EXPECT_TRUE(knows_residual || !report.rounds.empty()) << "rounds of loops may have one iteration each";
@@ -126,16 +126,16 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(InterruptedAttempt, IsNotRepeated) {
   Walk walk(test::two_beams, {{"newton", "{max_iterations: 1, residual: 1e-300}"}});
   auto system = make_effective_system(walk.model, walk.scheme, walk.length());
-  int beats = 0;
+  int reports = 0;
   State trial;
-  const auto count = [&](const Beat&) { return ++beats > 0; };
+  const auto count = [&](const ProgressState&) { return ++reports > 0; };
   EXPECT_TRUE(advance(walk.model, walk.scheme, system, walk.state(), 1e-3, trial, count).failed());
-  const int all = beats;
-  beats = 0;
-  const auto stop = [&](const Beat&) { return ++beats < 2; };
+  const int all = reports;
+  reports = 0;
+  const auto stop = [&](const ProgressState&) { return ++reports < 2; };
   const auto report = advance(walk.model, walk.scheme, system, walk.state(), 1e-3, trial, stop);
   EXPECT_EQ(report.outcome, Outcome::interrupted);
-  EXPECT_EQ(beats, 2);
+  EXPECT_EQ(reports, 2);
   EXPECT_GT(all, 2);
 }
 

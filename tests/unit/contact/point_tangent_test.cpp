@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Points linearised in factors against what the law answers and against differences.
-#include "rubato/contact/factored_response.hpp"
+#include "rubato/contact/point_tangent.hpp"
 
 #include <gtest/gtest.h>
 

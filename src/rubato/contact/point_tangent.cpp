@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/contact/factored_response.hpp"
+#include "rubato/contact/point_tangent.hpp"
 
 #include "rubato/contact/spring_friction.hpp"
 

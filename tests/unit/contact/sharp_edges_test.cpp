@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The smooth parts of a surface, and the surface whose nodes at sharp edges stand in it once for each.
-#include "rubato/contact/smooth_patches.hpp"
+#include "rubato/contact/sharp_edges.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// No logic has two homes: no two rooms share six lines of code that are the same.
+// No logic has two homes: no two modules share six lines of code that are the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Line {
 };
 
 struct Source {
-  std::string room;
+  std::string module;
   std::string path;
   std::vector<Line> lines;
 };
@@ -64,7 +64,7 @@ std::vector<Line> code_lines(std::istream& text) {
   return lines;
 }
 
-/// "a.cpp:10 ~ b.cpp:20" for every run of lines that stands in two rooms.
+/// "a.cpp:10 ~ b.cpp:20" for every run of lines that stands in two modules.
 std::set<std::string> shared_between_rooms(const std::vector<Source>& sources) {
   struct Stand {
     const Source* source;
@@ -82,7 +82,7 @@ std::set<std::string> shared_between_rooms(const std::vector<Source>& sources) {
   for (const auto& [run, at] : stands)
     for (const auto& one : at)
       for (const auto& other : at)
-        if (one.source->room < other.source->room)
+        if (one.source->module < other.source->module)
           pairs.insert(one.source->path + ":" + std::to_string(one.line) + " ~ " + other.source->path + ":" +
                        std::to_string(other.line));
   return pairs;
@@ -99,9 +99,9 @@ void read_sources(const fs::path& root, const std::string& whole, std::vector<So
   }
 }
 
-Source source(const std::string& room, const std::string& text) {
+Source source(const std::string& module, const std::string& text) {
   std::istringstream stream(text);
-  return {room, room + ".cpp", code_lines(stream)};
+  return {module, module + ".cpp", code_lines(stream)};
 }
 
 constexpr std::string_view six = "a = 1;\nb = 2;\nc = 3;\nd = 4;\ne = 5;\nf = 6;\n";
@@ -120,7 +120,7 @@ TEST(SharedLines, AreNoneOfOneRoomOrOfFiveLinesOrOfOtherNames) {
   EXPECT_TRUE(shared_between_rooms({one, source("other", "a = 0;" + std::string(six.substr(6)))}).empty());
 }
 
-TEST(Rooms, ShareNoSixLinesOfCode) {
+TEST(Modules, ShareNoSixLinesOfCode) {
   const fs::path root(RUBATO_SOURCE_DIR);
   std::vector<Source> sources;
   read_sources(root / "src/rubato", "", sources);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/contact/smooth_patches.hpp"
+#include "rubato/contact/sharp_edges.hpp"
 
 #include "rubato/contact/mortar/frames.hpp"
 #include "rubato/core/disjoint_sets.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/contact/mortar/mean_normals.hpp"
+#include "rubato/contact/mortar/self_contact_normals.hpp"
 
 #include <Eigen/Dense>
 
@@ -31,7 +31,7 @@ struct Met {
   double ahead = INFINITY;  ///< along the line, to either side
   Vector3d normal = Vector3d::Zero();
 
-  bool beats(const Met& other, double same) const {
+  bool precedes(const Met& other, double same) const {
     if (std::abs(beside - other.beside) > same)
       return beside < other.beside;
     return ahead < other.ahead - same || other.face < 0;
@@ -114,7 +114,7 @@ private:
       met.ahead = std::abs(apart.dot(direction));
       met.normal = normal_at(candidate, met.eta);
       if (met.normal.dot(direction) < 0 && met.beside <= reach_ && met.ahead <= reach_ &&
-          met.beats(best, same_distance * reach_))
+          met.precedes(best, same_distance * reach_))
         best = met;
     }
     return best;

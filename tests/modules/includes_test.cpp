@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The order of the rooms, read from every #include of the sources.
+// The order of the modules, read from every #include of the sources.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,15 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Each room may include those before it. `deck` is a front end, beside the mechanics: it sees the study and
-/// what a study needs, and only programs see it.
+/// Each module may include those before it. `deck` is a front end, beside the mechanics: it sees the study
+/// and what a study needs, and only programs see it.
 constexpr std::array<std::string_view, 18> order{
     "core",       "cell",    "study", "mesh",  "linalg", "material",   "element", "domain", "load",
     "constraint", "contact", "time",  "model", "step",   "simulation", "results", "run",    "apps"};
 constexpr std::array<std::string_view, 3> seen_by_deck{"core", "cell", "study"};
 /// Libraries of matrices know of no mechanics.
 constexpr std::string_view leaf = "linalg";
-/// Folders in rooms whose headers all may include.
+/// Folders in modules whose headers all may include.
 constexpr std::array<std::string_view, 2> open_folders{"mesh/io", "step/explicit"};
 
 struct Include {
@@ -69,35 +69,35 @@ std::vector<Include> every_include() {
   return includes;
 }
 
-bool may_see(const std::string& room, const std::string& other) {
-  if (room == other)
+bool may_see(const std::string& module, const std::string& other) {
+  if (module == other)
     return true;
-  if (room == "deck")
+  if (module == "deck")
     return std::ranges::find(seen_by_deck, other) != seen_by_deck.end();
   if (other == "deck")
-    return room == "apps";
-  return room != leaf && std::ranges::find(order, other) < std::ranges::find(order, room);
+    return module == "apps";
+  return module != leaf && std::ranges::find(order, other) < std::ranges::find(order, module);
 }
 
-TEST(Rooms, AreAllNamedInTheirOrder) {
-  std::set<std::string> rooms;
+TEST(Modules, AreAllNamedInTheirOrder) {
+  std::set<std::string> modules;
   for (const auto& entry : fs::directory_iterator(fs::path(RUBATO_SOURCE_DIR) / "src/rubato"))
     if (entry.is_directory())
-      rooms.insert(entry.path().filename().string());
+      modules.insert(entry.path().filename().string());
   std::set<std::string> named(order.begin(), order.end());
   named.erase("apps");
   named.insert("deck");
-  EXPECT_EQ(rooms, named);
+  EXPECT_EQ(modules, named);
 }
 
-TEST(Rooms, IncludeOnlyWhatComesBeforeThem) {
+TEST(Modules, IncludeOnlyWhatComesBeforeThem) {
   const auto includes = every_include();
   EXPECT_GT(includes.size(), 300U);
   for (const auto& [from, to] : includes)
     EXPECT_TRUE(may_see(room_of(from), room_of(to))) << from << " includes " << to;
 }
 
-TEST(Rooms, KeepTheirInsideToThemselves) {
+TEST(Modules, KeepTheirInsideToThemselves) {
   for (const auto& [from, to] : every_include()) {
     const auto folder = folder_of(to);
     const bool inside = folder.find('/') != std::string::npos &&
