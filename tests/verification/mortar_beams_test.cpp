@@ -24,7 +24,7 @@ struct Sweep {
   double steps_by_nodes = 0, iterations_by_nodes = 0;
 };
 
-void run_both(const RetrySettings& variant, Sweep& sweep) {
+void run_both(const Variant& variant, Sweep& sweep) {
   const auto mortar = survive(variant);
   const auto nodes = survive(by_nodes(variant));
   sweep.finished += mortar.finished() ? 1 : 0;
@@ -41,7 +41,7 @@ void run_both(const RetrySettings& variant, Sweep& sweep) {
 }
 
 /// Quadratic solids take most of a sweep's time: they are left to `make verify`.
-bool is_light(const RetrySettings& variant) {
+bool is_light(const Variant& variant) {
   constexpr std::array heavy{"hexa20", "hexa27", "tetra10", "penta15"};
   return std::ranges::none_of(
       heavy, [&](const char* cells) { return variant.words.find(cells) != std::string::npos; });

@@ -255,7 +255,7 @@ bool matches(const Draw& draw) {
          draw.shift == 0;
 }
 
-RetrySettings variant(std::uint32_t seed, int number, Meshes meshes, Integration integration) {
+Variant variant(std::uint32_t seed, int number, Meshes meshes, Integration integration) {
   Dice dice(seed, number);
   Draw draw;
   draw.integration = integration;
@@ -278,12 +278,12 @@ RetrySettings variant(std::uint32_t seed, int number, Meshes meshes, Integration
           deck_of(draw, fmt::format("two beams, variant {}", number), iterate)};
 }
 
-study::Study study_of(const RetrySettings& variant, const std::vector<deck::Setting>& changes = {}) {
+study::Study study_of(const Variant& variant, const std::vector<deck::Setting>& changes = {}) {
   return deck::parse_deck(variant.deck, fmt::format("{}.yaml", variant.number), changes).runs.front();
 }
 
 /// Runs until it has tried that many times the steps it has.
-run::RunResult run_patiently(const RetrySettings& variant, const study::Study& study,
+run::RunResult run_patiently(const Variant& variant, const study::Study& study,
                              const std::filesystem::path& folder, bool& warned) {
   constexpr int patience = 10;
   int attempts = 0;
@@ -311,22 +311,22 @@ void note_energy(const std::filesystem::path& file, Survival& survival) {
 
 } // namespace
 
-std::vector<RetrySettings> variants(std::uint32_t seed, int first, int count, Meshes meshes,
-                                    Integration integration) {
-  std::vector<RetrySettings> all;
+std::vector<Variant> variants(std::uint32_t seed, int first, int count, Meshes meshes,
+                              Integration integration) {
+  std::vector<Variant> all;
   for (int number = first; number < first + count; ++number)
     all.push_back(variant(seed, number, meshes, integration));
   return all;
 }
 
-RetrySettings by_nodes(const RetrySettings& variant) {
+Variant by_nodes(const Variant& variant) {
   auto changed = variant;
   if (const auto place = changed.deck.find(by_mortar); place != std::string::npos)
     changed.deck.replace(place, by_mortar.size(), on_nodes);
   return changed;
 }
 
-Survival survive(const RetrySettings& variant) {
+Survival survive(const Variant& variant) {
   const test::ScratchFolder folder;
   Survival survival;
   try {
@@ -340,7 +340,7 @@ Survival survive(const RetrySettings& variant) {
   return survival;
 }
 
-SolverComparison compare_solvers(const RetrySettings& variant) {
+SolverComparison compare_solvers(const Variant& variant) {
   std::array<results::Table, 2> histories;
   std::array<int, 2> steps{};
   for (std::size_t i = 0; i < histories.size(); ++i) {

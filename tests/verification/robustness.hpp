@@ -14,7 +14,7 @@
 
 namespace rubato::verification {
 
-struct RetrySettings {
+struct Variant {
   int number = 0;
   std::string cells;  ///< "quad4"
   std::string scheme; ///< words of the deck
@@ -36,11 +36,11 @@ enum class Meshes { coarse, any };
 enum class Integration { nodes, mortar };
 
 /// Variants `first` to `first + count − 1` of a seed. `coarse`: none is refined, and all are short.
-std::vector<RetrySettings> variants(std::uint32_t seed, int first, int count, Meshes meshes = Meshes::any,
-                                    Integration integration = Integration::nodes);
+std::vector<Variant> variants(std::uint32_t seed, int first, int count, Meshes meshes = Meshes::any,
+                              Integration integration = Integration::nodes);
 
 /// A variant of mortar contact with its points on the slave nodes.
-RetrySettings by_nodes(const RetrySettings& variant);
+Variant by_nodes(const Variant& variant);
 
 struct Survival {
   run::RunResult result;
@@ -56,7 +56,7 @@ struct Survival {
 
 /// Runs a variant in a folder that is gone afterwards. It is given up when it has tried far more steps than
 /// it has.
-Survival survive(const RetrySettings& variant);
+Survival survive(const Variant& variant);
 
 /// A variant solved condensed and whole, both to a sharper residual.
 struct SolverComparison {
@@ -67,6 +67,6 @@ struct SolverComparison {
   int steps_whole = 0;
   bool same_steps = false; ///< neither cuts a step that the other takes whole
 };
-SolverComparison compare_solvers(const RetrySettings& variant);
+SolverComparison compare_solvers(const Variant& variant);
 
 } // namespace rubato::verification

@@ -23,14 +23,14 @@ constexpr int compared = 5;
 constexpr double same_answer = 1e-6;
 
 struct Entry {
-  RetrySettings variant;
+  Variant variant;
   Survival survival;
   SolverComparison solvers = {};         ///< of some only
   std::optional<Survival> by_nodes = {}; ///< of mortar contact, of some only
 };
 
 using Entries = std::vector<Entry>;
-using Key = std::function<std::string(const RetrySettings&)>;
+using Key = std::function<std::string(const Variant&)>;
 
 std::vector<Entry> run_all(const std::filesystem::path& decks) {
   std::filesystem::remove_all(decks);
@@ -80,8 +80,7 @@ void write_finished(Page& page, const Entries& entries) {
   };
   page.table({"", "variants", "finished", "steps", "cuts", "iterations a step", "seconds"});
   row("all", entries);
-  for (const auto& key :
-       {Key(&RetrySettings::method), Key(&RetrySettings::scheme), Key(&RetrySettings::cells)})
+  for (const auto& key : {Key(&Variant::method), Key(&Variant::scheme), Key(&Variant::cells)})
     for (const auto& [name, of] : sorted_by(entries, key))
       row(name, of);
 }
@@ -93,7 +92,7 @@ void write_gains(Page& page, const Entries& entries) {
   Entries apart;
   std::ranges::copy_if(entries, std::back_inserter(apart),
                        [](const Entry& e) { return !e.variant.overlaps; });
-  const auto key = [](const RetrySettings& v) { return fmt::format("{} {}", v.scheme, v.massless); };
+  const auto key = [](const Variant& v) { return fmt::format("{} {}", v.scheme, v.massless); };
   for (const auto& [name, of] : sorted_by(apart, key)) {
     const auto kept = std::ranges::count_if(of, [](const Entry& e) { return e.survival.keeps_gain(); });
     const auto by_contact =
@@ -146,7 +145,7 @@ double iterations_a_step(std::span<const run::RunResult> results) {
 void write_against_nodes(Page& page, const Entries& entries) {
   page.table({"meshes", "variants", "finished by mortar", "by nodes", "iterations a step by mortar",
               "by nodes", "ratio"});
-  const auto row = [&](const std::string& name, const std::function<bool(const RetrySettings&)>& wanted) {
+  const auto row = [&](const std::string& name, const std::function<bool(const Variant&)>& wanted) {
     std::vector<run::RunResult> mortar;
     std::vector<run::RunResult> nodes;
     std::ptrdiff_t finished = 0;
@@ -164,9 +163,9 @@ void write_against_nodes(Page& page, const Entries& entries) {
               share(finished_by_nodes, std::ssize(nodes)), fmt::format("{:.1f}", by_mortar),
               fmt::format("{:.1f}", by_nodes), fmt::format("{:.2f}", by_mortar / by_nodes)});
   };
-  row("all", [](const RetrySettings&) { return true; });
-  row("matching", [](const RetrySettings& v) { return v.matching; });
-  row("not matching", [](const RetrySettings& v) { return !v.matching; });
+  row("all", [](const Variant&) { return true; });
+  row("matching", [](const Variant& v) { return v.matching; });
+  row("not matching", [](const Variant& v) { return !v.matching; });
 }
 
 void write_balance(Page& page, const Entries& entries) {

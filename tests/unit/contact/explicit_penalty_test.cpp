@@ -30,12 +30,12 @@ Eigen::Vector3d sum_of(const VectorXd& force, int components) {
   return sum;
 }
 
-struct RetrySettings {
+struct Variant {
   std::string name;
   test::TwoFacesOptions options;
 };
 
-class ExplicitPenaltyOn : public testing::TestWithParam<RetrySettings> {
+class ExplicitPenaltyOn : public testing::TestWithParam<Variant> {
 protected:
   TwoFaces faces_ = two_faces(GetParam().options);
 };
@@ -117,19 +117,19 @@ TEST_P(ExplicitPenaltyOn, BoundsItsOwnFrequency) {
 
 INSTANTIATE_TEST_SUITE_P(
     Faces, ExplicitPenaltyOn,
-    testing::Values(RetrySettings{"Segments", {.slave = CellType::seg2, .master = CellType::seg2}},
-                    RetrySettings{"QuadraticSegments", {.slave = CellType::seg3, .master = CellType::seg3}},
-                    RetrySettings{"Quadrangles", {}}, RetrySettings{"BesideTheEdge", {.shift = 0.3}},
-                    RetrySettings{"GaussPoints", {.gauss = 3}},
-                    RetrySettings{"SlaveNormal", {.normal = study::ContactNormal::slave}},
-                    RetrySettings{"AverageNormal", {.normal = study::ContactNormal::average}},
-                    RetrySettings{"CodeAstersClampedNormal",
-                                  {.clamped_normal = study::ClampedNormal::code_aster, .shift = 0.3}},
-                    RetrySettings{"Nonagons", {.slave = CellType::quad9, .master = CellType::quad9}}),
+    testing::Values(Variant{"Segments", {.slave = CellType::seg2, .master = CellType::seg2}},
+                    Variant{"QuadraticSegments", {.slave = CellType::seg3, .master = CellType::seg3}},
+                    Variant{"Quadrangles", {}}, Variant{"BesideTheEdge", {.shift = 0.3}},
+                    Variant{"GaussPoints", {.gauss = 3}},
+                    Variant{"SlaveNormal", {.normal = study::ContactNormal::slave}},
+                    Variant{"AverageNormal", {.normal = study::ContactNormal::average}},
+                    Variant{"CodeAstersClampedNormal",
+                            {.clamped_normal = study::ClampedNormal::code_aster, .shift = 0.3}},
+                    Variant{"Nonagons", {.slave = CellType::quad9, .master = CellType::quad9}}),
     [](const auto& variant) { return variant.param.name; });
 
-std::vector<RetrySettings> before_obstacles() {
-  std::vector<RetrySettings> variants;
+std::vector<Variant> before_obstacles() {
+  std::vector<Variant> variants;
   for (const auto& [name, options] : test::every_obstacle())
     variants.push_back({name, options});
   return variants;
