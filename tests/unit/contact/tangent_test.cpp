@@ -17,13 +17,13 @@ using test::system_at;
 
 constexpr double h = 1e-6;
 
-struct RetrySettings {
+struct Variant {
   std::string name;
   test::TwoFacesOptions options;
 };
 
-std::vector<RetrySettings> variants() {
-  std::vector<RetrySettings> list;
+std::vector<Variant> variants() {
+  std::vector<Variant> list;
   const std::vector<std::pair<CellType, CellType>> pairs{
       {CellType::seg2, CellType::seg2},   {CellType::seg3, CellType::seg3},
       {CellType::seg2, CellType::seg3},   {CellType::tria3, CellType::tria3},
@@ -53,7 +53,7 @@ std::vector<RetrySettings> variants() {
   return list;
 }
 
-class ContactTangent : public testing::TestWithParam<RetrySettings> {
+class ContactTangent : public testing::TestWithParam<Variant> {
 protected:
   test::TwoFaces setup = test::two_faces(GetParam().options);
 };
