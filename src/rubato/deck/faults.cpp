@@ -43,6 +43,20 @@ bool Faults::is_spoiled(std::string_view path) const {
   return true;
 }
 
+void Faults::add_untold(const Faults& others) {
+  std::map<Key, std::vector<std::string>> untold;
+  for (const auto& [key, runs] : others.met_by_) {
+    const auto& [file, line, column, text] = key;
+    const auto near = met_by_.lower_bound(Key{file, line, column, ""});
+    const bool told =
+        near != met_by_.end() && std::tie(std::get<0>(near->first), std::get<1>(near->first),
+                                          std::get<2>(near->first)) == std::tie(file, line, column);
+    if (!told)
+      untold.emplace(key, runs);
+  }
+  met_by_.merge(untold);
+}
+
 void Faults::enter_run(std::string name) {
   spoiled_.clear();
   runs_.push_back(std::move(name));

@@ -30,6 +30,9 @@ public:
   void spoil(std::string path);
   bool is_spoiled(std::string_view path) const;
 
+  /// Adds the faults of others at places where nothing is wrong yet. They are of every run.
+  void add_untold(const Faults& others);
+
   /// What is added from here on was met while reading that run.
   void enter_run(std::string name);
 

@@ -1,61 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/cell/topology.hpp"
+#include "rubato/deck/body_words.hpp"
 #include "rubato/deck/parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 namespace rubato::deck {
 namespace {
-
-constexpr std::array cells_of_rectangles{CellType::tria3, CellType::tria6, CellType::tria7,
-                                         CellType::quad4, CellType::quad8, CellType::quad9};
-constexpr std::array cells_of_boxes{CellType::tetra4, CellType::tetra10, CellType::penta6, CellType::penta15,
-                                    CellType::hexa8,  CellType::hexa20,  CellType::hexa27};
-
-std::span<const CellType> cells_of(int dimension) {
-  return dimension == 3 ? std::span<const CellType>(cells_of_boxes)
-                        : std::span<const CellType>(cells_of_rectangles);
-}
-
-/// The two sides across each axis.
-constexpr std::array<std::array<std::string_view, 2>, 3> sides{
-    {{"left", "right"}, {"bottom", "top"}, {"back", "front"}}};
-
-/// "left", "right", … of the first `dimension` axes.
-std::vector<std::string> side_words(int dimension) {
-  std::vector<std::string> words;
-  for (int axis = 0; axis < dimension; ++axis)
-    for (const auto side : sides[static_cast<std::size_t>(axis)])
-      words.emplace_back(side);
-  return words;
-}
-
-/// Every pair of sides across two axes, "right_top".
-std::vector<std::string> pair_words(int dimension) {
-  std::vector<std::string> words;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
-    for (std::size_t b = a + 1; b < static_cast<std::size_t>(dimension); ++b)
-      for (const auto first : sides[a])
-        for (const auto second : sides[b])
-          words.push_back(fmt::format("{}_{}", first, second));
-  return words;
-}
-
-/// Every corner, "right_top" or "right_top_back".
-std::vector<std::string> corner_words(int dimension) {
-  auto words = pair_words(2);
-  if (dimension == 2)
-    return words;
-  std::vector<std::string> corners;
-  for (const auto& word : words)
-    for (const auto side : sides[2])
-      corners.push_back(fmt::format("{}_{}", word, side));
-  return corners;
-}
 
 void read_groups(const Found& value, const std::vector<std::string>& words,
                  std::map<std::string, std::string>& groups) {
@@ -72,13 +25,7 @@ void read_groups(const Found& value, const std::vector<std::string>& words,
 
 void read_cells(const Found& value, study::Body& body) {
   const auto types = cells_of(body.dimension);
-  std::vector<std::string> words;
-  for (const auto type : types) {
-    std::string word(cell::topology(type).name);
-    std::ranges::transform(word, word.begin(), [](unsigned char letter) { return std::tolower(letter); });
-    words.push_back(std::move(word));
-  }
-  if (const auto choice = read_choice(value, words))
+  if (const auto choice = read_choice(value, cell_words(body.dimension)))
     body.cells = types[*choice];
 }
 

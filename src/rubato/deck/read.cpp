@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/read.hpp"
 
+#include "rubato/deck/check_forms.hpp"
 #include "rubato/deck/chosen_runs.hpp"
+#include "rubato/deck/grammar/parts.hpp"
 #include "rubato/deck/other_runs.hpp"
 #include "rubato/deck/overlay.hpp"
 #include "rubato/deck/parts.hpp"
@@ -31,7 +33,7 @@ std::vector<Run> take_runs(Tree& deck, Faults& faults) {
     return {{{"run", deck.at}, {}}};
   const Tree tree = std::move(found->value);
   deck.entries.erase(found);
-  const Value value(tree, "runs", faults);
+  const Value value(tree, "runs", faults, grammar::runs());
   std::vector<Run> runs;
   for (const auto& [name, over] : named_entries(value)) {
     if (over.tree().is(Tree::Kind::map) || over.tree().is(Tree::Kind::nothing))
@@ -82,7 +84,7 @@ void add_broken_rules(const study::Study& study, const Places& places, Faults& f
 study::Study read_study(const Tree& tree, const std::filesystem::path& folder, Faults& faults) {
   study::Study study;
   Context context{.folder = folder, .physics = {}, .scheme = {}};
-  MapReader map(Value(tree, "", faults));
+  MapReader map(Value(tree, "", faults, grammar::deck()));
   read(map.find("title"), study.title);
   read(map.find("units"), study.units);
   read_physics(map, context, study);
@@ -168,6 +170,7 @@ Deck parse(std::string_view text, const std::string& file_name, std::span<const 
     deck.runs.push_back(std::move(study));
     deck.places.push_back(std::move(places));
   }
+  faults.add_untold(faults_of_forms(*base));
   faults.throw_if_any();
   return deck;
 }

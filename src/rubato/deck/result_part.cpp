@@ -43,7 +43,7 @@ void read_formats(const Found& value, study::FieldOutput& fields) {
     return;
   const auto list = value->tree().is(Tree::Kind::list) ? items(value) : std::vector<Value>{*value};
   for (const auto& format : list)
-    if (const auto choice = read_choice(format, {"vtu", "med"}))
+    if (const auto choice = read_choice(format, {study::field_formats.begin(), study::field_formats.end()}))
       (*choice == 0 ? fields.vtu : fields.med) = true;
 }
 

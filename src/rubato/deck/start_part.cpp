@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Springs to the ground, and how the bodies move when the run begins.
 #include "rubato/deck/parts.hpp"
+#include "rubato/study/bounds.hpp"
 
 namespace rubato::deck {
 namespace {
@@ -10,7 +11,8 @@ study::Springs read_springs_of(const Value& value) {
   MapReader map(value);
   read_name(map.require("on"), springs.on);
   for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
-    read(map.find(study::axis_words[axis]), springs.stiffness[axis], study::above(0)); // 0 stands for none
+    read(map.find(study::axis_words[axis]), springs.stiffness[axis],
+         study::bounds::spring); // 0 stands for none
   map.finish();
   return springs;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/parts.hpp"
 #include "rubato/deck/rows.hpp"
+#include "rubato/study/bounds.hpp"
 
 #include <fmt/format.h>
 
@@ -29,7 +30,7 @@ void read_scheme(MapReader& map, Context& context, study::TimeStepping& time) {
 /// `step: auto` or a number, `end` and `record` of an explicit run.
 void read_explicit_steps(MapReader& map, study::TimeStepping& time) {
   if (const auto step = map.find("step"); step && step->tree().text != study::automatic_step)
-    read(step, time.step, study::above(0)); // 0 stands for auto
+    read(step, time.step, study::bounds::step); // 0 stands for auto
   read(map.require("end"), time.end);
   if (const auto record = map.find("record"))
     read(record, time.record);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 namespace rubato::deck {
 namespace {
@@ -93,8 +94,18 @@ void Value::spoil() const {
   faults_->spoil(path_);
 }
 
-Value Value::child(const std::string& step, const Tree& tree) const {
-  return {tree, joined(path_, step), *faults_};
+Value Value::in(const std::string& step, const Tree& tree, grammar::Form::Kind kind) const {
+  const auto* forms = grammar::forms_of_each(*forms_, kind);
+  if (forms == nullptr)
+    throw std::logic_error(fmt::format("the grammar has no list or map of names at {}", path_));
+  return {tree, joined(path_, step), *faults_, *forms};
+}
+
+const grammar::Forms& Value::declared(std::string_view key) const {
+  const auto* forms = grammar::forms_of(*forms_, key);
+  if (forms == nullptr)
+    throw std::logic_error(fmt::format("the grammar has no key {} in {}", key, path_));
+  return *forms;
 }
 
 MapReader::MapReader(Value value) : value_(std::move(value)) {
@@ -104,10 +115,11 @@ MapReader::MapReader(Value value) : value_(std::move(value)) {
 
 Found MapReader::find(std::string_view key) {
   asked_.emplace_back(key);
+  const auto& forms = value_.declared(key);
   const auto* tree = value_.tree().find(key);
   if (tree == nullptr || tree->is(Tree::Kind::removed))
     return std::nullopt;
-  return value_.child(asked_.back(), *tree);
+  return Value(*tree, joined(value_.path(), asked_.back()), value_.faults(), forms);
 }
 
 Found MapReader::require(std::string_view key) {
@@ -253,7 +265,7 @@ std::vector<Value> items(const Found& value) {
   if (!value->tree().is(Tree::Kind::list))
     expected(*value, "a list");
   for (std::size_t i = 0; i < value->tree().items.size(); ++i)
-    found.push_back(value->child(std::to_string(i), value->tree().items[i]));
+    found.push_back(value->in(std::to_string(i), value->tree().items[i], grammar::Form::Kind::list));
   return found;
 }
 
@@ -267,7 +279,7 @@ std::vector<NamedValue> named_entries(const Found& value) {
     if (tree.is(Tree::Kind::removed))
       continue;
     if (is_name(key))
-      found.push_back({{key, at}, value->child(key, tree)});
+      found.push_back({{key, at}, value->in(key, tree, grammar::Form::Kind::named)});
     else
       value->fault(
           fmt::format("found the name {}, expected up to 100 letters, digits, '_' or '-'", shown(key)), at);

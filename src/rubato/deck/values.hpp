@@ -2,6 +2,7 @@
 /// Reading single values of a deck: typed, checked, with every fault kept.
 #pragma once
 
+#include "rubato/deck/grammar/form.hpp"
 #include "rubato/deck/tree.hpp"
 #include "rubato/study/range.hpp"
 #include "rubato/study/study.hpp"
@@ -16,16 +17,17 @@
 
 namespace rubato::deck {
 
-/// A node of the deck that is being read and its path in words, "time.step".
+/// A node of the deck that is being read, its path in words, "time.step", and the forms it may have.
 class Value {
 public:
-  Value(const Tree& tree, std::string path, Faults& faults)
-      : tree_(&tree), path_(std::move(path)), faults_(&faults) {}
+  Value(const Tree& tree, std::string path, Faults& faults, const grammar::Forms& forms)
+      : tree_(&tree), path_(std::move(path)), faults_(&faults), forms_(&forms) {}
 
   const Tree& tree() const { return *tree_; }
   const Location& at() const { return tree_->at; }
   const std::string& path() const { return path_; }
   Faults& faults() const { return *faults_; }
+  const grammar::Forms& forms() const { return *forms_; }
 
   /// Adds the fault "path: text" at this value, or at another place.
   void fault(const std::string& text) const { fault(text, at()); }
@@ -37,13 +39,17 @@ public:
   /// No rule about this value can be judged.
   void spoil() const;
 
-  /// A value inside of this one.
-  Value child(const std::string& step, const Tree& tree) const;
+  /// The forms of a key. Throws std::logic_error when the grammar has no such key here.
+  const grammar::Forms& declared(std::string_view key) const;
+  /// An item of a list, or an entry of a map whose keys are names. Throws std::logic_error when the grammar
+  /// has neither here.
+  Value in(const std::string& step, const Tree& tree, grammar::Form::Kind kind) const;
 
 private:
   const Tree* tree_;
   std::string path_;
   Faults* faults_;
+  const grammar::Forms* forms_;
 };
 
 /// A value that may not have been given.
@@ -58,6 +64,7 @@ public:
   const Value& value() const { return value_; }
   bool is_map() const { return value_.tree().is(Tree::Kind::map); }
 
+  /// Throws std::logic_error when the grammar has no such key in this map: the schema would not know it.
   Found find(std::string_view key);
   /// A fault when the key is missing.
   Found require(std::string_view key);

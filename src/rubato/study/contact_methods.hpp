@@ -32,11 +32,16 @@ struct ContactMethodEntry {
 };
 
 /// c or k_n.
-inline constexpr std::array stiffness_numbers{
-    number<ContactZone, &ContactZone::normal_coefficient>("normal", above(0))};
+inline constexpr std::array stiffness_numbers{number<ContactZone, &ContactZone::normal_coefficient>(
+    "normal",
+    "augmentation or stiffness of contact [force/length³; nodal methods force/length]; chosen at each point "
+    "when not given",
+    above(0))};
 inline constexpr std::array exponential_numbers{
-    number<ContactZone, &ContactZone::pressure>("pressure", above(0), true),
-    number<ContactZone, &ContactZone::clearance>("clearance", above(0), true)};
+    number<ContactZone, &ContactZone::pressure>(
+        "pressure", "exponential: the pressure at gap 0 [force/length²]", above(0), true),
+    number<ContactZone, &ContactZone::clearance>(
+        "clearance", "exponential: the gap at which pressure begins [length]", above(0), true)};
 
 struct FrictionMethodEntry {
   FrictionMethod method;

@@ -31,27 +31,39 @@ struct LawEntry {
 };
 
 inline constexpr std::array elastic_numbers{
-    number<Material, &Material::young>("young", above(0), true),
-    number<Material, &Material::poisson>("poisson", between(-1, 0.5), true)};
+    number<Material, &Material::young>("young", "Young's modulus [force/length²]", above(0), true),
+    number<Material, &Material::poisson>("poisson", "Poisson's ratio", between(-1, 0.5), true)};
 
 template <auto Member>
-constexpr Number<Material> orthotropic_number(std::string_view key, Range range, bool required = false) {
-  return number<Material, &Material::orthotropy, Member>(key, range, required);
+constexpr Number<Material> orthotropic_number(std::string_view key, std::string_view meaning, Range range,
+                                              bool required = false) {
+  return number<Material, &Material::orthotropy, Member>(key, meaning, range, required);
 }
 /// Bounds of ratios follow from the moduli: orthotropic_faults has them.
 inline constexpr std::array orthotropic_numbers{
-    orthotropic_number<&Orthotropy::young_x>("young_x", above(0), true),
-    orthotropic_number<&Orthotropy::young_y>("young_y", above(0), true),
-    orthotropic_number<&Orthotropy::young_z>("young_z", above(0)),
-    orthotropic_number<&Orthotropy::poisson_xy>("poisson_xy", Range{}, true),
-    orthotropic_number<&Orthotropy::poisson_yz>("poisson_yz", Range{}),
-    orthotropic_number<&Orthotropy::poisson_xz>("poisson_xz", Range{}),
-    orthotropic_number<&Orthotropy::shear_xy>("shear_xy", above(0), true),
-    orthotropic_number<&Orthotropy::shear_yz>("shear_yz", above(0)),
-    orthotropic_number<&Orthotropy::shear_xz>("shear_xz", above(0)),
-    orthotropic_number<&Orthotropy::angle_z>("angle_z", Range{}),
-    orthotropic_number<&Orthotropy::angle_y>("angle_y", Range{}),
-    orthotropic_number<&Orthotropy::angle_x>("angle_x", Range{})};
+    orthotropic_number<&Orthotropy::young_x>("young_x", "Young's modulus along x' [force/length²]", above(0),
+                                             true),
+    orthotropic_number<&Orthotropy::young_y>("young_y", "Young's modulus along y' [force/length²]", above(0),
+                                             true),
+    orthotropic_number<&Orthotropy::young_z>("young_z", "Young's modulus along z' [force/length²]", above(0)),
+    orthotropic_number<&Orthotropy::poisson_xy>("poisson_xy", "contraction along y' under a stress along x'",
+                                                Range{}, true),
+    orthotropic_number<&Orthotropy::poisson_yz>("poisson_yz", "contraction along z' under a stress along y'",
+                                                Range{}),
+    orthotropic_number<&Orthotropy::poisson_xz>("poisson_xz", "contraction along z' under a stress along x'",
+                                                Range{}),
+    orthotropic_number<&Orthotropy::shear_xy>("shear_xy", "shear modulus of x' and y' [force/length²]",
+                                              above(0), true),
+    orthotropic_number<&Orthotropy::shear_yz>("shear_yz", "shear modulus of y' and z' [force/length²]",
+                                              above(0)),
+    orthotropic_number<&Orthotropy::shear_xz>("shear_xz", "shear modulus of x' and z' [force/length²]",
+                                              above(0)),
+    orthotropic_number<&Orthotropy::angle_z>(
+        "angle_z", "turn of the axes about z, the first turn [degrees]; 0 when not given", Range{}),
+    orthotropic_number<&Orthotropy::angle_y>(
+        "angle_y", "turn of the axes about the new y, the second turn [degrees]; 0 when not given", Range{}),
+    orthotropic_number<&Orthotropy::angle_x>(
+        "angle_x", "turn of the axes about the new x, the third turn [degrees]; 0 when not given", Range{})};
 std::vector<LawFault> orthotropic_faults(const Material& material, Physics physics);
 
 inline constexpr std::array<LawEntry, 2> material_laws{{

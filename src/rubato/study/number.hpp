@@ -12,7 +12,8 @@
 namespace rubato::study {
 
 template <class Record> struct Number {
-  std::string_view key; ///< in a deck and in the echo
+  std::string_view key;     ///< in a deck and in the echo
+  std::string_view meaning; ///< with the unit in brackets, as editors show it
   Range range;
   bool required; ///< a deck must give it
   std::optional<double> (*get)(const Record&);
@@ -20,10 +21,12 @@ template <class Record> struct Number {
 };
 
 /// The number at a path of members, a double or an optional one: `number<Study, &Study::newton,
-/// &NewtonSettings::residual>("residual", between(0, 1))`.
+/// &NewtonSettings::residual>("residual", "largest residual force", between(0, 1))`.
 template <class Record, auto... Path>
-constexpr Number<Record> number(std::string_view key, Range range, bool required = false) {
+constexpr Number<Record> number(std::string_view key, std::string_view meaning, Range range,
+                                bool required = false) {
   return {.key = key,
+          .meaning = meaning,
           .range = range,
           .required = required,
           .get = [](const Record& record) -> std::optional<double> { return (record.*....*Path); },

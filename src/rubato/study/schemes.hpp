@@ -23,21 +23,22 @@ struct SchemeEntry {
 
 /// γ below 1/2 feeds energy in.
 inline constexpr std::array newmark_numbers{
-    number<TimeStepping, &TimeStepping::beta>("beta", between(0, 1)),
-    number<TimeStepping, &TimeStepping::gamma>("gamma", from_to(0.5, 2))};
-inline constexpr std::array hht_numbers{
-    number<TimeStepping, &TimeStepping::alpha>("alpha", from_to(-1.0 / 3.0, 0), true)};
+    number<TimeStepping, &TimeStepping::beta>("beta", "Newmark's β, 1/4 when not given", between(0, 1)),
+    number<TimeStepping, &TimeStepping::gamma>("gamma", "Newmark's γ, 1/2 when not given", from_to(0.5, 2))};
+inline constexpr std::array hht_numbers{number<TimeStepping, &TimeStepping::alpha>(
+    "alpha", "weight of the forces at the start of the step, negative", from_to(-1.0 / 3.0, 0), true)};
 inline constexpr std::array modified_average_acceleration_numbers{
-    number<TimeStepping, &TimeStepping::alpha>("alpha", at_most(0), true)};
-inline constexpr std::array generalized_alpha_numbers{
-    number<TimeStepping, &TimeStepping::spectral_radius>("spectral_radius", from_to(0, 1))};
-inline constexpr std::array wbz_alpha_numbers{
-    number<TimeStepping, &TimeStepping::alpha>("alpha", from_to(-1, 0), true)};
-inline constexpr std::array moreau_jean_numbers{
-    number<TimeStepping, &TimeStepping::theta>("theta", from_to(0.5, 1))};
+    number<TimeStepping, &TimeStepping::alpha>("alpha", "numerical damping, negative", at_most(0), true)};
+inline constexpr std::array generalized_alpha_numbers{number<TimeStepping, &TimeStepping::spectral_radius>(
+    "spectral_radius", "ρ_∞, the spectral radius at high frequency; 0.5 when not given", from_to(0, 1))};
+inline constexpr std::array wbz_alpha_numbers{number<TimeStepping, &TimeStepping::alpha>(
+    "alpha", "weight of the inertia at the start of the step, negative", from_to(-1, 0), true)};
+inline constexpr std::array moreau_jean_numbers{number<TimeStepping, &TimeStepping::theta>(
+    "theta", "weight of the end of the step; 1/2 when not given", from_to(0.5, 1))};
 /// `record` has a default that follows from the length of the run, and so is no number of the row.
-inline constexpr std::array central_difference_numbers{
-    number<TimeStepping, &TimeStepping::safety>("safety", Range{.low = 0, .high = 1, .low_allowed = false})};
+inline constexpr std::array central_difference_numbers{number<TimeStepping, &TimeStepping::safety>(
+    "safety", "with step: auto, the part of the stable step that is taken; 0.9 when not given",
+    Range{.low = 0, .high = 1, .low_allowed = false})};
 
 inline constexpr std::array<SchemeEntry, 8> schemes{{
     {.kind = SchemeKind::newmark,

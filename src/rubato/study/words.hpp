@@ -106,6 +106,9 @@ inline constexpr std::array<Word<CheckSource>, 4> check_source_words{{{"external
 
 inline constexpr std::array<std::string_view, 3> axis_words{"x", "y", "z"};
 
+/// Formats of stored fields.
+inline constexpr std::array<std::string_view, 2> field_formats{"vtu", "med"};
+
 /// The word of a value, accepted or not.
 template <class E, std::size_t N>
 constexpr std::string_view word_of(const std::array<Word<E>, N>& table, E value) {

@@ -12,8 +12,6 @@
 namespace rubato::study {
 namespace {
 
-constexpr int most_loops = 10'000;
-
 /// Each broken rule of one zone.
 class ZoneRules {
 public:
@@ -48,8 +46,8 @@ private:
   }
 
   void check_friction() {
-    rules_.number(at("friction"), zone_.friction, at_least(0));
-    rules_.number(at("restitution"), zone_.restitution, from_to(0, 1));
+    rules_.number(at("friction"), zone_.friction, bounds::friction);
+    rules_.number(at("restitution"), zone_.restitution, bounds::restitution);
     if (method_.exact_prediction && zone_.friction > 0)
       rules_.broken({at("friction"), at("method")},
                     fmt::format("found {}, {} is without friction, expected 0 or the method nodal_lagrange",
@@ -185,7 +183,7 @@ private:
         rules_.broken({path_, at(key), at("method")},
                       fmt::format("'{}' is missing, which {} needs", key, method_.name));
     if (zone_.tangential_coefficient)
-      rules_.number(at("coefficients.tangential"), *zone_.tangential_coefficient, above(0));
+      rules_.number(at("coefficients.tangential"), *zone_.tangential_coefficient, bounds::tangential);
   }
 
   void check_levels() {
@@ -204,8 +202,8 @@ private:
     if (level.by == Iteration::newton)
       return;
     if (has_tolerance)
-      rules_.number(at(key) + ".tolerance", level.tolerance, between(0, 1));
-    rules_.whole_number(at(key) + ".max_loops", level.max_loops, from_to(1, most_loops));
+      rules_.number(at(key) + ".tolerance", level.tolerance, bounds::loop_tolerance);
+    rules_.whole_number(at(key) + ".max_loops", level.max_loops, bounds::max_loops);
   }
 
   void check_scheme() {

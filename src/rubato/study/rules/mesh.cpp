@@ -10,7 +10,6 @@
 namespace rubato::study {
 namespace {
 
-constexpr int finest = 1000;
 /// Beyond it neither local numbers nor memory hold.
 constexpr double most_cells = 1e8;
 
@@ -26,7 +25,7 @@ void check_extent(Rules& rules, const Body& body, const std::string& path) {
       rules.broken({fmt::format("{}.to.{}", shape, axis), shape + ".to", shape + ".from"},
                    fmt::format("found {} for {}, expected more than the {} of 'from'", body.to[axis],
                                axis_words.at(axis), body.from[axis]));
-    rules.whole_number(fmt::format("{}.divisions.{}", path, axis), body.divisions[axis], at_least(1));
+    rules.whole_number(fmt::format("{}.divisions.{}", path, axis), body.divisions[axis], bounds::divisions);
   }
 }
 
@@ -44,7 +43,7 @@ double cells_of(const MeshSource& mesh) {
 } // namespace
 
 void check_physics(Rules& rules) {
-  rules.number("thickness", rules.study.thickness, above(0));
+  rules.number("thickness", rules.study.thickness, bounds::thickness);
 }
 
 void check_mesh(Rules& rules) {
@@ -62,7 +61,7 @@ void check_mesh(Rules& rules) {
       rules.broken({path, path + ".name"}, fmt::format("found a second body named {}", shown(body.name)));
     names.push_back(body.name);
   }
-  rules.whole_number("mesh.refine", mesh.refine, from_to(1, finest));
+  rules.whole_number("mesh.refine", mesh.refine, bounds::refine);
   if (const double cells = cells_of(mesh); cells > most_cells)
     rules.broken(
         {"mesh.generate", "mesh.refine"},

@@ -89,7 +89,7 @@ void check_obstacle(Rules& rules, const ContactZone& zone) {
     break;
   }
   if (obstacle.kind != ObstacleKind::plane)
-    rules.number(shape + ".radius", obstacle.radius, above(0));
+    rules.number(shape + ".radius", obstacle.radius, bounds::radius);
   check_move(rules, obstacle, path + ".move");
 }
 

@@ -97,7 +97,7 @@ void check_one(Rules& rules, const Check& check, const std::string& path) {
   if (has_reference && check.relative && check.reference == 0)
     rules.broken({path + ".reference", path + ".kind"},
                  "found 0, to which nothing can be relative, expected 'kind: absolute' with it");
-  rules.number(path + ".tolerance", check.tolerance, above(0));
+  rules.number(path + ".tolerance", check.tolerance, bounds::check_tolerance);
 }
 
 } // namespace
@@ -115,9 +115,9 @@ void check_output(Rules& rules) {
   const auto& fields = rules.study.fields;
   const auto& checkpoint = rules.study.checkpoint;
   check_instants(rules, "fields.at", fields.at);
-  rules.whole_number("fields.every", fields.every, at_least(0));
+  rules.whole_number("fields.every", fields.every, bounds::every);
   check_instants(rules, "checkpoint.at", checkpoint.at);
-  rules.whole_number("checkpoint.every", checkpoint.every, at_least(0));
+  rules.whole_number("checkpoint.every", checkpoint.every, bounds::every);
 }
 
 void check_checks(Rules& rules) {

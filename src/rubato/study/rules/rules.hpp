@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/core/naming.hpp"
+#include "rubato/study/bounds.hpp"
 #include "rubato/study/range.hpp"
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"

@@ -29,13 +29,14 @@ void check_law(Rules& rules, const Material& material, const std::string& path) 
 void check_material(Rules& rules, const Material& material, const std::string& path) {
   check_law(rules, material, path);
   if (material.density)
-    rules.number(path + ".density", *material.density, at_least(0)); // where 0 is enough only the mesh tells
+    rules.number(path + ".density", *material.density,
+                 bounds::density); // where 0 is enough only the mesh tells
   else if (rules.study.time.scheme != SchemeKind::static_steps)
     rules.broken({path, path + ".density", "time.scheme"},
                  fmt::format("'density' is missing: the scheme {} moves masses",
                              word_of(scheme_words, rules.study.time.scheme)));
-  rules.number(path + ".rayleigh.stiffness", material.rayleigh_stiffness, at_least(0));
-  rules.number(path + ".rayleigh.mass", material.rayleigh_mass, at_least(0));
+  rules.number(path + ".rayleigh.stiffness", material.rayleigh_stiffness, bounds::rayleigh);
+  rules.number(path + ".rayleigh.mass", material.rayleigh_mass, bounds::rayleigh);
   if (!material.everywhere && material.cells.empty())
     rules.broken({path + ".cells"}, "found an empty list, expected 'all' or groups of cells");
   rules.names(path + ".cells", material.cells);

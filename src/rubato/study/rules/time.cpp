@@ -53,14 +53,14 @@ void check_course(Rules& rules) {
     return;
   }
   check_length(rules);
-  rules.number("time.step", time.step, is_explicit(time.scheme) ? at_least(0) : above(0));
+  rules.number("time.step", time.step, is_explicit(time.scheme) ? at_least(0) : bounds::step);
   check_fits(rules, "time.step", time.step);
   if (!is_explicit(time.scheme))
     return;
   if (!time.instants.empty())
     rules.broken({"time.instants", "time.scheme"},
                  "the scheme central_difference chooses its steps; results are kept every 'record'");
-  rules.number("time.record", time.record, above(0));
+  rules.number("time.record", time.record, bounds::record);
   check_fits(rules, "time.record", time.record);
 }
 
@@ -96,14 +96,14 @@ void check_time(Rules& rules) {
   check_start(rules);
   if (is_explicit(rules.study.time.scheme))
     return;
-  rules.whole_number("time.on_failure.cut", rules.study.time.cut_parts, from_to(2, 1000));
-  rules.whole_number("time.on_failure.levels", rules.study.time.cut_levels, from_to(0, 50));
+  rules.whole_number("time.on_failure.cut", rules.study.time.cut_parts, bounds::cut_parts);
+  rules.whole_number("time.on_failure.levels", rules.study.time.cut_levels, bounds::cut_levels);
 }
 
 void check_solution(Rules& rules) {
   const auto& study = rules.study;
-  rules.whole_number("newton.max_iterations", study.newton.max_iterations, from_to(1, 1'000'000));
-  rules.number("newton.residual", study.newton.residual, between(0, 1));
+  rules.whole_number("newton.max_iterations", study.newton.max_iterations, bounds::max_iterations);
+  rules.number("newton.residual", study.newton.residual, bounds::residual);
   if (is_explicit(study.time.scheme) && study.solver != Solver::automatic)
     rules.broken({"solver", "time.scheme"}, fmt::format("the scheme {} solves no system, expected auto",
                                                         word_of(scheme_words, study.time.scheme)));

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/grammar/parts.hpp"
+#include "rubato/study/bounds.hpp"
+#include "rubato/study/words.hpp"
+
+namespace rubato::deck::grammar {
+namespace {
+
+Forms whole() {
+  return map("a deck",
+             {{"title", "free text, repeated in the results", text()},
+              {"units", "free text that names the units; SI when not given", text()},
+              {"physics", "3D (solid), or what a 2D mesh stands for", word_of(study::physics_words), true},
+              {"thickness", "of plane_stress and plane_strain [length]; 1 when not given",
+               number(study::bounds::thickness)},
+              {"mesh", "a mesh file, or bodies that are generated", mesh(), true},
+              {"materials", "materials by name", materials(), true},
+              {"functions", "functions of time by name", functions()},
+              {"supports", "displacements that are held or imposed", supports()},
+              {"springs", "springs between nodes and the ground", springs()},
+              {"loads", "forces, pressures and gravity", loads()},
+              {"initial", "displacement and velocity at the first instant", initial()},
+              {"contact", "contact zones by name", contact()},
+              {"time", "scheme and instants", time(), true},
+              {"newton", "when an iteration ends", newton()},
+              {"solver", "how systems are solved; auto when not given", word_of(study::solver_words)},
+              {"probes", "histories by name, written at every step", probes()},
+              {"fields", "whole fields at chosen instants", fields()},
+              {"checkpoint", "when the state is stored that --resume continues from", checkpoint()},
+              {"checks", "numbers that must come out", checks()}});
+}
+
+} // namespace
+
+const Forms& deck() {
+  static const auto forms = whole();
+  return forms;
+}
+
+const Forms& runs() {
+  static const auto forms = named(deck());
+  return forms;
+}
+
+} // namespace rubato::deck::grammar

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/grammar/form.hpp"
+
+#include "rubato/study/words.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace rubato::deck::grammar {
+namespace {
+
+using Kind = Form::Kind;
+
+study::Range hull(const study::Range& one, const study::Range& other) {
+  auto range = one;
+  if (other.low < one.low || (other.low == one.low && other.low_allowed)) {
+    range.low = other.low;
+    range.low_allowed = other.low_allowed;
+  }
+  if (other.high > one.high || (other.high == one.high && other.high_allowed)) {
+    range.high = other.high;
+    range.high_allowed = other.high_allowed;
+  }
+  return range;
+}
+
+Forms plain(Kind kind) {
+  return {Form{.kind = kind, .words = {}, .title = {}}};
+}
+
+} // namespace
+
+Forms number(const study::Range& range) {
+  return {Form{.kind = Kind::number, .range = range, .words = {}, .title = {}}};
+}
+
+Forms whole_number(const study::Range& range) {
+  return {Form{.kind = Kind::whole_number, .range = range, .words = {}, .title = {}}};
+}
+
+Forms truth() {
+  return plain(Kind::truth);
+}
+
+Forms word(std::vector<std::string> words) {
+  return {Form{.kind = Kind::word, .words = std::move(words), .title = {}}};
+}
+
+Forms name() {
+  return plain(Kind::name);
+}
+
+Forms names() {
+  return either(name(), list(name()));
+}
+
+Forms text() {
+  return plain(Kind::text);
+}
+
+Forms expression() {
+  return plain(Kind::expression);
+}
+
+Forms list(Forms items, std::size_t least, std::size_t most) {
+  return {Form{
+      .kind = Kind::list, .words = {}, .of = std::move(items), .least = least, .most = most, .title = {}}};
+}
+
+Forms map(std::string title, std::vector<Key> keys) {
+  return {Form{.kind = Kind::map, .words = {}, .title = std::move(title), .keys = std::move(keys)}};
+}
+
+Forms named(Forms entries) {
+  return {Form{.kind = Kind::named, .words = {}, .of = std::move(entries), .title = {}}};
+}
+
+Forms either(Forms one, Forms other) {
+  std::ranges::move(other, std::back_inserter(one));
+  return one;
+}
+
+Forms varying(Forms value) {
+  auto alone = value;
+  return either(std::move(alone),
+                map("a value times a function of time",
+                    {{"value", "what the function multiplies", std::move(value), true},
+                     {"function", "name of a function of time, an entry of 'functions'", name()}}));
+}
+
+std::vector<Key> components(const std::string& meaning, const Forms& forms) {
+  std::vector<Key> keys;
+  for (const auto axis : study::axis_words)
+    keys.push_back({std::string(axis), meaning + " along " + std::string(axis), forms});
+  return keys;
+}
+
+Forms coordinates() {
+  return list(number(), 2, study::axis_words.size());
+}
+
+void add_number(std::vector<Key>& keys, std::string_view name, std::string_view meaning,
+                const study::Range& range) {
+  const auto known = std::ranges::find(keys, name, &Key::name);
+  if (known == keys.end()) {
+    keys.push_back({std::string(name), std::string(meaning), number(range)});
+    return;
+  }
+  auto& known_range = known->forms.front().range;
+  known_range = hull(known_range, range);
+  if (known->meaning.find(meaning) == std::string::npos)
+    known->meaning += "; or " + std::string(meaning);
+}
+
+std::vector<Key> joined(std::vector<Key> one, std::vector<Key> other) {
+  std::ranges::move(other, std::back_inserter(one));
+  return one;
+}
+
+const Forms* forms_of(const Forms& forms, std::string_view key) {
+  for (const auto& form : forms)
+    for (const auto& entry : form.keys)
+      if (entry.name == key)
+        return &entry.forms;
+  return nullptr;
+}
+
+const Forms* forms_of_each(const Forms& forms, Kind kind) {
+  const auto found = std::ranges::find(forms, kind, &Form::kind);
+  return found == forms.end() ? nullptr : &found->of;
+}
+
+} // namespace rubato::deck::grammar

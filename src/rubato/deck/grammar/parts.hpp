@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The forms of each part of a deck.
+#pragma once
+
+#include "rubato/deck/grammar/form.hpp"
+
+namespace rubato::deck::grammar {
+
+Forms mesh();
+Forms materials();
+Forms functions();
+Forms supports();
+Forms loads();
+Forms springs();
+Forms initial();
+Forms contact();
+Forms obstacle();
+Forms time();
+Forms newton();
+Forms probes();
+Forms fields();
+Forms checkpoint();
+Forms checks();
+
+/// The whole, but for `runs`, which lie over it.
+const Forms& deck();
+/// Changes of the deck by names of runs.
+const Forms& runs();
+
+} // namespace rubato::deck::grammar

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Probes, fields, checkpoints and checks.
+#include "rubato/deck/grammar/parts.hpp"
+#include "rubato/study/bounds.hpp"
+#include "rubato/study/words.hpp"
+
+namespace rubato::deck::grammar {
+
+Forms probes() {
+  return named(
+      map("a history of nodes",
+          {{"node", "a node, or a group of one node", name()},
+           {"point", "coordinates: the nearest node [length]", coordinates()},
+           {"on", "a group, with 'take'", name()},
+           {"take", "the value over the nodes of 'on', for each component", word_of(study::probe_take_words)},
+           {"field", "displacement when not given", word_of(study::probe_field_words)}}));
+}
+
+Forms fields() {
+  const auto format = word({study::field_formats.begin(), study::field_formats.end()});
+  return map("whole fields that are stored",
+             {{"formats", "vtu (ParaView), med (Salome, and comparisons); vtu when not given",
+               either(format, list(format))},
+              {"at", "instants, ascending [time]", list(number())},
+              {"every", "and every n-th step, 0 for none", whole_number(study::bounds::every)},
+              {"last", "and the last step; true when not given", truth()}});
+}
+
+Forms checkpoint() {
+  return map("when the state is stored that --resume continues from",
+             {{"every", "every n-th step, of an explicit run every n-th record; 0 for none",
+               whole_number(study::bounds::every)},
+              {"at", "instants, ascending [time]", list(number())},
+              {"last", "and when the run ends; true when not given", truth()}});
+}
+
+Forms checks() {
+  return list(map(
+      "a number that must come out",
+      {{"probe", "a probe and a component, tip.y", name()},
+       {"field", "a field at the nodes and a component, displacement.y; with 'run'", name()},
+       {"on", "a group or a node where the field is compared; every node when not given", name()},
+       {"at", "instant [time]", number(), true},
+       {"reference", "the number", number()},
+       {"run", "earlier run of the deck whose value is subtracted", name()},
+       {"tolerance", "largest permitted deviation", number(study::bounds::check_tolerance), true},
+       {"kind", "what the tolerance is; relative when not given", word_of(study::check_kind_words)},
+       {"source", "where the number comes from; external when not given", word_of(study::check_source_words)},
+       {"note", "more about the source", text()}}));
+}
+
+} // namespace rubato::deck::grammar

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Materials, functions of time, supports, loads, springs, and how the bodies begin.
+#include "rubato/deck/grammar/parts.hpp"
+#include "rubato/study/bounds.hpp"
+#include "rubato/study/words.hpp"
+
+namespace rubato::deck::grammar {
+namespace {
+
+/// What each kind of load is, and its unit.
+std::string meaning_of(study::LoadKind kind) {
+  switch (kind) {
+  case study::LoadKind::nodal_force:
+    return "force on each node of the group [force]";
+  case study::LoadKind::line_force:
+    return "force on edges [force/length]";
+  case study::LoadKind::surface_force:
+    return "force on faces, in 2D on edges times the thickness [force/length²]";
+  case study::LoadKind::pressure:
+    return "pressure on faces, positive pushes into the body [force/length²]";
+  case study::LoadKind::gravity:
+    return "acceleration of the mass [length/time²]";
+  }
+  return {};
+}
+
+Forms load(study::LoadKind kind) {
+  const auto everywhere = kind == study::LoadKind::gravity;
+  std::vector<Key> keys{
+      {"on", everywhere ? "group of cells; every cell when not given" : "group", name(), !everywhere}};
+  if (kind == study::LoadKind::pressure)
+    keys.push_back({"value", "pressure [force/length²], a number or an expression", expression(), true});
+  else
+    keys = joined(std::move(keys), components("component, a number or an expression,", expression()));
+  keys.push_back({"function", "name of a function of time that multiplies it", name()});
+  return map(meaning_of(kind), std::move(keys));
+}
+
+} // namespace
+
+Forms materials() {
+  auto keys =
+      joined({{"law", "what gives stresses from strains; elastic when not given", word_of(study::law_words)},
+              {"density", "[mass/length³]; not needed by the scheme static", number(study::bounds::density)}},
+             numbers_of(study::material_laws));
+  keys.push_back({"rayleigh", "damping matrix from stiffness and mass",
+                  map("Rayleigh damping",
+                      {{"stiffness", "factor of the stiffness [time]", number(study::bounds::rayleigh)},
+                       {"mass", "factor of the mass [1/time]", number(study::bounds::rayleigh)}})});
+  keys.push_back({"cells", "all, or groups of cells", names()});
+  return named(map("a material", std::move(keys)));
+}
+
+Forms functions() {
+  return named(map("a piecewise linear function of time",
+                   {{"times", "instants, ascending [time]", list(number(), 1), true},
+                    {"values", "factors, one for each instant", list(number()), true},
+                    {"outside", "before the first and after the last instant; constant when not given",
+                     word_of(study::outside_words)}}));
+}
+
+Forms supports() {
+  std::vector<std::string> axes(study::axis_words.begin(), study::axis_words.end());
+  const auto axis = word(std::move(axes));
+  return list(map("a support", joined({{"on", "group of nodes or cells", name(), true},
+                                       {"fix", "axes held at 0", either(axis, list(axis))}},
+                                      components("imposed displacement [length]", varying(expression())))));
+}
+
+Forms loads() {
+  std::vector<Key> kinds;
+  for (const auto& kind : study::load_words)
+    kinds.push_back({std::string(kind.text), meaning_of(kind.value), load(kind.value)});
+  auto entry = map("one load", std::move(kinds));
+  entry.front().least = 1;
+  entry.front().most = 1;
+  return list(std::move(entry));
+}
+
+Forms springs() {
+  return list(map(
+      "springs between nodes and the ground",
+      joined({{"on", "group of nodes or cells, or a node", name(), true}},
+             components("stiffness of each node's spring [force/length]", number(study::bounds::spring)))));
+}
+
+Forms initial() {
+  return list(map("how a part of the bodies begins",
+                  {{"on", "group of nodes or cells, a node, or all", name(), true},
+                   {"displacement", "at the first instant [length]",
+                    map("an initial displacement", components("displacement [length]", number()))},
+                   {"velocity", "at the first instant [length/time]",
+                    map("an initial velocity", components("velocity [length/time]", number()))}}));
+}
+
+} // namespace rubato::deck::grammar

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/grammar/parts.hpp"
+#include "rubato/study/bounds.hpp"
+#include "rubato/study/words.hpp"
+
+namespace rubato::deck::grammar {
+namespace {
+
+Forms start() {
+  return either(word_of(study::start_words),
+                map("a start from another run", {{"from", "earlier run of the deck", name(), true}}));
+}
+
+} // namespace
+
+Forms time() {
+  const auto keys =
+      joined({{"scheme", "time scheme; moreau_jean when not given", word_of(study::scheme_words)}},
+             numbers_of(study::schemes));
+  return map(
+      "the course of time",
+      joined(keys,
+             {{"record", "central_difference: time between results [time]", number(study::bounds::record)},
+              {"contact_mass", "mass of the slave surfaces; redistributed with moreau_jean when not given",
+               word_of(study::contact_mass_words)},
+              {"begin", "first instant [time]; 0 when not given", number()},
+              {"step", "length of a step [time]; auto with central_difference",
+               either(number(study::bounds::step), word({std::string(study::automatic_step)}))},
+              {"end", "last instant [time]", number()},
+              {"instants", "all instants after begin, ascending, instead of step and end [time]",
+               list(number(), 1)},
+              {"start", "how the run begins; consistent when not given", start()},
+              {"on_failure", "what is done with a step that fails",
+               map("cutting of steps", {{"cut", "parts a failed step is cut into; 2 when not given",
+                                         whole_number(study::bounds::cut_parts)},
+                                        {"levels", "how often in a row; 12 when not given",
+                                         whole_number(study::bounds::cut_levels)}})}}));
+}
+
+Forms newton() {
+  return map(
+      "Newton's method",
+      {{"max_iterations", "of one solve; 40 when not given", whole_number(study::bounds::max_iterations)},
+       {"residual", "largest residual force over the largest force; 1e-8 when not given",
+        number(study::bounds::residual)}});
+}
+
+} // namespace rubato::deck::grammar

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Bounds of the numbers that no row of a table has: the rules and the deck's grammar read them here.
+#pragma once
+
+#include "rubato/study/range.hpp"
+
+namespace rubato::study::bounds {
+
+inline constexpr Range thickness = above(0);
+inline constexpr Range divisions = at_least(1);
+inline constexpr Range refine = from_to(1, 1000);
+inline constexpr Range density = at_least(0);
+inline constexpr Range rayleigh = at_least(0);
+inline constexpr Range spring = above(0);
+inline constexpr Range friction = at_least(0);
+inline constexpr Range restitution = from_to(0, 1);
+inline constexpr Range tangential = above(0);
+inline constexpr Range radius = above(0);
+inline constexpr Range loop_tolerance = between(0, 1);
+inline constexpr Range max_loops = from_to(1, 10'000);
+inline constexpr Range step = above(0);
+inline constexpr Range record = above(0);
+inline constexpr Range cut_parts = from_to(2, 1000);
+inline constexpr Range cut_levels = from_to(0, 50);
+inline constexpr Range max_iterations = from_to(1, 1'000'000);
+inline constexpr Range residual = between(0, 1);
+inline constexpr Range every = at_least(0);
+inline constexpr Range check_tolerance = above(0);
+
+} // namespace rubato::study::bounds
