@@ -217,6 +217,7 @@ public:
 
 private:
   static constexpr const char* mesh_name = "mesh";
+  static constexpr std::size_t resultant_numbers = 7; ///< in a line, beside the force's components
   inline static const Ending running{.reason = "the run did not come to its end"};
 
   /// How far the files had come before the last attempt was written.
@@ -355,7 +356,9 @@ private:
   void write_resultants(const step::State& now) {
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
       const auto r = contact_resultants(now.zones[z]);
-      std::vector<double> row{now.t, static_cast<double>(r.in_contact), static_cast<double>(r.sticking)};
+      std::vector<double> row;
+      row.reserve(resultant_numbers + static_cast<std::size_t>(model_.dofs.components));
+      row.insert(row.end(), {now.t, static_cast<double>(r.in_contact), static_cast<double>(r.sticking)});
       for (int i = 0; i < model_.dofs.components; ++i)
         row.push_back(r.force[i]);
       row.insert(row.end(), {r.normal, r.friction, r.largest_pressure, r.smallest_gap});
