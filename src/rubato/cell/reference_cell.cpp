@@ -12,8 +12,8 @@ namespace {
 
 using Table = std::array<const ReferenceCell*, cell_type_count>;
 
-/// Runs once: apart from the look-up, which is called for every contact point.
-[[gnu::cold]] Table every_reference_cell() {
+/// Runs once: apart from the look-up, which is called for every contact point and saves no registers then.
+[[gnu::cold, gnu::noinline]] Table every_reference_cell() noexcept {
   Table table{};
   for (const auto family :
        {seg_cells(), tria_cells(), quad_cells(), tetra_cells(), pyra_cells(), penta_cells(), hexa_cells()})
@@ -22,12 +22,16 @@ using Table = std::array<const ReferenceCell*, cell_type_count>;
   return table;
 }
 
-const ReferenceCell* find(CellType type) {
+[[gnu::noinline]] const Table& reference_cells() {
   static const Table table = every_reference_cell();
-  return table[static_cast<std::size_t>(type)];
+  return table;
 }
 
-[[noreturn]] void throw_without_mechanics(CellType type) {
+const ReferenceCell* find(CellType type) {
+  return reference_cells()[static_cast<std::size_t>(type)];
+}
+
+[[noreturn, gnu::cold, gnu::noinline]] void throw_without_mechanics(CellType type) {
   throw std::invalid_argument("no mechanics on cells of type " + std::string(cell::topology(type).name));
 }
 

@@ -195,7 +195,9 @@ ZoneState initial_state(const Zone& zone) {
   const auto closed = zone.settings.tie ? Status::stick : Status::slip;
   return {VectorXd::Zero(zone.multiplier_count()),
           std::vector<Status>(zone.points.size(), active ? closed : Status::open),
-          std::vector<PointOutcome>(zone.points.size())};
+          std::vector<PointOutcome>(zone.points.size()),
+          std::vector<FrictionHistory>(zone.points.size()),
+          {}};
 }
 
 std::vector<std::uint8_t> touched_points(const Zone& zone, const ZoneState& state) {
@@ -350,6 +352,7 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
     auto& outcome = all[i];
     outcome.gap = points[i].variables.gap;
     outcome.slip = points[i].variables.slip;
+    outcome.area = point.area * points[i].cover;
     if (status[i] == Status::open)
       continue;
     const auto traction =

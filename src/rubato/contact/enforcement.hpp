@@ -2,6 +2,7 @@
 /// Contact forces, multiplier equations and their tangent for a whole zone.
 #pragma once
 
+#include "rubato/contact/friction_history.hpp"
 #include "rubato/contact/kinematics.hpp"
 #include "rubato/contact/law.hpp"
 #include "rubato/contact/neighbours.hpp"
@@ -26,6 +27,7 @@ struct PointOutcome {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< force of the master on the slave, its two parts
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();
   double activation_gap = 0; ///< of a law of velocities: what it still had when it closed [length]
+  double area = 0;           ///< undeformed, of the part of the point's share that faces the master [area]
 
   bool operator==(const PointOutcome&) const = default;
 };
@@ -37,8 +39,10 @@ double pressing_force(const PointOutcome& outcome);
 struct ZoneState {
   /// Node after node of the slave surface, those of the zone's multiplier_variables.
   Eigen::VectorXd multipliers;
-  std::vector<Status> status;         ///< one a contact point
-  std::vector<PointOutcome> outcomes; ///< one a contact point
+  std::vector<Status> status;                    ///< one a contact point
+  std::vector<PointOutcome> outcomes;            ///< one a contact point
+  std::vector<FrictionHistory> friction_history; ///< one a contact point
+  FrictionForces friction_forces;                ///< at the end of the step
 
   bool operator==(const ZoneState&) const = default;
 };

@@ -58,7 +58,7 @@ std::vector<double> penalty_stiffness(const Zone& zone, const domain::DofMap& do
 ExplicitPenalty::ExplicitPenalty(const Zone& zone, const domain::DofMap& dofs,
                                  std::vector<double> normal_stiffness)
     : zone_(&zone), dofs_(&dofs), normal_stiffness_(std::move(normal_stiffness)), neighbours_(zone),
-      springs_(zone.points.size()) {}
+      springs_(zone.points.size()), friction_history_(zone.points.size()) {}
 
 void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd& velocity, double step,
                               VectorXd& force) {
@@ -69,14 +69,14 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
     auto& spring = springs_[i];
     const double energy = tangential_energy(i);
     if (!neighbours_.pairs()[i].paired()) {
-      dissipated_ += energy;
+      dissipate(i, energy);
       spring = {.paired = false};
       continue;
     }
     measure_kinematics(*zone_, zone_->points[i], neighbours_.pairs()[i], configuration, place_);
     spring.gap = place_.gap;
     if (!press(spring, normal_stiffness_[i])) {
-      dissipated_ += energy;
+      dissipate(i, energy);
       continue;
     }
     const Vector3d relative = step * place_.stencil.gather(velocity, *dofs_) - place_.obstacle_displacement;
@@ -86,7 +86,8 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
     const Vector3d traction = spring.traction;
     rub(spring, normal_stiffness_[i], slip);
     const double work = -0.5 * zone_->points[i].weight * (traction + spring.traction).dot(slip);
-    dissipated_ += work - (tangential_energy(i) - energy);
+    dissipate(i, work - (tangential_energy(i) - energy));
+    friction_history_[i].slip += slip.norm();
     const Vector3d push = zone_->points[i].weight * (spring.pressure * spring.normal + spring.traction);
     place_.stencil.scatter(-push, *dofs_, force);
   }
@@ -112,6 +113,7 @@ double ExplicitPenalty::stored() const {
 
 void ExplicitPenalty::restore(const Memory& memory, const Configuration& configuration) {
   springs_ = memory.springs;
+  friction_history_ = memory.friction_history;
   dissipated_ = memory.dissipated;
   pair_anew(neighbours_, configuration);
 }
@@ -125,7 +127,9 @@ ZoneState ExplicitPenalty::state() const {
     state.status[i] = spring.status;
     state.outcomes[i] = {neighbours_.pairs()[i].paired() ? spring.gap : INFINITY, spring.slip_on_tangents,
                          spring.pressure, weight * spring.pressure * spring.normal, weight * spring.traction};
+    state.outcomes[i].area = zone_->points[i].area;
   }
+  state.friction_history = friction_history_;
   return state;
 }
 
@@ -176,6 +180,11 @@ bool ExplicitPenalty::press(Spring& spring, double normal_stiffness) const {
     return true;
   spring = {.gap_offset = spring.gap_offset, .gap = spring.gap};
   return false;
+}
+
+void ExplicitPenalty::dissipate(std::size_t point, double work) {
+  dissipated_ += work;
+  friction_history_[point].work += work;
 }
 
 /// Friction after a slip increment: elastic as far as Coulomb allows.

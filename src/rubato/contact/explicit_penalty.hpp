@@ -51,7 +51,8 @@ public:
   };
   /// All that the zone carries from step to step.
   struct Memory {
-    std::vector<Spring> springs; ///< one a contact point
+    std::vector<Spring> springs;                   ///< one a contact point
+    std::vector<FrictionHistory> friction_history; ///< one a contact point
     double dissipated = 0;
   };
 
@@ -71,7 +72,7 @@ public:
   double stored() const;                            ///< in the springs [force · length]
   double dissipated() const { return dissipated_; } ///< by friction, in all steps
 
-  Memory memory() const { return {springs_, dissipated_}; }
+  Memory memory() const { return {springs_, friction_history_, dissipated_}; }
   /// Goes back to what it carried at a configuration.
   void restore(const Memory& memory, const Configuration& configuration);
 
@@ -87,6 +88,7 @@ public:
 
 private:
   bool press(Spring& spring, double normal_stiffness) const;
+  void dissipate(std::size_t point, double work);
   void rub(Spring& spring, double normal_stiffness, const Eigen::Vector3d& slip) const;
   double tangential_energy(std::size_t point) const;
   template <class Visit> void visit_nodes(std::size_t point, const Visit& visit) const;
@@ -96,6 +98,7 @@ private:
   std::vector<double> normal_stiffness_;
   NeighbourList neighbours_;
   std::vector<Spring> springs_;
+  std::vector<FrictionHistory> friction_history_;
   Kinematics place_; ///< of one point after the other
   double dissipated_ = 0;
 };

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <concepts>
 #include <span>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -25,7 +26,7 @@ using Spring = contact::ExplicitPenalty::Spring;
 
 /// Shows every number of a record of a table, in the same order always.
 template <class Visit> void each_number(PointOutcome& outcome, const Visit& visit) {
-  for (auto* x : {&outcome.gap, &outcome.pressure, &outcome.activation_gap})
+  for (auto* x : {&outcome.gap, &outcome.pressure, &outcome.activation_gap, &outcome.area})
     visit(*x);
   for (auto& x : outcome.slip)
     visit(x);
@@ -33,6 +34,11 @@ template <class Visit> void each_number(PointOutcome& outcome, const Visit& visi
     visit(x);
   for (auto& x : outcome.tangential)
     visit(x);
+}
+
+template <class Visit> void each_number(contact::FrictionHistory& history, const Visit& visit) {
+  visit(history.slip);
+  visit(history.work);
 }
 
 template <class Visit> void each_number(Spring& spring, const Visit& visit) {
@@ -205,6 +211,13 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
     archive.numbers(at + "multipliers", state.zones[z].multipliers);
     archive.wholes(at + "status", state.zones[z].status);
     archive.table(at + "outcomes", state.zones[z].outcomes);
+    archive.table(at + "friction_history", state.zones[z].friction_history);
+    state.zones[z].friction_forces.exchange([&]<class Values>(const std::string& name, Values& values) {
+      if constexpr (std::is_same_v<Values, std::vector<double>>)
+        archive.numbers(at + "friction_forces/" + name, values);
+      else
+        archive.wholes(at + "friction_forces/" + name, values);
+    });
   }
 }
 
@@ -244,6 +257,7 @@ template <class Archive> void exchange(Archive& archive, RecorderPosition& posit
   archive.whole("files/attempts", position.attempts);
   archive.whole("files/energy", position.energy);
   archive.wholes("files/resultants", position.resultants);
+  archive.wholes("files/contact", position.contact);
   archive.numbers("files/field_times", position.field_times);
   archive.parts("files/field_files", position.field_files);
   for (std::size_t i = 0; i < position.field_files.size(); ++i)
@@ -271,6 +285,7 @@ template <class Archive> void exchange(Archive& archive, simulation::ExplicitPro
   for (std::size_t z = 0; z < motion.zones.size(); ++z) {
     const auto at = fmt::format("explicit/zone_{}/", z);
     archive.table(at + "springs", motion.zones[z].springs);
+    archive.table(at + "friction_history", motion.zones[z].friction_history);
     archive.number(at + "dissipated", motion.zones[z].dissipated);
   }
   exchange(archive, "explicit/energy/", motion.energy);

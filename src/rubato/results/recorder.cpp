@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/recorder.hpp"
 
-#include "rubato/core/tolerances.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/results/attempt_json.hpp"
+#include "rubato/results/contact_table.hpp"
 #include "rubato/results/history.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/run_folder.hpp"
+#include "rubato/results/summary_json.hpp"
 #include "rubato/results/vtu.hpp"
 #include "rubato/study/echo.hpp"
 #include "rubato/version.hpp"
@@ -89,52 +90,6 @@ double taken(study::ProbeTake take, const std::vector<double>& values) {
   return values.front();
 }
 
-ordered_json check_json(const CheckResult& r) {
-  ordered_json json{{"quantity", r.quantity},
-                    {"at", r.at},
-                    {"reference", r.reference},
-                    {"value", nullptr},
-                    {"deviation", nullptr},
-                    {"tolerance", r.tolerance},
-                    {"kind", r.relative ? "relative" : "absolute"},
-                    {"holds", r.holds},
-                    {"source", r.source},
-                    {"note", r.note}};
-  if (!r.run.empty())
-    json["run"] = r.run;
-  if (!r.where.empty())
-    json["where"] = r.where;
-  if (!r.failure.empty())
-    json["failure"] = r.failure;
-  if (r.value) {
-    json["value"] = *r.value;
-    json["deviation"] = r.deviation;
-  }
-  return json;
-}
-
-/// What decided when steps ended, beside the study's own.
-ordered_json tolerances_json() {
-  ordered_json json = ordered_json::object();
-  for (const auto& entry : named_tolerances)
-    json[std::string(entry.name)] = tolerances.*entry.value;
-  return json;
-}
-
-/// Which side is the slave of zones that leave it to the model, and why.
-ordered_json sides_json(const model::Model& model) {
-  ordered_json json = ordered_json::array();
-  for (const auto& zone : model.zones)
-    if (!zone.choice.empty())
-      json.push_back({{"zone", zone.settings.name},
-                      {"slave", zone.settings.slave},
-                      {"master", zone.settings.master},
-                      {"slave_faces", zone.slave.faces.size()},
-                      {"master_faces", zone.master.faces.size()},
-                      {"because", zone.choice}});
-  return json;
-}
-
 } // namespace
 
 class Recorder::Impl {
@@ -146,26 +101,27 @@ public:
     write_summary(running, {});
     history_.columns = probe_columns();
     const auto columns = resultant_columns();
-    for (const auto& zone : model_.zones)
+    for (const auto& zone : model_.zones) {
       resultants_.emplace_back(folder_ / resultants_file(zone.settings.name), columns);
+      contact_.emplace_back(model_, zone, folder_);
+    }
     if (model_.study.fields.vtu)
       std::filesystem::create_directories(folder_ / vtu_folder);
     if (model_.study.fields.med)
       mesh::write_med(folder_ / med_file, model_.mesh, mesh_name);
   }
 
-  Impl(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position,
-       const step::State& state)
+  Impl(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position)
       : model_(model), folder_(std::move(folder)), probes_(folder_ / probes_file, position.probes),
         steps_(folder_ / steps_file, position.attempts), energy_(folder_ / energy_file, position.energy),
         series_(folder_ / pvd_file, series_of(position)), history_(read_csv(folder_ / probes_file)),
-        med_copy_(position.med_copy), steps_done_(position.steps) {
-    for (std::size_t z = 0; z < model_.zones.size(); ++z)
-      resultants_.emplace_back(folder_ / resultants_file(model_.zones[z].settings.name),
-                               position.resultants.at(z));
+        unwritten_(position.unwritten), med_copy_(position.med_copy), steps_done_(position.steps) {
+    for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+      const auto& zone = model_.zones[z];
+      resultants_.emplace_back(folder_ / resultants_file(zone.settings.name), position.resultants.at(z));
+      contact_.emplace_back(model_, zone, folder_, position.contact.at(z));
+    }
     restore_fields();
-    if (position.unwritten)
-      unwritten_ = state;
     write_summary(running, {});
   }
 
@@ -188,11 +144,10 @@ public:
     write_probes(now);
     write_resultants(now);
     write_attempt(attempt, report);
-    unwritten_.reset();
-    if (wants_fields(now.t, now.t - before.t, last))
-      write_fields(now);
-    else if (has_fields() && model_.study.fields.last)
-      unwritten_ = now;
+    const bool wanted = wants_fields(now.t, now.t - before.t, last);
+    unwritten_ = !wanted && model_.study.fields.last;
+    if (wanted)
+      write_chosen(now);
   }
 
   void failed(const simulation::Attempt& attempt, const step::StepReport& report) {
@@ -206,7 +161,7 @@ public:
   }
 
   /// A .vtu file that was written whole stays; the next one of that number takes its place.
-  void take_back(const step::State& before) {
+  void take_back() {
     if (!mark_)
       return;
     const auto mark = *std::exchange(mark_, std::nullopt);
@@ -215,14 +170,14 @@ public:
     energy_.cut(mark.energy);
     for (std::size_t z = 0; z < resultants_.size(); ++z)
       resultants_[z].cut(mark.resultants[z]);
+    for (std::size_t z = 0; z < contact_.size(); ++z)
+      contact_[z].cut(mark.contact[z]);
     auto entries = series_.entries();
     entries.resize(mark.fields);
     series_ = PvdSeries(folder_ / pvd_file, std::move(entries));
     history_.rows.resize(mark.history);
     steps_done_ = mark.steps_done;
-    unwritten_.reset();
-    if (mark.unwritten)
-      unwritten_ = before;
+    unwritten_ = mark.unwritten;
   }
 
   RecorderPosition position() {
@@ -234,20 +189,22 @@ public:
     position.energy = energy_.bytes();
     for (const auto& table : resultants_)
       position.resultants.push_back(table.bytes());
+    for (const auto& table : contact_)
+      position.contact.push_back(table.bytes());
     for (const auto& entry : series_.entries()) {
       position.field_times.push_back(entry.time);
       position.field_files.push_back(entry.file.generic_string());
     }
     position.med_copy = med_copy_;
-    position.unwritten = unwritten_.has_value();
+    position.unwritten = unwritten_;
     return position;
   }
 
-  std::vector<CheckResult> finish(const Ending& ending) {
+  std::vector<CheckResult> finish(const Ending& ending, const step::State& last) {
     std::exception_ptr unwritten_fields; // the summary needs less room than they do
     try {
       if (unwritten_ && ending.status != RunStatus::complete)
-        write_fields(*unwritten_);
+        write_chosen(last);
     } catch (const WriteError&) {
       unwritten_fields = std::current_exception();
     }
@@ -260,6 +217,7 @@ public:
 
 private:
   static constexpr const char* mesh_name = "mesh";
+  static constexpr std::size_t resultant_numbers = 7; ///< in a line, beside the force's components
   inline static const Ending running{.reason = "the run did not come to its end"};
 
   /// How far the files had come before the last attempt was written.
@@ -268,6 +226,7 @@ private:
     std::uintmax_t attempts = 0;
     std::uintmax_t energy = 0;
     std::vector<std::uintmax_t> resultants;
+    std::vector<std::uintmax_t> contact;
     std::size_t fields = 0;
     std::size_t history = 0;
     int steps_done = 0;
@@ -275,10 +234,12 @@ private:
   };
 
   void mark() {
-    mark_ = {probes_.bytes(),          steps_.bytes(),       energy_.bytes(), {},
-             series_.entries().size(), history_.rows.size(), steps_done_,     unwritten_.has_value()};
+    mark_ = {probes_.bytes(),          steps_.bytes(),       energy_.bytes(), {},        {},
+             series_.entries().size(), history_.rows.size(), steps_done_,     unwritten_};
     for (const auto& table : resultants_)
       mark_->resultants.push_back(table.bytes());
+    for (const auto& table : contact_)
+      mark_->contact.push_back(table.bytes());
   }
 
   static std::vector<PvdSeries::Entry> series_of(const RecorderPosition& position) {
@@ -374,12 +335,15 @@ private:
   }
 
   void write_probes(const step::State& state) {
-    std::vector<double> row{state.t};
+    std::vector<double> row;
+    row.reserve(1 + model_.probe_nodes.size() * static_cast<std::size_t>(model_.dofs.components));
+    row.push_back(state.t);
+    std::vector<double> values;
     for (std::size_t p = 0; p < model_.probe_nodes.size(); ++p) {
       const auto& probe = model_.study.probes[p];
       const auto& field = field_of(state, probe.field);
       for (int i = 0; i < model_.dofs.components; ++i) {
-        std::vector<double> values;
+        values.clear();
         for (const auto node : model_.probe_nodes[p])
           values.push_back(field[model_.dofs.dof(node, i)]);
         row.push_back(taken(probe.take, values));
@@ -392,7 +356,9 @@ private:
   void write_resultants(const step::State& now) {
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
       const auto r = contact_resultants(now.zones[z]);
-      std::vector<double> row{now.t, static_cast<double>(r.in_contact), static_cast<double>(r.sticking)};
+      std::vector<double> row;
+      row.reserve(resultant_numbers + static_cast<std::size_t>(model_.dofs.components));
+      row.insert(row.end(), {now.t, static_cast<double>(r.in_contact), static_cast<double>(r.sticking)});
       for (int i = 0; i < model_.dofs.components; ++i)
         row.push_back(r.force[i]);
       row.insert(row.end(), {r.normal, r.friction, r.largest_pressure, r.smallest_gap});
@@ -404,12 +370,8 @@ private:
     steps_.add(to_json(model_, attempt, report).dump());
   }
 
-  bool has_fields() const { return model_.study.fields.vtu || model_.study.fields.med; }
-
   bool wants_fields(double t, double step, bool last) const {
     const auto& wanted = model_.study.fields;
-    if (!has_fields())
-      return false;
     if (last && wanted.last)
       return true;
     if (wanted.every > 0 && steps_done_ % wanted.every == 0)
@@ -417,7 +379,16 @@ private:
     return is_named_instant(wanted.at, t, step);
   }
 
+  /// All that is written at chosen instants. Before the first step nothing is known of contact.
+  void write_chosen(const step::State& now) {
+    for (auto& table : contact_)
+      table.write(now);
+    write_fields(now);
+  }
+
   void write_fields(const step::State& now) {
+    if (!model_.study.fields.vtu && !model_.study.fields.med)
+      return;
     const auto owned = nodal_fields(model_, now);
     std::vector<NodalField> fields;
     std::ranges::transform(owned, std::back_inserter(fields), &OwnedField::view);
@@ -439,8 +410,9 @@ private:
   CsvWriter energy_;
   PvdSeries series_;
   std::vector<CsvWriter> resultants_;
+  std::vector<ContactTable> contact_;
   Table history_;
-  std::optional<step::State> unwritten_; // the last step, while it has no fields
+  bool unwritten_ = false;   // whether the last step has no fields that it may still get
   std::string med_copy_;     // by which the last checkpoint knows fields.med as it is now, or empty
   std::optional<Mark> mark_; // before the attempt that was written last
   int steps_done_ = 0;
@@ -449,9 +421,8 @@ private:
 
 Recorder::Recorder(const model::Model& model, std::filesystem::path folder)
     : impl_(std::make_unique<Impl>(model, std::move(folder))) {}
-Recorder::Recorder(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position,
-                   const step::State& state)
-    : impl_(std::make_unique<Impl>(model, std::move(folder), position, state)) {}
+Recorder::Recorder(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position)
+    : impl_(std::make_unique<Impl>(model, std::move(folder), position)) {}
 Recorder::~Recorder() = default;
 Recorder::Recorder(Recorder&&) noexcept = default;
 Recorder& Recorder::operator=(Recorder&&) noexcept = default;
@@ -469,8 +440,8 @@ void Recorder::step(const step::State& before, const step::State& now, const sim
 void Recorder::energy(double t, const step::EnergyLedger& ledger) {
   impl_->energy(t, ledger);
 }
-void Recorder::take_back(const step::State& before) {
-  impl_->take_back(before);
+void Recorder::take_back() {
+  impl_->take_back();
 }
 void Recorder::failed(const simulation::Attempt& attempt, const step::StepReport& report) {
   impl_->failed(attempt, report);
@@ -478,8 +449,8 @@ void Recorder::failed(const simulation::Attempt& attempt, const step::StepReport
 RecorderPosition Recorder::position() {
   return impl_->position();
 }
-std::vector<CheckResult> Recorder::finish(const Ending& ending) {
-  return impl_->finish(ending);
+std::vector<CheckResult> Recorder::finish(const Ending& ending, const step::State& last) {
+  return impl_->finish(ending, last);
 }
 
 } // namespace rubato::results

@@ -5,6 +5,7 @@
 ///   resultants_<zone>.csv  t; points in contact, sticking; force of the master on the slave x, y[, z];
 ///                          normal part (Σ|N|); friction part (|∫ tangential traction|); largest pressure;
 ///                          smallest gap
+///   contact_<zone>.csv     at the chosen instants, one line a contact point (contact_table.hpp)
 ///   energy.csv             t and the parts of the energy ledger
 ///   steps.jsonl            one JSON object a step tried, accepted or not
 ///   fields/*.vtu, *.pvd    and fields.med, at the chosen instants
@@ -52,6 +53,7 @@ struct RecorderPosition {
   std::uintmax_t attempts = 0;
   std::uintmax_t energy = 0;
   std::vector<std::uintmax_t> resultants; ///< one a zone
+  std::vector<std::uintmax_t> contact;    ///< one a zone
   std::vector<double> field_times;        ///< of the .vtu files
   std::vector<std::string> field_files;
   std::string med_copy;   ///< of fields.med, made when that grows again; empty: no such file
@@ -64,10 +66,9 @@ public:
   /// Creates the folder and its files; those of a run that was there before are gone then. Throws InputError
   /// when that cannot be done.
   Recorder(const model::Model& model, std::filesystem::path folder);
-  /// Goes on where a run stood; what its files hold beyond is gone then. `state`: of its last step. Throws
-  /// InputError when a file is shorter than it was.
-  Recorder(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position,
-           const step::State& state);
+  /// Goes on where a run stood; what its files hold beyond is gone then. Throws InputError when a file is
+  /// shorter than it was.
+  Recorder(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position);
   ~Recorder();
   Recorder(Recorder&&) noexcept;
   Recorder& operator=(Recorder&&) noexcept;
@@ -80,14 +81,13 @@ public:
             const step::StepReport& report, bool last);
   void energy(double t, const step::EnergyLedger& ledger);
   /// Takes back what was written of the last attempt, whole or not: by step() and energy(), or by failed().
-  /// `before`: its start.
-  void take_back(const step::State& before);
+  void take_back();
   void failed(const simulation::Attempt& attempt, const step::StepReport& report);
   /// For a checkpoint. fields.med is copied for it before it grows again.
   RecorderPosition position();
-  /// Evaluates the checks and writes run.json. Of a run that stopped early the last instant reached gets its
-  /// fields when the last one is wanted.
-  std::vector<CheckResult> finish(const Ending& ending);
+  /// Evaluates the checks and writes run.json. Of a run that stopped early the last instant reached, whose
+  /// state is `last`, gets its fields when the last one is wanted.
+  std::vector<CheckResult> finish(const Ending& ending, const step::State& last);
 
 private:
   class Impl;

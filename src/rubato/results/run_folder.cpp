@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view resultants_prefix = "resultants_";
+constexpr std::string_view contact_prefix = "contact_";
 constexpr std::size_t step_digits = 6;
 constexpr std::string_view med_copy_prefix = "checkpoint_";
 
@@ -37,7 +38,8 @@ bool is_med_copy(const std::string& name) {
 bool is_file_of_a_run(const std::string& name) {
   constexpr std::array known{probes_file, energy_file, steps_file, pvd_file, med_file, checkpoint_file};
   return std::ranges::find(known, name) != known.end() || is_med_copy(name) ||
-         (name.starts_with(resultants_prefix) && name.ends_with(".csv"));
+         ((name.starts_with(resultants_prefix) || name.starts_with(contact_prefix)) &&
+          name.ends_with(".csv"));
 }
 
 template <class Predicate>
@@ -70,6 +72,10 @@ std::vector<fs::path> former_files(const fs::path& folder) {
 
 std::string resultants_file(std::string_view zone) {
   return fmt::format("{}{}.csv", resultants_prefix, zone);
+}
+
+std::string contact_file(std::string_view zone) {
+  return fmt::format("{}{}.csv", contact_prefix, zone);
 }
 
 std::string vtu_file(int step) {

@@ -21,6 +21,8 @@ constexpr std::string_view former_folder = "former";
 
 /// "resultants_<zone>.csv"
 std::string resultants_file(std::string_view zone);
+/// "contact_<zone>.csv"
+std::string contact_file(std::string_view zone);
 /// "000012.vtu", in the folder `vtu_folder`.
 std::string vtu_file(int step);
 

@@ -83,7 +83,7 @@ private:
 
   void start_recording() {
     if (course_.from)
-      recorder_.emplace(model_, course_.folder, course_.from->recorder, simulation_.state());
+      recorder_.emplace(model_, course_.folder, course_.from->recorder);
     else {
       take_folder(course_, name(), watch_);
       recorder_.emplace(model_, course_.folder);
@@ -96,7 +96,7 @@ private:
     }
     simulation_.observe({.accepted = [this](const AcceptedStep& step) { record(step); },
                          .rejected = [this](const RejectedStep& step) { record(step); },
-                         .take_back = [this](const step::State& stays) { recorder_->take_back(stays); }});
+                         .take_back = [this](const step::State&) { recorder_->take_back(); }});
   }
 
   void record(const AcceptedStep& step) {
@@ -268,7 +268,8 @@ private:
     try {
       result_.checks =
           recorder_->finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
-                             result_.steps, result_.iterations, result_.cuts, failure_});
+                             result_.steps, result_.iterations, result_.cuts, failure_},
+                            simulation_.state());
     } catch (const WriteError&) {
       if (!broken_off_)
         throw;

@@ -66,6 +66,7 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
   step::GoesOn asked;
   if (goes_on)
     asked = [&](const step::ProgressState& state) { return goes_on({trial.attempt, state}); };
+  trial.state = std::move(spare_);
   trial.report = step::advance(model_, scheme_, systems_.of(control_.length()), state_, trial.attempt.end,
                                trial.state, asked);
   if (trial.report.outcome == step::Outcome::interrupted)
@@ -89,7 +90,7 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
 void ImplicitIntegrator::accept(Trial trial) {
   control_.accept();
   std::swap(account_, next_account_);
-  state_ = std::move(trial.state);
+  spare_ = std::exchange(state_, std::move(trial.state));
 }
 
 void ImplicitIntegrator::reject(const Trial& trial) {

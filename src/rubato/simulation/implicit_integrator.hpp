@@ -51,6 +51,7 @@ private:
   time::Scheme scheme_;
   step::SystemCache systems_;
   step::State state_;
+  step::State spare_; ///< storage for the next attempt: that of the state before
   time::StepControl control_;
   step::EnergyAccount account_;
   step::EnergyAccount next_account_; ///< with the step that make() has made

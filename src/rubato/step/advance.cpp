@@ -24,6 +24,15 @@ constexpr std::array<RetrySettings, 2> other_augmentations{
 /// Parts of μ tried one after the other, each from the last one's solution, when the whole of it fails.
 constexpr std::array<double, 5> friction_parts{0, 0.25, 0.5, 0.75, 1};
 
+/// As predict() has it, in the storage of `trial`.
+void start_trial(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+                 const State& committed, double t, State& trial) {
+  trial = committed;
+  trial.t = t;
+  time::predict(scheme, system.step, committed.motion, trial.motion);
+  time::correct(system.coefficients, model.reduction.correction(t, trial.motion.u), trial.motion);
+}
+
 /// One step from one place, tried in several ways.
 class Attempts {
 public:
@@ -79,7 +88,7 @@ public:
   /// Friction from none to all of it, each part from the last one's solution.
   StepReport raise_friction(State& trial) {
     StepReport report;
-    trial = predict(model_, scheme_, system_, committed_, t_);
+    start_trial(model_, scheme_, system_, committed_, t_, trial);
     for (const double part : friction_parts) {
       const auto start = part == friction_parts.front() ? Start::usual : Start::last_step;
       report = solve({.friction_part = part, .start = start}, trial);
@@ -96,7 +105,7 @@ public:
 
 private:
   StepReport afresh(const RetrySettings& variant, State& trial) {
-    trial = predict(model_, scheme_, system_, committed_, t_);
+    start_trial(model_, scheme_, system_, committed_, t_, trial);
     return solve(variant, trial);
   }
 
@@ -152,10 +161,8 @@ std::string solver_of(const Model& model, const EffectiveSystem& system) {
 
 State predict(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
               const State& committed, double t) {
-  State trial = committed;
-  trial.t = t;
-  trial.motion = time::predict(scheme, system.step, committed.motion);
-  time::correct(system.coefficients, model.reduction.correction(t, trial.motion.u), trial.motion);
+  State trial;
+  start_trial(model, scheme, system, committed, t, trial);
   return trial;
 }
 

@@ -21,7 +21,8 @@ State predict(const model::Model& model, const time::Scheme& scheme, const Effec
               const State& committed, double t);
 
 /// Advances `committed` to t. `goes_on` is asked at least once an iteration (step/progress.hpp); when it says
-/// no, the step ends as interrupted and `trial` means nothing. On success `trial` is the state at t. A failed
+/// no, the step ends as interrupted and `trial` means nothing. On success `trial` is the state at t; of what
+/// it was before nothing but its storage is used. A failed
 /// attempt is repeated with other augmentations, then with other loops, then with friction raised in parts,
 /// before it is reported.
 StepReport advance(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,

@@ -115,6 +115,8 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
 
 State continued_state(const Model& model, const time::Scheme& scheme, const State& end, double t) {
   State state = end;
+  for (auto& zone : state.zones)
+    std::ranges::fill(zone.friction_history, contact::FrictionHistory());
   state.t = t;
   state.step = 0; // the acceleration that follows is that of the instant, not of the last step
   state.residual_force = model.domain.initial_tangent() * state.motion.u - model::external_force(model, t);

@@ -92,16 +92,47 @@ StepCoefficients coefficients_of(const Scheme& scheme, double step) {
   return coefficients;
 }
 
-Motion predict(const Scheme& scheme, double step, const Motion& start) {
-  const auto size = start.u.size();
+namespace {
+
+void predict_acceleration(const Scheme& scheme, double step, const Motion& start, Eigen::VectorXd& a) {
+  const double beta = scheme.beta;
   if (!scheme.dynamic)
-    return {start.u, Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
+    a.setZero(start.u.size());
+  else if (scheme.nonsmooth) // a₀ is the mean of another step
+    a = -1 / (beta * step) * start.v;
+  else
+    a = -1 / (beta * step) * start.v + (2 * beta - 1) / (2 * beta) * start.a;
+}
+
+void predict_velocity(const Scheme& scheme, double step, const Motion& start, Eigen::VectorXd& v) {
   const double beta = scheme.beta;
   const double gamma = scheme.gamma;
-  if (scheme.nonsmooth) // a₀ is the mean of another step
-    return {start.u, (beta - gamma) / beta * start.v, -1 / (beta * step) * start.v};
-  return {start.u, (beta - gamma) / beta * start.v + (2 * beta - gamma) * step / (2 * beta) * start.a,
-          -1 / (beta * step) * start.v + (2 * beta - 1) / (2 * beta) * start.a};
+  if (!scheme.dynamic)
+    v.setZero(start.u.size());
+  else if (scheme.nonsmooth)
+    v = (beta - gamma) / beta * start.v;
+  else
+    v = (beta - gamma) / beta * start.v + (2 * beta - gamma) * step / (2 * beta) * start.a;
+}
+
+} // namespace
+
+Motion predict(const Scheme& scheme, double step, const Motion& start) {
+  Motion end;
+  predict(scheme, step, start, end);
+  return end;
+}
+
+void predict(const Scheme& scheme, double step, const Motion& start, Motion& end) {
+  end.u = start.u;
+  predict_velocity(scheme, step, start, end.v);
+  predict_acceleration(scheme, step, start, end.a);
+}
+
+Eigen::VectorXd predicted_acceleration(const Scheme& scheme, double step, const Motion& start) {
+  Eigen::VectorXd a;
+  predict_acceleration(scheme, step, start, a);
+  return a;
 }
 
 void correct(const StepCoefficients& coefficients, const Eigen::VectorXd& d, Motion& motion) {

@@ -63,6 +63,10 @@ struct Motion {
 };
 /// The predictor: where the step ends if d = 0. Zero velocity and acceleration for static steps.
 Motion predict(const Scheme& scheme, double step, const Motion& start);
+/// The same into another object, in whose storage it fits.
+void predict(const Scheme& scheme, double step, const Motion& start, Motion& end);
+/// The acceleration alone.
+Eigen::VectorXd predicted_acceleration(const Scheme& scheme, double step, const Motion& start);
 
 /// u += d, v and a accordingly.
 void correct(const StepCoefficients& coefficients, const Eigen::VectorXd& d, Motion& motion);

@@ -45,6 +45,7 @@ Checkpoint sample() {
   c.memento.progress = progress;
   c.record.gained_at = 0.2;
   c.recorder.resultants = {10, 20};
+  c.recorder.contact = {30, 40};
   c.recorder.field_times = {0.1};
   c.recorder.field_files = {"fields/000001.vtu"};
   c.recorder.unwritten = true;
@@ -75,6 +76,7 @@ TEST(CheckpointFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(progress.overlaps, expected.overlaps);
   EXPECT_EQ(read.record.gained_at, 0.2);
   EXPECT_EQ(read.recorder.resultants, written.recorder.resultants);
+  EXPECT_EQ(read.recorder.contact, written.recorder.contact);
   EXPECT_EQ(read.recorder.field_files, written.recorder.field_files);
   EXPECT_EQ(read.recorder.med_copy, "");
   EXPECT_TRUE(read.recorder.unwritten);

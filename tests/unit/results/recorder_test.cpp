@@ -54,8 +54,8 @@ protected:
 TEST_F(RunFolder, HoldsHistoriesStepsAndASummary) {
   const auto result = run(two_blocks + "checks: [{probe: end.y, at: 2e-4, reference: 1, tolerance: 0.1}]\n");
   EXPECT_EQ(names_in(folder_.path()),
-            (std::vector<std::string>{"checkpoint.h5", "energy.csv", "probes.csv", "resultants_interface.csv",
-                                      "run.json", "steps.jsonl"}));
+            (std::vector<std::string>{"checkpoint.h5", "contact_interface.csv", "energy.csv", "probes.csv",
+                                      "resultants_interface.csv", "run.json", "steps.jsonl"}));
   const auto probes = table("probes.csv");
   EXPECT_EQ(probes.columns, (std::vector<std::string>{"t", "end.x", "end.y"}));
   ASSERT_EQ(probes.rows.size(), 5U);

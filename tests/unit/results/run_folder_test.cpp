@@ -34,6 +34,7 @@ TEST(RunFolderPreparation, MovesWhatTheFormerRunWroteAndNothingElse) {
                                       pvd_file,
                                       med_file,
                                       resultants_file("interface"),
+                                      contact_file("interface"),
                                       fs::path(vtu_folder) / vtu_file(0),
                                       fs::path(vtu_folder) / vtu_file(1234567)};
   const std::vector<fs::path> foreign{"notes.csv", "deck.yaml", "fields/mine.vtu", "fields/000001.png",

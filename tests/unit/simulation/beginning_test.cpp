@@ -48,7 +48,10 @@ TEST(ASimulation, StartsFromTheEndOfAnotherRun) {
   Simulation after(study, {.previous = &preload.state()});
   EXPECT_EQ(after.state().t, study.time.begin);
   EXPECT_EQ(after.state().motion.u, preload.state().motion.u);
-  EXPECT_EQ(after.state().zones, preload.state().zones);
+  auto zones = preload.state().zones;
+  for (auto& zone : zones)
+    std::ranges::fill(zone.friction_history, contact::FrictionHistory());
+  EXPECT_EQ(after.state().zones, zones) << "slips and works are counted anew, all else goes on";
   test::go_to_end(after);
   const double moved = (after.state().motion.u - preload.state().motion.u).cwiseAbs().maxCoeff();
   EXPECT_LE(moved, 1e-9 * preload.state().motion.u.cwiseAbs().maxCoeff()) << "the loads are the same";

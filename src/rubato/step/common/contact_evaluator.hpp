@@ -110,6 +110,8 @@ private:
   bool has_frozen_frames(std::size_t zone, const Frozen& frozen) const {
     return !frames_.empty() || !frozen[zone].frames.empty();
   }
+  void add_friction_history(std::size_t z, std::span<const contact::PointEvaluation> points,
+                            State& trial) const;
   void measure_places(State& trial) const;
   std::vector<double> moved_out(std::size_t zone, const ContactIterate& iterate,
                                 const contact::Configuration& configuration) const;

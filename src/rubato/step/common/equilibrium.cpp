@@ -72,7 +72,7 @@ ContactForce::ContactForce(Index dofs)
 Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
                          const State& committed, double t)
     : model_(model), scheme_(scheme), system_(system), t_(t), committed_(committed),
-      predicted_(time::predict(scheme, system.step, committed.motion)),
+      predicted_acceleration_(time::predicted_acceleration(scheme, system.step, committed.motion)),
       predicted_bulk_(time::predict(
           scheme, system.step, {committed.bulk.internal, committed.bulk.momentum, committed.bulk.inertia})),
       external_(model::external_force(model, t)), history_(history_forces(scheme, committed)) {}
@@ -85,7 +85,7 @@ void Equilibrium::take_motion(const time::Motion& motion) {
   model_.domain.evaluate({start, motion.u, committed_.t, t_, &predicted_bulk_.u}, committed_.bulk_points,
                          bulk_points_, {.forces = &bulk_.internal});
   if (scheme_.dynamic && motion.u != start) {
-    const VectorXd correction = model_.products.mass(motion.a - predicted_.a);
+    const VectorXd correction = model_.products.mass(motion.a - predicted_acceleration_);
     bulk_.inertia += correction;
     bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
   }

@@ -80,8 +80,8 @@ private:
   const EffectiveSystem& system_;
   double t_;
   const State& committed_;
-  time::Motion predicted_;      ///< where the step ends without any correction
-  time::Motion predicted_bulk_; ///< f_int, M v, M a there
+  Eigen::VectorXd predicted_acceleration_; ///< at the end of the step without any correction
+  time::Motion predicted_bulk_;            ///< f_int, M v, M a there
   BulkForces bulk_;
   domain::QuadratureStates bulk_points_;
   Eigen::VectorXd external_;

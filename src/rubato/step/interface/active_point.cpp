@@ -3,11 +3,11 @@
 
 #include "rubato/core/tolerances.hpp"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace rubato::step {
 namespace {
@@ -31,97 +31,162 @@ void fix_unconstrained_multipliers(contact::FactoredResponse& r) {
     }
 }
 
-constexpr int sum_of(int a, int b) {
-  return a == Dynamic || b == Dynamic ? Dynamic : a + b;
-}
+/// No more rows than three of forces and three of multipliers.
+constexpr Index most_rows = 6;
+/// Column by column. Plain loops: libraries' templates for matrices this small take long to compile.
+using Small = std::array<std::array<double, most_rows>, most_rows>;
 
-/// The work of eliminate_multipliers, compiled for D components and M multipliers of a point, or for any.
+/// The work of eliminate_multipliers, compiled for D components and M multipliers of a point, or for any: by
+/// an orthogonal factorisation, with reflections (A. Householder, J. ACM 5 (1958) 339–342).
 template <int D, int M> class Elimination {
 public:
-  explicit Elimination(ActivePoint& point)
-      : point_(point), r_(point.response), d_(r_.components), m_(r_.multipliers()) {}
+  explicit Elimination(ActivePoint& point) : point_(point), r_(point.response) {}
 
   void run() {
-    Wide combinations = Wide::Identity(d_, d_ + m_);
-    if (m_ > 0)
-      factor(combinations);
-    point_.by_force = combinations.template leftCols<D>(d_);
-    point_.right = combinations.template rightCols<M>(m_) * r_.equations.template head<M>(m_);
+    if (m() > 0) {
+      scale();
+      reflect();
+      form_orthogonal();
+      invert();
+    }
+    combine();
+  }
+
+private:
+  Index d() const { return D == Dynamic ? r_.components : D; }
+  Index m() const { return M == Dynamic ? r_.multipliers() : M; }
+  Index rows() const { return d() + m(); }
+
+  static double inverse_of(double size) { return size > 0 ? 1 / size : 1.0; }
+
+  /// Z_m over E_m with rows and columns of order one.
+  void scale() {
+    for (Index j = 0; j < m(); ++j) {
+      double size = 0;
+      for (Index i = 0; i < rows(); ++i)
+        size = std::max(size, std::abs(r_.by_multiplier(i, j)));
+      by_column_[j] = inverse_of(size);
+      for (Index i = 0; i < rows(); ++i)
+        matrix_[j][i] = r_.by_multiplier(i, j) * by_column_[j];
+    }
+    for (Index i = 0; i < rows(); ++i) {
+      by_row_[i] = 0;
+      for (Index j = 0; j < m(); ++j)
+        by_row_[i] = std::max(by_row_[i], std::abs(matrix_[j][i]));
+    }
+    join_sizes(0, d());
+    if (const Index tangents = d() - 1; m() >= tangents)
+      join_sizes(rows() - tangents, tangents);
+    for (Index i = 0; i < rows(); ++i) {
+      by_row_[i] = inverse_of(by_row_[i]);
+      for (Index j = 0; j < m(); ++j)
+        matrix_[j][i] *= by_row_[i];
+    }
+  }
+
+  /// One size for rows that are components of one vector: a component that is rounding only must not be blown
+  /// up to the size of the others.
+  void join_sizes(Index first, Index count) {
+    double size = 0;
+    for (Index i = first; i < first + count; ++i)
+      size = std::max(size, by_row_[i]);
+    for (Index i = first; i < first + count; ++i)
+      by_row_[i] = size;
+  }
+
+  /// R above the diagonal, each reflection 1 − τ v vᵀ below it, where v begins with 1.
+  void reflect() {
+    for (Index k = 0; k < m(); ++k) {
+      auto& column = matrix_[k];
+      double tail = 0;
+      for (Index i = k + 1; i < rows(); ++i)
+        tail += column[i] * column[i];
+      tau_[k] = 0;
+      if (tail > std::numeric_limits<double>::min()) {
+        const double head = column[k];
+        const double length = std::sqrt(head * head + tail);
+        column[k] = head >= 0 ? -length : length;
+        for (Index i = k + 1; i < rows(); ++i)
+          column[i] /= head - column[k];
+        tau_[k] = (column[k] - head) / column[k];
+      }
+      for (Index j = k + 1; j < m(); ++j)
+        apply_reflection(k, matrix_[j]);
+    }
+  }
+
+  /// Its v stands below the diagonal of column k.
+  void apply_reflection(Index k, std::array<double, most_rows>& to) const {
+    const auto& v = matrix_[k];
+    double along = to[k];
+    for (Index i = k + 1; i < rows(); ++i)
+      along += v[i] * to[i];
+    along *= tau_[k];
+    to[k] -= along;
+    for (Index i = k + 1; i < rows(); ++i)
+      to[i] -= along * v[i];
+  }
+
+  void form_orthogonal() {
+    for (Index j = 0; j < rows(); ++j) {
+      for (Index i = 0; i < rows(); ++i)
+        orthogonal_[j][i] = i == j ? 1 : 0;
+      for (Index k = m() - 1; k >= 0; --k)
+        apply_reflection(k, orthogonal_[j]);
+    }
+  }
+
+  /// R⁻¹ times the first rows of Qᵀ, back to unscaled rows and columns.
+  void invert() {
+    point_.inverse.resize(m(), rows());
+    for (Index c = 0; c < rows(); ++c)
+      for (Index i = m() - 1; i >= 0; --i) {
+        double sum = orthogonal_[i][c];
+        for (Index j = i + 1; j < m(); ++j)
+          sum -= matrix_[j][i] * solution_[j];
+        solution_[i] = sum / matrix_[i][i];
+        point_.inverse(i, c) = by_column_[i] * solution_[i] * by_row_[c];
+      }
+  }
+
+  /// Of the equations, a row each: the last columns of Q; all of them where there are no multipliers.
+  double combination(Index row, Index equation) const {
+    return m() > 0 ? orthogonal_[m() + row][equation] * by_row_[equation] : (row == equation ? 1.0 : 0.0);
+  }
+
+  void combine() {
+    for (Index row = 0; row < d(); ++row)
+      for (Index e = 0; e < rows(); ++e)
+        combinations_[e][row] = combination(row, e);
+    point_.by_force.resize(d(), d());
+    point_.right.resize(d());
+    for (Index row = 0; row < d(); ++row) {
+      for (Index c = 0; c < d(); ++c)
+        point_.by_force(row, c) = combinations_[c][row];
+      point_.right[row] = 0;
+      for (Index j = 0; j < m(); ++j)
+        point_.right[row] += combinations_[d() + j][row] * r_.equations[j];
+    }
     auto& left = point_.rows.left;
-    left.resize(d_ + r_.n_xi, r_.d_du.cols());
+    left.resize(d() + r_.n_xi, r_.d_du.cols());
     for (Index q = 0; q < left.cols(); ++q) {
-      left.col(q).template head<D>(d_) = -(combinations * r_.d_du.col(q).template head<rows>(d_ + m_));
-      left.col(q).tail(r_.n_xi) = -r_.d_du.col(q).tail(r_.n_xi);
+      const double* column = r_.d_du.data() + q * r_.d_du.rows();
+      for (Index row = 0; row < d(); ++row) {
+        double sum = 0;
+        for (Index e = 0; e < rows(); ++e)
+          sum += combinations_[e][row] * column[e];
+        left(row, q) = -sum;
+      }
+      for (Index slope = 0; slope < r_.n_xi; ++slope)
+        left(d() + slope, q) = -column[r_.d_du.rows() - r_.n_xi + slope];
     }
     point_.rows.right = r_.interpolation;
   }
 
-private:
-  static constexpr int rows = sum_of(D, M);
-  /// No more than six of anything.
-  template <int Rows, int Columns>
-  using Small =
-      Eigen::Matrix<double, Rows, Columns, 0, Rows == Dynamic ? 6 : Rows, Columns == Dynamic ? 6 : Columns>;
-  using Square = Small<rows, rows>;
-  using Tall = Small<rows, M>;
-  using Wide = Small<D, rows>;
-  using Inverse = Small<M, rows>;
-  using Column = Small<rows, 1>;
-  using ColumnSizes = Small<M, 1>;
-
-  /// Of Z_m over E_m with rows and columns of order one.
-  void factor(Wide& combinations) {
-    Tall matrix = r_.by_multiplier;
-    const ColumnSizes by_column = inverse_of(ColumnSizes(matrix.cwiseAbs().colwise().maxCoeff()));
-    matrix *= by_column.asDiagonal();
-    const Column by_row = inverse_of(vector_sizes(matrix));
-    matrix = (by_row.asDiagonal() * matrix).eval();
-    const Eigen::HouseholderQR<Tall> qr(matrix);
-    const Square q = orthogonal_of(qr);
-    Inverse inverse = q.template leftCols<M>(m_).transpose();
-    qr.matrixQR().template topRows<M>(m_).template triangularView<Eigen::Upper>().solveInPlace(inverse);
-    point_.inverse = by_column.asDiagonal() * inverse * by_row.asDiagonal();
-    combinations = q.template rightCols<D>(d_).transpose() * by_row.asDiagonal();
-  }
-
-  /// Q whole: Eigen's own product of the reflections is not unrolled.
-  Square orthogonal_of(const Eigen::HouseholderQR<Tall>& qr) const {
-    Square q = Square::Identity(d_ + m_, d_ + m_);
-    Column v(d_ + m_);
-    for (Index k = m_ - 1; k >= 0; --k) {
-      v.setZero();
-      v[k] = 1;
-      for (Index i = k + 1; i < v.size(); ++i)
-        v[i] = qr.matrixQR()(i, k);
-      const Column reflected = qr.hCoeffs()[k] * (q.transpose() * v);
-      q -= v * reflected.transpose();
-    }
-    return q;
-  }
-
-  /// Sizes of the rows, one for all that are components of one vector: a component that is rounding only must
-  /// not be blown up to the size of the others.
-  Column vector_sizes(const Tall& matrix) const {
-    Column sizes = matrix.cwiseAbs().rowwise().maxCoeff();
-    const auto join = [&](Index first, Index count) {
-      if (count > 0)
-        sizes.segment(first, count).setConstant(sizes.segment(first, count).maxCoeff());
-    };
-    join(0, d_);
-    if (const Index tangents = d_ - 1; m_ >= tangents)
-      join(sizes.size() - tangents, tangents);
-    return sizes;
-  }
-
-  template <class Sizes> static Sizes inverse_of(Sizes sizes) {
-    for (auto& size : sizes)
-      size = size > 0 ? 1 / size : 1.0;
-    return sizes;
-  }
-
   ActivePoint& point_;
   const contact::FactoredResponse& r_;
-  Index d_, m_;
+  Small matrix_, orthogonal_, combinations_;
+  std::array<double, most_rows> by_row_, by_column_, tau_, solution_;
 };
 
 /// Equations of a point, a right side last.
