@@ -124,7 +124,8 @@ TEST_F(Compare, RefusesWhatCannotBeCompared) {
   expect_refusal("out/rough", "out/smooth", {"--at", "3e-4"},
                  "out/rough: holds no displacement at t = 0.0003; the nearest stored are 0.0002 and 0.0004");
   expect_refusal("out/rough", "out/smooth", {"--at", "2e-4", "--field", "pressure"},
-                 "out/rough: no field is called 'pressure'; there are acceleration, contact_gap, "
+                 "out/rough: no field is called 'pressure'; there are acceleration, contact_cumulated_slip, "
+                 "contact_friction_work, contact_gap, "
                  "contact_pressure, contact_slip, contact_status, displacement, stress, velocity, von_mises");
   expect_refusal("out/rough", "out/silent", at,
                  "out/silent: holds no fields that can be read back, expected a run with 'fields: {formats: "

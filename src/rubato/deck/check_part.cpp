@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <utility>
+#include <string>
 
 namespace rubato::deck {
 namespace {
@@ -23,24 +22,29 @@ Quantity quantity_of(const std::string& written) {
   return {written.substr(0, dot), written.substr(dot + 1)};
 }
 
-/// "tip.y": the probe and the component.
-void read_probe_component(const Value& value, const Context& context, study::Check& check) {
+/// "tip.y": the probe and the component; the name alone of a scalar.
+void read_probe_component(const Value& value, study::Check& check) {
   std::string written;
   if (!read_name(value, written))
     return;
-  const auto [name, axis] = quantity_of(written);
-  if (name == written) {
-    value.fault(fmt::format("found {}, expected a probe and a component, as in tip.y", shown(written)));
+  const auto [name, component] = quantity_of(written);
+  check.probe = name;
+  check.component = component;
+}
+
+/// "interface.normal", "interface.force.x": the zone and the column of its table.
+void read_resultant(const Value& value, study::CheckedResultant& checked) {
+  std::string written;
+  if (!read_name(value, written))
+    return;
+  const auto dot = written.find('.');
+  if (dot == std::string::npos) {
+    value.fault(fmt::format("found {}, expected a contact zone and a resultant, as in {}.normal",
+                            shown(written), written));
     return;
   }
-  check.probe = name;
-  const auto axes = study::axis_words.begin() + (context.physics ? study::dimension_of(*context.physics) : 3);
-  const auto found = std::find(study::axis_words.begin(), axes, axis);
-  if (found == axes)
-    value.fault(fmt::format("found the component {}, expected {}", shown(axis),
-                            axes == study::axis_words.end() ? "x, y or z" : "x or y"));
-  else
-    check.component = static_cast<int>(found - study::axis_words.begin());
+  checked.zone = written.substr(0, dot);
+  checked.quantity = written.substr(dot + 1);
 }
 
 /// "displacement.y", or "displacement" for every component.
@@ -53,22 +57,39 @@ void read_field_component(const Value& value, study::CheckedField& checked) {
   checked.component = component;
 }
 
-/// What is checked: a probe or a field.
-void read_subject(MapReader& map, const Context& context, study::Check& check) {
+/// What is checked.
+void read_subject(MapReader& map, study::Check& check) {
   const auto probe = map.find("probe");
+  const auto energy = map.find("energy");
+  const auto resultant = map.find("resultant");
   const auto field = map.find("field");
   const auto on = map.find("on");
-  if (map.is_map() && probe.has_value() == field.has_value())
-    map.value().fault(probe ? "found both 'probe' and 'field', expected one of them"
-                            : "'probe' or 'field' is missing");
+  const int subjects = (probe ? 1 : 0) + (energy ? 1 : 0) + (resultant ? 1 : 0) + (field ? 1 : 0);
+  if (map.is_map() && subjects != 1)
+    map.value().fault(subjects > 1
+                          ? "found several of 'probe', 'energy', 'resultant' and 'field', expected one "
+                            "of them"
+                          : "'probe', 'energy', 'resultant' or 'field' is missing");
   if (probe)
-    read_probe_component(*probe, context, check);
+    read_probe_component(*probe, check);
+  read_name(energy, check.energy);
+  if (resultant)
+    read_resultant(*resultant, check.resultant.emplace());
   if (field)
     read_field_component(*field, check.field.emplace());
   if (on && !field)
     on->fault("goes with 'field' only: a probe has its node already");
   else if (on)
     read_name(on, check.field->on);
+}
+
+/// The instant, or what of the whole history.
+void read_when(MapReader& map, study::Check& check) {
+  const auto over = map.find("over");
+  if (!over)
+    read(map.require("at"), check.at);
+  else if (read(over, check.when, study::checked_time_words))
+    map.refuse("at", "goes without 'over': that is a value of the whole history");
 }
 
 /// A number, unless another run stands in for it.
@@ -82,11 +103,11 @@ void read_reference(MapReader& map, study::Check& check) {
     read(map.require("reference"), check.reference);
 }
 
-study::Check read_check(const Value& value, const Context& context) {
+study::Check read_check(const Value& value) {
   study::Check check;
   MapReader map(value);
-  read_subject(map, context, check);
-  read(map.require("at"), check.at);
+  read_subject(map, check);
+  read_when(map, check);
   const bool has_run = read_name(map.find("run"), check.run);
   check.source = has_run ? study::CheckSource::other_run : study::CheckSource::external;
   read(map.find("source"), check.source, study::check_source_words);
@@ -99,9 +120,9 @@ study::Check read_check(const Value& value, const Context& context) {
 
 } // namespace
 
-void read_checks(const Found& value, const Context& context, std::vector<study::Check>& checks) {
+void read_checks(const Found& value, std::vector<study::Check>& checks) {
   for (const auto& item : items(value))
-    checks.push_back(read_check(item, context));
+    checks.push_back(read_check(item));
 }
 
 } // namespace rubato::deck

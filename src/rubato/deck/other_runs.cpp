@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/other_runs.hpp"
 
+#include "rubato/study/stored_fields.hpp"
 #include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
@@ -115,9 +116,9 @@ void check_probe(const study::Check& check, const study::Study& study, const stu
     return;
   if (other == source.probes.end())
     mention.fault(fmt::format("run {} has no probe '{}'", source.name, check.probe));
-  else if (check.component >= study::dimension_of(source.physics))
-    mention.fault(fmt::format("run {} has no component {}", source.name,
-                              study::axis_words.at(static_cast<std::size_t>(check.component))));
+  else if (const auto components = study::components_of(other->field, study::dimension_of(source.physics));
+           !check.component.empty() && std::ranges::find(components, check.component) == components.end())
+    mention.fault(fmt::format("run {} has no component {}", source.name, check.component));
   else if (own->field != other->field)
     mention.fault(fmt::format("probe '{}' is of {} in run {} and of {} in run {}", check.probe,
                               study::word_of(study::probe_field_words, other->field), source.name,
@@ -147,6 +148,14 @@ void check_field(const study::Check& check, const study::Study& study, const stu
   }
 }
 
+void check_resultant(const study::Check& check, const study::Study& source, const Mention& mention) {
+  const auto is_meant = [&](const study::ContactZone& zone) {
+    return zone.all || zone.name == check.resultant->zone;
+  };
+  if (std::ranges::none_of(source.contact, is_meant))
+    mention.fault(fmt::format("run {} has no contact zone '{}'", source.name, check.resultant->zone));
+}
+
 void check_comparison(const study::Check& check, const study::Study& study, const study::Study& source,
                       const Mention& mention) {
   const auto& time = source.time;
@@ -155,8 +164,10 @@ void check_comparison(const study::Check& check, const study::Study& study, cons
                               time.begin, time.end, check.at));
   else if (check.field)
     check_field(check, study, source, mention);
-  else
+  else if (!check.probe.empty())
     check_probe(check, study, source, mention);
+  else if (check.resultant)
+    check_resultant(check, source, mention);
 }
 
 } // namespace

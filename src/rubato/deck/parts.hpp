@@ -52,6 +52,6 @@ void read_newton(const Found& value, study::NewtonSettings& newton);
 void read_probes(const Found& value, const Context& context, std::vector<study::Probe>& probes);
 void read_fields(const Found& value, study::FieldOutput& fields);
 void read_checkpoint(const Found& value, study::CheckpointOutput& checkpoint);
-void read_checks(const Found& value, const Context& context, std::vector<study::Check>& checks);
+void read_checks(const Found& value, std::vector<study::Check>& checks);
 
 } // namespace rubato::deck

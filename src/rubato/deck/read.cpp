@@ -103,7 +103,7 @@ study::Study read_study(const Tree& tree, const std::filesystem::path& folder, F
   read_fields(map.find("fields"), study.fields);
   study.time.stops = study.fields.at;
   read_checkpoint(map.find("checkpoint"), study.checkpoint);
-  read_checks(map.find("checks"), context, study.checks);
+  read_checks(map.find("checks"), study.checks);
   map.finish();
   return study;
 }

@@ -5,6 +5,7 @@
 #include "rubato/results/compare.hpp"
 #include "rubato/results/history.hpp"
 #include "rubato/results/run_folder.hpp"
+#include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
 
@@ -20,18 +21,60 @@ struct Found {
   double scale = 1;
 };
 
-std::optional<Found> of_probe(const study::Check& check, const std::string& column, const Table& probes) {
-  const auto value = value_at(probes, probes.column(column), check.at);
+/// The column of a table that a check is of.
+std::string column_of(const study::Check& check) {
+  if (check.resultant)
+    return check.resultant->quantity;
+  if (!check.energy.empty())
+    return check.energy;
+  return check.component.empty() ? check.probe : fmt::format("{}.{}", check.probe, check.component);
+}
+
+/// The table that it is of, in the folder of a run.
+std::filesystem::path table_of(const study::Check& check, const std::filesystem::path& folder) {
+  if (check.resultant)
+    return folder / resultants_file(check.resultant->zone);
+  return folder / (check.energy.empty() ? probes_file : energy_file);
+}
+
+/// What a column has at the instant, or of the whole history; nothing when it does not reach the instant.
+std::optional<double> value_in(const study::Check& check, const Table& table) {
+  const int column = table.column(column_of(check));
+  if (check.when == study::CheckedTime::instant)
+    return value_at(table, column, check.at);
+  if (column < 0 || table.rows.empty())
+    return std::nullopt;
+  const auto value = [&](const std::vector<double>& row) { return row[static_cast<std::size_t>(column)]; };
+  const auto magnitude = [&](const std::vector<double>& row) { return std::abs(value(row)); };
+  switch (check.when) {
+  case study::CheckedTime::least:
+    return value(*std::ranges::min_element(table.rows, {}, value));
+  case study::CheckedTime::largest_magnitude:
+    return magnitude(*std::ranges::max_element(table.rows, {}, magnitude));
+  default:
+    return value(*std::ranges::max_element(table.rows, {}, value));
+  }
+}
+
+/// Of this run; its probes are given.
+std::optional<double> own_value(const study::Check& check, const Table& probes,
+                                const std::filesystem::path& folder) {
+  return check.probe.empty() ? value_in(check, read_csv(table_of(check, folder))) : value_in(check, probes);
+}
+
+std::optional<Found> of_history(const study::Check& check, const Table& probes,
+                                const std::filesystem::path& folder) {
+  const auto value = own_value(check, probes, folder);
   return value ? std::optional<Found>({*value, std::abs(check.reference)}) : std::nullopt;
 }
 
-std::optional<Found> of_probe_difference(const study::Check& check, const std::string& column,
-                                         const Table& probes, const std::filesystem::path& other) {
-  const auto own = value_at(probes, probes.column(column), check.at);
-  const auto table = read_csv(other / probes_file);
-  const auto others = value_at(table, table.column(column), check.at);
+std::optional<Found> of_history_difference(const study::Check& check, const Table& probes,
+                                           const std::filesystem::path& folder,
+                                           const std::filesystem::path& other) {
+  const auto own = own_value(check, probes, folder);
+  const auto others = value_in(check, read_csv(table_of(check, other)));
   if (!others)
-    throw InputError(fmt::format("run {} has no {} at {}", check.run, column, check.at));
+    throw InputError(fmt::format("run {} has no {} at {}", check.run, column_of(check), check.at));
   return own ? std::optional<Found>({*own - *others, std::abs(*others)}) : std::nullopt;
 }
 
@@ -57,8 +100,12 @@ Found of_field_difference(const study::Check& check, const std::filesystem::path
 }
 
 std::string quantity_of(const study::Check& check) {
+  if (check.resultant)
+    return fmt::format("{}.{}", check.resultant->zone, check.resultant->quantity);
+  if (!check.energy.empty())
+    return fmt::format("energy {}", check.energy);
   if (!check.field)
-    return fmt::format("{}.{}", check.probe, "xyz"[check.component]);
+    return column_of(check);
   const auto& field = *check.field;
   return fmt::format("{}{}{}{}{}", field.name, field.component.empty() ? "" : ".", field.component,
                      field.on.empty() ? "" : " on ", field.on);
@@ -68,12 +115,12 @@ std::string quantity_of(const study::Check& check) {
 std::optional<Found> find(const study::Check& check, const Table& probes, const std::filesystem::path& folder,
                           CheckResult& result) {
   if (check.run.empty())
-    return of_probe(check, result.quantity, probes);
+    return of_history(check, probes, folder);
   const auto other = folder / ".." / check.run;
   if (!std::filesystem::exists(other / summary_file))
     throw InputError(fmt::format("run {} has no folder beside this one", check.run));
   return check.field ? of_field_difference(check, folder, other, result.where)
-                     : of_probe_difference(check, result.quantity, probes, other);
+                     : of_history_difference(check, probes, folder, other);
 }
 
 double deviation_of(double difference, double scale) {
@@ -83,6 +130,7 @@ double deviation_of(double difference, double scale) {
 CheckResult evaluate(const study::Check& check, const Table& probes, const std::filesystem::path& folder) {
   CheckResult result;
   result.quantity = quantity_of(check);
+  result.over = study::word_of(study::checked_time_words, check.when);
   result.at = check.at;
   result.reference = check.reference;
   result.tolerance = check.tolerance;
@@ -130,8 +178,9 @@ std::string to_text(std::span<const CheckResult> results) {
   std::string text = fmt::format("{:<{}} {:>10} {:>20} {:>20} {:>10} {:>11}  {:<6} {}\n", "quantity", width,
                                  "t", "reference", "value", "deviation", "tolerance", "", "source");
   for (const auto& r : results)
-    text += fmt::format("{:<{}} {:>10.6g} {:>20.12g} {:>20} {:>10} {:>11}  {:<6} {}\n", r.quantity, width,
-                        r.at, r.reference, r.value ? fmt::format("{:.12g}", *r.value) : "not reached",
+    text += fmt::format("{:<{}} {:>10} {:>20.12g} {:>20} {:>10} {:>11}  {:<6} {}\n", r.quantity, width,
+                        r.over.empty() ? fmt::format("{:.6g}", r.at) : r.over, r.reference,
+                        r.value ? fmt::format("{:.12g}", *r.value) : "not reached",
                         r.value ? fmt::format("{:.2e}", r.deviation) : "",
                         fmt::format("{:.1e}{}", r.tolerance, r.relative ? "" : " abs"),
                         r.holds ? "ok" : "FAILS", source_of(r));

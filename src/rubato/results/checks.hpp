@@ -14,7 +14,8 @@
 namespace rubato::results {
 
 struct CheckResult {
-  std::string quantity; ///< "tip.y", "displacement.y on Haut_Contact"
+  std::string quantity; ///< "tip.y", "interface.normal", "energy friction", "displacement.y on Haut_Contact"
+  std::string over;     ///< "max" and the like of the whole history; empty at an instant
   double at = 0;
   double reference = 0;
   /// The difference when another run is subtracted; nothing when one of them did not reach the instant.
@@ -31,7 +32,8 @@ struct CheckResult {
   std::string note;
 };
 
-/// Looks the checks' instants up in a run's table of probes (first column t), between two rows linearly. Of
+/// Looks the checks' instants up in a run's table of probes (first column t) and in the tables of its folder,
+/// between two rows linearly. Of
 /// checks against another run the value is the difference, this run's minus the other's; the other's folder
 /// stands beside `folder`, this run's own.
 std::vector<CheckResult> evaluate_checks(std::span<const study::Check> checks, const Table& probes,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace rubato::results {
@@ -55,10 +56,14 @@ void put_pressure(const contact::Zone& zone, const contact::ZoneState& state, st
       value = pressure[i];
 }
 
-void add_contact_fields(const Model& model, const step::State& now, std::vector<OwnedField>& fields) {
+} // namespace
+
+std::vector<OwnedField> contact_fields(const Model& model, const step::State& now) {
   auto pressure = scalar_field(model, "contact_pressure");
   auto gap = scalar_field(model, "contact_gap");
   auto status = scalar_field(model, "contact_status");
+  auto cumulated = scalar_field(model, "contact_cumulated_slip");
+  auto work = scalar_field(model, "contact_friction_work");
   const int tangents = model.dofs.components - 1;
   OwnedField slip{"contact_slip",
                   tangents,
@@ -73,6 +78,9 @@ void add_contact_fields(const Model& model, const step::State& now, std::vector<
     for (std::size_t i = 0; i < zone.points.size(); ++i) {
       const auto node = static_cast<std::size_t>(node_of(zone.points[i]));
       const auto& outcome = state.outcomes[i];
+      const auto& history = state.friction_history[i];
+      cumulated.values[node] = std::max(cumulated.values[node], history.slip);
+      work.values[node] += history.work;
       if (says_most(state, i) < told[node])
         continue;
       told[node] = says_most(state, i);
@@ -83,25 +91,24 @@ void add_contact_fields(const Model& model, const step::State& now, std::vector<
             outcome.slip[a];
     }
   }
-  fields.insert(fields.end(), {std::move(pressure), std::move(gap), std::move(slip), std::move(status)});
+  return {pressure, gap, slip, status, cumulated, work};
 }
 
-} // namespace
+std::vector<OwnedField> stress_fields(const Model& model, const step::State& now) {
+  const auto recovered = domain::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u);
+  const auto& stress = recovered.stress;
+  return {{"stress", 6, {stress.data(), stress.data() + stress.size()}, {"xx", "yy", "zz", "xy", "yz", "xz"}},
+          {"von_mises", 1, {recovered.von_mises.begin(), recovered.von_mises.end()}, {}}};
+}
 
 std::vector<OwnedField> nodal_fields(const Model& model, const step::State& now) {
   std::vector<OwnedField> fields;
   fields.push_back(vector_field(model, "displacement", now.motion.u));
   fields.push_back(vector_field(model, "velocity", now.motion.v));
   fields.push_back(vector_field(model, "acceleration", now.motion.a));
-  const auto recovered = domain::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u);
-  const auto& stress = recovered.stress;
-  OwnedField tensor{
-      "stress", 6, {stress.data(), stress.data() + stress.size()}, {"xx", "yy", "zz", "xy", "yz", "xz"}};
-  OwnedField von_mises{"von_mises", 1, {recovered.von_mises.begin(), recovered.von_mises.end()}, {}};
-  fields.push_back(std::move(tensor));
-  fields.push_back(std::move(von_mises));
+  std::ranges::move(stress_fields(model, now), std::back_inserter(fields));
   if (!model.zones.empty())
-    add_contact_fields(model, now, fields);
+    std::ranges::move(contact_fields(model, now), std::back_inserter(fields));
   return fields;
 }
 

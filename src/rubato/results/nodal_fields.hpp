@@ -25,8 +25,13 @@ struct OwnedField {
 /// displacement, velocity, acceleration; stress (averaged at the nodes) and von_mises; with contact also
 /// contact_pressure (≥ 0; of ties and bilateral zones < 0 where it pulls), contact_gap (> 0 open; 0 where
 /// nothing faces the node), contact_slip (along the master's first and second tangent, of the last step),
-/// contact_status (0 open, 1 sticking, 2 slipping). Nodes off the slave surfaces carry 0.
+/// contact_status (0 open, 1 sticking, 2 slipping), contact_cumulated_slip and contact_friction_work (since
+/// the run began; of several points on a node the largest slip and the sum of the works). Nodes off the slave
+/// surfaces carry 0.
 std::vector<OwnedField> nodal_fields(const model::Model& model, const step::State& now);
+/// Parts of these: stress and von_mises; those of contact.
+std::vector<OwnedField> stress_fields(const model::Model& model, const step::State& now);
+std::vector<OwnedField> contact_fields(const model::Model& model, const step::State& now);
 
 struct Resultants {
   int in_contact = 0;

@@ -8,10 +8,12 @@
 #include "rubato/results/history.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
+#include "rubato/results/probe_values.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/summary_json.hpp"
 #include "rubato/results/vtu.hpp"
 #include "rubato/study/echo.hpp"
+#include "rubato/study/stored_fields.hpp"
 #include "rubato/version.hpp"
 
 #include <fmt/format.h>
@@ -21,15 +23,12 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <numeric>
 #include <utility>
 
 namespace rubato::results {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::string_view axes = "xyz";
 
 std::filesystem::path prepared(std::filesystem::path folder) {
   prepare_run_folder(folder);
@@ -56,38 +55,6 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
     require_room(beside, std::filesystem::file_size(from));
     std::filesystem::copy_file(from, beside, std::filesystem::copy_options::overwrite_existing);
   });
-}
-
-const Eigen::VectorXd& field_of(const step::State& state, study::ProbeField field) {
-  switch (field) {
-  case study::ProbeField::displacement:
-    return state.motion.u;
-  case study::ProbeField::velocity:
-    return state.motion.v;
-  case study::ProbeField::acceleration:
-    return state.motion.a;
-  case study::ProbeField::reaction:
-    break;
-  }
-  return state.reaction;
-}
-
-/// `values`: of one component at the nodes of a probe, at least one.
-double taken(study::ProbeTake take, const std::vector<double>& values) {
-  const auto sum = [&] { return std::accumulate(values.begin(), values.end(), 0.0); };
-  switch (take) {
-  case study::ProbeTake::sum:
-    return sum();
-  case study::ProbeTake::mean:
-    return sum() / static_cast<double>(values.size());
-  case study::ProbeTake::least:
-    return *std::ranges::min_element(values);
-  case study::ProbeTake::largest:
-    return *std::ranges::max_element(values);
-  case study::ProbeTake::node:
-    break;
-  }
-  return values.front();
 }
 
 } // namespace
@@ -313,42 +280,26 @@ private:
     });
   }
 
-  std::vector<std::string> resultant_columns() const {
-    std::vector<std::string> columns{"t", "in_contact", "sticking"};
-    for (int i = 0; i < model_.dofs.components; ++i)
-      columns.push_back(fmt::format("force.{}", axes[static_cast<std::size_t>(i)]));
-    columns.insert(columns.end(), {"normal", "friction", "largest_pressure", "smallest_gap"});
+  static std::vector<std::string> after_instant(std::vector<std::string> columns) {
+    columns.insert(columns.begin(), "t");
     return columns;
+  }
+
+  std::vector<std::string> resultant_columns() const {
+    return after_instant(study::resultant_quantities(model_.dofs.components));
   }
 
   static std::vector<std::string> energy_columns() {
-    return {"t",       "kinetic",  "strain", "external_work", "support_work", "overlap_work", "damping",
-            "contact", "friction", "impact", "numerical",     "unbalanced",   "balance"};
+    return after_instant({study::energy_quantities.begin(), study::energy_quantities.end()});
   }
 
-  std::vector<std::string> probe_columns() const {
-    std::vector<std::string> columns{"t"};
-    for (const auto& probe : model_.study.probes)
-      for (int i = 0; i < model_.dofs.components; ++i)
-        columns.push_back(fmt::format("{}.{}", probe.name, axes[static_cast<std::size_t>(i)]));
-    return columns;
-  }
+  std::vector<std::string> probe_columns() const { return after_instant(results::probe_columns(model_)); }
 
   void write_probes(const step::State& state) {
     std::vector<double> row;
-    row.reserve(1 + model_.probe_nodes.size() * static_cast<std::size_t>(model_.dofs.components));
+    row.reserve(history_.columns.size());
     row.push_back(state.t);
-    std::vector<double> values;
-    for (std::size_t p = 0; p < model_.probe_nodes.size(); ++p) {
-      const auto& probe = model_.study.probes[p];
-      const auto& field = field_of(state, probe.field);
-      for (int i = 0; i < model_.dofs.components; ++i) {
-        values.clear();
-        for (const auto node : model_.probe_nodes[p])
-          values.push_back(field[model_.dofs.dof(node, i)]);
-        row.push_back(taken(probe.take, values));
-      }
-    }
+    add_probe_values(model_, state, row);
     probes_.row(row);
     history_.rows.push_back(std::move(row));
   }

@@ -11,7 +11,7 @@ using nlohmann::ordered_json;
 
 ordered_json check_json(const CheckResult& r) {
   ordered_json json{{"quantity", r.quantity},
-                    {"at", r.at},
+                    {"at", r.over.empty() ? ordered_json(r.at) : ordered_json(r.over)},
                     {"reference", r.reference},
                     {"value", nullptr},
                     {"deviation", nullptr},

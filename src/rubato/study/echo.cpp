@@ -278,11 +278,17 @@ Json echo(const Check& check) {
     const auto& field = *check.field;
     map["field"] = field.component.empty() ? field.name : field.name + "." + field.component;
     put_name(map, "on", field.on);
+  } else if (check.resultant) {
+    map["resultant"] = check.resultant->zone + "." + check.resultant->quantity;
+  } else if (!check.energy.empty()) {
+    map["energy"] = check.energy;
   } else {
-    const auto axis = std::string(axis_words.at(static_cast<std::size_t>(check.component)));
-    map["probe"] = check.probe + "." + axis;
+    map["probe"] = check.component.empty() ? check.probe : check.probe + "." + check.component;
   }
-  map["at"] = check.at;
+  if (check.when == CheckedTime::instant)
+    map["at"] = check.at;
+  else
+    map["over"] = word(checked_time_words, check.when);
   if (check.run.empty())
     map["reference"] = check.reference;
   put_name(map, "run", check.run);

@@ -2,7 +2,11 @@
 /// The fields that runs store at nodes, by their names.
 #pragma once
 
+#include "rubato/study/study.hpp"
+
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubato::study {
@@ -14,5 +18,17 @@ struct StoredField {
 
 /// `dimension` is that of space, 2 or 3. Contact fields are there only in runs with contact.
 std::vector<StoredField> stored_fields(int dimension);
+
+/// Components of what a probe has, empty for a scalar.
+std::vector<std::string> components_of(ProbeField field, int dimension);
+/// Whether it is known in runs with contact only.
+bool is_of_contact(ProbeField field);
+
+/// Columns of the energy ledger's table after the instant.
+inline constexpr std::array<std::string_view, 12> energy_quantities{
+    "kinetic", "strain",   "external_work", "support_work", "overlap_work", "damping",
+    "contact", "friction", "impact",        "numerical",    "unbalanced",   "balance"};
+/// Columns of the table of a contact zone's resultants after the instant.
+std::vector<std::string> resultant_quantities(int dimension);
 
 } // namespace rubato::study

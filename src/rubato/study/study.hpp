@@ -327,7 +327,21 @@ struct NewtonSettings {
 
 // ---- results ---------------------------------------------------------------------------------------------
 
-enum class ProbeField { displacement, velocity, acceleration, reaction };
+/// study/stored_fields.hpp has their components.
+enum class ProbeField {
+  displacement,
+  velocity,
+  acceleration,
+  reaction,
+  stress,
+  von_mises,
+  contact_pressure,
+  contact_gap,
+  contact_slip,
+  contact_status,
+  contact_cumulated_slip,
+  contact_friction_work
+};
 
 /// What is taken of the nodes of a group, of each component by itself.
 enum class ProbeTake { node, sum, mean, least, largest };
@@ -370,15 +384,28 @@ struct CheckedField {
   bool operator==(const CheckedField&) const = default;
 };
 
-/// A number that must come out: a probe's value, held against a reference; or the difference of a probe or a
-/// field from another run's, held against 0.
+/// A resultant of a contact zone.
+struct CheckedResultant {
+  std::string zone;
+  std::string quantity; ///< a column of its table, "normal", "force.x"
+  bool operator==(const CheckedResultant&) const = default;
+};
+
+/// When a checked history has its value: at an instant, or where it is largest or least of the whole run.
+enum class CheckedTime { instant, largest, least, largest_magnitude };
+
+/// A number that must come out: a value of a probe, of the energy ledger or of a contact zone's resultants,
+/// held against a reference; or its difference from another run's, or a field's, held against 0.
 struct Check {
-  std::string probe;                 ///< "tip"; empty when a field is compared
-  int component = 0;                 ///< of the probe: 0, 1, 2
+  std::string probe;     ///< "tip"; empty when something else is checked
+  std::string component; ///< of the probe: "y", "xx"; empty for scalars
+  std::string energy;    ///< a column of the energy ledger, "friction"
+  std::optional<CheckedResultant> resultant;
   std::optional<CheckedField> field; ///< only with `run`
   std::string run;                   ///< an earlier run of the deck, which is subtracted; empty: none
-  double at = 0;                     ///< instant
-  double reference = 0;              ///< 0 with `run`
+  CheckedTime when = CheckedTime::instant;
+  double at = 0;        ///< instant; without meaning for others
+  double reference = 0; ///< 0 with `run`
   double tolerance = 0;
   bool relative = true; ///< to the reference; with `run` to what the other run has
   CheckSource source = CheckSource::external;

@@ -86,16 +86,30 @@ inline constexpr std::string_view automatic_step = "auto";
 inline constexpr std::array<Word<StartKind>, 2> start_words{
     {{"consistent", StartKind::consistent}, {"at_rest_unloaded", StartKind::at_rest_unloaded}}};
 
-inline constexpr std::array<Word<ProbeField>, 4> probe_field_words{
+inline constexpr std::array<Word<ProbeField>, 12> probe_field_words{
     {{"displacement", ProbeField::displacement},
      {"velocity", ProbeField::velocity},
      {"acceleration", ProbeField::acceleration},
-     {"reaction", ProbeField::reaction}}};
+     {"reaction", ProbeField::reaction},
+     {"stress", ProbeField::stress},
+     {"von_mises", ProbeField::von_mises},
+     {"contact_pressure", ProbeField::contact_pressure},
+     {"contact_gap", ProbeField::contact_gap},
+     {"contact_slip", ProbeField::contact_slip},
+     {"contact_status", ProbeField::contact_status},
+     {"contact_cumulated_slip", ProbeField::contact_cumulated_slip},
+     {"contact_friction_work", ProbeField::contact_friction_work}}};
 
 inline constexpr std::array<Word<ProbeTake>, 4> probe_take_words{{{"sum", ProbeTake::sum},
                                                                   {"mean", ProbeTake::mean},
                                                                   {"min", ProbeTake::least},
                                                                   {"max", ProbeTake::largest}}};
+
+/// `over`; an instant is given by `at`.
+inline constexpr std::array<Word<CheckedTime>, 3> checked_time_words{
+    {{"max", CheckedTime::largest},
+     {"min", CheckedTime::least},
+     {"max_magnitude", CheckedTime::largest_magnitude}}};
 
 inline constexpr std::array<Word<bool>, 2> check_kind_words{{{"relative", true}, {"absolute", false}}};
 

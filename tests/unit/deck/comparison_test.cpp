@@ -69,9 +69,10 @@ TEST(Comparison, AndItsSourceMeanEachOther) {
 
 TEST(Comparison, IsOfAProbeOrOfAField) {
   EXPECT_EQ(fault_of("{at: 0.001, tolerance: 1, run: evol1}"),
-            "checks.0: 'probe' or 'field' is missing (run evol2)");
+            "checks.0: 'probe', 'energy', 'resultant' or 'field' is missing (run evol2)");
   EXPECT_EQ(fault_of(field + ", probe: tip.y}", stored, also_stored),
-            "checks.0: found both 'probe' and 'field', expected one of them (run evol2)");
+            "checks.0: found several of 'probe', 'energy', 'resultant' and 'field', expected one of them "
+            "(run evol2)");
   EXPECT_EQ(fault_of(probe + ", run: evol1, on: N1}"),
             "checks.0.on: goes with 'field' only: a probe has its node already (run evol2)");
 }

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "support/scratch_folder.hpp"
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace rubato::results {
 namespace {
@@ -15,7 +18,7 @@ const Table probes{{"t", "tip.x", "tip.y"}, {{0, 0, -1}, {0.1, 0, -2}, {0.3, 0, 
 study::Check check(int component, double at, double reference, double tolerance, bool relative) {
   study::Check check;
   check.probe = "tip";
-  check.component = component;
+  check.component = std::string(1, "xyz"[component]);
   check.at = at;
   check.reference = reference;
   check.tolerance = tolerance;
@@ -45,6 +48,51 @@ TEST(Check, SeesInstantsThroughTheRoundingOfTime) {
   table.rows[2][0] = 0.1 + 0.2;
   EXPECT_EQ(result_of(check(1, 0.3, -4, 1e-12, true), table).value, -4.0);
   EXPECT_EQ(result_of(check(1, 0.4 * (1 + 1e-12), -5, 1e-12, true)).value, -5.0);
+}
+
+TEST(Check, TakesTheExtremesOfAWholeHistory) {
+  auto extreme = check(1, 0, -1, 1e-12, true);
+  extreme.when = study::CheckedTime::largest;
+  EXPECT_EQ(result_of(extreme).value, -1.0);
+  EXPECT_EQ(result_of(extreme).over, "max");
+  extreme.when = study::CheckedTime::least;
+  EXPECT_EQ(result_of(extreme).value, -5.0);
+  extreme.when = study::CheckedTime::largest_magnitude;
+  EXPECT_EQ(result_of(extreme).value, 5.0);
+  EXPECT_NE(to_text(std::array{result_of(extreme)}).find(" max_magnitude "), std::string::npos);
+}
+
+TEST(Check, TakesAScalarByItsProbesName) {
+  study::Check scalar;
+  scalar.probe = "peak";
+  scalar.at = 1;
+  scalar.reference = 7;
+  scalar.tolerance = 1e-12;
+  const auto result = result_of(scalar, {{"t", "peak"}, {{0, 3}, {1, 7}}});
+  EXPECT_EQ(result.quantity, "peak");
+  EXPECT_TRUE(result.holds);
+}
+
+TEST(Check, TakesEnergiesAndResultantsFromTheTablesOfTheRun) {
+  const test::ScratchFolder folder;
+  CsvWriter(folder / "energy.csv", std::vector<std::string>{"t", "friction"}).row(std::array{1.0, 4.0});
+  CsvWriter(folder / "resultants_joint.csv", std::vector<std::string>{"t", "normal", "force.x"})
+      .row(std::array{1.0, 5.0, 6.0});
+  study::Check energy;
+  energy.energy = "friction";
+  energy.at = 1;
+  energy.reference = 4;
+  energy.tolerance = 1e-12;
+  study::Check force = energy;
+  force.energy.clear();
+  force.resultant = {"joint", "force.x"};
+  force.reference = 6;
+  const auto results = evaluate_checks(std::array{energy, force}, probes, folder.path());
+  EXPECT_EQ(results[0].quantity, "energy friction");
+  EXPECT_EQ(results[0].value, 4.0);
+  EXPECT_EQ(results[1].quantity, "joint.force.x");
+  EXPECT_EQ(results[1].value, 6.0);
+  EXPECT_TRUE(results[0].holds && results[1].holds);
 }
 
 TEST(Check, MeasuresAbsolutelyWhenAsked) {

@@ -73,7 +73,8 @@ TEST_F(FieldsOfBeams, HaveAValueForEachComponentOfEachNode) {
   }
   EXPECT_EQ(names,
             (std::vector<std::string>{"displacement", "velocity", "acceleration", "stress", "von_mises",
-                                      "contact_pressure", "contact_gap", "contact_slip", "contact_status"}));
+                                      "contact_pressure", "contact_gap", "contact_slip", "contact_status",
+                                      "contact_cumulated_slip", "contact_friction_work"}));
 }
 
 TEST_F(FieldsOfBeams, HaveTheMotionOfTheState) {

@@ -249,8 +249,9 @@ TEST_F(RunFolder, HoldsFieldsAtTheChosenInstantsInBothFormats) {
   std::ranges::transform(fields, std::back_inserter(names), &MedField::name);
   std::ranges::sort(names);
   EXPECT_EQ(names,
-            (std::vector<std::string>{"acceleration", "contact_gap", "contact_pressure", "contact_slip",
-                                      "contact_status", "displacement", "stress", "velocity", "von_mises"}));
+            (std::vector<std::string>{"acceleration", "contact_cumulated_slip", "contact_friction_work",
+                                      "contact_gap", "contact_pressure", "contact_slip", "contact_status",
+                                      "displacement", "stress", "velocity", "von_mises"}));
   std::vector<int> numbers;
   std::ranges::transform(fields.front().instants, std::back_inserter(numbers), &Instant::number);
   EXPECT_EQ(numbers, (std::vector<int>{0, 1, 3, 6, 7}));

@@ -51,7 +51,7 @@ Study sound_study() {
   tip.node = "N1";
   Check& check = study.checks.emplace_back();
   check.probe = "tip";
-  check.component = 1;
+  check.component = "y";
   check.at = 1;
   check.reference = 0.5;
   check.tolerance = 0.1;
@@ -254,7 +254,38 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"probes.tip", "is missing", [](Study& s) { s.probes[0].node.clear(); }},
         Bad{"fields.at.0", "an instant of the run, 0 to 1", [](Study& s) { s.fields.at = {2}; }},
         Bad{"checks.0.probe", "did you mean 'tip'", [](Study& s) { s.checks[0].probe = "tipp"; }},
-        Bad{"checks.0.probe", "component 'z'", [](Study& s) { s.checks[0].component = 2; }},
+        Bad{"checks.0.probe", "component 'z'", [](Study& s) { s.checks[0].component = "z"; }},
+        Bad{"checks.0.probe", "as in tip.y", [](Study& s) { s.checks[0].component.clear(); }},
+        Bad{"checks.0.probe", "von_mises has none", [](Study& s) { s.probes[0].field = ProbeField::von_mises; }},
+        Bad{"probes.tip.field", "the study has no contact",
+            [](Study& s) {
+              s.probes[0].field = ProbeField::contact_pressure;
+              s.checks[0].component.clear();
+              s.contact.clear();
+            }},
+        Bad{"checks.0", "is missing", [](Study& s) { s.checks[0].probe.clear(); }},
+        Bad{"checks.0", "found several of", [](Study& s) { s.checks[0].energy = "friction"; }},
+        Bad{"checks.0.energy", "did you mean 'friction'",
+            [](Study& s) {
+              s.checks[0].probe.clear();
+              s.checks[0].energy = "frictoin";
+            }},
+        Bad{"checks.0.resultant", "did you mean 'joint'",
+            [](Study& s) {
+              s.checks[0].probe.clear();
+              s.checks[0].resultant = {"jiont", "normal"};
+            }},
+        Bad{"checks.0.resultant", "did you mean 'force.y'",
+            [](Study& s) {
+              s.checks[0].probe.clear();
+              s.checks[0].resultant = {"joint", "force.yy"};
+            }},
+        Bad{"checks.0.over", "goes without 'run'",
+            [](Study& s) {
+              s.checks[0].when = CheckedTime::largest;
+              s.checks[0].run = "before";
+              s.checks[0].source = CheckSource::other_run;
+            }},
         Bad{"checks.0.at", "an instant of the run", [](Study& s) { s.checks[0].at = 3; }},
         Bad{"checks.0.tolerance", "> 0", [](Study& s) { s.checks[0].tolerance = 0; }},
         Bad{"checks.0.reference", "nothing can be relative", [](Study& s) { s.checks[0].reference = 0; }}));

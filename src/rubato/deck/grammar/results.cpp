@@ -37,10 +37,13 @@ Forms checkpoint() {
 Forms checks() {
   return list(map(
       "a number that must come out",
-      {{"probe", "a probe and a component, tip.y", name()},
+      {{"probe", "a probe and its component, tip.y; a scalar's name alone", name()},
+       {"energy", "a column of the energy ledger, friction", name()},
+       {"resultant", "a contact zone and a column of its resultants, interface.normal", name()},
        {"field", "a field at the nodes and a component, displacement.y; with 'run'", name()},
        {"on", "a group or a node where the field is compared; every node when not given", name()},
-       {"at", "instant [time]", number(), true},
+       {"at", "instant [time]", number()},
+       {"over", "instead of an instant: of the whole history", word_of(study::checked_time_words)},
        {"reference", "the number", number()},
        {"run", "earlier run of the deck whose value is subtracted", name()},
        {"tolerance", "largest permitted deviation", number(study::bounds::check_tolerance), true},

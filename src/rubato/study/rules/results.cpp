@@ -19,6 +19,9 @@ void check_probe(Rules& rules, const Probe& probe, const std::string& path) {
   if (probe.take != ProbeTake::node && probe.node.empty())
     rules.broken({path + ".take", path + ".on"},
                  "goes with 'on' only: it says what is taken of the nodes of a group");
+  if (is_of_contact(probe.field) && rules.study.contact.empty())
+    rules.broken({path + ".field", "contact"}, fmt::format("found {}, but the study has no contact",
+                                                           word_of(probe_field_words, probe.field)));
   for (std::size_t axis = 0; probe.point && axis < probe.point->size(); ++axis) {
     const auto at = fmt::format("{}.point.{}", path, axis);
     rules.number(at, probe.point->at(axis));
@@ -33,20 +36,60 @@ void check_instants(Rules& rules, const std::string& path, const std::vector<dou
     rules.instant(fmt::format("{}.{}", path, i), instants[i]);
 }
 
+/// "x, y or z"
+std::string alternatives(const std::vector<std::string>& words) {
+  std::string text = words.front();
+  for (std::size_t i = 1; i < words.size(); ++i)
+    text += (i + 1 < words.size() ? ", " : " or ") + words[i];
+  return text;
+}
+
 void check_probed(Rules& rules, const Check& check, const std::string& path) {
   std::vector<std::string> names;
   std::ranges::transform(rules.study.probes, std::back_inserter(names), &Probe::name);
-  if (std::ranges::find(names, check.probe) == names.end())
+  const auto probe = std::ranges::find(rules.study.probes, check.probe, &Probe::name);
+  const bool is_known = probe != rules.study.probes.end();
+  if (!is_known)
     rules.broken({path + ".probe", "probes"},
                  fmt::format("no probe is called {}{}", shown(check.probe), suggestion(check.probe, names)));
-  if (check.component < 0 || check.component >= dimension_of(rules.study.physics))
+  const auto field = is_known ? probe->field : ProbeField::displacement;
+  const auto components = components_of(field, dimension_of(rules.study.physics));
+  if (components.empty() && !check.component.empty())
+    rules.broken({path + ".probe", "probes"},
+                 fmt::format("found the component {}, but {} has none", shown(check.component),
+                             word_of(probe_field_words, field)));
+  else if (!components.empty() && check.component.empty() && is_known)
+    rules.broken({path + ".probe", "probes"},
+                 fmt::format("found {}, expected a probe and a component, as in {}.{}", shown(check.probe),
+                             check.probe, components.back()));
+  else if (!check.component.empty() && std::ranges::find(components, check.component) == components.end())
+    rules.broken({path + ".probe", "physics"}, fmt::format("found the component {}, expected {}",
+                                                           shown(check.component), alternatives(components)));
+}
+
+void check_energy(Rules& rules, const Check& check, const std::string& path) {
+  const std::vector<std::string> known(energy_quantities.begin(), energy_quantities.end());
+  if (std::ranges::find(known, check.energy) == known.end())
+    rules.broken({path + ".energy"}, fmt::format("no energy is called {}{}", shown(check.energy),
+                                                 suggestion(check.energy, known)));
+}
+
+void check_resultant(Rules& rules, const CheckedResultant& checked, const std::string& path) {
+  std::vector<std::string> zones;
+  for (const auto& zone : rules.study.contact)
+    if (!zone.all)
+      zones.push_back(zone.name);
+  const bool finds_zones =
+      std::ranges::any_of(rules.study.contact, [](const ContactZone& zone) { return zone.all; });
+  if (!finds_zones && std::ranges::find(zones, checked.zone) == zones.end())
     rules.broken(
-        {path + ".probe", "physics"},
-        fmt::format("found the component {}, expected {}",
-                    check.component >= 0 && check.component < 3
-                        ? shown(std::string(axis_words.at(static_cast<std::size_t>(check.component))))
-                        : fmt::format("{}", check.component),
-                    dimension_of(rules.study.physics) == 3 ? "x, y or z" : "x or y"));
+        {path + ".resultant", "contact"},
+        fmt::format("no contact zone is called {}{}", shown(checked.zone), suggestion(checked.zone, zones)));
+  const auto known = resultant_quantities(dimension_of(rules.study.physics));
+  if (std::ranges::find(known, checked.quantity) == known.end())
+    rules.broken({path + ".resultant", "physics"},
+                 fmt::format("no resultant is called {}{}", shown(checked.quantity),
+                             suggestion(checked.quantity, known)));
 }
 
 void check_field(Rules& rules, const CheckedField& checked, const std::string& path) {
@@ -69,6 +112,32 @@ void check_field(Rules& rules, const CheckedField& checked, const std::string& p
                                  suggestion(component, field->components)));
 }
 
+/// What is checked; one of four.
+void check_subject(Rules& rules, const Check& check, const std::string& path) {
+  const int subjects = (check.probe.empty() ? 0 : 1) + (check.energy.empty() ? 0 : 1) +
+                       (check.resultant ? 1 : 0) + (check.field ? 1 : 0);
+  if (subjects != 1)
+    rules.broken({path}, subjects == 0 ? "'probe', 'energy', 'resultant' or 'field' is missing"
+                                       : "found several of 'probe', 'energy', 'resultant' and 'field', "
+                                         "expected one of them");
+  else if (check.field)
+    check_field(rules, *check.field, path);
+  else if (check.resultant)
+    check_resultant(rules, *check.resultant, path);
+  else if (!check.energy.empty())
+    check_energy(rules, check, path);
+  else
+    check_probed(rules, check, path);
+}
+
+void check_when(Rules& rules, const Check& check, const std::string& path) {
+  if (check.when == CheckedTime::instant)
+    rules.instant(path + ".at", check.at);
+  else if (!check.run.empty())
+    rules.broken({path + ".over", path + ".run"},
+                 "goes without 'run': the difference from another run is that of an instant, 'at'");
+}
+
 /// `run` and `source: other_run` mean each other; fields know no other source.
 void check_source(Rules& rules, const Check& check, const std::string& path) {
   const auto at = path + ".source";
@@ -86,11 +155,8 @@ void check_source(Rules& rules, const Check& check, const std::string& path) {
 }
 
 void check_one(Rules& rules, const Check& check, const std::string& path) {
-  if (check.field)
-    check_field(rules, *check.field, path);
-  else
-    check_probed(rules, check, path);
-  rules.instant(path + ".at", check.at);
+  check_subject(rules, check, path);
+  check_when(rules, check, path);
   check_source(rules, check, path);
   rules.number(path + ".reference", check.reference);
   const bool has_reference = check.run.empty() && check.source != CheckSource::other_run && !check.field;
