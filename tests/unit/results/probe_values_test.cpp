@@ -32,7 +32,7 @@ checks:
   - {probe: middle.yy, at: 1, reference: -1000, tolerance: 0.3}
   - {probe: work, over: max, reference: 1e-3, tolerance: 1, kind: absolute}
   - {energy: friction, at: 1, reference: 1e-3, tolerance: 1, kind: absolute}
-  - {resultant: foot.normal, at: 1, reference: 1000, tolerance: 1e-9}
+  - {resultant: foot.normal, at: 1, reference: 1000, tolerance: 1e-6}
   - {resultant: foot.force.y, over: min, reference: 1000, tolerance: 1e-9}
   - {probe: support.y, at: 1, reference: 1000, tolerance: 1e-9}
   - {probe: peak, over: max_magnitude, reference: 1000, tolerance: 9}
