@@ -2,6 +2,7 @@
 # What can be done with a clone, a target each. JOBS=4 builds with four jobs.
 JOBS ?= 2
 GMSH ?= 0
+SHELLS ?= 0
 # The sources of a module compiled as one: half the time from nothing. UNITY=OFF where sources change.
 UNITY ?= ON
 CLANG_TIDY ?= clang-tidy
@@ -18,8 +19,8 @@ TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 help: ## what there is
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | awk '{name = $$1; sub(/^[^ ]* /, ""); printf "make %-12s %s\n", name, $$0}'
 
-deps: ## install what is missing (GMSH=1: libgmsh too)
-	@GMSH=$(GMSH) cmake/install-dependencies
+deps: ## install what is missing (GMSH=1: libgmsh too; SHELLS=1: zsh, fish and man, for tests)
+	@GMSH=$(GMSH) SHELLS=$(SHELLS) cmake/install-dependencies
 
 configure:
 	@cmake --preset release -DRUBATO_UNITY=$(UNITY) $(LAUNCHER)
@@ -50,6 +51,7 @@ installed-test:
 	@cmake --build $(SCRATCH)/consumer
 	ctest --test-dir $(SCRATCH)/consumer --output-on-failure
 	$(SCRATCH)/prefix/bin/rubato --help > $(SCRATCH).log
+	@test -s $(SCRATCH)/prefix/share/man/man1/rubato.1
 
 debug-test: deps ## the tests under the address and undefined-behaviour sanitizers
 	@cmake --preset debug $(LAUNCHER)

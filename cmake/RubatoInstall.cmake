@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# `cmake --install`: program, library, headers and the package another project finds.
+# `cmake --install`: program, man pages, completions, library, headers and the package another project finds.
 include(CMakePackageConfigHelpers)
 
 # The package that offers a linked target is named before its `::`. Those that break this rule, or that need more
@@ -41,6 +41,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/rubatoConfig.cmake.in 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/rubatoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 
 install(TARGETS rubato_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY ${PROJECT_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} OPTIONAL) # man pages and completions
 install(TARGETS rubato EXPORT rubatoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT rubatoTargets NAMESPACE rubato:: DESTINATION ${rubato_package_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/rubato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}

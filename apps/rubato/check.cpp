@@ -5,9 +5,13 @@
 #include "rubato/results/stored_run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "commands.hpp"
+#include "read_deck.hpp"
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace rubato::app {
 
@@ -33,11 +37,25 @@ int check_run(const std::filesystem::path& folder) {
   return exit_code_of(run, std::ranges::all_of(checks, &results::CheckResult::holds));
 }
 
+/// The deck alone, without its mesh.
+int check_deck(const std::filesystem::path& file) {
+  const auto deck = read_deck(file);
+  std::vector<std::string> names;
+  for (const auto& run : deck.runs)
+    names.push_back(run.name);
+  fmt::print("{}: no fault in the deck; {} run{}: {}\n", is_standard_input(file) ? "<stdin>" : file.string(),
+             names.size(), names.size() == 1 ? "" : "s", fmt::join(names, ", "));
+  return done;
+}
+
 } // namespace
 
 int check(const CheckArguments& arguments) {
+  const auto& what = arguments.what;
+  if (is_standard_input(what) || (std::filesystem::exists(what) && !std::filesystem::is_directory(what)))
+    return check_deck(what);
   int code = done;
-  for (const auto& folder : results::run_folders(arguments.folder))
+  for (const auto& folder : results::run_folders(what))
     code = std::max(code, check_run(folder));
   return code;
 }

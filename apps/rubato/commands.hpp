@@ -18,12 +18,13 @@ struct RunArguments {
   std::vector<std::string> settings; ///< "path.to.key=value"
   std::vector<std::string> only;     ///< names of runs
   bool resume = false;
+  bool dry = false; ///< say what would be run
   bool quiet = false;
 };
 int run(const RunArguments& arguments);
 
 struct CheckArguments {
-  std::filesystem::path folder;
+  std::filesystem::path what; ///< a deck, or a folder of results
 };
 int check(const CheckArguments& arguments);
 
@@ -57,6 +58,23 @@ struct MeshArguments {
 };
 int mesh(const MeshArguments& arguments);
 
+struct NewArguments {
+  std::string name; ///< empty: list the templates
+  std::filesystem::path output;
+};
+int new_deck(const NewArguments& arguments);
+/// Names of the decks that `new` writes.
+std::vector<std::string> template_names();
+
+/// What completions and the build ask for.
+struct ShellArguments {
+  std::filesystem::path folder; ///< laid out as /usr/share
+  std::filesystem::path deck;
+};
+int write_shell_files(const ShellArguments& arguments);
+int print_run_names(const ShellArguments& arguments);
+
 int list();
+int schema();
 
 } // namespace rubato::app

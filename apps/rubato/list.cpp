@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/obstacle.hpp"
+#include "rubato/deck/schema.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/study/contact_methods.hpp"
 #include "rubato/study/material_laws.hpp"
@@ -14,6 +15,11 @@
 #include <utility>
 
 namespace rubato::app {
+
+int schema() {
+  fmt::print("{}", deck::schema());
+  return done;
+}
 
 int list() {
   fmt::print("Cells\n");

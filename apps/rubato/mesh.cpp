@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/deck/read.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "read_deck.hpp"
 #include <map>
 
 namespace rubato::app {
 namespace {
 
 bool is_deck(const std::filesystem::path& path) {
-  return path.extension() == ".yaml" || path.extension() == ".yml";
+  return is_standard_input(path) || path.extension() == ".yaml" || path.extension() == ".yml";
 }
 
 study::MeshConversion conversion_named(const std::string& name) {
@@ -39,10 +39,7 @@ Source source_of(const MeshArguments& arguments) {
   Source found;
   auto& source = found.mesh;
   if (is_deck(arguments.source)) {
-    std::vector<deck::Setting> settings;
-    for (const auto& text : arguments.settings)
-      settings.push_back(deck::parse_setting(text));
-    const auto deck = deck::read_deck(arguments.source, settings);
+    const auto deck = read_deck(arguments.source, arguments.settings);
     source = deck.runs.front().mesh;
     found.places = deck.places.front();
   } else {

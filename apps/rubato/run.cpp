@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/run/time_loop.hpp"
@@ -7,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "dry_run.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "read_deck.hpp"
 #include <algorithm>
 #include <map>
 #include <span>
@@ -17,11 +18,11 @@
 namespace rubato::app {
 namespace {
 
-deck::Deck read(const RunArguments& arguments) {
-  std::vector<deck::Setting> settings;
-  for (const auto& text : arguments.settings)
-    settings.push_back(deck::parse_setting(text));
-  return deck::read_deck(arguments.deck, settings, arguments.only);
+/// The folder that has one for each run.
+std::filesystem::path output_of(const RunArguments& arguments) {
+  if (!arguments.output.empty())
+    return arguments.output;
+  return is_standard_input(arguments.deck) ? "stdin" : arguments.deck.stem();
 }
 
 /// What a check subtracts must come from this command, or lie in the folder of results from a former one.
@@ -132,14 +133,16 @@ private:
 } // namespace
 
 int run(const RunArguments& arguments) {
-  const auto deck = read(arguments);
+  const auto deck = read_deck(arguments.deck, arguments.settings, arguments.only);
   if (deck.runs.size() > 1)
     deck::throw_if_any(model::faults_of(deck.runs), deck.places);
-  const auto output = arguments.output.empty() ? arguments.deck.stem() : arguments.output;
+  const auto output = output_of(arguments);
   require_compared_runs(deck, output);
   if (!arguments.quiet)
     for (const auto& note : deck.notes)
       fmt::print(stderr, "{}\n", note);
+  if (arguments.dry)
+    return show_plans(deck, output, arguments.resume);
   return run_interruptibly(
       [&](const std::stop_token& stop) { return Series(arguments, output, stop).run(deck); });
 }

@@ -48,7 +48,8 @@ TEST_F(CommandLine, RefusesUnknownSubcommandsAndOptions) {
       {{"rum"},
        2,
        "",
-       "error: found 'rum', expected one of run, check, compare, info, mesh, list; did you mean 'run'?\n"});
+       "error: found 'rum', expected one of run, new, check, compare, info, mesh, list, schema; did you mean "
+       "'run'?\n"});
   expect({{"run"}, 2, "", "error: deck is required (rubato --help tells more)\n"});
   expect({{"run", "deck.yaml", "--fast"},
           2,

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "command_line.hpp"
+
+#include "rubato/mesh/io/gmsh.hpp"
+#include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/version.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+
+namespace rubato::app {
+namespace {
+
+void add_run(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("run", "run a study");
+  auto& run = arguments.run;
+  command->add_option("deck", run.deck, "the study, a YAML file; - reads it from standard input")
+      ->required()
+      ->type_name(kind::deck);
+  command
+      ->add_option("-o,--output", run.output,
+                   "folder of results; each run gets a folder in it (default: the deck's name)")
+      ->type_name(kind::folder);
+  command->add_option("--set", run.settings, "change the deck: path.to.key=value")
+      ->allow_extra_args(false)
+      ->type_name(kind::setting);
+  command
+      ->add_option(
+          "--only", run.only,
+          "run only these runs of the deck, and those they start from unless their results are there")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name(kind::runs);
+  command->add_flag("--resume", run.resume,
+                    "go on from the checkpoints in the folder of results; runs at their end are left alone");
+  command->add_flag("--dry-run", run.dry, "say what would be run and where, with its size; write nothing");
+  command->add_flag("-q,--quiet", run.quiet, "print checks and errors only");
+  command->callback([&arguments] { arguments.work = [&] { return app::run(arguments.run); }; });
+}
+
+void add_check(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand(
+      "check", "look for faults in a deck, or hold a finished run against its references again");
+  command
+      ->add_option("what", arguments.check.what,
+                   "a deck (- reads it from standard input), a run's folder, or a folder of runs")
+      ->required()
+      ->type_name(kind::deck_or_folder);
+  command->callback([&arguments] { arguments.work = [&] { return app::check(arguments.check); }; });
+}
+
+void add_compare(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("compare", "the difference A - B of two runs");
+  auto& compare = arguments.compare;
+  command->add_option("run_a", compare.a, "folder of run A")->required()->type_name(kind::folder);
+  command->add_option("run_b", compare.b, "folder of run B")->required()->type_name(kind::folder);
+  command->add_option("--at", compare.at, "instant (of --probe: all common ones when not given)")
+      ->type_name(kind::number);
+  auto* field = command->add_option("--field", compare.field, "field at the nodes (default: displacement)")
+                    ->type_name(kind::name);
+  auto* node = command->add_option("--node", compare.node, "at a node: N90, a group of one node, a probe")
+                   ->type_name(kind::name);
+  auto* group =
+      command->add_option("--group", compare.group, "over the nodes of a group")->type_name(kind::name);
+  auto* norms = command->add_flag("--norms", compare.norms, "over the whole mesh (default)");
+  auto* output =
+      command->add_option("-o,--output", compare.output, "write the difference for ParaView (.vtu)")
+          ->type_name(kind::file);
+  auto* probe = command->add_option("--probe", compare.probe, "compare histories: tip, or tip.y")
+                    ->type_name(kind::name);
+  for (auto* of_fields : {field, node, group, static_cast<CLI::Option*>(norms), output})
+    probe->excludes(of_fields);
+  command->add_option("--tolerance", compare.tolerance, "fail when the largest difference is beyond it")
+      ->type_name(kind::number);
+  command->callback([&arguments] { arguments.work = [&] { return app::compare(arguments.compare); }; });
+}
+
+void add_info(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("info", "say what a mesh file holds and what looks wrong");
+  command
+      ->add_option("file", arguments.info.file,
+                   fmt::format("mesh file ({})", rubato::mesh::readable_endings()))
+      ->required()
+      ->type_name(kind::mesh);
+  command->add_option("--mesh", arguments.info.mesh_name, "name of the mesh inside the file")
+      ->type_name(kind::name);
+  command->callback([&arguments] { arguments.work = [&] { return app::info(arguments.info); }; });
+}
+
+void add_mesh(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("mesh", "write the mesh of a deck, or convert a mesh file");
+  auto& mesh = arguments.mesh;
+  command
+      ->add_option("source", mesh.source,
+                   fmt::format("a deck (.yaml, or - for standard input) or a mesh file ({})",
+                               rubato::mesh::readable_endings()))
+      ->required()
+      ->type_name(kind::deck_or_mesh);
+  command->add_option("output", mesh.output, "file to write (.med, .mail, .vtu)")
+      ->required()
+      ->type_name(kind::file);
+  command->add_option("--set", mesh.settings, "change the deck: path.to.key=value")
+      ->allow_extra_args(false)
+      ->type_name(kind::setting);
+  command->add_option("--convert", mesh.convert, "change the cells' degree")
+      ->type_name("linear|quadratic|full_quadratic");
+  command->add_option("--refine", mesh.refine, "cut every edge into that many parts")
+      ->type_name(kind::number);
+  command->callback([&arguments] { arguments.work = [&] { return app::mesh(arguments.mesh); }; });
+}
+
+void add_list(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("list", "list cells, schemes, methods, laws and formats");
+  command->callback([&arguments] { arguments.work = [] { return app::list(); }; });
+}
+
+void add_schema(CLI::App& program, Arguments& arguments) {
+  auto* command =
+      program.add_subcommand("schema", "print the JSON Schema of decks, by which editors complete and check");
+  command->callback([&arguments] { arguments.work = [] { return app::schema(); }; });
+}
+
+void add_new(CLI::App& program, Arguments& arguments) {
+  auto* command =
+      program.add_subcommand("new", "write a commented deck to begin with; without a name, list them");
+  auto& chosen = arguments.new_deck;
+  command->add_option("name", chosen.name, "what the deck is about")
+      ->type_name(fmt::format("{}", fmt::join(template_names(), "|")));
+  command
+      ->add_option("-o,--output", chosen.output,
+                   "file to write; - writes to standard output (default: NAME.yaml)")
+      ->type_name(kind::file);
+  command->callback([&arguments] { arguments.work = [&] { return app::new_deck(arguments.new_deck); }; });
+}
+
+/// For the build and for completions, not for people.
+void add_shell(CLI::App& program, Arguments& arguments) {
+  auto* files =
+      program.add_subcommand("shell-files", "write man pages and completions into a folder")->group("");
+  files->add_option("folder", arguments.shell.folder, "as /usr/share")->required()->type_name(kind::folder);
+  files->callback([&arguments] { arguments.work = [&] { return app::write_shell_files(arguments.shell); }; });
+  auto* runs = program.add_subcommand("run-names", "print the runs of a deck, one a line")->group("");
+  runs->add_option("deck", arguments.shell.deck, "the study")->required()->type_name(kind::deck);
+  runs->callback([&arguments] { arguments.work = [&] { return app::print_run_names(arguments.shell); }; });
+}
+
+/// The version, and which of the parts that a build may lack this one has.
+std::string version_text() {
+  return fmt::format("rubato {}\nGmsh geometries (.geo): {}", version,
+                     rubato::mesh::is_gmsh_built_in() ? "built in; Gmsh's library is loaded when one is read"
+                                                      : "not built in (make deps GMSH=1, then build again)");
+}
+
+} // namespace
+
+std::vector<const CLI::App*> shown_commands(const CLI::App& program) {
+  return program.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+void declare(CLI::App& program, Arguments& arguments) {
+  program.set_help_flag("-h,--help", "print this help");
+  program.set_version_flag("--version", version_text(), "print version and optional parts");
+  program.require_subcommand(1);
+  program.footer("Exit codes: 0 done and all checks pass, 1 a check fails, 2 bad input, 3 no convergence, 4 "
+                 "any other end.");
+  add_run(program, arguments);
+  add_new(program, arguments);
+  add_check(program, arguments);
+  add_compare(program, arguments);
+  add_info(program, arguments);
+  add_mesh(program, arguments);
+  add_list(program, arguments);
+  add_schema(program, arguments);
+  add_shell(program, arguments);
+}
+
+} // namespace rubato::app

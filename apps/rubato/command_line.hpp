@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The command line: subcommands, options, and what they are for. Help, man pages and completions are all
+/// made of it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "commands.hpp"
+#include <functional>
+#include <vector>
+
+namespace rubato::app {
+
+/// What the command line says; the subcommand that was chosen reads its part.
+struct Arguments {
+  RunArguments run;
+  CheckArguments check;
+  CompareArguments compare;
+  InfoArguments info;
+  MeshArguments mesh;
+  NewArguments new_deck;
+  ShellArguments shell;
+  std::function<int()> work;
+};
+
+/// Names of the kinds of values, as help shows them; completions offer files by them. A kind with bars is a
+/// list of words.
+namespace kind {
+inline constexpr auto deck = "DECK";
+inline constexpr auto folder = "FOLDER";
+inline constexpr auto deck_or_folder = "DECK_OR_FOLDER";
+inline constexpr auto mesh = "MESH";
+inline constexpr auto deck_or_mesh = "DECK_OR_MESH";
+inline constexpr auto file = "FILE";
+inline constexpr auto runs = "RUN,...";
+inline constexpr auto setting = "PATH=VALUE";
+inline constexpr auto name = "NAME";
+inline constexpr auto number = "NUMBER";
+} // namespace kind
+
+inline constexpr auto about = "rubato: how elastic bodies move, touch, rub and part";
+
+/// The subcommands that help shows, in its order.
+std::vector<const CLI::App*> shown_commands(const CLI::App& program);
+
+/// Declares all of it. `arguments` must outlive the program's parsing.
+void declare(CLI::App& program, Arguments& arguments);
+
+} // namespace rubato::app
