@@ -136,8 +136,10 @@ void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcome
       continue;
     const double beside = axis->weights[0] * outcomes[axis->points[0]].pressure +
                           axis->weights[1] * outcomes[axis->points[1]].pressure;
-    if (beside > 0)
-      outcomes[i].pressure = beside;
+    if (!(beside > 0))
+      continue;
+    outcomes[i].pressure = beside;
+    outcomes[i].area = outcomes[i].normal.norm() / beside;
   }
 }
 
@@ -352,7 +354,7 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
     auto& outcome = all[i];
     outcome.gap = points[i].variables.gap;
     outcome.slip = points[i].variables.slip;
-    outcome.area = point.area * points[i].cover;
+    outcome.area = points[i].kinematics ? point.area * points[i].cover : 0;
     if (status[i] == Status::open)
       continue;
     const auto traction =

@@ -127,7 +127,7 @@ ZoneState ExplicitPenalty::state() const {
     state.status[i] = spring.status;
     state.outcomes[i] = {neighbours_.pairs()[i].paired() ? spring.gap : INFINITY, spring.slip_on_tangents,
                          spring.pressure, weight * spring.pressure * spring.normal, weight * spring.traction};
-    state.outcomes[i].area = zone_->points[i].area;
+    state.outcomes[i].area = neighbours_.pairs()[i].paired() ? zone_->points[i].area : 0;
   }
   state.friction_history = friction_history_;
   return state;

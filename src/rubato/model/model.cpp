@@ -12,12 +12,14 @@
 #include "rubato/model/build.hpp"
 #include "rubato/model/contact_mass.hpp"
 #include "rubato/model/gauges.hpp"
+#include "rubato/model/mortar_edges.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/study/validate.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace rubato::model {
 namespace {
@@ -136,6 +138,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults, model.notes);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
+  std::ranges::move(edges_in_mortar_zones(model.zones, model.mesh), std::back_inserter(model.notes));
   if (study.time.scheme == study::SchemeKind::static_steps) {
     model.gauges = make_gauges(model, model.notes);
     check_supported(model, faults);
