@@ -349,14 +349,16 @@ TEST(DeckKeys, NewtonProbesFieldsAndChecks) {
   EXPECT_EQ(study.fields, (study::FieldOutput{true, true, {0.001, 0.006}, 10, false}));
   EXPECT_EQ(study.checkpoint, (study::CheckpointOutput{{0.002}, 20, false}));
   ASSERT_EQ(study.checks.size(), 1U);
-  EXPECT_EQ(study.checks[0], (study::Check{.probe = "tip",
-                                           .component = "y",
-                                           .at = 0.012,
-                                           .reference = -0.0132,
-                                           .tolerance = 1e-3,
-                                           .relative = false,
-                                           .source = study::CheckSource::other_code,
-                                           .note = "table 3"}));
+  study::Check expected;
+  expected.probe = "tip";
+  expected.component = "y";
+  expected.at = 0.012;
+  expected.reference = -0.0132;
+  expected.tolerance = 1e-3;
+  expected.relative = false;
+  expected.source = study::CheckSource::other_code;
+  expected.note = "table 3";
+  EXPECT_EQ(study.checks[0], expected);
 }
 
 TEST(DeckKeys, WithoutACheckpointTheEndIsKept) {
