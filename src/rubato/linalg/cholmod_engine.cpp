@@ -27,23 +27,16 @@ cholmod_dense view(const double* values, Eigen::Index row_count, Eigen::Index co
   return dense;
 }
 
-/// A supernode of a factor: columns that share the pattern of their rows, stored as one dense block.
-struct Supernode {
-  Index first = 0; ///< of its columns
-  Index columns = 0;
-  std::span<const Index> rows; ///< its columns first
-  const double* values = nullptr;
-};
-
-Supernode supernode(const cholmod_factor& factor, std::size_t s) {
+Supernode supernode_of(const cholmod_factor& factor, std::size_t s) {
   const auto* first_column = static_cast<const Index*>(factor.super);
   const auto* row_start = static_cast<const Index*>(factor.pi);
   const auto* value_start = static_cast<const Index*>(factor.px);
   const auto* rows = static_cast<const Index*>(factor.s);
+  const auto* values = static_cast<const double*>(factor.x);
   return {first_column[s],
           first_column[s + 1] - first_column[s],
           {rows + row_start[s], static_cast<std::size_t>(row_start[s + 1] - row_start[s])},
-          static_cast<const double*>(factor.x) + value_start[s]};
+          values == nullptr ? nullptr : values + value_start[s]};
 }
 
 /// The diagonal of L in the order of elimination.
@@ -58,7 +51,7 @@ std::vector<double> factor_diagonal(const cholmod_factor& factor) {
     return diagonal;
   }
   for (std::size_t s = 0; s < factor.nsuper; ++s) {
-    const auto node = supernode(factor, s);
+    const auto node = supernode_of(factor, s);
     const auto row_count = static_cast<Index>(node.rows.size());
     for (Index column = 0; column < node.columns; ++column)
       diagonal.push_back(node.values[column * (row_count + 1)]);
@@ -197,12 +190,20 @@ CholmodEngine::~CholmodEngine() {
 }
 
 void CholmodEngine::analyse(LowerTriangle& lower) {
+  // Where supernodes do not pay (chains, tiny models), CHOLMOD works column by column; LLᵀ there too.
+  analyse(lower, CHOLMOD_AUTO);
+}
+
+void CholmodEngine::analyse_supernodes(LowerTriangle& lower) {
+  analyse(lower, CHOLMOD_SUPERNODAL);
+}
+
+void CholmodEngine::analyse(LowerTriangle& lower, int supernodal) {
   if (lower.size() == 0)
     return;
   common_.method[0].ordering = CHOLMOD_METIS;
   common_.postorder = 1;
-  // Where supernodes do not pay (chains, tiny models), CHOLMOD works column by column; LLᵀ there too.
-  common_.supernodal = CHOLMOD_AUTO;
+  common_.supernodal = supernodal;
   auto matrix = lower.view();
   factor_ = cholmod_l_analyze(&matrix, &common_);
   if (factor_ == nullptr)
@@ -265,6 +266,14 @@ std::span<const Index> CholmodEngine::permutation() const {
   return {static_cast<const Index*>(factor_->Perm), factor_->n};
 }
 
+std::size_t CholmodEngine::supernode_count() const {
+  return factor_ != nullptr && factor_->is_super ? factor_->nsuper : 0;
+}
+
+Supernode CholmodEngine::supernode(std::size_t s) const {
+  return supernode_of(*factor_, s);
+}
+
 TrailingTriangle CholmodEngine::trailing(Index size) const {
   TrailingTriangle triangle;
   triangle.size = size;
@@ -277,7 +286,7 @@ TrailingTriangle CholmodEngine::trailing(Index size) const {
     triangle.stride = size;
     return triangle;
   }
-  const auto last_node = supernode(*factor_, factor_->nsuper - 1);
+  const auto last_node = supernode_of(*factor_, factor_->nsuper - 1);
   if (last_node.first <= first) {
     triangle.stride = last_node.columns;
     triangle.values = last_node.values + (first - last_node.first) * (triangle.stride + 1);
@@ -285,7 +294,7 @@ TrailingTriangle CholmodEngine::trailing(Index size) const {
   }
   triangle.copy = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t s = 0; s < factor_->nsuper; ++s) {
-    const auto node = supernode(*factor_, s);
+    const auto node = supernode_of(*factor_, s);
     const auto row_count = static_cast<Index>(node.rows.size());
     for (Index column = std::max<Index>(0, first - node.first); column < node.columns; ++column)
       for (Index row = column; row < row_count; ++row)

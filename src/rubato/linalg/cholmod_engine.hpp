@@ -42,6 +42,14 @@ struct TrailingTriangle {
   Eigen::MatrixXd copy;
 };
 
+/// A supernode of a factor: columns that share the pattern of their rows, stored as one dense block.
+struct Supernode {
+  SuiteSparse_long first = 0; ///< of its columns
+  SuiteSparse_long columns = 0;
+  std::span<const SuiteSparse_long> rows; ///< its columns first
+  const double* values = nullptr;         ///< column by column; none before there are values
+};
+
 /// CHOLMOD's settings, one factor L Lᵀ, and the work vectors that repeated solves reuse. An empty matrix has
 /// no factor. Everything throws std::bad_alloc when memory does not suffice.
 class CholmodEngine {
@@ -55,6 +63,8 @@ public:
 
   /// Orders the unknowns by METIS and finds where the factor has entries.
   void analyse(LowerTriangle& lower);
+  /// The same, with supernodes even where these do not pay.
+  void analyse_supernodes(LowerTriangle& lower);
   /// The same, with the last `trailing` unknowns eliminated last, as they stand.
   void analyse(LowerTriangle& lower, Index trailing);
   /// Memory of the analysed factor, whether it has its values yet or not.
@@ -66,6 +76,9 @@ public:
   /// Of the unknowns, in the order of elimination.
   std::span<const Index> permutation() const;
   TrailingTriangle trailing(Index size) const;
+  /// 0 of a factor without supernodes.
+  std::size_t supernode_count() const;
+  Supernode supernode(std::size_t s) const;
 
   /// `system`: CHOLMOD_A, or CHOLMOD_L and CHOLMOD_Lt on vectors in the order of elimination. What comes back
   /// lasts until the next call.
@@ -73,6 +86,7 @@ public:
   Eigen::MatrixXd solve_many(const Eigen::MatrixXd& right_sides);
 
 private:
+  void analyse(LowerTriangle& lower, int supernodal);
   std::vector<Index> interior_ordering(LowerTriangle& lower, Index trailing);
 
   cholmod_common common_{};

@@ -3,6 +3,7 @@
 
 #include "rubato/linalg/cholmod_engine.hpp"
 #include "rubato/linalg/memory.hpp"
+#include "rubato/linalg/surface_in_factor.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -23,6 +24,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+/// Of thicker bodies, with more unknowns for each on the surface, L_ss is not worth comparing with the
+/// factor.
+constexpr Index thickest = 10;
 
 enum class Side : char { lower = 'N', transposed = 'T' };
 
@@ -76,11 +81,34 @@ std::vector<int> bodies_of(const SparseMatrix& matrix, int& count) {
 
 struct SplitFactor::Body {
   std::vector<int> unknowns; ///< in the order of elimination once factored
-  Index surface_size = 0;    ///< the last of them
+  Index surface_size = 0;    ///< the last of them, before that
   std::unique_ptr<CholmodEngine> engine;
-  TrailingTriangle triangle;
+  TrailingTriangle triangle;             ///< where the surface is eliminated last
+  std::optional<SurfaceInFactor> within; ///< where it is not
 
   Index size() const { return static_cast<Index>(unknowns.size()); }
+
+  void analyse(LowerTriangle& lower, Index largest_last) {
+    engine = std::make_unique<CholmodEngine>();
+    if (surface_size > largest_last && size() <= thickest * surface_size) {
+      engine->analyse_supernodes(lower);
+      if (engine->bytes() < bytes_of_triangle()) {
+        within.emplace(*engine, size() - surface_size);
+        return;
+      }
+      engine = std::make_unique<CholmodEngine>();
+    }
+    engine->analyse(lower, surface_size);
+  }
+
+  std::size_t bytes_of_triangle() const {
+    return static_cast<std::size_t>(surface_size * (surface_size + 1) / 2) * sizeof(double);
+  }
+
+  std::size_t bytes_of_compliance() const {
+    return within ? within->bytes_of_compliance()
+                  : static_cast<std::size_t>(surface_size * surface_size) * sizeof(double);
+  }
 
   void eliminate_in_order_of_factor() {
     const auto order = engine->permutation();
@@ -88,6 +116,14 @@ struct SplitFactor::Body {
     std::ranges::transform(order, ordered.begin(),
                            [&](auto i) { return unknowns[static_cast<std::size_t>(i)]; });
     unknowns = std::move(ordered);
+  }
+
+  void add_surface_to(std::vector<int>& surface) const {
+    if (within)
+      for (const Index place : within->places())
+        surface.push_back(unknowns[static_cast<std::size_t>(place)]);
+    else
+      surface.insert(surface.end(), unknowns.end() - surface_size, unknowns.end());
   }
 };
 
@@ -97,7 +133,8 @@ SplitFactor& SplitFactor::operator=(SplitFactor&&) noexcept = default;
 SplitFactor::~SplitFactor() = default;
 
 std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span<const int> surface,
-                                           std::size_t memory, const std::function<void(std::size_t)>& tell) {
+                                           std::size_t memory, const std::function<void(std::size_t)>& tell,
+                                           Index largest_last) {
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("SplitFactor::of wants a square matrix.");
   SplitFactor factor;
@@ -127,12 +164,11 @@ std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span
     triangles.emplace_back(matrix, body.unknowns, number);
     if (!triangles.back().finite)
       return std::nullopt;
-    body.engine = std::make_unique<CholmodEngine>();
-    body.engine->analyse(triangles.back(), body.surface_size);
+    body.analyse(triangles.back(), largest_last);
   }
   auto needed = factor.factor_bytes();
   for (const auto& body : factor.bodies_)
-    needed += static_cast<std::size_t>(body.surface_size * body.surface_size) * sizeof(double);
+    needed += body.bytes_of_compliance();
   if (needed > memory)
     throw TooLargeForMemory(needed, memory);
   tell(needed);
@@ -143,10 +179,10 @@ std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span
     if (!body.engine->factorise(triangles[b]))
       return std::nullopt;
     triangles[b] = LowerTriangle(SparseMatrix(0, 0));
-    body.triangle = body.engine->trailing(body.surface_size);
+    if (!body.within)
+      body.triangle = body.engine->trailing(body.surface_size);
     body.eliminate_in_order_of_factor();
-    factor.surface_.insert(factor.surface_.end(), body.unknowns.end() - body.surface_size,
-                           body.unknowns.end());
+    body.add_surface_to(factor.surface_);
     factor.body_starts_.push_back(static_cast<int>(factor.surface_.size()));
   }
   return factor;
@@ -189,6 +225,10 @@ VectorXd SplitFactor::surface_of(const VectorXd& half_way) const {
     const auto& body = bodies_[b];
     end += body.size();
     auto part = values.segment(body_starts_[b], body.surface_size);
+    if (body.within) {
+      part = body.within->values(half_way.segment(end - body.size(), body.size()));
+      continue;
+    }
     part = half_way.segment(end - body.surface_size, body.surface_size);
     solve_in_place(body.triangle, Side::transposed, part);
   }
@@ -203,9 +243,18 @@ void SplitFactor::load_surface(const VectorXd& force, VectorXd& half_way) const 
     VectorXd part = force.segment(body_starts_[b], body.surface_size);
     if (part.isZero(0))
       continue;
+    if (body.within) {
+      body.within->load(part, half_way.segment(end - body.size(), body.size()));
+      continue;
+    }
     solve_in_place(body.triangle, Side::lower, part);
     half_way.segment(end - body.surface_size, body.surface_size) += part;
   }
+}
+
+const SurfaceInFactor* SplitFactor::surface_within(std::size_t body) const {
+  const auto& within = bodies_[body].within;
+  return within ? &*within : nullptr;
 }
 
 MatrixXd SplitFactor::compliance(std::size_t body) const {

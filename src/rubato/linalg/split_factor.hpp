@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,23 +16,30 @@
 
 namespace rubato::linalg {
 
+class SurfaceInFactor;
+
 /// The factor of a symmetric positive definite matrix whose surface is eliminated last:
 ///   A = [A_ii A_is; A_si A_ss],  L = [L_ii 0; L_si L_ss],  L_ss L_ssᵀ = A_ss − A_si A_ii⁻¹ A_is = S⁻¹,
 /// S = B A⁻¹ Bᵀ the compliance of the surface, B picking its unknowns. The solution of A x = b is known on
 /// the surface once L y = b is solved: x_s = L_ss⁻ᵀ y_s. A force added there then changes y_s alone. Bodies
 /// that A does not couple are factored each for itself.
 ///
-/// Surface unknowns are counted body after body, in their order: their positions.
+/// L_ss is dense. Of a thin body, whose surface are most of its unknowns, it has more entries than the whole
+/// factor in an order of its own: there the surface may be eliminated within the body (SurfaceInFactor).
+///
+/// Surface unknowns are counted body after body, in their order of elimination: their positions.
 class SplitFactor {
 public:
   /// Nothing comes back when the matrix is not positive definite to working precision or has a value that is
-  /// not finite. The order of `surface` is kept. `tell` hears what the factor and its compliance need
-  /// [bytes] as soon as their entries are counted, before the first value is computed. Throws
-  /// TooLargeForMemory when they would not fit into `memory` [bytes], std::invalid_argument when the matrix
-  /// is not square.
+  /// not finite. A surface that is eliminated last keeps the order of `surface`. `tell` hears what the factor
+  /// and its compliance need [bytes] as soon as their entries are counted, before the first value is
+  /// computed. Surfaces of more than `largest_last` unknowns are eliminated within their body where its whole
+  /// factor is then smaller than L_ss alone. Throws TooLargeForMemory when they would not fit into `memory`
+  /// [bytes], std::invalid_argument when the matrix is not square.
   static std::optional<SplitFactor> of(
       const SparseMatrix& matrix, std::span<const int> surface, std::size_t memory,
-      const std::function<void(std::size_t)>& tell = [](std::size_t) {});
+      const std::function<void(std::size_t)>& tell = [](std::size_t) {},
+      Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max());
   SplitFactor(SplitFactor&&) noexcept;
   SplitFactor& operator=(SplitFactor&&) noexcept;
   ~SplitFactor();
@@ -52,7 +60,9 @@ public:
   const std::vector<int>& surface() const { return surface_; }
   /// Positions at which one body's end and the next one's begin, 0 first.
   const std::vector<int>& body_starts() const { return body_starts_; }
-  /// S of a body.
+  /// Of a body whose surface is eliminated within it; else nothing.
+  const SurfaceInFactor* surface_within(std::size_t body) const;
+  /// S of a body whose surface is eliminated last.
   Eigen::MatrixXd compliance(std::size_t body) const;
   /// The same for unit forces at `count` of its positions from `first` on (counted from its first): one
   /// column each. All columns take three times as long by this.
