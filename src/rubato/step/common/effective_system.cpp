@@ -37,7 +37,8 @@ std::vector<int> ordered_surface(const Model& model) {
 std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix,
                                             const std::function<void(std::size_t)>& tell_memory) {
   try {
-    return linalg::SplitFactor::of(matrix, ordered_surface(model), linalg::available_memory(), tell_memory);
+    return linalg::SplitFactor::of(matrix, ordered_surface(model), linalg::available_memory(), tell_memory,
+                                   Compliance::usual_largest_whole);
   } catch (const linalg::TooLargeForMemory& error) {
     throw InputError(
         fmt::format("the model is too large for this machine: with its {} unknowns {}; expected a "

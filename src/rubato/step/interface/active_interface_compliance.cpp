@@ -91,15 +91,19 @@ void ActiveInterfaceCompliance::touch_added() {
   for (std::size_t active_dof = 0; active_dof < interface_dofs_.size(); ++active_dof)
     active_dof_of_[static_cast<std::size_t>(interface_dofs_[active_dof])] = static_cast<int>(active_dof);
   body_of_.clear();
-  bodies_.clear();
+  std::size_t count = 0;
   const auto& starts = compliance_->factor().body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
     const auto begin = std::ranges::lower_bound(interface_dofs_, starts[b]);
     const auto end = std::ranges::lower_bound(interface_dofs_, starts[b + 1]);
     if (begin == end)
       continue;
-    body_of_.insert(body_of_.end(), static_cast<std::size_t>(end - begin), static_cast<int>(bodies_.size()));
-    bodies_.push_back({begin - interface_dofs_.begin(), compliance_->within_body({begin, end})});
+    body_of_.insert(body_of_.end(), static_cast<std::size_t>(end - begin), static_cast<int>(count));
+    if (count == bodies_.size())
+      bodies_.emplace_back();
+    auto& body = bodies_[count++];
+    body.first = begin - interface_dofs_.begin();
+    compliance_->within_body({begin, end}, body.s);
   }
 }
 

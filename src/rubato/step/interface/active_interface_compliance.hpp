@@ -46,7 +46,7 @@ private:
   std::size_t numbered_ = 0;       ///< how many are numbered
   std::vector<int> active_dof_of_; ///< by interface dof, −1 where nothing touches
   std::vector<int> body_of_;       ///< by active dof
-  std::vector<Body> bodies_;
+  std::vector<Body> bodies_;       ///< those with active dofs
 };
 
 /// A contact point's forces and equations over active dofs: forces F (one a row) put rightᵀ F there, and its

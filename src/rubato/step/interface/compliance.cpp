@@ -21,51 +21,77 @@ constexpr Index smallest_dense = 64;
 Compliance::Compliance(linalg::SplitFactor factor, std::span<const int> free_dofs, Index dofs,
                        Index largest_whole)
     : factor_(std::move(factor)), largest_whole_(largest_whole),
-      interface_dofs_(static_cast<std::size_t>(dofs), -1), interface_dof_of_unknown_(free_dofs.size(), -1),
-      known_(factor_.surface().size(), 0) {
+      interface_dofs_(static_cast<std::size_t>(dofs), -1), known_(factor_.surface().size(), 0) {
   for (const int unknown : factor_.surface()) {
     const int dof = free_dofs[static_cast<std::size_t>(unknown)];
-    const auto interface_dof = static_cast<int>(dofs_.size());
-    interface_dofs_[static_cast<std::size_t>(dof)] = interface_dof;
-    interface_dof_of_unknown_[static_cast<std::size_t>(unknown)] = interface_dof;
+    interface_dofs_[static_cast<std::size_t>(dof)] = static_cast<int>(dofs_.size());
     dofs_.push_back(dof);
   }
   const auto& starts = factor_.body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b)
     body_of_.insert(body_of_.end(), static_cast<std::size_t>(starts[b + 1] - starts[b]), static_cast<int>(b));
   s_.resize(starts.size() - 1);
-}
-
-Eigen::MatrixXd Compliance::between_unknowns(std::span<const int> unknowns) {
-  std::vector<int> interface_dofs;
-  interface_dofs.reserve(unknowns.size());
-  for (const int unknown : unknowns)
-    interface_dofs.push_back(interface_dof_of_unknown_[static_cast<std::size_t>(unknown)]);
-  return between(interface_dofs);
+  blocks_.resize(starts.size() - 1);
+  for (std::size_t b = 0; b + 1 < starts.size(); ++b)
+    if (const auto* surface = factor_.surface_within(b)) {
+      blocks_[b].emplace(*surface);
+      has_blocks_ = true;
+    }
 }
 
 Eigen::MatrixXd Compliance::between(std::span<const int> interface_dofs) {
   const auto size = static_cast<Index>(interface_dofs.size());
-  Eigen::MatrixXd s(size, size);
-  double* entry = s.data();
-  for (const int from : interface_dofs) {
-    const double* values = column(from);
-    for (const int to : interface_dofs)
-      *entry++ = body_of(to) == body_of(from) ? values[to - first_of_body(body_of(to))] : 0.0;
+  Eigen::MatrixXd s = Eigen::MatrixXd::Zero(size, size);
+  Eigen::MatrixXd s_of_body;
+  for (std::size_t b = 0; b < s_.size(); ++b) {
+    std::vector<Index> chosen;
+    std::vector<int> of_body;
+    for (Index i = 0; i < size; ++i)
+      if (const int at = interface_dofs[static_cast<std::size_t>(i)]; body_of(at) == static_cast<int>(b)) {
+        chosen.push_back(i);
+        of_body.push_back(at);
+      }
+    if (of_body.empty())
+      continue;
+    within_body(of_body, s_of_body);
+    s(chosen, chosen) = s_of_body;
   }
   return s;
 }
 
-Eigen::MatrixXd Compliance::within_body(std::span<const int> interface_dofs) {
+void Compliance::within_body(std::span<const int> interface_dofs, Eigen::MatrixXd& s) {
+  const int body = body_of(interface_dofs.front());
+  const int first = first_of_body(body);
+  if (in_blocks(body)) {
+    std::vector<int> positions(interface_dofs.begin(), interface_dofs.end());
+    for (int& position : positions)
+      position -= first;
+    blocks_[static_cast<std::size_t>(body)]->between(positions, s);
+    return;
+  }
   const auto size = static_cast<Index>(interface_dofs.size());
-  Eigen::MatrixXd s(size, size);
+  s.resize(size, size);
   double* entry = s.data();
   for (const int from : interface_dofs) {
     const double* values = column(from);
-    const int first = first_of_body(body_of(from));
     for (const int to : interface_dofs)
       *entry++ = values[to - first];
   }
+}
+
+bool Compliance::takes_forces_together() const {
+  const auto& starts = factor_.body_starts();
+  for (std::size_t b = 0; b + 1 < starts.size(); ++b)
+    if (starts[b + 1] > starts[b] && !blocks_[b])
+      return false;
+  return true;
+}
+
+Eigen::MatrixXd Compliance::between_forces(const linalg::SparseMatrix& forces) const {
+  Eigen::MatrixXd s = Eigen::MatrixXd::Zero(forces.cols(), forces.cols());
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (blocks_[b])
+      s += factor_.surface_within(b)->between(forces, factor_.body_starts()[b]);
   return s;
 }
 
@@ -74,6 +100,10 @@ void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorX
   for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
     const Index size = starts[b + 1] - starts[b];
     const auto of_body = force.segment(starts[b], size);
+    if (in_blocks(static_cast<int>(b))) {
+      blocks_[b]->add(factor, of_body, d.segment(starts[b], size));
+      continue;
+    }
     const bool may_be_dense = size >= smallest_dense && size <= largest_whole_;
     if (may_be_dense &&
         static_cast<double>((of_body.array() != 0).count()) > dense * static_cast<double>(size)) {
@@ -88,6 +118,7 @@ void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorX
   }
 }
 
+/// What a unit force at an interface dof moves of its body, computed when first asked for.
 const double* Compliance::column(int interface_dof) {
   const int body = body_of(interface_dof);
   const Index place = interface_dof - first_of_body(body);
@@ -102,7 +133,17 @@ const Eigen::MatrixXd& Compliance::whole(std::size_t body) {
   return s_[body];
 }
 
+/// By the force of all dofs: blocks take no single entries.
+void Compliance::add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {
+  Eigen::VectorXd of_all = Eigen::VectorXd::Zero(d.size());
+  for (const auto& at : force)
+    of_all[at.interface_dof] += at.force;
+  add(factor, of_all, d);
+}
+
 void Compliance::add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {
+  if (has_blocks_)
+    return add_gathered(factor, force, d);
   const auto& starts = factor_.body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
     linalg::ColumnSum sum(d.data() + starts[b], starts[b + 1] - starts[b]);

@@ -43,13 +43,13 @@ void add_force(std::span<const PredictorPoint> points, int first, int last, Vect
 }
 
 ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int components,
-                                   NormalSolution how_far, std::size_t least_watched)
+                                   NormalSolution how_far, std::size_t least_watched, std::size_t many)
     : compliance_(compliance), factor_(factor), components_(components), how_far_(how_far),
-      least_watched_(least_watched), watched_(compliance) {}
+      least_watched_(least_watched), many_(many), watched_(compliance) {}
 
 void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
                                Progress& progress) {
-  forget();
+  forget_points();
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
   const int rounds = how_far_ == NormalSolution::projected_cg ? unlimited : most_rounds;
@@ -62,7 +62,6 @@ void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd&
   find_friction(points, d, progress);
   if (how_far_ != NormalSolution::near && !sliding_.empty())
     solve_coupled(points, free, progress);
-  watched_.forget(); // as large as the compliance itself where everything touches
 }
 
 /// Of bodies that only contact holds: friction that has been found for pressing forces as they were leaves
@@ -201,10 +200,14 @@ double ContactPredictor::point_compliance_of(std::size_t chosen) const {
 }
 
 void ContactPredictor::forget() {
+  forget_points();
+  forget_surface();
+}
+
+void ContactPredictor::forget_points() {
   chosen_.clear();
   sliding_.clear();
   normal_compliance_.resize(0, 0);
-  watched_.forget();
 }
 
 /// Moves the surface by some of the forces of all points.
@@ -275,10 +278,35 @@ void ContactPredictor::push_watched() {
     moved_[watched_.interface_dofs()[k]] = watched_motion_[static_cast<Index>(k)];
 }
 
+/// Whether the points chosen are so many that it saves work.
+bool ContactPredictor::takes_together() const {
+  return chosen_.size() >= many_ && compliance_.takes_forces_together();
+}
+
+/// Of the points chosen, from their forces together.
+void ContactPredictor::find_normal_compliance() {
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (std::size_t j = 0; j < chosen_.size(); ++j)
+    for (const auto& node : chosen_[j]->stencil.nodes)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (node.at[c] >= 0)
+          entries.emplace_back(node.at[c], static_cast<int>(j),
+                               node.weight * chosen_[j]->frame(static_cast<Index>(c), 0));
+  linalg::SparseMatrix forces(static_cast<Index>(compliance_.surface().size()),
+                              static_cast<Index>(chosen_.size()));
+  forces.setFromTriplets(entries.begin(), entries.end());
+  normal_compliance_ = factor_ * compliance_.between_forces(forces);
+}
+
 /// By the rows and columns of the points chosen last.
 void ContactPredictor::add_normal_compliance(Progress& progress) {
   const Index known = normal_compliance_.rows();
   const auto count = static_cast<Index>(chosen_.size());
+  if (takes_together()) {
+    find_normal_compliance();
+    progress.report();
+    return;
+  }
   normal_compliance_.conservativeResize(count, count);
   watch(chosen_);
   for (Index j = known; j < count && progress.report(); ++j) {
@@ -294,6 +322,12 @@ void ContactPredictor::add_normal_compliance(Progress& progress) {
 void ContactPredictor::add_tangential_compliance(Progress& progress) {
   const Index tangents = components_ - 1;
   const auto count = static_cast<Index>(sliding_.size());
+  if (takes_together()) { // nothing of theirs is watched yet
+    std::vector<PredictorPoint*> sliding;
+    for (const auto k : sliding_)
+      sliding.push_back(chosen_[k]);
+    watch(sliding);
+  }
   tangential_compliance_.resize(count * tangents, count * tangents);
   for (Index j = 0; j < count && progress.report(); ++j) {
     const auto& point = *chosen_[sliding_[static_cast<std::size_t>(j)]];

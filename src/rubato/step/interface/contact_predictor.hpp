@@ -53,6 +53,10 @@ public:
   /// more than it saves. Results are the same to the bit.
   static constexpr std::size_t usual_least_watched = 2000;
 
+  /// From so many points on their mutual compliance is found from their forces together where the compliance
+  /// offers that: results are the same to rounding.
+  static constexpr std::size_t usual_many = 500;
+
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
   /// dimensions as `components`. How far pressing forces are solved for: `near` is enough for a start;
   /// `active_set` is for bodies that only contact holds, each of whose points moves all others by more than
@@ -60,7 +64,7 @@ public:
   /// until none penetrates. `compliance` must outlive this.
   ContactPredictor(Compliance& compliance, double factor, int components,
                    NormalSolution how_far = NormalSolution::near,
-                   std::size_t least_watched = usual_least_watched);
+                   std::size_t least_watched = usual_least_watched, std::size_t many = usual_many);
 
   /// Improves the forces of the points, which have been measured with the surface at d: first the pressing
   /// ones, so that no gap is negative, then those along the slips for the pressing ones found, so that none
@@ -75,15 +79,21 @@ public:
   /// How much a sweep would change the forces now that the points have been measured anew and the surface
   /// is at d, in parts of the largest one. The points must be those of the last call.
   double misfit(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
-  /// Points and what they do to one another.
+  /// The parts of the surface that points stand on, which calls keep for the next one: of large surfaces as
+  /// large as the compliance itself where everything touches.
+  void forget_surface() { watched_.forget(); }
+  /// These, the points and what they do to one another.
   void forget();
 
 private:
+  void forget_points();
   void add_motion(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& d);
   bool choose_more(std::span<PredictorPoint> points, const Eigen::VectorXd& d);
   void watch(std::span<PredictorPoint* const> points);
   void push(const PredictorPoint& point, int axis);
   void push_watched();
+  bool takes_together() const;
+  void find_normal_compliance();
   void add_normal_compliance(Progress& progress);
   void add_tangential_compliance(Progress& progress);
   void find_normal_forces(const Eigen::VectorXd& without, Progress& progress);
@@ -101,6 +111,7 @@ private:
   Eigen::Index components_;
   NormalSolution how_far_;
   std::size_t least_watched_;
+  std::size_t many_;
   std::vector<PredictorPoint*> chosen_;   ///< those that may touch
   std::vector<std::size_t> sliding_;      ///< of those chosen
   Eigen::MatrixXd normal_compliance_;     ///< gaps of chosen points for unit pressing forces on each

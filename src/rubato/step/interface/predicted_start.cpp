@@ -150,6 +150,7 @@ Reach reach_of(const model::Model& model, const EffectiveSystem& system) {
 void predict_contact(const PredictorSite& site, SurfaceMotion& surface, Reach& reach,
                      PredictorScratch& scratch, ContactIterate& now, State& trial) {
   Prediction(site, surface, reach, scratch, now, trial).run();
+  scratch.predictor.forget_surface();
 }
 
 } // namespace rubato::step

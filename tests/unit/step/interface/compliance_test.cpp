@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "unit/step/interface/two_blocks_compliance.hpp"
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -14,39 +16,68 @@ namespace {
 using test::compliance_of_two_blocks;
 using test::interface_dofs_of;
 
-class ComplianceOf : public testing::TestWithParam<int> {};
+enum class Computed { whole, by_columns, by_blocks };
 
-TEST_P(ComplianceOf, HasTheSameBitsInWhateverOrderItIsAskedFor) {
-  auto by_one = compliance_of_two_blocks(GetParam());
-  auto backwards = compliance_of_two_blocks(GetParam());
-  auto whole = compliance_of_two_blocks(GetParam());
+Compliance compliance_computed(Computed how) {
+  return how == Computed::by_blocks ? compliance_of_two_blocks(5000, 0)
+                                    : compliance_of_two_blocks(how == Computed::whole ? 5000 : 0);
+}
+
+class ComplianceComputed : public testing::TestWithParam<Computed> {};
+
+TEST_P(ComplianceComputed, HasTheSameBitsInWhateverOrderItIsAskedFor) {
+  auto by_one = compliance_computed(GetParam());
+  auto backwards = compliance_computed(GetParam());
+  auto whole = compliance_computed(GetParam());
   const auto all = interface_dofs_of(whole);
   for (const int position : all)
-    by_one.column(position);
-  for (std::size_t i = all.size(); i > 0; i -= std::min<std::size_t>(i, 7)) {
-    backwards.column(all[i - 1]);
-    backwards.column(all[i / 2]);
-  }
+    by_one.own(position);
+  for (std::size_t i = all.size(); i > 0; i -= std::min<std::size_t>(i, 7))
+    backwards.between(std::vector{all[i - 1], all[i / 2]});
   const Eigen::MatrixXd expected = whole.between(all);
   EXPECT_EQ(by_one.between(all), expected);
   EXPECT_EQ(backwards.between(all), expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(SurfacesWholeUpTo, ComplianceOf, testing::Values(0, 5000),
-                         [](const auto& chosen) { return std::to_string(chosen.param); });
+std::string name_of(const testing::TestParamInfo<Computed>& chosen) {
+  constexpr std::array names{"Whole", "ByColumns", "ByBlocks"};
+  return names[static_cast<std::size_t>(chosen.param)];
+}
 
-TEST(Compliance, IsTheSameWholeAndByColumns) {
+INSTANTIATE_TEST_SUITE_P(EveryWay, ComplianceComputed,
+                         testing::Values(Computed::whole, Computed::by_columns, Computed::by_blocks),
+                         name_of);
+
+/// The order of the interface is the factor's: dofs are those of both.
+TEST_P(ComplianceComputed, IsThatOfTheWholeBody) {
   auto whole = compliance_of_two_blocks(5000);
-  auto by_columns = compliance_of_two_blocks(0);
-  const auto all = interface_dofs_of(whole);
-  const Eigen::MatrixXd expected = whole.between(all);
+  auto compliance = compliance_computed(GetParam());
+  const auto& dofs = whole.dof_of_interface_dof();
+  std::vector<int> same;
+  for (const int dof : dofs)
+    same.push_back(compliance.interface_dof_of_dof()[static_cast<std::size_t>(dof)]);
+  const Eigen::MatrixXd expected = whole.between(interface_dofs_of(whole));
   EXPECT_EQ(expected, expected.transpose());
-  EXPECT_LE((by_columns.between(all) - expected).lpNorm<Eigen::Infinity>(),
+  EXPECT_LE((compliance.between(same) - expected).lpNorm<Eigen::Infinity>(),
             1e-12 * expected.lpNorm<Eigen::Infinity>());
 }
 
-TEST_P(ComplianceOf, MovesTheSurfaceByForcesGivenEitherWay) {
-  auto compliance = compliance_of_two_blocks(GetParam());
+TEST_P(ComplianceComputed, IsTheSameForScatteredDofsInAnyOrder) {
+  auto compliance = compliance_computed(GetParam());
+  auto whole = compliance_computed(GetParam());
+  const Eigen::MatrixXd all = whole.between(interface_dofs_of(whole));
+  const std::vector<int> scattered{590, 3, 299, 4, 100, 300, 5, 7, 450, 3, 101};
+  EXPECT_EQ(compliance.between(scattered), all(scattered, scattered));
+  const std::vector<int> of_second{590, 301, 450, 302};
+  Eigen::MatrixXd s;
+  compliance.within_body(of_second, s);
+  EXPECT_EQ(s, all(of_second, of_second));
+  for (const int at : scattered)
+    EXPECT_EQ(compliance.own(at), all(at, at));
+}
+
+TEST_P(ComplianceComputed, MovesTheSurfaceByForcesGivenEitherWay) {
+  auto compliance = compliance_computed(GetParam());
   const auto all = interface_dofs_of(compliance);
   const Eigen::MatrixXd s = compliance.between(all);
   const auto size = static_cast<Eigen::Index>(all.size());
@@ -65,8 +96,25 @@ TEST_P(ComplianceOf, MovesTheSurfaceByForcesGivenEitherWay) {
   EXPECT_LE((d - expected).norm(), 1e-12 * expected.norm());
 }
 
-TEST_P(ComplianceOf, MovesTheSurfaceByForcesEverywhereOnOneBody) {
-  auto compliance = compliance_of_two_blocks(GetParam());
+TEST(Compliance, TakesForcesTogetherByBlocks) {
+  EXPECT_FALSE(compliance_computed(Computed::whole).takes_forces_together());
+  EXPECT_FALSE(compliance_computed(Computed::by_columns).takes_forces_together());
+  auto compliance = compliance_computed(Computed::by_blocks);
+  ASSERT_TRUE(compliance.takes_forces_together());
+  const auto all = interface_dofs_of(compliance);
+  linalg::SparseMatrix forces(static_cast<int>(all.size()), 3);
+  forces.insert(7, 0) = 1.5;
+  forces.insert(410, 0) = -2;
+  forces.insert(299, 1) = 4;
+  forces.insert(300, 2) = -1;
+  forces.insert(411, 2) = 0.5;
+  const Eigen::MatrixXd f(forces);
+  const Eigen::MatrixXd expected = f.transpose() * compliance.between(all) * f;
+  EXPECT_LE((compliance.between_forces(forces) - expected).norm(), 1e-12 * expected.norm());
+}
+
+TEST_P(ComplianceComputed, MovesTheSurfaceByForcesEverywhereOnOneBody) {
+  auto compliance = compliance_computed(GetParam());
   const auto all = interface_dofs_of(compliance);
   const auto size = static_cast<Eigen::Index>(all.size());
   Eigen::VectorXd force = Eigen::VectorXd::LinSpaced(size, -1, 3);

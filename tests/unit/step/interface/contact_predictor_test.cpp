@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -139,6 +140,31 @@ TEST_F(PushedBlock, HasTheSameForcesWhateverPartOfTheSurfaceIsLookedAt) {
       largest = std::max(largest, whole[i].force[0]);
     }
     EXPECT_GT(largest, 0);
+  }
+}
+
+TEST_F(PushedBlock, HasTheSameForcesWherePointsAreTakenTogether) {
+  constexpr auto no_limit = std::numeric_limits<std::size_t>::max();
+  auto factor = linalg::SplitFactor::of(
+      matrix_, numbers(), no_limit, [](std::size_t) {}, 0);
+  Compliance within(std::move(*factor), numbers(), matrix_.rows());
+  ASSERT_TRUE(within.takes_forces_together());
+  const auto& at = within.interface_dof_of_dof();
+  const VectorXd free = VectorXd::Zero(matrix_.rows());
+  for (const auto how_far : {NormalSolution::near, NormalSolution::active_set}) {
+    auto expected = points_;
+    ContactPredictor(compliance_, 0.7, 3, how_far).improve(expected, free, free, progress_);
+    const auto pressing = [](const PredictorPoint& point) { return point.force[0]; };
+    const double largest = pressing(*std::ranges::max_element(expected, {}, pressing));
+    EXPECT_GT(largest, 0);
+    for (const std::size_t many : {1, 1000}) {
+      auto points = points_;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        points[i].stencil.nodes.front().at = {at[9 * i], at[9 * i + 1], at[9 * i + 2]};
+      ContactPredictor(within, 0.7, 3, how_far, 0, many).improve(points, free, free, progress_);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_LE((points[i].force - expected[i].force).norm(), 1e-10 * largest) << i;
+    }
   }
 }
 
