@@ -32,6 +32,20 @@ contact: {foot: {master: over, slave: under, integration: nodes, friction: 0.3}}
 time: {scheme: static, step: 0.25, end: 1}
 )";
 
+/// A block that is pressed onto a plane that cannot be deformed and pushed along it.
+inline const std::string block_on_obstacle = R"(
+mesh:
+  generate:
+    - {name: block, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [2, 2, 2], sides: {back: top, front: under}}
+physics: solid
+materials: {stone: {young: 1e6, poisson: 0.2, density: 2000}}
+functions: {ramp: {times: [0, 1], values: [0, 1]}}
+supports: [{on: top, x: {value: 0.02, function: ramp}, y: {value: 0.01, function: ramp}}]
+loads: [{surface_force: {on: top, z: -1000}}]
+contact: {foot: {obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, slave: under, friction: 0.3}}
+time: {scheme: static, step: 0.1, end: 1}
+)";
+
 /// SDNL140's two beams in plane stress, with a true start.
 inline const std::string two_beams = R"(
 mesh:

@@ -2,8 +2,8 @@
 #include "rubato/contact/arc_length.hpp"
 
 #include "rubato/cell/quadrature.hpp"
+#include "rubato/cell/reference_cell.hpp"
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <stdexcept>
@@ -13,8 +13,6 @@ namespace {
 
 /// Exact for straight faces; of a quarter of a circle by one parabola the error is below 1e-9 of its length.
 constexpr int degree = 15;
-/// Of the nodes of a segment: its ends, then its middle.
-constexpr std::array<double, 3> reference_coordinates{-1, 1, 0};
 
 /// ∫|X,ξ| dξ from the face's first node, ξ = −1, to ξ.
 double length_until(const Face& face, const FaceCoordinates& nodes, double xi) {
@@ -88,7 +86,8 @@ std::vector<double> arc_lengths(const mesh::Mesh& mesh, const Zone& zone) {
     start[f] = sum;
     for (const std::size_t i : {0, 2, 1})
       if (i < static_cast<std::size_t>(face.node_count))
-        at_node.emplace(face.nodes[i], sum + length_until(face, nodes, reference_coordinates[i]));
+        at_node.emplace(face.nodes[i],
+                        sum + length_until(face, nodes, cell::reference_cell(face.type).nodes[i][0]));
     sum += length_until(face, nodes, 1);
   }
   std::vector<double> lengths;

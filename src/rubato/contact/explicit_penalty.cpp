@@ -69,14 +69,14 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
     auto& spring = springs_[i];
     const double energy = tangential_energy(i);
     if (!neighbours_.pairs()[i].paired()) {
-      dissipate(i, energy);
+      friction_history_[i].work += energy;
       spring = {.paired = false};
       continue;
     }
     measure_kinematics(*zone_, zone_->points[i], neighbours_.pairs()[i], configuration, place_);
     spring.gap = place_.gap;
     if (!press(spring, normal_stiffness_[i])) {
-      dissipate(i, energy);
+      friction_history_[i].work += energy;
       continue;
     }
     const Vector3d relative = step * place_.stencil.gather(velocity, *dofs_) - place_.obstacle_displacement;
@@ -86,7 +86,7 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
     const Vector3d traction = spring.traction;
     rub(spring, normal_stiffness_[i], slip);
     const double work = -0.5 * zone_->points[i].weight * (traction + spring.traction).dot(slip);
-    dissipate(i, work - (tangential_energy(i) - energy));
+    friction_history_[i].work += work - (tangential_energy(i) - energy);
     friction_history_[i].slip += slip.norm();
     const Vector3d push = zone_->points[i].weight * (spring.pressure * spring.normal + spring.traction);
     place_.stencil.scatter(-push, *dofs_, force);
@@ -111,10 +111,16 @@ double ExplicitPenalty::stored() const {
   return sum;
 }
 
+double ExplicitPenalty::dissipated() const {
+  double sum = 0;
+  for (const auto& history : friction_history_)
+    sum += history.work;
+  return sum;
+}
+
 void ExplicitPenalty::restore(const Memory& memory, const Configuration& configuration) {
   springs_ = memory.springs;
   friction_history_ = memory.friction_history;
-  dissipated_ = memory.dissipated;
   pair_anew(neighbours_, configuration);
 }
 
@@ -180,11 +186,6 @@ bool ExplicitPenalty::press(Spring& spring, double normal_stiffness) const {
     return true;
   spring = {.gap_offset = spring.gap_offset, .gap = spring.gap};
   return false;
-}
-
-void ExplicitPenalty::dissipate(std::size_t point, double work) {
-  dissipated_ += work;
-  friction_history_[point].work += work;
 }
 
 /// Friction after a slip increment: elastic as far as Coulomb allows.

@@ -53,7 +53,6 @@ public:
   struct Memory {
     std::vector<Spring> springs;                   ///< one a contact point
     std::vector<FrictionHistory> friction_history; ///< one a contact point
-    double dissipated = 0;
   };
 
   /// k_t is k_n or, where the deck gives c_t [1/length], μ p c_t if that is less: then friction saturates at
@@ -69,10 +68,10 @@ public:
   /// What the points' forces push the slave with, all together [force].
   Eigen::Vector3d push() const;
 
-  double stored() const;                            ///< in the springs [force · length]
-  double dissipated() const { return dissipated_; } ///< by friction, in all steps
+  double stored() const;     ///< in the springs [force · length]
+  double dissipated() const; ///< by friction, in all steps
 
-  Memory memory() const { return {springs_, friction_history_, dissipated_}; }
+  Memory memory() const { return {springs_, friction_history_}; }
   /// Goes back to what it carried at a configuration.
   void restore(const Memory& memory, const Configuration& configuration);
 
@@ -88,7 +87,6 @@ public:
 
 private:
   bool press(Spring& spring, double normal_stiffness) const;
-  void dissipate(std::size_t point, double work);
   void rub(Spring& spring, double normal_stiffness, const Eigen::Vector3d& slip) const;
   double tangential_energy(std::size_t point) const;
   template <class Visit> void visit_nodes(std::size_t point, const Visit& visit) const;
@@ -100,7 +98,6 @@ private:
   std::vector<Spring> springs_;
   std::vector<FrictionHistory> friction_history_;
   Kinematics place_; ///< of one point after the other
-  double dissipated_ = 0;
 };
 
 /// A bound of the largest eigenvalue, ω², that the springs of all points facing a master have against the

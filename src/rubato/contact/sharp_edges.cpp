@@ -66,6 +66,11 @@ Surface with_split_edges(const Surface& surface, std::span<const Eigen::Vector3d
   return split;
 }
 
+std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Eigen::Vector3d> undeformed,
+                                       double degrees) {
+  return mortar::sharpest_edge(surface, undeformed, degrees);
+}
+
 std::vector<std::size_t> smooth_parts(const Surface& surface, std::span<const Eigen::Vector3d> undeformed) {
   DisjointSets sets(surface.faces.size());
   for (const auto& [one, other] : mortar::smooth_neighbours(surface, undeformed))

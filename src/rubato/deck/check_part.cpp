@@ -64,12 +64,6 @@ void read_subject(MapReader& map, study::Check& check) {
   const auto resultant = map.find("resultant");
   const auto field = map.find("field");
   const auto on = map.find("on");
-  const int subjects = (probe ? 1 : 0) + (energy ? 1 : 0) + (resultant ? 1 : 0) + (field ? 1 : 0);
-  if (map.is_map() && subjects != 1)
-    map.value().fault(subjects > 1
-                          ? "found several of 'probe', 'energy', 'resultant' and 'field', expected one "
-                            "of them"
-                          : "'probe', 'energy', 'resultant' or 'field' is missing");
   if (probe)
     read_probe_component(*probe, check);
   read_name(energy, check.energy);

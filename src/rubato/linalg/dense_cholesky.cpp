@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/dense_cholesky.hpp"
 
+#include "rubato/linalg/blas.hpp"
 #include "rubato/linalg/blas_threads.hpp"
 
 #include <Eigen/Cholesky>
@@ -8,10 +9,6 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
-
-// Debian packs no header for the LAPACK that OpenBLAS holds; this is its Fortran interface.
-extern "C" void dposv_(const char* triangle, const int* size, const int* right_sides, double* matrix,
-                       const int* stride, double* values, const int* values_stride, int* info);
 
 namespace rubato::linalg {
 namespace {

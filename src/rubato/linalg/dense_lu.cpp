@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/dense_lu.hpp"
 
+#include "rubato/linalg/blas.hpp"
 #include "rubato/linalg/blas_threads.hpp"
 
 #include <cmath>
 #include <stdexcept>
-
-// Debian packs no header for the LAPACK that OpenBLAS holds; these are its Fortran interfaces.
-extern "C" {
-void dgetrf_(const int* rows, const int* columns, double* matrix, const int* stride, int* pivots, int* info);
-void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* factors,
-             const int* stride, const int* pivots, double* values, const int* values_stride, int* info);
-void dgecon_(const char* norm, const int* size, const double* factors, const int* stride,
-             const double* matrix_norm, double* reciprocal_condition, double* work, int* integer_work,
-             int* info);
-}
 
 namespace rubato::linalg {
 namespace {

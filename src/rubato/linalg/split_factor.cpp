@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/split_factor.hpp"
 
+#include "rubato/linalg/blas.hpp"
 #include "rubato/linalg/cholmod_engine.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/linalg/surface_in_factor.hpp"
 
 #include <algorithm>
 #include <stdexcept>
-
-// Debian packs no header for the BLAS that OpenBLAS holds; these are its Fortran interfaces.
-extern "C" {
-void dtrsv_(const char* triangle, const char* transposed, const char* diagonal, const int* size,
-            const double* matrix, const int* stride, double* values, const int* increment);
-void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* diagonal,
-            const int* rows, const int* columns, const double* factor, const double* matrix,
-            const int* stride, double* values, const int* values_stride);
-void dpotri_(const char* triangle, const int* size, double* factor, const int* stride, int* info);
-}
 
 namespace rubato::linalg {
 namespace {

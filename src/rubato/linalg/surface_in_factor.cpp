@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/surface_in_factor.hpp"
 
+#include "rubato/linalg/blas.hpp"
 #include "rubato/linalg/cholmod_engine.hpp"
 
 #include <algorithm>
 #include <iterator>
-
-// Debian packs no header for the BLAS that OpenBLAS holds; these are its Fortran interfaces.
-extern "C" {
-void dtrsv_(const char* triangle, const char* transposed, const char* diagonal, const int* size,
-            const double* matrix, const int* stride, double* values, const int* increment);
-void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* diagonal,
-            const int* rows, const int* columns, const double* factor, const double* matrix,
-            const int* stride, double* values, const int* values_stride);
-void dgemv_(const char* transposed, const int* rows, const int* columns, const double* factor,
-            const double* matrix, const int* stride, const double* x, const int* x_increment,
-            const double* y_factor, double* y, const int* y_increment);
-void dgemm_(const char* first_transposed, const char* second_transposed, const int* rows, const int* columns,
-            const int* inner, const double* factor, const double* first, const int* first_stride,
-            const double* second, const int* second_stride, const double* sum_factor, double* sum,
-            const int* sum_stride);
-void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* inner,
-            const double* factor, const double* matrix, const int* stride, const double* sum_factor,
-            double* sum, const int* sum_stride);
-}
 
 namespace rubato::linalg {
 namespace {

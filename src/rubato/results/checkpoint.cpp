@@ -286,7 +286,6 @@ template <class Archive> void exchange(Archive& archive, simulation::ExplicitPro
     const auto at = fmt::format("explicit/zone_{}/", z);
     archive.table(at + "springs", motion.zones[z].springs);
     archive.table(at + "friction_history", motion.zones[z].friction_history);
-    archive.number(at + "dissipated", motion.zones[z].dissipated);
   }
   exchange(archive, "explicit/energy/", motion.energy);
 }

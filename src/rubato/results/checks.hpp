@@ -33,9 +33,8 @@ struct CheckResult {
 };
 
 /// Looks the checks' instants up in a run's table of probes (first column t) and in the tables of its folder,
-/// between two rows linearly. Of
-/// checks against another run the value is the difference, this run's minus the other's; the other's folder
-/// stands beside `folder`, this run's own.
+/// between two rows linearly. Of checks against another run the value is the difference, this run's minus the
+/// other's; the other's folder stands beside `folder`, this run's own.
 std::vector<CheckResult> evaluate_checks(std::span<const study::Check> checks, const Table& probes,
                                          const std::filesystem::path& folder = {});
 

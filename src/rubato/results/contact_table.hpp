@@ -8,7 +8,7 @@
 ///   traction.x, .y[, .z]  tangential, of the master on the slave [force/area]
 ///   gap                empty where nothing faces the point
 ///   slip               Σ |Δs| of the steps at whose ends the point was closed, since the run began
-///   status             open, stick or slip
+///   status             open, sticks or slips
 ///   friction_work      what friction has taken at the point since the run began [force · length]
 ///   area               undeformed, of the point's share of the slave that faces the master: the sum of
 ///                      pressure times area is `normal` in resultants_<zone>.csv
@@ -18,9 +18,10 @@
 #include "rubato/results/csv.hpp"
 #include "rubato/step/state.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,10 @@ namespace rubato::results {
 /// One table. Errors are those of LineFile.
 class ContactTable {
 public:
-  /// A new file in the folder. `zone` is one of the model's; both must outlive this.
-  ContactTable(const model::Model& model, const contact::Zone& zone, const std::filesystem::path& folder);
+  /// A new file in the folder, of one of the model's zones. The model must outlive this.
+  ContactTable(const model::Model& model, std::size_t zone, const std::filesystem::path& folder);
   /// Goes on after the first `bytes` of a file that is there.
-  ContactTable(const model::Model& model, const contact::Zone& zone, const std::filesystem::path& folder,
+  ContactTable(const model::Model& model, std::size_t zone, const std::filesystem::path& folder,
                std::uintmax_t bytes);
 
   /// Adds a line a contact point.
@@ -41,12 +42,12 @@ public:
   std::uintmax_t bytes() const { return file_.bytes(); }
 
 private:
-  ContactTable(const model::Model& model, const contact::Zone& zone, LineFile file);
+  ContactTable(const model::Model& model, std::size_t zone, LineFile file);
+  std::span<const contact::SlavePoint> points() const;
   std::string line(const step::State& state, std::size_t point) const;
 
   const model::Model* model_;
-  const contact::Zone* zone_;
-  std::size_t zone_index_;
+  std::size_t zone_;
   LineFile file_;
   std::vector<std::string> nodes_;  ///< one a point
   std::vector<double> arc_lengths_; ///< one a point, in the plane

@@ -68,9 +68,9 @@ public:
     write_summary(running, {});
     history_.columns = probe_columns();
     const auto columns = resultant_columns();
-    for (const auto& zone : model_.zones) {
-      resultants_.emplace_back(folder_ / resultants_file(zone.settings.name), columns);
-      contact_.emplace_back(model_, zone, folder_);
+    for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+      resultants_.emplace_back(folder_ / resultants_file(model_.zones[z].settings.name), columns);
+      contact_.emplace_back(model_, z, folder_);
     }
     if (model_.study.fields.vtu)
       std::filesystem::create_directories(folder_ / vtu_folder);
@@ -84,9 +84,9 @@ public:
         series_(folder_ / pvd_file, series_of(position)), history_(read_csv(folder_ / probes_file)),
         unwritten_(position.unwritten), med_copy_(position.med_copy), steps_done_(position.steps) {
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
-      const auto& zone = model_.zones[z];
-      resultants_.emplace_back(folder_ / resultants_file(zone.settings.name), position.resultants.at(z));
-      contact_.emplace_back(model_, zone, folder_, position.contact.at(z));
+      resultants_.emplace_back(folder_ / resultants_file(model_.zones[z].settings.name),
+                               position.resultants.at(z));
+      contact_.emplace_back(model_, z, folder_, position.contact.at(z));
     }
     restore_fields();
     write_summary(running, {});
@@ -184,7 +184,6 @@ public:
 
 private:
   static constexpr const char* mesh_name = "mesh";
-  static constexpr std::size_t resultant_numbers = 7; ///< in a line, beside the force's components
   inline static const Ending running{.reason = "the run did not come to its end"};
 
   /// How far the files had come before the last attempt was written.
@@ -307,9 +306,7 @@ private:
   void write_resultants(const step::State& now) {
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
       const auto r = contact_resultants(now.zones[z]);
-      std::vector<double> row;
-      row.reserve(resultant_numbers + static_cast<std::size_t>(model_.dofs.components));
-      row.insert(row.end(), {now.t, static_cast<double>(r.in_contact), static_cast<double>(r.sticking)});
+      std::vector<double> row{now.t, static_cast<double>(r.in_contact), static_cast<double>(r.sticking)};
       for (int i = 0; i < model_.dofs.components; ++i)
         row.push_back(r.force[i]);
       row.insert(row.end(), {r.normal, r.friction, r.largest_pressure, r.smallest_gap});

@@ -24,15 +24,6 @@ constexpr std::array<RetrySettings, 2> other_augmentations{
 /// Parts of μ tried one after the other, each from the last one's solution, when the whole of it fails.
 constexpr std::array<double, 5> friction_parts{0, 0.25, 0.5, 0.75, 1};
 
-/// As predict() has it, in the storage of `trial`.
-void start_trial(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
-                 const State& committed, double t, State& trial) {
-  trial = committed;
-  trial.t = t;
-  time::predict(scheme, system.step, committed.motion, trial.motion);
-  time::correct(system.coefficients, model.reduction.correction(t, trial.motion.u), trial.motion);
-}
-
 /// One step from one place, tried in several ways.
 class Attempts {
 public:
@@ -88,7 +79,7 @@ public:
   /// Friction from none to all of it, each part from the last one's solution.
   StepReport raise_friction(State& trial) {
     StepReport report;
-    start_trial(model_, scheme_, system_, committed_, t_, trial);
+    predict(model_, scheme_, system_, committed_, t_, trial);
     for (const double part : friction_parts) {
       const auto start = part == friction_parts.front() ? Start::usual : Start::last_step;
       report = solve({.friction_part = part, .start = start}, trial);
@@ -105,7 +96,7 @@ public:
 
 private:
   StepReport afresh(const RetrySettings& variant, State& trial) {
-    start_trial(model_, scheme_, system_, committed_, t_, trial);
+    predict(model_, scheme_, system_, committed_, t_, trial);
     return solve(variant, trial);
   }
 
@@ -159,10 +150,18 @@ std::string solver_of(const Model& model, const EffectiveSystem& system) {
   return text;
 }
 
+void predict(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
+             const State& committed, double t, State& trial) {
+  trial = committed;
+  trial.t = t;
+  time::predict(scheme, system.step, committed.motion, trial.motion);
+  time::correct(system.coefficients, model.reduction.correction(t, trial.motion.u), trial.motion);
+}
+
 State predict(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
               const State& committed, double t) {
   State trial;
-  start_trial(model, scheme, system, committed, t, trial);
+  predict(model, scheme, system, committed, t, trial);
   return trial;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The fields that runs store at nodes, by their names.
+/// What runs store, by its names: fields at nodes, columns of tables.
 #pragma once
 
 #include "rubato/study/study.hpp"

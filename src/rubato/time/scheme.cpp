@@ -37,6 +37,27 @@ Scheme theta_method(double theta) {
   return scheme;
 }
 
+void predict_acceleration(const Scheme& scheme, double step, const Motion& start, Eigen::VectorXd& a) {
+  const double beta = scheme.beta;
+  if (!scheme.dynamic)
+    a.setZero(start.u.size());
+  else if (scheme.nonsmooth) // a₀ is the mean of another step
+    a = -1 / (beta * step) * start.v;
+  else
+    a = -1 / (beta * step) * start.v + (2 * beta - 1) / (2 * beta) * start.a;
+}
+
+void predict_velocity(const Scheme& scheme, double step, const Motion& start, Eigen::VectorXd& v) {
+  const double beta = scheme.beta;
+  const double gamma = scheme.gamma;
+  if (!scheme.dynamic)
+    v.setZero(start.u.size());
+  else if (scheme.nonsmooth)
+    v = (beta - gamma) / beta * start.v;
+  else
+    v = (beta - gamma) / beta * start.v + (2 * beta - gamma) * step / (2 * beta) * start.a;
+}
+
 } // namespace
 
 Scheme make_scheme(const study::TimeStepping& settings) {
@@ -91,31 +112,6 @@ StepCoefficients coefficients_of(const Scheme& scheme, double step) {
   coefficients.damping = scheme.damping.now * coefficients.velocity;
   return coefficients;
 }
-
-namespace {
-
-void predict_acceleration(const Scheme& scheme, double step, const Motion& start, Eigen::VectorXd& a) {
-  const double beta = scheme.beta;
-  if (!scheme.dynamic)
-    a.setZero(start.u.size());
-  else if (scheme.nonsmooth) // a₀ is the mean of another step
-    a = -1 / (beta * step) * start.v;
-  else
-    a = -1 / (beta * step) * start.v + (2 * beta - 1) / (2 * beta) * start.a;
-}
-
-void predict_velocity(const Scheme& scheme, double step, const Motion& start, Eigen::VectorXd& v) {
-  const double beta = scheme.beta;
-  const double gamma = scheme.gamma;
-  if (!scheme.dynamic)
-    v.setZero(start.u.size());
-  else if (scheme.nonsmooth)
-    v = (beta - gamma) / beta * start.v;
-  else
-    v = (beta - gamma) / beta * start.v + (2 * beta - gamma) * step / (2 * beta) * start.a;
-}
-
-} // namespace
 
 Motion predict(const Scheme& scheme, double step, const Motion& start) {
   Motion end;

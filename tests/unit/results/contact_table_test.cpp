@@ -78,19 +78,6 @@ contact: {fit: {master: shaft_side, slave: ring_side}}
 time: {scheme: static, step: 1, end: 1}
 )";
 
-const std::string block_on_obstacle = R"(
-mesh:
-  generate:
-    - {name: block, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [2, 2, 2], cells: hexa20, sides: {back: top, front: under}}
-physics: solid
-materials: {stone: {young: 1e6, poisson: 0.2, density: 2000}}
-functions: {ramp: {times: [0, 1], values: [0, 1]}}
-supports: [{on: top, x: {value: 0.02, function: ramp}, y: {value: 0.01, function: ramp}}]
-loads: [{surface_force: {on: top, z: -1000}}]
-contact: {foot: {obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, slave: under, friction: 0.3}}
-time: {scheme: static, step: 0.25, end: 1}
-)";
-
 std::vector<Kind> kinds() {
   return {{"Hht", test::two_beams, "interface", {}},
           {"Mortar", test::two_beams, "interface", {{"contact.interface.integration", "mortar"}}},
@@ -99,7 +86,10 @@ std::vector<Kind> kinds() {
           {"GaussPoints", test::two_beams, "interface", {{"contact.interface.integration", "{gauss: 2}"}}},
           {"Penalty", test::two_beams, "interface", {{"contact.interface.method", "penalty"}}},
           {"Static", test::block_on_plane, "foot", {{"supports.1.x.value", "1e-4"}}},
-          {"Obstacle", block_on_obstacle, "foot", {}},
+          {"Obstacle",
+           test::block_on_obstacle,
+           "foot",
+           {{"mesh.generate.0.cells", "hexa20"}, {"time.step", "0.25"}}},
           {"AxisymmetricMortar", rings, "fit", {}},
           {"Explicit",
            test::two_beams,

@@ -24,20 +24,6 @@ std::string name_of(const testing::TestParamInfo<Kind>& info) {
   return info.param.name;
 }
 
-/// A block that is pressed onto a plane that cannot be deformed and pushed along it.
-const std::string block_on_obstacle = R"(
-mesh:
-  generate:
-    - {name: block, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [2, 2, 2], sides: {back: top, front: under}}
-physics: solid
-materials: {stone: {young: 1e6, poisson: 0.2, density: 2000}}
-functions: {ramp: {times: [0, 1], values: [0, 1]}}
-supports: [{on: top, x: {value: 0.02, function: ramp}, y: {value: 0.01, function: ramp}}]
-loads: [{surface_force: {on: top, z: -1000}}]
-contact: {foot: {obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, slave: under, friction: 0.3}}
-time: {scheme: static, step: 0.1, end: 1}
-)";
-
 std::vector<Kind> implicit_ways() {
   return {
       Kind{"Hht", test::two_beams, {}},
@@ -54,9 +40,9 @@ std::vector<Kind> implicit_ways() {
            {{"contact.interface.iterate", "{geometry: fixed_point, friction: fixed_point}"}}},
       Kind{"NodalLagrange", test::two_beams, {{"contact.interface.method", "nodal_lagrange"}}},
       Kind{"Static", test::block_on_plane, {{"supports.1.x.value", "1e-4"}}},
-      Kind{"Obstacle", block_on_obstacle, {}},
+      Kind{"Obstacle", test::block_on_obstacle, {}},
       Kind{"MovingObstacle",
-           block_on_obstacle,
+           test::block_on_obstacle,
            {{"supports.0.x", "0"}, {"contact.foot.obstacle.move", "{x: {value: 0.03, function: ramp}}"}}}};
 }
 

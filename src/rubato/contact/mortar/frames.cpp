@@ -136,12 +136,17 @@ Frame frame_of(const Vector3d& outward, const Vector3d& along, int dimension) {
 
 namespace {
 
-/// Tells visit(one, other, sharp) of all pairs of faces with a common edge, the first of which the others are
-/// compared with. An edge of a face without area is not sharp.
+/// Two faces with a common edge.
+struct CommonEdge {
+  int one = 0;
+  int other = 0;
+  double cosine = 1; ///< of the angle between their normals there; 1 where one has no area
+  mesh::NodeIndex node = 0;
+};
+
+/// All of them, the first face at an edge with each of the others.
 template <class Visit>
-void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, double degrees,
-                          const Visit& visit) {
-  const double least_cosine = std::cos(radians(degrees));
+void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, const Visit& visit) {
   std::map<Edge, std::vector<EdgePlace>> edges;
   for (std::size_t f = 0; f < surface.faces.size(); ++f)
     for_each_edge(surface.faces[f], static_cast<int>(f),
@@ -153,8 +158,8 @@ void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, d
   for (const auto& [edge, places] : edges)
     for (std::size_t i = 1; i < places.size(); ++i) {
       const Vector3d one = normal_at(places[0]), other = normal_at(places[i]);
-      const bool sharp = !one.isZero(0) && !other.isZero(0) && one.dot(other) < least_cosine;
-      visit(places[0].face, places[i].face, sharp);
+      const bool known = !one.isZero(0) && !other.isZero(0);
+      visit(CommonEdge{places[0].face, places[i].face, known ? one.dot(other) : 1, edge[0]});
     }
 }
 
@@ -162,21 +167,35 @@ void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, d
 
 std::optional<std::pair<int, int>> first_sharp_edge(const Surface& surface, std::span<const Vector3d> x,
                                                     double degrees) {
+  const double least_cosine = std::cos(radians(degrees));
   std::optional<std::pair<int, int>> first;
-  for_each_common_edge(surface, x, degrees, [&](int one, int other, bool sharp) {
-    const std::pair faces{one, other};
-    if (sharp && (!first || faces < *first))
+  for_each_common_edge(surface, x, [&](const CommonEdge& edge) {
+    const std::pair faces{edge.one, edge.other};
+    if (edge.cosine < least_cosine && (!first || faces < *first))
       first = faces;
   });
   return first;
 }
 
+std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Vector3d> x, double degrees) {
+  std::optional<SharpEdge> sharpest;
+  double least_cosine = std::cos(radians(degrees));
+  for_each_common_edge(surface, x, [&](const CommonEdge& edge) {
+    if (edge.cosine < least_cosine) {
+      least_cosine = edge.cosine;
+      sharpest = {std::acos(std::max(edge.cosine, -1.)) * 180 / std::numbers::pi, edge.node};
+    }
+  });
+  return sharpest;
+}
+
 std::vector<std::pair<int, int>> smooth_neighbours(const Surface& surface, std::span<const Vector3d> x,
                                                    double degrees) {
+  const double least_cosine = std::cos(radians(degrees));
   std::vector<std::pair<int, int>> pairs;
-  for_each_common_edge(surface, x, degrees, [&](int one, int other, bool sharp) {
-    if (!sharp)
-      pairs.emplace_back(std::minmax(one, other));
+  for_each_common_edge(surface, x, [&](const CommonEdge& edge) {
+    if (!(edge.cosine < least_cosine))
+      pairs.emplace_back(std::minmax(edge.one, edge.other));
   });
   return pairs;
 }

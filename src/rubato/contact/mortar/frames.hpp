@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/contact/mortar/slave_reference.hpp"
+#include "rubato/contact/sharp_edges.hpp"
 #include "rubato/contact/surface.hpp"
 
 #include <Eigen/Core>
@@ -48,6 +49,10 @@ Frame frame_of(const Eigen::Vector3d& outward, const Eigen::Vector3d& along, int
 /// apart: the averaged normal says nothing about either.
 std::optional<std::pair<int, int>>
 first_sharp_edge(const Surface& surface, std::span<const Eigen::Vector3d> x, double degrees = sharp_edge);
+
+/// The sharpest edge of more than that many degrees.
+std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Eigen::Vector3d> x,
+                                       double degrees);
 
 /// All pairs (low, high) of faces with a common edge whose normals there are at most that many degrees apart.
 std::vector<std::pair<int, int>> smooth_neighbours(const Surface& surface, std::span<const Eigen::Vector3d> x,

@@ -48,23 +48,24 @@ void check_probed(Rules& rules, const Check& check, const std::string& path) {
   std::vector<std::string> names;
   std::ranges::transform(rules.study.probes, std::back_inserter(names), &Probe::name);
   const auto probe = std::ranges::find(rules.study.probes, check.probe, &Probe::name);
-  const bool is_known = probe != rules.study.probes.end();
-  if (!is_known)
+  if (probe == rules.study.probes.end()) {
     rules.broken({path + ".probe", "probes"},
                  fmt::format("no probe is called {}{}", shown(check.probe), suggestion(check.probe, names)));
-  const auto field = is_known ? probe->field : ProbeField::displacement;
-  const auto components = components_of(field, dimension_of(rules.study.physics));
-  if (components.empty() && !check.component.empty())
-    rules.broken({path + ".probe", "probes"},
-                 fmt::format("found the component {}, but {} has none", shown(check.component),
-                             word_of(probe_field_words, field)));
-  else if (!components.empty() && check.component.empty() && is_known)
+    return;
+  }
+  const auto components = components_of(probe->field, dimension_of(rules.study.physics));
+  const auto& component = check.component;
+  if (component.empty() && !components.empty())
     rules.broken({path + ".probe", "probes"},
                  fmt::format("found {}, expected a probe and a component, as in {}.{}", shown(check.probe),
                              check.probe, components.back()));
-  else if (!check.component.empty() && std::ranges::find(components, check.component) == components.end())
+  else if (!component.empty() && components.empty())
+    rules.broken({path + ".probe", "probes"},
+                 fmt::format("found the component {}, but {} has none", shown(component),
+                             word_of(probe_field_words, probe->field)));
+  else if (!component.empty() && std::ranges::find(components, component) == components.end())
     rules.broken({path + ".probe", "physics"}, fmt::format("found the component {}, expected {}",
-                                                           shown(check.component), alternatives(components)));
+                                                           shown(component), alternatives(components)));
 }
 
 void check_energy(Rules& rules, const Check& check, const std::string& path) {
@@ -117,9 +118,10 @@ void check_subject(Rules& rules, const Check& check, const std::string& path) {
   const int subjects = (check.probe.empty() ? 0 : 1) + (check.energy.empty() ? 0 : 1) +
                        (check.resultant ? 1 : 0) + (check.field ? 1 : 0);
   if (subjects != 1)
-    rules.broken({path}, subjects == 0 ? "'probe', 'energy', 'resultant' or 'field' is missing"
-                                       : "found several of 'probe', 'energy', 'resultant' and 'field', "
-                                         "expected one of them");
+    rules.broken({path, path + ".probe", path + ".energy", path + ".resultant", path + ".field"},
+                 subjects == 0 ? "'probe', 'energy', 'resultant' or 'field' is missing"
+                               : "found several of 'probe', 'energy', 'resultant' and 'field', "
+                                 "expected one of them");
   else if (check.field)
     check_field(rules, *check.field, path);
   else if (check.resultant)

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Inside the module only: Fortran interfaces of the BLAS and LAPACK that OpenBLAS holds, for which Debian
+/// packs no header. Matrices stand column by column.
+#pragma once
+
+extern "C" {
+void dtrsv_(const char* triangle, const char* transposed, const char* diagonal, const int* size,
+            const double* matrix, const int* stride, double* values, const int* increment);
+void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* diagonal,
+            const int* rows, const int* columns, const double* factor, const double* matrix,
+            const int* stride, double* values, const int* values_stride);
+void dgemv_(const char* transposed, const int* rows, const int* columns, const double* factor,
+            const double* matrix, const int* stride, const double* x, const int* x_increment,
+            const double* y_factor, double* y, const int* y_increment);
+void dgemm_(const char* first_transposed, const char* second_transposed, const int* rows, const int* columns,
+            const int* inner, const double* factor, const double* first, const int* first_stride,
+            const double* second, const int* second_stride, const double* sum_factor, double* sum,
+            const int* sum_stride);
+void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* inner,
+            const double* factor, const double* matrix, const int* stride, const double* sum_factor,
+            double* sum, const int* sum_stride);
+void dpotri_(const char* triangle, const int* size, double* factor, const int* stride, int* info);
+void dgetrf_(const int* rows, const int* columns, double* matrix, const int* stride, int* pivots, int* info);
+void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* factors,
+             const int* stride, const int* pivots, double* values, const int* values_stride, int* info);
+void dgecon_(const char* norm, const int* size, const double* factors, const int* stride,
+             const double* matrix_norm, double* reciprocal_condition, double* work, int* integer_work,
+             int* info);
+void dposv_(const char* triangle, const int* size, const int* right_sides, double* matrix, const int* stride,
+            double* values, const int* values_stride, int* info);
+}
