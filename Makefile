@@ -41,6 +41,8 @@ picture: build ## docs/pictures/beams.png from a run (python3-matplotlib)
 
 test: deps build ## every test, and a program built against the installed package
 	ctest --preset release -j$(JOBS)
+	@awk '/^\[  SKIPPED \] .*ms\)$$/ && !seen[$$4]++ {print "not run here: " $$4}' build/release/Testing/Temporary/LastTest.log
+	@awk '/^\[=+\] [0-9]+ tests? from .* ran/ {n += $$2} END {print n " tests ran"}' build/release/Testing/Temporary/LastTest.log
 	@$(MAKE) --no-print-directory installed-test
 
 installed-test:

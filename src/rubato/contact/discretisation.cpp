@@ -19,6 +19,11 @@ const Zone& zone_of(const Discretisation& discretisation) {
   return std::visit([](const auto& by) -> const Zone& { return by.zone(); }, discretisation);
 }
 
+void begin_step(Discretisation& discretisation, const ZoneState& committed) {
+  if (auto* points = std::get_if<mortar::Points>(&discretisation))
+    points->begin(committed.lifts);
+}
+
 void forget_visits(Discretisation& discretisation) {
   if (auto* neighbours = std::get_if<NeighbourList>(&discretisation))
     neighbours->forget_visits();

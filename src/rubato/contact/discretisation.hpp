@@ -24,6 +24,8 @@ Discretisation make_discretisation(const Zone& zone);
 
 const Zone& zone_of(const Discretisation& discretisation);
 
+/// A step begins from that state.
+void begin_step(Discretisation& discretisation, const ZoneState& committed);
 /// Newton's iterations begin: what points have visited is counted from there.
 void forget_visits(Discretisation& discretisation);
 /// Lets points go that stay on a face they stand beyond (neighbours.hpp). Whether there were any.

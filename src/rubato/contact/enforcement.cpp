@@ -199,6 +199,7 @@ ZoneState initial_state(const Zone& zone) {
           std::vector<Status>(zone.points.size(), active ? closed : Status::open),
           std::vector<PointOutcome>(zone.points.size()),
           std::vector<FrictionHistory>(zone.points.size()),
+          {},
           {}};
 }
 

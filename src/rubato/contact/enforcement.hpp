@@ -43,6 +43,7 @@ struct ZoneState {
   std::vector<PointOutcome> outcomes;            ///< one a contact point
   std::vector<FrictionHistory> friction_history; ///< one a contact point
   FrictionForces friction_forces;                ///< at the end of the step
+  std::vector<double> lifts;                     ///< PointEvaluation::lift of each point; none before a step
 
   bool operator==(const ZoneState&) const = default;
 };
@@ -83,6 +84,9 @@ struct PointEvaluation {
   double cover = 1; ///< part of the point's area that faces the master: less than 1 in mortar only
   /// Of a mortar node that faces so little that its dual function is shared among others: those points.
   std::vector<int> receivers{};
+  /// Of a mortar node: how much its gap is lifted where dual functions see it too low; −1 where it faces
+  /// nothing [length].
+  double lift = 0;
 };
 
 /// Gap, slip and multipliers of a point, the latter interpolated from the nodes that share it.

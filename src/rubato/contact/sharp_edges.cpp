@@ -67,8 +67,8 @@ Surface with_split_edges(const Surface& surface, std::span<const Eigen::Vector3d
 }
 
 std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Eigen::Vector3d> undeformed,
-                                       double degrees) {
-  return mortar::sharpest_edge(surface, undeformed, degrees);
+                                       const EdgeRange& range) {
+  return mortar::sharpest_edge(surface, undeformed, range);
 }
 
 std::vector<std::size_t> smooth_parts(const Surface& surface, std::span<const Eigen::Vector3d> undeformed) {

@@ -26,9 +26,14 @@ struct SharpEdge {
   mesh::NodeIndex node = 0;
 };
 
-/// The sharpest edge of more than that many degrees. `undeformed` by position.
+/// [degrees]
+struct EdgeRange {
+  double above = 0, up_to = 180;
+};
+
+/// The sharpest edge in that range. `undeformed` by position.
 std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Eigen::Vector3d> undeformed,
-                                       double degrees);
+                                       const EdgeRange& range);
 
 /// Which part each face belongs to: a part is what edges of at most 60° join. Parts are numbered in the order
 /// of their first faces. `undeformed` by position.

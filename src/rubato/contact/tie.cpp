@@ -106,7 +106,7 @@ std::vector<mortar::Operators> operators_of(const Zone& zone, const Configuratio
     const auto keep = keep_of(zone, c);
     auto at = known.find(keep);
     if (at == known.end()) {
-      const mortar::Options options{.held = zone.held, .keep = keep};
+      const mortar::Options options{.held = zone.held, .keep = keep, .all_layers = true};
       at =
           known
               .emplace(keep, mortar::integrate(zone.slave, *zone.mortar, zone.master, slave, master, options))

@@ -212,6 +212,7 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
     archive.wholes(at + "status", state.zones[z].status);
     archive.table(at + "outcomes", state.zones[z].outcomes);
     archive.table(at + "friction_history", state.zones[z].friction_history);
+    archive.numbers(at + "lifts", state.zones[z].lifts);
     state.zones[z].friction_forces.exchange([&]<class Values>(const std::string& name, Values& values) {
       if constexpr (std::is_same_v<Values, std::vector<double>>)
         archive.numbers(at + "friction_forces/" + name, values);

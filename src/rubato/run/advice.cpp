@@ -114,6 +114,12 @@ void on_lost_point(const model::Model& model, const step::Unmet& unmet, Advice& 
                                             zone->settings.name, model::node_label(model.mesh, unmet.node)));
 }
 
+void on_distance(const contact::Zone& zone, Advice& advice) {
+  advice.add(key_of(zone, "integration") + ": nodes", zone, [](study::ContactZone& changed) {
+    changed.integration = {study::ContactIntegration::nodes, 0};
+  });
+}
+
 void on_status(const contact::Zone& zone, Advice& advice) {
   if (zone.settings.status.by == study::Iteration::newton)
     advice.add(key_of(zone, "iterate.status") + ": fixed_point", zone,
@@ -155,6 +161,8 @@ void on_criterion(const model::Model& model, const step::Unmet& unmet, Advice& a
       on_status(*zone, advice);
     else if (unmet.criterion == Criterion::projection)
       on_projection(*zone, advice);
+    else if (unmet.criterion == Criterion::distance)
+      on_distance(*zone, advice);
     else if (unmet.criterion == Criterion::gap)
       on_gap(*zone, advice);
   }

@@ -82,6 +82,13 @@ std::string lost_of(const model::Model& model, const Unmet& unmet) {
                      node_of(model, unmet), zone_name(model, unmet.zone), others(unmet, "and at "));
 }
 
+std::string distance_of(const model::Model& model, const Unmet& unmet) {
+  return fmt::format(
+      "zone '{}' presses node {}, which is {:.3g} from its master (allowed {:.3g}): forces are "
+      "in balance, but not those of contact",
+      zone_name(model, unmet.zone), node_of(model, unmet), unmet.value, unmet.allowed);
+}
+
 std::string loose_of(const model::Model& model) {
   std::vector<std::string> bodies;
   for (const auto& body : model::loose_bodies(model))
@@ -116,6 +123,8 @@ std::string sentence(const model::Model& model, const step::StepReport& report, 
     return projection_of(model, unmet);
   case Criterion::point_lost:
     return lost_of(model, unmet);
+  case Criterion::distance:
+    return distance_of(model, unmet);
   case Criterion::singular:
     return loose_of(model);
   case Criterion::geometry_loop:

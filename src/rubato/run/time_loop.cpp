@@ -220,10 +220,10 @@ private:
     if (report.rounding == 0 || told_rounding_)
       return;
     told_rounding_ = true;
-    watch_.say(
-        fmt::format("{}: at t = {:g} rounding of the forces leaves a residual of {:.1e} (wanted {:.0e}); "
-                    "the step counts as converged, and so do later ones",
-                    name(), t, report.rounding, report.tolerance));
+    watch_.say(fmt::format(
+        "{}: at t = {:g} rounding leaves a force of {:.1e} unbalanced, {:.1e} of the largest load or "
+        "reaction (wanted {:.0e}); the step counts as converged, and so do later ones",
+        name(), t, report.unbalanced_force, report.rounding, report.tolerance));
   }
 
   void fail() {

@@ -4,6 +4,7 @@
 #include "rubato/contact/springs.hpp"
 #include "rubato/step/common/nested_loops.hpp"
 #include "rubato/step/common/newton.hpp"
+#include "rubato/step/common/pressed_afar.hpp"
 #include "rubato/step/full/whole_system.hpp"
 #include "rubato/step/interface/condensed.hpp"
 
@@ -106,7 +107,16 @@ private:
     auto report =
         can_condense(model_, system_) ? solve_by<Condensed>(side, trial) : solve_by<WholeSystem>(side, trial);
     report.iterations = spent_ += report.iterations;
+    if (report.converged())
+      refuse_if_pressed_afar(trial, report);
     return report;
+  }
+
+  void refuse_if_pressed_afar(const State& trial, StepReport& report) const {
+    if (const auto found = pressed_afar(model_, trial)) {
+      report.outcome = Outcome::pressed_afar;
+      report.unmet = {*found};
+    }
   }
 
   template <NewtonSystem Solver> StepReport solve_by(const ContactEvaluator& side, State& trial) {

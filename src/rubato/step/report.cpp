@@ -25,6 +25,8 @@ std::string_view to_string(Outcome outcome) {
     return "too many rounds of the friction loop";
   case Outcome::status_unsettled:
     return "too many rounds of the status loop";
+  case Outcome::pressed_afar:
+    return "pressed where nothing is";
   case Outcome::interrupted:
     return "interrupted";
   }
@@ -77,6 +79,8 @@ std::string_view to_string(Criterion criterion) {
     return "projection";
   case Criterion::point_lost:
     return "point lost";
+  case Criterion::distance:
+    return "distance";
   case Criterion::singular:
     return "singular matrix";
   case Criterion::geometry_loop:

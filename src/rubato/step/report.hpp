@@ -23,7 +23,8 @@ enum class Outcome {
   geometry_unsettled, ///< the loop of that level came to its last round
   friction_unsettled,
   status_unsettled,
-  interrupted ///< asked to end: neither converged nor failed
+  pressed_afar, ///< forces in balance, but a point presses where its master is not
+  interrupted   ///< asked to end: neither converged nor failed
 };
 
 std::string_view to_string(Outcome outcome);
@@ -53,13 +54,14 @@ enum class Criterion {
   projection,    ///< points in contact stay where they are on the master; value: in reference lengths of a
                  ///< face; before an obstacle: change of the normal
   point_lost,    ///< a point that was in contact faces nothing any more; value: points that do
+  distance,      ///< points that press are near their master; value: to its nearest node [length]
   singular,      ///< the linear system has no solution; value 0
   geometry_loop, ///< value: as LoopRound::change, infinite of a loop that had one round
   friction_loop  ///< value: as LoopRound::change
 };
 
-/// "residual", "status", "gap", "projection", "point lost", "singular matrix", "geometry loop", "friction
-/// loop".
+/// "residual", "status", "gap", "projection", "point lost", "distance", "singular matrix", "geometry loop",
+/// "friction loop".
 std::string_view to_string(Criterion criterion);
 
 /// A criterion that the last iterate of an attempt does not meet, and the point or node where it is furthest
@@ -88,8 +90,9 @@ struct LoopRound {
 
 struct StepReport {
   Outcome outcome = Outcome::too_many_iterations;
-  int iterations = 0;  ///< linear solves, all attempts of the step together
-  double residual = 0; ///< relative, of the last iterate
+  int iterations = 0;          ///< linear solves, all attempts of the step together
+  double residual = 0;         ///< relative, of the last iterate
+  double unbalanced_force = 0; ///< the largest, of the last iterate
   double tolerance = 0;
   /// The residual at which the step ended, where rounding of the forces let it go no lower; else 0.
   double rounding = 0;

@@ -51,7 +51,7 @@ TEST(TablesOfMethods, HaveARowEachInTheOrderOfTheMethods) {
 
 TEST(Springs, GiveWayAndHoldEnergyWhereGapsDoNotClose) {
   const ZoneState pressed{
-      {}, {Status::slip, Status::open}, {{.gap = -0.1, .normal = {0, 3, 4}}, {.gap = 0.2}}, {}, {}};
+      {}, {Status::slip, Status::open}, {{.gap = -0.1, .normal = {0, 3, 4}}, {.gap = 0.2}}, {}, {}, {}};
   const auto soft = zone_by(study::ContactMethod::penalty);
   EXPECT_DOUBLE_EQ(penetration(law_of(soft), 0, 0.5, 0, -0.1).compliance, 1 / (10 * 0.5));
   EXPECT_EQ(penetration(law_of(soft), 0, 0.5, 0, -0.1).rest_gap, 0);

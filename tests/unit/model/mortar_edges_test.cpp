@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Edges of surfaces in mortar contact are told before the first step.
+#include "rubato/model/mortar_edges.hpp"
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/model_of.hpp"
 #include "support/two_blocks.hpp"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -11,32 +17,50 @@ namespace rubato::model {
 namespace {
 
 using test::model_of;
-using test::with;
 
 const std::vector<deck::Setting> by_mortar{{"contact.interface.integration", "mortar"}};
 
-/// Two blocks; the right side of one of them belongs to its contact surface, too.
-std::string with_a_corner(const char* surface) {
-  const std::string face(surface);
-  return face == "lower_face"
-             ? with(test::two_blocks, "top: lower_face}", "top: lower_face, right: lower_face}")
-             : with(test::two_blocks, "bottom: upper_face,", "bottom: upper_face, right: upper_face,");
+/// The slave's right half turned up by that many degrees.
+mesh::Mesh with_kink(const model::Model& model, double degrees) {
+  auto mesh = model.mesh;
+  for (const auto node : model.zones.front().slave.nodes) {
+    auto& x = mesh.points[static_cast<std::size_t>(node)];
+    x.y() += std::max(0., x.x() - 0.5) * std::tan(degrees * std::numbers::pi / 180);
+  }
+  return mesh;
 }
 
-TEST(EdgesInMortarZones, AreToldWithTheirSideAngleAndNode) {
-  for (const auto* surface : {"lower_face", "upper_face"}) {
-    const auto model = model_of(with_a_corner(surface), by_mortar);
-    ASSERT_EQ(model.notes.size(), 1U) << surface;
-    const auto& note = model.notes.front();
-    const std::string side = surface == std::string("lower_face") ? "slave" : "master";
-    EXPECT_NE(note.find("contact zone interface: the " + side + " '" + surface + "' has an edge of 90° at N"),
+TEST(EdgesInMortarZones, OfTheSlaveAreToldWithTheirAngleAndNode) {
+  const auto model = model_of(test::two_blocks, by_mortar);
+  EXPECT_TRUE(model.notes.empty());
+  for (const double degrees : {16., 45., 59.}) {
+    const auto notes = edges_in_mortar_zones(model.zones, with_kink(model, degrees));
+    ASSERT_EQ(notes.size(), 1U) << degrees;
+    EXPECT_NE(notes.front().find(fmt::format("contact zone interface: the slave 'lower_face' has an edge of "
+                                             "{:.0f}° at N",
+                                             degrees)),
               std::string::npos)
-        << note;
-    EXPECT_NE(note.find("'integration: nodes'"), std::string::npos) << note;
+        << notes.front();
+    EXPECT_NE(notes.front().find("'integration: nodes'"), std::string::npos) << notes.front();
   }
 }
 
-TEST(EdgesInMortarZones, AreFoundBetweenFacesInSpace) {
+TEST(EdgesInMortarZones, AreOfNoConcernWhereTheyAreFlatOrSplit) {
+  const auto model = model_of(test::two_blocks, by_mortar);
+  for (const double degrees : {14., 61., 80.})
+    EXPECT_TRUE(edges_in_mortar_zones(model.zones, with_kink(model, degrees)).empty()) << degrees;
+}
+
+TEST(EdgesInMortarZones, AreOfNoConcernOnNodesOrWithFrozenGeometry) {
+  const auto on_nodes = model_of(test::two_blocks);
+  EXPECT_TRUE(edges_in_mortar_zones(on_nodes.zones, with_kink(on_nodes, 45)).empty());
+  auto settings = by_mortar;
+  settings.emplace_back("contact.interface.freeze", "true");
+  const auto frozen = model_of(test::two_blocks, settings);
+  EXPECT_TRUE(edges_in_mortar_zones(frozen.zones, with_kink(frozen, 45)).empty());
+}
+
+TEST(EdgesInMortarZones, MayBeInTheMaster) {
   const std::string deck = R"(
 mesh:
   generate:
@@ -48,19 +72,7 @@ supports: [{on: ground, fix: [x, y, z]}, {on: top, fix: [x, y], z: -0.01}]
 contact: {joint: {master: roof, slave: under}}
 time: {scheme: static, step: 1, end: 1}
 )";
-  const auto model = model_of(deck);
-  ASSERT_EQ(model.notes.size(), 1U);
-  EXPECT_NE(model.notes.front().find("the master 'roof' has an edge of 90°"), std::string::npos)
-      << model.notes.front();
-  EXPECT_TRUE(model_of(with(deck, "back: roof, right: roof", "back: roof")).notes.empty());
-}
-
-TEST(EdgesInMortarZones, AreOfNoConcernOnNodesOrWithFrozenGeometry) {
-  EXPECT_TRUE(model_of(with_a_corner("lower_face")).notes.empty());
-  EXPECT_TRUE(model_of(test::two_blocks, by_mortar).notes.empty());
-  auto frozen = by_mortar;
-  frozen.emplace_back("contact.interface.freeze", "true");
-  EXPECT_TRUE(model_of(with_a_corner("upper_face"), frozen).notes.empty());
+  EXPECT_TRUE(model_of(deck).notes.empty());
 }
 
 } // namespace

@@ -91,6 +91,16 @@ TEST(AFailedStep, NamesTheProjectionThatMovesAndThePointThatIsLost) {
       << text;
 }
 
+TEST(AFailedStep, NamesTheNodeThatIsPressedWhereNothingIs) {
+  const FailureOf blocks(test::two_blocks);
+  const auto failure = blocks.with(Outcome::pressed_afar, {{Criterion::distance, 0, 3, 1.9, 1.2, 1}});
+  const auto text = blocks.told(failure);
+  EXPECT_NE(text.find("(pressed where nothing is, 0 iterations); zone 'interface' presses node N4 ("),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("which is 1.9 from its master (allowed 1.2)"), std::string::npos) << text;
+}
+
 TEST(AFailedStep, NamesTheBodiesThatNothingHoldsWhereTheMatrixIsSingular) {
   auto deck = test::with(test::two_blocks, "sides: {left: held, bottom: upper_face, top: roof}",
                          "sides: {left: upper_left, bottom: upper_face, top: roof}");

@@ -18,7 +18,8 @@ using Eigen::VectorXd;
 constexpr std::array every_outcome{
     Outcome::converged,          Outcome::too_many_iterations, Outcome::cycling,
     Outcome::singular_matrix,    Outcome::not_finite,          Outcome::geometry_unsettled,
-    Outcome::friction_unsettled, Outcome::status_unsettled,    Outcome::interrupted};
+    Outcome::friction_unsettled, Outcome::status_unsettled,    Outcome::pressed_afar,
+    Outcome::interrupted};
 
 TEST(AStepReport, HasAWordOfItsOwnForEachOutcomeAndCriterion) {
   std::set<std::string_view> words;
@@ -29,9 +30,9 @@ TEST(AStepReport, HasAWordOfItsOwnForEachOutcomeAndCriterion) {
   words.clear();
   for (const auto criterion :
        {Criterion::residual, Criterion::status, Criterion::gap, Criterion::projection, Criterion::point_lost,
-        Criterion::singular, Criterion::geometry_loop, Criterion::friction_loop})
+        Criterion::distance, Criterion::singular, Criterion::geometry_loop, Criterion::friction_loop})
     words.insert(to_string(criterion));
-  EXPECT_EQ(words.size(), 8U);
+  EXPECT_EQ(words.size(), 9U);
   EXPECT_FALSE(words.contains(""));
 }
 

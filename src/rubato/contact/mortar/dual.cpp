@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace rubato::contact::mortar {
@@ -76,6 +77,34 @@ Matrix4d dual_coefficients(int node_count, const FacetMoments& covered, double f
   for (int row = 0; row < sharing.count; ++row)
     coefficients.row(sharing.node[static_cast<std::size_t>(row)]) = rows.row(row);
   return coefficients;
+}
+
+namespace {
+
+/// Of the sub-facet's size.
+constexpr double extrapolated = 0.1;
+
+} // namespace
+
+LeastGaps::LeastGaps(int node_count, const FacetMoments& covered, double full_area,
+                     const Vector4d& first_gap) {
+  const auto coefficients = dual_coefficients(node_count, covered, full_area,
+                                              {true, node_count > 1, node_count > 2, node_count > 3});
+  const Vector4d products = coefficients * first_gap;
+  const double mean = first_gap.sum() / covered.first.sum();
+  for (int i = 0; i < node_count; ++i)
+    fitted_[i] = covered.first[i] > 0 ? products[i] / covered.first[i] : mean;
+}
+
+void LeastGaps::see(const Vector4d& values, double gap) {
+  least_ = std::min(least_, gap);
+  least_fitted_ = std::min(least_fitted_, fitted_.dot(values));
+}
+
+Vector4d LeastGaps::bounds(double size) const {
+  const double least = least_ + std::min(0., least_);
+  return Vector4d::Constant(least) -
+         (Vector4d::Constant(least_fitted_) - fitted_).cwiseMax(0.).cwiseMin(extrapolated * size);
 }
 
 Vector4d kept_areas(int node_count, const FacetMoments& covered, const std::array<bool, 4>& kept) {

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 
 namespace rubato::contact::mortar {
 
@@ -30,6 +31,26 @@ struct FacetMoments {
 /// `full_area`: ∫1 over the whole sub-facet.
 Eigen::Matrix4d dual_coefficients(int node_count, const FacetMoments& covered, double full_area,
                                   const std::array<bool, 4>& kept);
+
+/// The least gaps that functions of nodes may see, by node of the sub-facet [length].
+///
+/// Dual functions are negative on a part of the sub-facet: of gaps that are not linear there they make a mean
+/// below every one of them (2 − 3s of s², 0 ≤ s ≤ 1: −1/12 where all is open). What they do see, ∫Φ_i g /
+/// De_i, are the nodal values ĝ_i of the linear field nearest to g. It may fall below the least gap of the
+/// covered part by as much as that part truly overlaps, and from there to a node that is not covered by a
+/// tenth of the sub-facet's size: `bounds` is that. Of a linear gap that is not steep ĝ_i is never below.
+class LeastGaps {
+public:
+  /// `first_gap`: ∫H_j g [area · length].
+  LeastGaps(int node_count, const FacetMoments& covered, double full_area, const Eigen::Vector4d& first_gap);
+  /// A gap of the covered part, where functions are `values`.
+  void see(const Eigen::Vector4d& values, double gap);
+  Eigen::Vector4d bounds(double size) const;
+
+private:
+  Eigen::Vector4d fitted_ = Eigen::Vector4d::Zero(); ///< ĝ
+  double least_fitted_ = INFINITY, least_ = INFINITY;
+};
 
 /// ∫Φ_j of those functions, by the sum of what each kept node has: ≥ 0.
 Eigen::Vector4d kept_areas(int node_count, const FacetMoments& covered, const std::array<bool, 4>& kept);

@@ -177,12 +177,14 @@ std::optional<std::pair<int, int>> first_sharp_edge(const Surface& surface, std:
   return first;
 }
 
-std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Vector3d> x, double degrees) {
+std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Vector3d> x,
+                                       const EdgeRange& range) {
   std::optional<SharpEdge> sharpest;
-  double least_cosine = std::cos(radians(degrees));
+  const double least_cosine = std::cos(radians(range.up_to));
+  double sharpest_cosine = std::cos(radians(range.above));
   for_each_common_edge(surface, x, [&](const CommonEdge& edge) {
-    if (edge.cosine < least_cosine) {
-      least_cosine = edge.cosine;
+    if (edge.cosine < sharpest_cosine && edge.cosine >= least_cosine) {
+      sharpest_cosine = edge.cosine;
       sharpest = {std::acos(std::max(edge.cosine, -1.)) * 180 / std::numbers::pi, edge.node};
     }
   });

@@ -50,9 +50,9 @@ Frame frame_of(const Eigen::Vector3d& outward, const Eigen::Vector3d& along, int
 std::optional<std::pair<int, int>>
 first_sharp_edge(const Surface& surface, std::span<const Eigen::Vector3d> x, double degrees = sharp_edge);
 
-/// The sharpest edge of more than that many degrees.
+/// The sharpest edge in that range.
 std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Eigen::Vector3d> x,
-                                       double degrees);
+                                       const EdgeRange& range);
 
 /// All pairs (low, high) of faces with a common edge whose normals there are at most that many degrees apart.
 std::vector<std::pair<int, int>> smooth_neighbours(const Surface& surface, std::span<const Eigen::Vector3d> x,

@@ -53,14 +53,30 @@ bool faces(const SlaveFace& placed, const Eigen::Vector2d& xi, const Vector3d& n
   return at.tangents.col(0).cross(at.tangents.col(1)).dot(normal) < 0;
 }
 
+/// Gaps at the corners of a sub-facet. Faces may hang over the obstacle's end: where all points of the rule
+/// see it corners do.
+void see_corners(const SlaveFace& placed, const SubFacet& facet, const Obstacle& obstacle,
+                 const Vector3d& offset, std::vector<SeenGap>& seen) {
+  for (std::size_t i = 0; i < at(facet.node_count); ++i) {
+    const auto node = facet.nodes[i];
+    const Vector3d x = placed.x.col(node), undeformed = placed.undeformed.col(node);
+    seen.push_back({Eigen::Vector4d::Unit(static_cast<Eigen::Index>(i)),
+                    seen_from(obstacle, offset, x, undeformed)[gap_column]});
+  }
+}
+
 /// One sub-facet before the obstacle.
 void integrate_facet(const SlaveFace& placed, int face, int facet_index, const Obstacle& obstacle,
-                     const Vector3d& offset, const Measure& measure, double reach, Workspace::Impl& work) {
+                     const Vector3d& offset, const SlaveReference& reference, double reach,
+                     Workspace::Impl& work) {
+  const auto& measure = reference.measure;
+  const double full_area = reference.facet_area[reference.first_facet[at(face)] + at(facet_index)];
   const auto& facet = subfacets(placed.type)[at(facet_index)];
   Part part;
   part.face = face;
   part.facet = facet_index;
   SeenProducts products = SeenProducts::Zero();
+  work.seen_gaps.clear();
   for (const auto& [place, weight] : facet_rules(placed.type)[at(facet_index)]) {
     const Eigen::Vector2d xi = place.head<2>();
     const auto seen = seen_from(obstacle, offset, face_position(placed.type, placed.x, xi),
@@ -74,9 +90,13 @@ void integrate_facet(const SlaveFace& placed, int face, int facet_index, const O
     for (Eigen::Index k = 0; k < placed.x.cols(); ++k)
       part.slave.col(k) += w * shape[static_cast<std::size_t>(k)] * values;
     products += w * values * seen.transpose();
+    work.seen_gaps.push_back({values, seen[gap_column]});
   }
   if (!(part.covered.first.sum() > 0))
     return;
+  see_corners(placed, facet, obstacle, offset, work.seen_gaps);
+  part.gaps = products.col(gap_column);
+  bound_gaps(placed, facet, full_area, work, part);
   part.first_overlap = work.seen.size();
   part.last_overlap = work.seen.size() + 1;
   work.parts.push_back(part);
@@ -93,7 +113,7 @@ void set_seen(const Seen& total, int dimension, Node& node) {
     node.normal = frame.normal;
     node.tangents = frame.tangents;
   }
-  node.gap = mean[gap_column];
+  node.gap = mean[gap_column] + node.lift;
   node.anchor = mean.segment<3>(place_column);
 }
 
@@ -122,8 +142,8 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Obst
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     const auto placed = slave_face(slave.faces[f], reference, slave_x, work.normals);
     for (std::size_t facet = 0; facet < subfacets(placed.type).size(); ++facet)
-      integrate_facet(placed, static_cast<int>(f), static_cast<int>(facet), obstacle, offset,
-                      reference.measure, reach, work);
+      integrate_facet(placed, static_cast<int>(f), static_cast<int>(facet), obstacle, offset, reference,
+                      reach, work);
   }
   share_functions(slave, reference, slave_x, options, work, into);
   fill_stencils(slave, nullptr, reference.dimension, work, into);

@@ -4,6 +4,8 @@
 #include "rubato/contact/mortar/parts.hpp"
 #include "rubato/contact/mortar/self_contact_normals.hpp"
 
+#include <algorithm>
+
 namespace rubato::contact::mortar {
 namespace {
 
@@ -26,82 +28,132 @@ void set_masters(const Surface& master, std::span<const Vector3d> x, Workspace::
   work.search.build(boxes);
 }
 
-void find_candidates(int slave_face, const SlaveFace& placed, const Options& options, double reach,
+void find_candidates(int slave_face, const SlaveFace& placed, const Options& options, const Reach& reach,
                      Workspace::Impl& work) {
   auto box = box_of(placed.type, placed.x);
-  box.min() -= Vector3d::Constant(reach);
-  box.max() += Vector3d::Constant(reach);
+  box.min() -= Vector3d::Constant(reach.most());
+  box.max() += Vector3d::Constant(reach.most());
   work.search.find(box, work.candidates);
   if (options.may_pair)
     std::erase_if(work.candidates, [&](int face) { return !options.may_pair(slave_face, face); });
 }
 
-/// Adds the integral of one node's shape function.
-void add_weighted(const Workspace::Impl& work, std::array<double, 9> Point::*values, int node,
-                  Products& products) {
+/// Adds ∫H N of one node's shape function over the points.
+void add_weighted(std::span<const Point> points, std::span<const Eigen::Vector4d> weighted,
+                  std::array<double, 9> Point::*values, int node, Products& products) {
   Eigen::Vector4d sum = products.col(node);
-  for (std::size_t i = 0; i < work.points.size(); ++i)
-    sum += (work.points[i].*values)[at(node)] * work.weighted[i];
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sum += (points[i].*values)[at(node)] * weighted[i];
   products.col(node) = sum;
 }
 
-/// Adds the integrals over the points to the part, and to one overlap of it.
-void add_overlap(const SubFacet& facet, int slave_nodes, int master_nodes, int master_face,
-                 Workspace::Impl& work, Part& part) {
-  auto& overlap = work.overlaps.emplace_back();
-  overlap.master_face = master_face;
-  work.weighted.clear();
-  for (const auto& point : work.points) {
-    const Eigen::Vector4d values = facet_values(facet, point.xi);
-    part.covered.add(point.weight, values);
-    work.weighted.emplace_back(point.weight * values);
-  }
-  for (int k = 0; k < slave_nodes; ++k)
-    add_weighted(work, &Point::slave_values, k, part.slave);
-  for (int l = 0; l < master_nodes; ++l)
-    add_weighted(work, &Point::master_values, l, overlap.master);
-}
+/// One slave sub-facet before all candidates.
+class FacetIntegral {
+public:
+  FacetIntegral(const Surface& slave, const SlaveReference& reference, const Surface& master,
+                const Options& options, Workspace::Impl& work)
+      : slave_(slave), reference_(reference), master_(master), options_(options), work_(work) {}
 
-/// The part of one slave sub-facet before all candidates; `append(master)` fills work.points.
-template <class Append>
-void integrate_facet(const Surface& slave, int face, int facet_index, const Append& append,
-                     Workspace::Impl& work) {
-  const auto type = slave.faces[at(face)].type;
-  const auto& facet = subfacets(type)[at(facet_index)];
-  Part part;
-  part.face = face;
-  part.facet = facet_index;
-  part.first_overlap = work.overlaps.size();
-  for (const int candidate : work.candidates) {
-    work.points.clear();
-    append(work.masters[at(candidate)]);
-    if (!work.points.empty())
-      add_overlap(facet, slave.faces[at(face)].node_count,
-                  static_cast<int>(work.masters[at(candidate)].x.cols()), candidate, work, part);
-  }
-  part.last_overlap = work.overlaps.size();
-  if (part.covered.first.sum() > 0)
-    work.parts.push_back(part);
-  else
-    work.overlaps.resize(part.first_overlap);
-}
-
-void integrate_face(const Surface& slave, int face, const SlaveFace& placed, const SlaveReference& reference,
-                    double reach, Workspace::Impl& work) {
-  const auto facets = subfacets(placed.type);
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    if (reference.dimension == 2) {
-      const auto append = [&](const MasterFace& master) {
-        append_line_overlap(placed, facets[f], reference.measure, master, reach, work.points);
-      };
-      integrate_facet(slave, face, static_cast<int>(f), append, work);
+  void add(int face, int facet, const SlaveFace& placed, const Reach& reach) {
+    part_ = {};
+    part_.face = face;
+    part_.facet = facet;
+    const auto& of = subfacets(placed.type)[at(facet)];
+    if (reference_.dimension == 2) {
+      collect([&](const MasterFace& master) {
+        append_line_overlap(placed, of, reference_.measure, master, reach, work_.overlap);
+      });
+      choose(placed, [&](int master, const Eigen::Vector2d& xi) {
+        return distance_along_normal(placed, work_.masters[at(master)], xi);
+      });
     } else {
-      const PlaneOverlaps overlaps(placed, facets[f], reference.measure, reach);
-      const auto append = [&](const MasterFace& master) { overlaps.append(master, work.points); };
-      integrate_facet(slave, face, static_cast<int>(f), append, work);
+      const PlaneOverlaps overlaps(placed, of, reference_.measure, reach);
+      collect([&](const MasterFace& master) { overlaps.append(master, work_.overlap); });
+      choose(placed, [&](int master, const Eigen::Vector2d& xi) {
+        return overlaps.distance_before(work_.masters[at(master)], xi);
+      });
+    }
+    integrate(placed);
+  }
+
+private:
+  const SubFacet& facet() const { return subfacets(slave_.faces[at(part_.face)].type)[at(part_.facet)]; }
+  double full_area() const {
+    return reference_.facet_area[reference_.first_facet[at(part_.face)] + at(part_.facet)];
+  }
+
+  template <class Append> void collect(const Append& append) {
+    auto& points = work_.overlap.points;
+    work_.overlap.clear();
+    work_.ranges.clear();
+    for (const int candidate : work_.candidates) {
+      const auto first = points.size(), first_corner = work_.overlap.corners.size();
+      append(work_.masters[at(candidate)]);
+      if (points.size() > first)
+        work_.ranges.push_back({candidate, first, points.size(), first_corner, work_.overlap.corners.size()});
     }
   }
-}
+
+  void choose(const SlaveFace& placed, const DistanceBefore& distance_before) {
+    if (options_.all_layers || work_.ranges.size() < 2)
+      return;
+    leave_out_hidden(master_, work_.ranges, full_area(), distance_before, work_.overlap.points);
+    leave_out_far(master_, work_.ranges, size_of(placed, facet()), work_.overlap.points);
+  }
+
+  void integrate(const SlaveFace& placed) {
+    part_.first_overlap = work_.overlaps.size();
+    weigh_functions();
+    if (!(part_.covered.first.sum() > 0))
+      return;
+    for (const auto& range : work_.ranges)
+      add_overlap(range);
+    part_.last_overlap = work_.overlaps.size();
+    bound_gaps(placed, facet(), full_area(), work_, part_);
+    work_.parts.push_back(part_);
+  }
+
+  void weigh_functions() {
+    work_.weighted.clear();
+    work_.seen_gaps.clear();
+    for (const auto& point : work_.overlap.points) {
+      const Eigen::Vector4d values = facet_values(facet(), point.xi);
+      part_.covered.add(point.weight, values);
+      work_.weighted.emplace_back(point.weight * values);
+      part_.gaps += point.distance * work_.weighted.back();
+      if (point.weight != 0)
+        work_.seen_gaps.push_back({values, point.distance});
+    }
+    for (const auto& range : work_.ranges)
+      if (counts(range))
+        for (const auto& corner : range.of_corners(work_.overlap.corners))
+          work_.seen_gaps.push_back({facet_values(facet(), corner.xi), corner.distance});
+  }
+
+  bool counts(const PointRange& range) const {
+    return std::ranges::any_of(range.of(std::span<const Point>(work_.overlap.points)),
+                               [](const Point& point) { return point.weight != 0; });
+  }
+
+  /// Adds the integrals over the points to the part, and to one overlap of it.
+  void add_overlap(const PointRange& range) {
+    auto& overlap = work_.overlaps.emplace_back();
+    overlap.master_face = range.master_face;
+    const auto points = range.of(std::span<const Point>(work_.overlap.points));
+    const auto weighted = range.of(std::span<const Eigen::Vector4d>(work_.weighted));
+    for (int k = 0; k < slave_.faces[at(part_.face)].node_count; ++k)
+      add_weighted(points, weighted, &Point::slave_values, k, part_.slave);
+    for (int l = 0; l < master_.faces[at(range.master_face)].node_count; ++l)
+      add_weighted(points, weighted, &Point::master_values, l, overlap.master);
+  }
+
+  const Surface& slave_;
+  const SlaveReference& reference_;
+  const Surface& master_;
+  const Options& options_;
+  Workspace::Impl& work_;
+  Part part_;
+};
 
 void measure_gaps(const Surface& slave, const Surface& master, std::span<const Vector3d> slave_x,
                   std::span<const Vector3d> master_x, Operators& into) {
@@ -113,7 +165,7 @@ void measure_gaps(const Surface& slave, const Surface& master, std::span<const V
       apart +=
           node.stencil.weights[static_cast<Eigen::Index>(i)] * (on_slave ? slave_x : master_x)[at(position)];
     }
-    node.gap = node.normal.dot(apart);
+    node.gap = node.normal.dot(apart) + node.lift;
   }
 }
 
@@ -136,13 +188,16 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Surf
   if (options.mean_normals)
     take_mean_normals(slave, slave_x, options, common_reach, work);
   work.clear_parts();
+  FacetIntegral integral(slave, reference, master, options, work);
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     auto placed = slave_face(slave.faces[f], reference, slave_x, work.normals);
     placed.along_normals = options.mean_normals;
-    const double reach = options.reaches.empty() ? common_reach : options.reaches[f];
+    const Reach reach = options.reaches.empty() ? Reach{common_reach, common_reach} : options.reaches[f];
     find_candidates(static_cast<int>(f), placed, options, reach, work);
-    if (!work.candidates.empty())
-      integrate_face(slave, static_cast<int>(f), placed, reference, reach, work);
+    if (work.candidates.empty())
+      continue;
+    for (std::size_t facet = 0; facet < subfacets(placed.type).size(); ++facet)
+      integral.add(static_cast<int>(f), static_cast<int>(facet), placed, reach);
   }
   share_functions(slave, reference, slave_x, options, work, into);
   fill_stencils(slave, &master, reference.dimension, work, into);

@@ -27,11 +27,11 @@
 namespace rubato::contact::mortar {
 
 /// Below this share of its full weight a node is dropped: its dual function is shared among its neighbours.
-inline constexpr double least_kept_share = 0.01;
+inline constexpr double least_kept_share = 0.05;
 
 /// Who decides whether a node is kept.
 enum class Keep : std::uint8_t {
-  by_cover, ///< kept from 1 % of its full weight on
+  by_cover, ///< kept from 5 % of its full weight on
   always,   ///< kept if anything of it is covered
   never     ///< its dual function is shared among its neighbours: cross points of ties
 };
@@ -40,7 +40,7 @@ enum class Keep : std::uint8_t {
 struct Options {
   double reach =
       0; ///< largest gap or penetration of partners; 0: the longest slave face, no limit to obstacles
-  std::span<const double> reaches = {};      ///< the same by slave face, in place of `reach`
+  std::span<const Reach> reaches = {};       ///< the same by slave face, in place of `reach`
   std::span<const HeldComponents> held = {}; ///< for normals on planes of symmetry
   std::span<const Keep> keep = {};
   /// Whether a slave and a master face may meet; empty: all may. Self contact excludes neighbours by it.
@@ -48,6 +48,8 @@ struct Options {
   /// Of a surface that meets itself: directions of slave nodes are those of both sides
   /// (self_contact_normals.hpp).
   bool mean_normals = false;
+  /// Whether all of the master within reach counts, not only what is nearest (nearest.hpp).
+  bool all_layers = false;
 };
 
 enum class Cover : std::uint8_t {
@@ -66,7 +68,8 @@ struct Node {
   Cover cover = Cover::none;
   /// With an obstacle: the mean place it faces; G_j is counted from there. 0 with a master.
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();
-  double gap = 0;             ///< g_j where it was integrated; 0 unless kept
+  double gap = 0;             ///< g_j where it was integrated, with the lift; 0 unless kept
+  double lift = 0;            ///< how much of it is added to n_j·G_j (dual.hpp, LeastGaps) [length]
   std::vector<int> receivers; ///< of a dropped node: positions of the kept nodes that have its function
 
   bool kept() const { return cover == Cover::kept; }
@@ -94,7 +97,7 @@ private:
 };
 
 /// The operators where nodes are at `slave_x` and `master_x`, by position in the surfaces' nodes.
-/// A covered face none of whose nodes, nor of the faces around it, has 1 % of its weight keeps all its
+/// A covered face none of whose nodes, nor of the faces around it, has 5 % of its weight keeps all its
 /// covered nodes: a body smaller than a slave face is felt. Throws InputError where a position is not finite,
 /// with the face.
 void integrate(const Surface& slave, const SlaveReference& reference, const Surface& master,

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "rubato/contact/mortar/dual.hpp"
+#include "rubato/contact/mortar/nearest.hpp"
 #include "rubato/contact/mortar/operators.hpp"
 #include "rubato/contact/mortar/search.hpp"
 
@@ -26,7 +27,15 @@ struct Part {
   int facet = 0; ///< in the face
   FacetMoments covered;
   Products slave = Products::Zero();
+  Eigen::Vector4d gaps = Eigen::Vector4d::Zero();       ///< ∫H_i g [area · length]
+  Eigen::Vector4d least_gaps = Eigen::Vector4d::Zero(); ///< the least that functions may see (dual.hpp)
   std::size_t first_overlap = 0, last_overlap = 0; ///< in Parts::overlaps; of an obstacle: in Parts::seen
+};
+
+/// A gap somewhere on a sub-facet, and its functions there.
+struct SeenGap {
+  Eigen::Vector4d values = Eigen::Vector4d::Zero();
+  double gap = 0;
 };
 
 struct Overlap {
@@ -46,8 +55,10 @@ struct Workspace::Impl {
   std::vector<MasterFace> masters;
   FaceSearch search;
   std::vector<int> candidates;
-  std::vector<Point> points;
+  OverlapPoints overlap;                 ///< of one sub-facet
+  std::vector<PointRange> ranges;        ///< of its points
   std::vector<Eigen::Vector4d> weighted; ///< weights times H at the points
+  std::vector<SeenGap> seen_gaps;        ///< of one sub-facet
 
   std::vector<Part> parts; ///< those that are covered, face by face
   std::vector<Overlap> overlaps;
@@ -69,6 +80,10 @@ struct Workspace::Impl {
     seen.clear();
   }
 };
+
+/// Sets the part's least gaps from those seen on its sub-facet, whose integrals it has.
+void bound_gaps(const SlaveFace& placed, const SubFacet& facet, double full_area, const Workspace::Impl& work,
+                Part& part);
 
 /// Which face a complaint is about.
 void require_finite(const Surface& surface, std::span<const Eigen::Vector3d> x, const char* which);

@@ -7,6 +7,7 @@
 #include "rubato/contact/mortar/slip.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rubato::contact::mortar {
@@ -26,6 +27,16 @@ std::vector<Keep> keep_of(const Zone& zone) {
 
 /// Kept, dropped, kept and dropped again.
 constexpr int returned = 3;
+
+/// Of the longest slave face: by how much a lift may change in a step before its gap follows.
+constexpr double free_change = 1e-4;
+/// Of the lift now: the most that an earlier one may be.
+constexpr double most_of_now = 10;
+
+/// As PointEvaluation has it.
+double lift_of(const Node& node) {
+  return node.kept() ? node.lift : -1;
+}
 
 template <class PositionOf>
 void collect(const Surface& surface, const PositionOf& position, std::vector<Vector3d>& into) {
@@ -48,10 +59,13 @@ void Points::update(const Configuration& configuration) {
   collect(zone_->slave, position, slave_);
   collect(zone_->master, position, master_);
   take_start(configuration);
+  if (held_lifts_.size() != slave_.size())
+    take_lifts(configuration);
   const Vector3d offset =
       zone_->obstacle ? zone_->obstacle->offset(configuration.t) : Vector3d::Zero().eval();
   integrate_at(slave_, master_, offset, now_);
   hold_those_that_return();
+  hold_lifts();
 }
 
 /// Where only rounding or the last digits of an iterate decide, each decision moves the iterate back.
@@ -67,6 +81,40 @@ void Points::hold_those_that_return() {
   was_kept_.resize(count);
   std::ranges::transform(now_.nodes, was_kept_.begin(),
                          [](const Node& node) { return static_cast<char>(node.kept()); });
+}
+
+/// A lift stays that of the step's start until it is off by more than the free change, and then the one at
+/// which it was; but it goes to 0 with the lift now, without a jump.
+void Points::hold_lifts() {
+  const double free = free_change * zone_->mortar->longest_face;
+  measured_lifts_.resize(now_.nodes.size());
+  for (std::size_t i = 0; i < measured_lifts_.size(); ++i) {
+    auto& node = now_.nodes[i];
+    measured_lifts_[i] = lift_of(node);
+    if (measured_lifts_[i] < 0)
+      continue;
+    if (held_lifts_[i] < 0 || std::abs(node.lift - held_lifts_[i]) > free)
+      held_lifts_[i] = node.lift;
+    const double lift = std::min(held_lifts_[i], most_of_now * node.lift);
+    node.gap += lift - node.lift;
+    node.lift = lift;
+  }
+}
+
+void Points::begin(std::span<const double> lifts) {
+  held_lifts_.assign(lifts.begin(), lifts.end());
+}
+
+/// Before the first step.
+void Points::take_lifts(const Configuration& configuration) {
+  Positions master(zone_->master.nodes.size());
+  collect(
+      zone_->master, [&](mesh::NodeIndex node) { return configuration.start_position(node); }, master);
+  const Vector3d offset =
+      zone_->obstacle ? zone_->obstacle->offset(configuration.start_t) : Vector3d::Zero().eval();
+  integrate_at(start_slave_, master, offset, now_);
+  held_lifts_.resize(now_.nodes.size());
+  std::ranges::transform(now_.nodes, held_lifts_.begin(), lift_of);
 }
 
 void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
@@ -151,6 +199,7 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   into.pair = node.kept() ? Pair::before_obstacle() : Pair{};
   into.cover = node.kept() ? node.weight / point.area : 1;
   into.receivers = node.receivers;
+  into.lift = measured_lifts_[position];
   if (!node.kept()) {
     into.kinematics.reset();
     into.variables = variables_of(*zone_, point, multipliers, into.kinematics);
@@ -172,7 +221,7 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
   const double offset = zone_->offset.at(point.place, configuration.t);
   k.gap = node.gap + offset;
-  k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : 0.0) - offset;
+  k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : -node.lift) - offset;
   if (zone_->space_dimension == 2)
     k.slip[1] = k.slip_origin[1] = 0;
   into.variables = variables_of(*zone_, point, multipliers, into.kinematics);

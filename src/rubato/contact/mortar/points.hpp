@@ -4,7 +4,9 @@
 ///
 /// Operators and frames are made anew for every configuration and held within one: a point's gap and slip
 /// are linear in the displacements there. A node at the border of the cover that keeps it, which iterations
-/// of a step take to and fro, stays kept for the rest of the step.
+/// of a step take to and fro, stays kept for the rest of the step. The lift of a
+/// gap stays that of the step's start until it is off by more than 1e-4 of the longest face: what the bending
+/// of faces adds is less than their error, but followed it would take as many iterations as all the rest.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
@@ -25,6 +27,9 @@ public:
   /// Of a zone with `mortar`, which must outlive it.
   explicit Points(const Zone& zone);
 
+  /// A step begins from an end at which points had these lifts, PointEvaluation::lift: one a slave node, or
+  /// none before the first step. They are taken from where the step begins then.
+  void begin(std::span<const double> lifts);
   /// Integrates the operators of a configuration.
   void update(const Configuration& configuration);
   /// A slave node at the configuration of the last update, by its position: no derivatives.
@@ -44,15 +49,19 @@ private:
   void take_tangents();
   void take_tangents_before_obstacle();
   void hold_those_that_return();
+  void hold_lifts();
+  void take_lifts(const Configuration& configuration);
   Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
 
   const Zone* zone_;
   std::vector<Keep> keep_;
   std::optional<SelfPairs> self_; ///< of a surface that touches itself: as it is where the step begins
-  Reach reach_;                   ///< between two meshes
+  ReachInStep reach_;             ///< between two meshes
   /// Of every slave node in this step: whether it was kept last, and how often that changed.
   std::vector<char> was_kept_;
   std::vector<int> changes_;
+  std::vector<double> held_lifts_;     ///< in this step, as PointEvaluation::lift
+  std::vector<double> measured_lifts_; ///< at the last update
   Workspace workspace_;
   Operators now_;
   Positions slave_, master_;

@@ -4,9 +4,10 @@
 /// Surfaces that are apart by more than the longest slave face have nothing to do with each other, unless
 /// they come to meet within the step: an iterate may have put one far behind the other. And what is behind
 /// the master where the step begins must be found there, however deep. Looking farther than that would let a
-/// face meet the layers behind the one that it faces.
+/// face meet the layers behind the one that it faces, or the far side of a body from within.
 #pragma once
 
+#include "rubato/contact/mortar/segments.hpp"
 #include "rubato/contact/surface.hpp"
 
 #include <Eigen/Core>
@@ -16,22 +17,23 @@
 
 namespace rubato::contact::mortar {
 
-class Reach {
+class ReachInStep {
 public:
   /// Both surfaces where the step begins, by position in their nodes; `longest_face` of the slave.
   void begin(const Surface& slave, const Surface& master, std::span<const Eigen::Vector3d> slave_x,
              std::span<const Eigen::Vector3d> master_x, double longest_face);
 
-  /// Of every slave face [length]: the longest face, the way that slave and master have come relative to each
-  /// other in the step, and twice the depth of its nodes behind the master where the step begins. Valid until
-  /// the next call.
-  std::span<const double> at(std::span<const Eigen::Vector3d> slave_x,
-                             std::span<const Eigen::Vector3d> master_x);
+  /// Of every slave face: the way that slave and master have come relative to each other in the step, twice
+  /// the depth of its nodes behind the master where the step begins, and ahead the longest slave face, behind
+  /// a quarter of the longest face or edge of both: what facets of curved surfaces may sag into each other.
+  /// Valid until the next call.
+  std::span<const Reach> at(std::span<const Eigen::Vector3d> slave_x,
+                            std::span<const Eigen::Vector3d> master_x);
 
 private:
   std::vector<Eigen::Vector3d> slave_, master_; ///< where the step begins
-  std::vector<double> resting_;                 ///< of every slave face without motion
-  std::vector<double> now_;
+  std::vector<Reach> resting_;                  ///< of every slave face without motion
+  std::vector<Reach> now_;
 };
 
 } // namespace rubato::contact::mortar

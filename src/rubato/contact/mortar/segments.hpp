@@ -18,7 +18,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace rubato::contact::mortar {
@@ -37,6 +39,33 @@ struct Point {
   double distance = 0; ///< of the master from the slave along the direction of projection [length]
 };
 
+/// An end or a corner of an overlap: nothing is integrated there, but no place of the overlap is nearer than
+/// the nearest of its corners where both faces are flat.
+struct Corner {
+  Eigen::Vector2d xi = Eigen::Vector2d::Zero(); ///< on the slave face
+  double distance = 0;                          ///< as of a point [length]
+};
+
+/// What overlaps of a slave sub-facet with master faces add to.
+struct OverlapPoints {
+  std::vector<Point> points;
+  std::vector<Corner> corners;
+
+  void clear() {
+    points.clear();
+    corners.clear();
+  }
+};
+
+/// How far a slave face looks for the master [length].
+struct Reach {
+  double ahead = 0;  ///< largest gap
+  double behind = 0; ///< deepest penetration
+
+  bool contains(double distance) const { return -behind <= distance && distance <= ahead; }
+  double most() const { return std::max(ahead, behind); }
+};
+
 /// A slave face as its overlaps are looked for.
 struct SlaveFace {
   CellType type = CellType::quad4;
@@ -53,28 +82,35 @@ struct MasterFace {
 };
 
 /// In 2D: appends the points of a slave sub-facet before a master face. Nothing where the two do not overlap,
-/// do not face each other (n_s·n_m ≥ 0), have no length, or are farther apart than `reach` at every point.
+/// do not face each other (n_s·n_m ≥ 0), have no length, or where no point is within reach.
 /// Overlaps below 1e-10 of the slave's reference length are left out.
 void append_line_overlap(const SlaveFace& slave, const SubFacet& facet, const Measure& measure,
-                         const MasterFace& master, double reach, std::vector<Point>& points);
+                         const MasterFace& master, const Reach& reach, OverlapPoints& into);
+
+/// In 2D: how far the master is from the slave at ξ along the slave's normal; nothing where it is not there.
+std::optional<double> distance_along_normal(const SlaveFace& slave, const MasterFace& master,
+                                            const Eigen::Vector2d& xi);
 
 /// In 3D: a slave sub-facet and its auxiliary plane. The slave face and its sub-facet must outlive it.
 class PlaneOverlaps {
 public:
-  PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, const Measure& measure, double reach);
+  PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, const Measure& measure, const Reach& reach);
 
   /// Appends the points before a master face. Sub-facets of the master count nothing where n_s·n_m ≥ −0.1,
-  /// where they overlap less than 1e-10 of the slave's, or are farther away than reach at every point.
-  void append(const MasterFace& master, std::vector<Point>& points) const;
+  /// where they overlap less than 1e-10 of the slave's, or where no point is within reach.
+  void append(const MasterFace& master, OverlapPoints& into) const;
+
+  /// How far a master face is from the slave at ξ; nothing where it is not there.
+  std::optional<double> distance_before(const MasterFace& master, const Eigen::Vector2d& xi) const;
 
 private:
   void append_part(const MasterFace& master, const PlaneMap& map, const Polygon& part,
-                   std::vector<Point>& points) const;
-  /// The least distance of its points.
-  double append_triangle(const MasterFace& master, const PlaneMap& map, const Triangle& triangle,
-                         const std::array<Eigen::Vector2d, 3>& slave_corners,
-                         const std::array<Eigen::Vector2d, 3>& master_corners,
-                         std::vector<Point>& points) const;
+                   OverlapPoints& into) const;
+  /// Whether one of its points is within reach.
+  bool append_triangle(const MasterFace& master, const PlaneMap& map, const Triangle& triangle,
+                       const std::array<Eigen::Vector2d, 3>& slave_corners,
+                       const std::array<Eigen::Vector2d, 3>& master_corners,
+                       std::vector<Point>& points) const;
   bool is_folded() const;
   PlanePlace flat_place(const Eigen::Vector2d& p) const;
   void find_on_slave(PlanePlaces& places) const;
@@ -84,7 +120,7 @@ private:
   const SlaveFace& slave_;
   const SubFacet& facet_;
   Measure measure_;
-  double reach_;
+  Reach reach_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); ///< of the auxiliary plane
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Zero();   ///< rows: e₁, e₂, n of the plane; 0 without area
   FacePolynomial undeformed_;                        ///< X(ξ)

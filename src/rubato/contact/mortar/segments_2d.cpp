@@ -91,12 +91,17 @@ double slave_place(const SlaveFace& slave, const Vector3d& x) {
   return root.found ? root.at : by_bisection(farthest, f);
 }
 
-/// η of the master with (x_m(η) − x) × n = 0, else its closest point.
-double master_place(const MasterFace& master, const Vector3d& x, const Vector3d& normal, double start) {
-  const auto root = newton(start, 1 + 2 * outside, [&](double eta) {
+/// Where (x_m(η) − x) × n = 0.
+Root place_on_line(const MasterFace& master, const Vector3d& x, const Vector3d& normal, double start) {
+  return newton(start, 1 + 2 * outside, [&](double eta) {
     const auto at = along(master.type, master.x, eta);
     return std::array{cross(at.value - x, normal), cross(at.slope, normal)};
   });
+}
+
+/// η of the master with (x_m(η) − x) × n = 0, else its closest point.
+double master_place(const MasterFace& master, const Vector3d& x, const Vector3d& normal, double start) {
+  const auto root = place_on_line(master, x, normal, start);
   if (root.found && std::abs(root.at) <= 1 + outside)
     return root.at;
   return project(master.type, master.x, x).clamped[0];
@@ -110,6 +115,10 @@ std::span<const cell::QuadraturePoint> line_rule(CellType slave, CellType master
 
 bool has_length(const FaceCoordinates& x) {
   return (x.col(1) - x.col(0)).squaredNorm() > 0;
+}
+
+double distance_to(const MasterFace& master, double eta, const Vector3d& x, const Vector3d& normal) {
+  return normal.dot(along(master.type, master.x, eta).value - x) / normal.norm();
 }
 
 /// A piece of the slave's reference line and the ends of the master's there.
@@ -133,34 +142,58 @@ bool face_each_other(const SlaveFace& slave, const MasterFace& master, const Pie
   return slope.cross(Vector3d::UnitZ()).dot(normal) < 0;
 }
 
+/// The master's place before ξ of the slave, and how far away it is along the slave's normal.
+struct Met {
+  double eta = 0, distance = 0;
+};
+
+Met met_at(const SlaveFace& slave, const MasterFace& master, const Piece& piece, double xi) {
+  const Vector3d x = along(slave.type, slave.x, xi).value;
+  const Vector3d normal = along(slave.type, slave.normals, xi).value;
+  const double eta = master_place(master, x, normal, piece.guess(xi));
+  return {eta, distance_to(master, eta, x, normal)};
+}
+
 void append_piece(const SlaveFace& slave, const Measure& measure, const MasterFace& master,
-                  const Piece& piece, double reach, std::vector<Point>& points) {
-  const auto first = points.size();
+                  const Piece& piece, const Reach& reach, OverlapPoints& into) {
+  const auto first = into.points.size();
   const double half = 0.5 * (piece.high - piece.low);
-  double nearest = INFINITY;
+  bool within_reach = false;
   for (const auto& [r, weight] : line_rule(slave.type, master.type)) {
     Point point;
     const double xi = piece.low + half * (1 + r[0]);
-    const Vector3d x = along(slave.type, slave.x, xi).value;
-    const Vector3d normal = along(slave.type, slave.normals, xi).value;
+    const auto met = met_at(slave, master, piece, xi);
     point.xi[0] = xi;
-    point.eta[0] = master_place(master, x, normal, piece.guess(xi));
+    point.eta[0] = met.eta;
     point.slave_values = face_values(slave.type, point.xi);
     point.master_values = face_values(master.type, point.eta);
     point.weight = half * weight * undeformed_measure(slave.type, slave.undeformed, point.xi, measure);
-    const Vector3d apart = along(master.type, master.x, point.eta[0]).value - x;
-    point.distance = normal.dot(apart) / normal.norm();
-    nearest = std::min(nearest, std::abs(point.distance));
-    points.push_back(point);
+    point.distance = met.distance;
+    within_reach = within_reach || reach.contains(point.distance);
+    into.points.push_back(point);
   }
-  if (!(nearest <= reach))
-    points.resize(first);
+  if (!within_reach) {
+    into.points.resize(first);
+    return;
+  }
+  for (const double xi : {piece.low, piece.high})
+    into.corners.push_back({Vector2d(xi, 0), met_at(slave, master, piece, xi).distance});
 }
 
 } // namespace
 
+std::optional<double> distance_along_normal(const SlaveFace& slave, const MasterFace& master,
+                                            const Vector2d& xi) {
+  const Vector3d x = along(slave.type, slave.x, xi[0]).value;
+  const Vector3d normal = along(slave.type, slave.normals, xi[0]).value;
+  const auto root = place_on_line(master, x, normal, 0);
+  if (!root.found || std::abs(root.at) > 1)
+    return std::nullopt;
+  return distance_to(master, root.at, x, normal);
+}
+
 void append_line_overlap(const SlaveFace& slave, const SubFacet& facet, const Measure& measure,
-                         const MasterFace& master, double reach, std::vector<Point>& points) {
+                         const MasterFace& master, const Reach& reach, OverlapPoints& into) {
   if (!has_length(slave.x) || !has_length(master.x))
     return;
   Piece piece;
@@ -170,7 +203,7 @@ void append_line_overlap(const SlaveFace& slave, const SubFacet& facet, const Me
   piece.high = std::min(facet.middle[0] + half_facet, std::max(piece.ends[0], piece.ends[1]));
   if (!(piece.high - piece.low >= least_piece) || !face_each_other(slave, master, piece))
     return;
-  append_piece(slave, measure, master, piece, reach, points);
+  append_piece(slave, measure, master, piece, reach, into);
 }
 
 } // namespace rubato::contact::mortar

@@ -123,7 +123,7 @@ Vector3d plane_normal(const SlaveFace& slave, const SubFacet& facet, const Vecto
 } // namespace
 
 PlaneOverlaps::PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, const Measure& measure,
-                             double reach)
+                             const Reach& reach)
     : slave_(slave), facet_(facet), measure_(measure), reach_(reach) {
   const auto middle = face_geometry(slave.type, slave.x, facet.middle);
   const Vector3d normal = middle.tangents.col(0).cross(middle.tangents.col(1));
@@ -148,7 +148,7 @@ PlaneOverlaps::PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, cons
   folded_ = is_folded();
 }
 
-void PlaneOverlaps::append(const MasterFace& master, std::vector<Point>& points) const {
+void PlaneOverlaps::append(const MasterFace& master, OverlapPoints& into) const {
   if (!(area_ > 0))
     return;
   const FaceCoordinates local = axes_ * (master.x.colwise() - centre_);
@@ -161,7 +161,7 @@ void PlaneOverlaps::append(const MasterFace& master, std::vector<Point>& points)
       continue;
     const auto part = clip(polygon_, clipper);
     if (signed_area(part) >= least_overlap * area_)
-      append_part(master, map, part, points);
+      append_part(master, map, part, into);
   }
 }
 
@@ -189,32 +189,45 @@ public:
   Corners of(const std::array<std::size_t, 3>& corners) const {
     return {at_[corners[0]], at_[corners[1]], at_[corners[2]]};
   }
+  std::size_t corner_count() const { return places_.count - 1; }
+  bool found(std::size_t i) const { return places_.found[i] != 0; }
+  const Vector2d& xi(std::size_t i) const { return at_[i]; }
+  double height(std::size_t i) const { return places_.height[i]; }
 
 private:
   PlanePlaces places_;
   std::array<Vector2d, PlanePlaces::capacity> at_;
 };
 
+void append_corners(const CornerPlaces& on_slave, const CornerPlaces& on_master,
+                    std::vector<Corner>& corners) {
+  for (std::size_t i = 0; i < on_slave.corner_count(); ++i)
+    if (on_slave.found(i) && on_master.found(i))
+      corners.push_back({on_slave.xi(i), on_master.height(i) - on_slave.height(i)});
+}
+
 } // namespace
 
 void PlaneOverlaps::append_part(const MasterFace& master, const PlaneMap& map, const Polygon& part,
-                                std::vector<Point>& points) const {
+                                OverlapPoints& into) const {
   std::array<Triangle, Polygon::capacity> triangles;
   const auto count = fan(part, triangles);
-  const auto first = points.size();
+  const auto first = into.points.size();
   const CornerPlaces slave_corners(map_, part, facet_.middle);
   const CornerPlaces master_corners(map, part, middle_of(master.type));
-  double nearest = INFINITY;
+  bool within_reach = false;
   for (const auto& triangle : std::span(triangles).first(count))
-    nearest = std::min(nearest, append_triangle(master, map, triangle, slave_corners.of(triangle.indices),
-                                                master_corners.of(triangle.indices), points));
-  if (!(nearest <= reach_))
-    points.resize(first);
+    within_reach |= append_triangle(master, map, triangle, slave_corners.of(triangle.indices),
+                                    master_corners.of(triangle.indices), into.points);
+  if (within_reach)
+    append_corners(slave_corners, master_corners, into.corners);
+  else
+    into.points.resize(first);
 }
 
-double PlaneOverlaps::append_triangle(const MasterFace& master, const PlaneMap& map, const Triangle& triangle,
-                                      const Corners& slave_corners, const Corners& master_corners,
-                                      std::vector<Point>& points) const {
+bool PlaneOverlaps::append_triangle(const MasterFace& master, const PlaneMap& map, const Triangle& triangle,
+                                    const Corners& slave_corners, const Corners& master_corners,
+                                    std::vector<Point>& points) const {
   const auto rule = triangle_rule(slave_.type, master.type);
   PlanePlaces on_slave(rule.size()), on_master(rule.size());
   for (std::size_t i = 0; i < rule.size(); ++i) {
@@ -224,7 +237,7 @@ double PlaneOverlaps::append_triangle(const MasterFace& master, const PlaneMap& 
   }
   find_on_slave(on_slave);
   find_on_master(master, map, on_slave, on_master);
-  double nearest = INFINITY;
+  bool within_reach = false;
   for (std::size_t i = 0; i < rule.size(); ++i) {
     auto& point = points.emplace_back();
     point.xi = on_slave.xi_at(i);
@@ -236,9 +249,25 @@ double PlaneOverlaps::append_triangle(const MasterFace& master, const PlaneMap& 
         measure_.thickness * undeformed.by_first.cross(undeformed.by_second).norm() / on_slave.determinant[i];
     point.weight = 2 * triangle.area * rule[i].weight * stretch;
     point.distance = on_master.height[i] - on_slave.height[i];
-    nearest = std::min(nearest, std::abs(point.distance));
+    within_reach = within_reach || reach_.contains(point.distance);
   }
-  return nearest;
+  return within_reach;
+}
+
+std::optional<double> PlaneOverlaps::distance_before(const MasterFace& master, const Vector2d& xi) const {
+  const Vector3d x = axes_ * (face_position(slave_.type, slave_.x, xi) - centre_);
+  const PlaneMap map(master.type, axes_ * (master.x.colwise() - centre_));
+  PlanePlaces places(1);
+  places.start(0, x.head<2>(), middle_of(master.type));
+  map.find(places);
+  Projection place;
+  place.xi = places.xi_at(0);
+  if (places.found[0] == 0)
+    return std::nullopt;
+  clamp_to_face(master.type, place);
+  if (!place.inside())
+    return std::nullopt;
+  return places.height[0] - x[2];
 }
 
 /// Whether the map of the face turns over at a corner of the sub-facet: then it has no inverse.

@@ -2,6 +2,7 @@
 #include "rubato/contact/mortar/parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubato::contact::mortar {
 namespace {
@@ -104,7 +105,7 @@ private:
     const auto areas = kept_areas(count, part.covered, kept);
     for (int i = 0; i < count; ++i)
       if (kept[at(i)])
-        add(node_of(part, i), index, rows.row(i), areas[i]);
+        add(node_of(part, i), index, rows.row(i), areas[i], part.least_gaps[i]);
     return true;
   }
 
@@ -123,7 +124,7 @@ private:
       into_.lost_area += area;
     const double share = 1. / static_cast<double>(std::max<std::size_t>(1, work_.takers.size()));
     for (const int node : work_.takers)
-      add(node, index, Vector4d::Constant(share), share * area);
+      add(node, index, Vector4d::Constant(share), share * area, -INFINITY);
   }
 
   void collect_kept(const Face& face) {
@@ -132,9 +133,12 @@ private:
         work_.takers.push_back(node);
   }
 
-  void add(int node, int part, const Vector4d& row, double area) {
+  /// The lift is ∫ of what a node's function sees too little.
+  void add(int node, int part, const Vector4d& row, double area, double least_gap) {
     work_.shares.push_back({node, part, row});
     into_.nodes[at(node)].weight += area;
+    if (area > 0)
+      into_.nodes[at(node)].lift += std::max(0., area * least_gap - row.dot(work_.parts[at(part)].gaps));
   }
 
   void name_heirs(int node) {
@@ -167,7 +171,7 @@ void start_nodes(const Surface& slave, const SlaveReference& reference,
     node.full_weight = reference.full_weight[j];
     node.cover = work.kept[j] != 0 ? Cover::kept : work.covered[j] > 0 ? Cover::dropped : Cover::none;
     node.anchor.setZero();
-    node.gap = 0;
+    node.gap = node.lift = 0;
     node.receivers.clear();
     into.kept_count += node.kept() ? 1 : 0;
   }
@@ -233,6 +237,14 @@ void sort_shares(std::size_t node_count, Workspace::Impl& work) {
 
 } // namespace
 
+void bound_gaps(const SlaveFace& placed, const SubFacet& facet, double full_area, const Workspace::Impl& work,
+                Part& part) {
+  LeastGaps least(facet.node_count, part.covered, full_area, part.gaps);
+  for (const auto& seen : work.seen_gaps)
+    least.see(seen.values, seen.gap);
+  part.least_gaps = least.bounds(size_of(placed, facet));
+}
+
 void share_functions(const Surface& slave, const SlaveReference& reference,
                      std::span<const Eigen::Vector3d> slave_x, const Options& options,
                      Workspace::Impl& workspace, Operators& into) {
@@ -241,8 +253,11 @@ void share_functions(const Surface& slave, const SlaveReference& reference,
   start_nodes(slave, reference, slave_x, workspace, into);
   sharing.share();
   into.covered_area = 0;
-  for (const auto& node : into.nodes)
+  for (auto& node : into.nodes) {
     into.covered_area += node.weight;
+    if (node.weight > 0)
+      node.lift /= node.weight;
+  }
 }
 
 void fill_stencils(const Surface& slave, const Surface* master, int components, Workspace::Impl& work,

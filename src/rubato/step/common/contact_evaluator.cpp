@@ -82,8 +82,10 @@ ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& schem
   for (std::size_t z = 0; z < coefficients_.size(); ++z)
     contact::scale_augmentations(model.zones[z], variant.normal_multiple, variant.tangential_multiple,
                                  coefficients_[z]);
-  for (std::size_t z = 0; z < model.zones.size(); ++z)
+  for (std::size_t z = 0; z < model.zones.size(); ++z) {
     touched_.push_back(contact::touched_points(model.zones[z], committed.zones[z]));
+    contact::begin_step(system.discretisations[z], committed.zones[z]);
+  }
   if (!scheme.nonsmooth)
     return;
   const contact::Configuration start{&model.mesh,         &model.dofs, &committed.motion.u,
@@ -270,6 +272,8 @@ void ContactEvaluator::finish(const Frozen& frozen, const ContactIterate& iterat
     contact::add_friction_force(iterate.points[z], trial.zones[z].outcomes, model_.dofs,
                                 trial.friction_force);
     trial.moved_out.push_back(moved_out(z, iterate, at_end(trial)));
+    trial.zones[z].lifts.resize(iterate.points[z].size());
+    std::ranges::transform(iterate.points[z], trial.zones[z].lifts.begin(), &PointEvaluation::lift);
   }
   if (!frames_.empty())
     measure_places(trial);

@@ -15,6 +15,9 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using model::Model;
 
+/// Of the largest contact force: what loads and reactions are at least held for in the residual's scale.
+constexpr double least_scale = 1e-4;
+
 /// sum += factor |matrix| values
 void add_magnitudes(double factor, const model::SparseMatrix& matrix, const VectorXd& values, VectorXd& sum) {
   for (int column = 0; column < matrix.outerSize(); ++column)
@@ -113,15 +116,15 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   if (scheme_.dynamic)
     scale_ = std::max(scale_, bulk_.momentum.lpNorm<Eigen::Infinity>() * system_.coefficients.acceleration *
                                   system_.step);
-  // Bodies that only obstacles press have neither loads nor reactions.
-  if (scale_ == 0)
-    scale_ = scheme_.contact_weight() * contact.all.lpNorm<Eigen::Infinity>();
+  // Bodies that press each other without loads, as in a shrink fit, have reactions of rounding only.
+  scale_ = std::max(scale_, least_scale * scheme_.contact_weight() * contact.all.lpNorm<Eigen::Infinity>());
   Index worst = 0;
   const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without
   // strain.
   const double rounding =
       tolerances.rounding() * system_.diagonal.lpNorm<Eigen::Infinity>() * motion.u.lpNorm<Eigen::Infinity>();
+  report.unbalanced_force = largest;
   report.residual = largest == 0 || std::max(largest, scale_) <= rounding ? 0 : largest / scale_;
   report.worst_node = residual_.size() > 0
                           ? model_.node_of(model_.reduction.free_dofs()[static_cast<std::size_t>(worst)])

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "unit/contact/mortar/surfaces.hpp"
+#include <functional>
 #include <random>
 
 namespace rubato {
@@ -158,6 +159,75 @@ TEST(DualFunctions, OfASingularPartAreTheLinearOnes) {
   const Matrix4d dual = dual_coefficients(4, point, 1, all_kept);
   EXPECT_TRUE(dual.allFinite());
   EXPECT_EQ(dual, Matrix4d::Identity());
+}
+
+/// LeastGaps and the fitted values of a gap over a part of the reference line [−1, 1].
+struct Fitted {
+  Vector4d bounds, values;
+};
+
+Fitted fitted(double low, double high, const std::function<double(double)>& gap) {
+  const auto& facet = subfacets(CellType::seg2)[0];
+  FacetMoments covered;
+  Vector4d first_gap = Vector4d::Zero();
+  std::vector<std::pair<Vector4d, double>> seen;
+  constexpr int pieces = 400;
+  for (int q = 0; q < pieces; ++q) {
+    const double xi = low + (high - low) * (q + 0.5) / pieces, weight = (high - low) / pieces;
+    const Vector4d values = facet_values(facet, Vector2d(xi, 0));
+    covered.add(weight, values);
+    first_gap += weight * gap(xi) * values;
+    seen.emplace_back(values, gap(xi));
+  }
+  for (const double xi : {low, high})
+    seen.emplace_back(facet_values(facet, Vector2d(xi, 0)), gap(xi));
+  LeastGaps least(2, covered, 2, first_gap);
+  for (const auto& [values, value] : seen)
+    least.see(values, value);
+  const auto rows = dual_coefficients(2, covered, 2, {true, true, false, false});
+  Vector4d means = Vector4d::Zero();
+  for (int i = 0; i < 2; ++i)
+    means[i] = rows.row(i).dot(first_gap) / covered.first[i];
+  return {least.bounds(1), means};
+}
+
+TEST(LeastGaps, AreAboveTheMeanOfAGapThatGrowsWithTheSquare) {
+  const auto of = fitted(-1, 1, [](double xi) { return 0.25 * (1 + xi) * (1 + xi); });
+  EXPECT_NEAR(of.values[0], -1. / 6, 1e-5); // −1/12 over the weight of 1/2
+  EXPECT_EQ(of.bounds[0], 0);
+  EXPECT_LT(of.bounds[1], of.values[1]);
+}
+
+TEST(LeastGaps, AreAboveTheMeanAtAKink) {
+  const auto of = fitted(-1, 1, [](double xi) { return std::max(0., xi + 1. / 3); });
+  EXPECT_NEAR(of.values[0], -2 * 4. / 27, 1e-5);
+  EXPECT_EQ(of.bounds[0], 0);
+}
+
+TEST(LeastGaps, LeaveLinearGapsAlsoWhereANodeIsNotCovered) {
+  for (const double high : {1., 0.3, -0.5})
+    for (const double slope : {-0.06, 0.06}) {
+      const auto of = fitted(-1, high, [&](double xi) { return 0.2 + slope * xi; });
+      for (int i = 0; i < 2; ++i)
+        EXPECT_LE(of.bounds[i], of.values[i] + 1e-12) << high << ' ' << slope << ' ' << i;
+    }
+}
+
+TEST(LeastGaps, MoveWithTheGapWhereItIsOpen) {
+  const auto gap = [](double xi) { return std::max(0., xi + 1. / 3); };
+  const auto of = fitted(-1, 1, gap), lifted = fitted(-1, 1, [&](double xi) { return gap(xi) + 0.01; });
+  EXPECT_NEAR(lifted.bounds[0], of.bounds[0] + 0.01, 1e-15);
+}
+
+TEST(LeastGaps, LetTheMeanBeTwiceAsDeepAsWhatOverlaps) {
+  const auto of = fitted(-1, 1, [](double xi) { return std::max(0., xi + 1. / 3) - 0.01; });
+  EXPECT_NEAR(of.bounds[0], -0.02, 1e-15);
+}
+
+TEST(LeastGaps, FallToANodeThatIsNotCoveredByATenthOfTheSize) {
+  const auto of = fitted(-1, 0.5, [](double xi) { return 2 - 2 * xi; });
+  EXPECT_NEAR(of.values[1], 0, 1e-12);
+  EXPECT_NEAR(of.bounds[1], 1 - 0.1, 1e-12);
 }
 
 } // namespace

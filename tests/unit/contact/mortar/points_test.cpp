@@ -10,6 +10,7 @@
 namespace rubato {
 namespace {
 
+using contact::mortar::least_kept_share;
 using contact::mortar::Points;
 using Eigen::VectorXd;
 
@@ -42,31 +43,31 @@ protected:
   Points points_;
 };
 
-TEST_F(SlidingBlock, KeepsNodesFromAHundredthOfTheirWeightOn) {
+TEST_F(SlidingBlock, KeepsNodesFromATwentiethOfTheirWeightOn) {
   EXPECT_TRUE(keeps_last(0.5));
-  EXPECT_TRUE(keeps_last(0.0101));
-  EXPECT_FALSE(keeps_last(0.0099));
+  EXPECT_TRUE(keeps_last(1.01 * least_kept_share));
+  EXPECT_FALSE(keeps_last(0.99 * least_kept_share));
 }
 
 TEST_F(SlidingBlock, KeepsANodeThatIterationsTakeToAndFro) {
-  EXPECT_TRUE(keeps_last(0.0101));
-  EXPECT_FALSE(keeps_last(0.0099));
-  EXPECT_TRUE(keeps_last(0.0101));
-  keeps_last(0.0099);
+  EXPECT_TRUE(keeps_last(1.01 * least_kept_share));
+  EXPECT_FALSE(keeps_last(0.99 * least_kept_share));
+  EXPECT_TRUE(keeps_last(1.01 * least_kept_share));
+  keeps_last(0.99 * least_kept_share);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_TRUE(keeps_last(0.0099));
-    EXPECT_TRUE(keeps_last(0.0101));
+    EXPECT_TRUE(keeps_last(0.99 * least_kept_share));
+    EXPECT_TRUE(keeps_last(1.01 * least_kept_share));
   }
 }
 
 TEST_F(SlidingBlock, ForgetsInTheNextStepWhatItHeld) {
   for (int i = 0; i < 3; ++i) {
-    keeps_last(0.0101);
-    keeps_last(0.0099);
+    keeps_last(1.01 * least_kept_share);
+    keeps_last(0.99 * least_kept_share);
   }
-  EXPECT_TRUE(keeps_last(0.0099));
+  EXPECT_TRUE(keeps_last(0.99 * least_kept_share));
   start_t_ = 0.5;
-  EXPECT_FALSE(keeps_last(0.0099));
+  EXPECT_FALSE(keeps_last(0.99 * least_kept_share));
 }
 
 } // namespace

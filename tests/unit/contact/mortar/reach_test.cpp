@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace rubato::contact::mortar {
@@ -37,11 +39,14 @@ std::vector<Vector3d> places(const mesh::Mesh& mesh, const Surface& surface,
 
 class ReachOfTwoRows : public testing::Test {
 protected:
-  std::vector<double> reach(const Vector3d& start, const Vector3d& slave_way, const Vector3d& master_way) {
-    Reach reach;
+  std::vector<double> reach(const Vector3d& start, const Vector3d& slave_way, const Vector3d& master_way,
+                            double Reach::*which = &Reach::ahead) {
+    ReachInStep reach;
     reach.begin(slave_, master_, places(mesh_, slave_, start), places(mesh_, master_), 0.25);
     const auto at = reach.at(places(mesh_, slave_, start + slave_way), places(mesh_, master_, master_way));
-    return {at.begin(), at.end()};
+    std::vector<double> reaches;
+    std::ranges::transform(at, std::back_inserter(reaches), which);
+    return reaches;
   }
 
   mesh::Mesh mesh_;
@@ -65,6 +70,15 @@ TEST_F(ReachOfTwoRows, GrowsByTheirRelativeMotionOnly) {
 TEST_F(ReachOfTwoRows, SeesTheMasterFromBehind) {
   for (const double r : reach({0, -0.8, 0}, {0, 0, 0}, {0, 0, 0}))
     EXPECT_GE(r, 0.8 + 0.25);
+  for (const double r : reach({0, -0.8, 0}, {0, 0, 0}, {0, 0, 0}, &Reach::behind))
+    EXPECT_GE(r, 0.8);
+}
+
+TEST_F(ReachOfTwoRows, GoesNoDeeperThanTheSagOfFacetsBehindAMasterThatIsAhead) {
+  for (const double r : reach({0, 0.1, 0}, {0, 0, 0}, {0, 0, 0}, &Reach::behind))
+    EXPECT_NEAR(r, 0.25 / 3, 1e-15);
+  for (const double r : reach({0, 0.1, 0}, {0, -0.4, 0}, {0, 0, 0}, &Reach::behind))
+    EXPECT_NEAR(r, 0.4 + 0.25 / 3, 1e-15);
 }
 
 } // namespace
