@@ -28,10 +28,8 @@ std::vector<Keep> keep_of(const Zone& zone) {
 /// Kept, dropped, kept and dropped again.
 constexpr int returned = 3;
 
-/// Of the longest slave face: by how much a lift may change in a step before its gap follows.
-constexpr double free_change = 1e-4;
-/// Of the lift now: the most that an earlier one may be.
-constexpr double most_of_now = 10;
+/// Of the way to a node's neighbour: by how much a lift may change in a step before its gap follows.
+constexpr double free_change = 2e-5;
 
 /// As PointEvaluation has it.
 double lift_of(const Node& node) {
@@ -83,21 +81,23 @@ void Points::hold_those_that_return() {
                          [](const Node& node) { return static_cast<char>(node.kept()); });
 }
 
-/// A lift stays that of the step's start until it is off by more than the free change, and then the one at
-/// which it was; but it goes to 0 with the lift now, without a jump.
+/// A lift stays that of the step's start, or of the configuration in which its node was first kept, until it
+/// is off by more than the free change, and then the one at which it was: two ways to the same end differ by
+/// no more than that.
 void Points::hold_lifts() {
-  const double free = free_change * zone_->mortar->longest_face;
+  const auto& reference = *zone_->mortar;
   measured_lifts_.resize(now_.nodes.size());
   for (std::size_t i = 0; i < measured_lifts_.size(); ++i) {
     auto& node = now_.nodes[i];
     measured_lifts_[i] = lift_of(node);
     if (measured_lifts_[i] < 0)
       continue;
+    const auto neighbour = static_cast<std::size_t>(reference.tangent_neighbour[i]);
+    const double free = free_change * (reference.undeformed[neighbour] - reference.undeformed[i]).norm();
     if (held_lifts_[i] < 0 || std::abs(node.lift - held_lifts_[i]) > free)
       held_lifts_[i] = node.lift;
-    const double lift = std::min(held_lifts_[i], most_of_now * node.lift);
-    node.gap += lift - node.lift;
-    node.lift = lift;
+    node.gap += held_lifts_[i] - node.lift;
+    node.lift = held_lifts_[i];
   }
 }
 
