@@ -2,6 +2,7 @@
 #include "rubato/contact/buried_nodes.hpp"
 
 #include "rubato/contact/mortar/frames.hpp"
+#include "rubato/contact/motion.hpp"
 #include "rubato/contact/point_tree.hpp"
 #include "rubato/contact/projection.hpp"
 
@@ -16,14 +17,6 @@ namespace rubato::contact {
 namespace {
 
 using Eigen::Vector3d;
-
-std::vector<Vector3d> positions(const Surface& surface, const Configuration& configuration) {
-  std::vector<Vector3d> x;
-  x.reserve(surface.nodes.size());
-  for (const auto node : surface.nodes)
-    x.push_back(configuration.position(node));
-  return x;
-}
 
 /// Behind one face whose normal is against `normal`; 0 in front of it, beside it or where they do not face.
 double depth_behind(const Face& face, const std::vector<Vector3d>& slave_x, const Vector3d& x,
@@ -43,8 +36,8 @@ BuriedNodes::BuriedNodes(const Zone& zone, std::vector<double> shallow)
     : zone_(&zone), shallow_(std::move(shallow)), near_(zone.master.nodes.size(), 0) {}
 
 std::vector<double> BuriedNodes::depths(const Configuration& configuration) {
-  const auto slave_x = positions(zone_->slave, configuration);
-  const auto master_x = positions(zone_->master, configuration);
+  const auto slave_x = positions_of(zone_->slave, configuration);
+  const auto master_x = positions_of(zone_->master, configuration);
   const auto is_near = [&](std::size_t i) {
     return (slave_x[near_[i]] - master_x[i]).squaredNorm() <= shallow_[i] * shallow_[i];
   };

@@ -8,6 +8,14 @@ namespace rubato::contact {
 
 using Eigen::Vector3d;
 
+std::vector<Vector3d> positions_of(const Surface& surface, const Configuration& configuration) {
+  std::vector<Vector3d> x;
+  x.reserve(surface.nodes.size());
+  for (const auto node : surface.nodes)
+    x.push_back(configuration.position(node));
+  return x;
+}
+
 Vector3d mean_motion(std::span<const Vector3d> from, std::span<const Vector3d> to) {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t i = 0; i < from.size(); ++i)

@@ -16,6 +16,9 @@
 
 namespace rubato::contact {
 
+/// Beyond this angle between the normals of its faces an edge is sharp [degrees].
+inline constexpr double sharp_edge = 60;
+
 /// The same faces. `nodes` has a node once for every set of its faces that are joined around it by edges of
 /// at most 60°: ascending, with repeats; position_of gives the first of them. `undeformed` by position.
 Surface with_split_edges(const Surface& surface, std::span<const Eigen::Vector3d> undeformed);

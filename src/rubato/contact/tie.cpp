@@ -3,6 +3,7 @@
 
 #include "rubato/contact/frozen_frame.hpp"
 #include "rubato/contact/mortar/operators.hpp"
+#include "rubato/contact/motion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -75,15 +76,6 @@ std::vector<PointEvaluation> tied_nodes(const Zone& zone, const Configuration& r
 }
 
 // ---- mortar
-
-using Positions = std::vector<Vector3d>;
-
-Positions positions_of(const Surface& surface, const Configuration& rest) {
-  Positions x;
-  for (const auto node : surface.nodes)
-    x.push_back(rest.position(node));
-  return x;
-}
 
 /// Who has a function for that component.
 std::vector<mortar::Keep> keep_of(const Zone& zone, int component) {

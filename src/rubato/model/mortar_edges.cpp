@@ -11,8 +11,6 @@ namespace {
 
 /// [degrees] Facets of a round body that is meshed with fewer faces have errors of that size anyway.
 constexpr double noted = 15;
-/// Sharper edges are split: each side has nodes of its own.
-constexpr double split = 60;
 
 } // namespace
 
@@ -22,7 +20,8 @@ std::vector<std::string> edges_in_mortar_zones(std::span<const contact::Zone> zo
     if (!zone.mortar || zone.obstacle || zone.meets_itself() || zone.holds_geometry())
       continue;
     const auto places = contact::undeformed_places(mesh, zone.slave);
-    const auto edge = contact::sharpest_edge(zone.slave, places, {.above = noted, .up_to = split});
+    const auto edge =
+        contact::sharpest_edge(zone.slave, places, {.above = noted, .up_to = contact::sharp_edge});
     if (edge)
       sentences.push_back(fmt::format(
           "contact zone {}: the slave '{}' has an edge of {:.0f}° at {}, where one normal stands for both "

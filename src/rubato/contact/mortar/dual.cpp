@@ -86,11 +86,9 @@ constexpr double extrapolated = 0.1;
 
 } // namespace
 
-LeastGaps::LeastGaps(int node_count, const FacetMoments& covered, double full_area,
+LeastGaps::LeastGaps(int node_count, const FacetMoments& covered, const Matrix4d& dual,
                      const Vector4d& first_gap) {
-  const auto coefficients = dual_coefficients(node_count, covered, full_area,
-                                              {true, node_count > 1, node_count > 2, node_count > 3});
-  const Vector4d products = coefficients * first_gap;
+  const Vector4d products = dual * first_gap;
   const double mean = first_gap.sum() / covered.first.sum();
   for (int i = 0; i < node_count; ++i)
     fitted_[i] = covered.first[i] > 0 ? products[i] / covered.first[i] : mean;

@@ -41,8 +41,9 @@ Eigen::Matrix4d dual_coefficients(int node_count, const FacetMoments& covered, d
 /// tenth of the sub-facet's size: `bounds` is that. Of a linear gap that is not steep ĝ_i is never below.
 class LeastGaps {
 public:
-  /// `first_gap`: ∫H_j g [area · length].
-  LeastGaps(int node_count, const FacetMoments& covered, double full_area, const Eigen::Vector4d& first_gap);
+  /// `dual`: C with all nodes kept. `first_gap`: ∫H_j g [area · length].
+  LeastGaps(int node_count, const FacetMoments& covered, const Eigen::Matrix4d& dual,
+            const Eigen::Vector4d& first_gap);
   /// A gap of the covered part, where functions are `values`.
   void see(const Eigen::Vector4d& values, double gap);
   Eigen::Vector4d bounds(double size) const;

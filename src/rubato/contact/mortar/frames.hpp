@@ -22,9 +22,6 @@ struct Frame {
   Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
 };
 
-/// Beyond this angle between the normals of its faces an edge is sharp [degrees].
-inline constexpr double sharp_edge = 60;
-
 /// Largest turn of a normal that takes a held component out of it; beyond, the normal stays as it is.
 inline constexpr double largest_symmetry_turn = 30; // degrees
 

@@ -70,7 +70,6 @@ void integrate_facet(const SlaveFace& placed, int face, int facet_index, const O
                      const Vector3d& offset, const SlaveReference& reference, double reach,
                      Workspace::Impl& work) {
   const auto& measure = reference.measure;
-  const double full_area = reference.facet_area[reference.first_facet[at(face)] + at(facet_index)];
   const auto& facet = subfacets(placed.type)[at(facet_index)];
   Part part;
   part.face = face;
@@ -96,7 +95,7 @@ void integrate_facet(const SlaveFace& placed, int face, int facet_index, const O
     return;
   see_corners(placed, facet, obstacle, offset, work.seen_gaps);
   part.gaps = products.col(gap_column);
-  bound_gaps(placed, facet, full_area, work, part);
+  make_dual(placed, reference, work, part);
   part.first_overlap = work.seen.size();
   part.last_overlap = work.seen.size() + 1;
   work.parts.push_back(part);

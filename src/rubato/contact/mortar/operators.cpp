@@ -78,9 +78,6 @@ public:
 
 private:
   const SubFacet& facet() const { return subfacets(slave_.faces[at(part_.face)].type)[at(part_.facet)]; }
-  double full_area() const {
-    return reference_.facet_area[reference_.first_facet[at(part_.face)] + at(part_.facet)];
-  }
 
   template <class Append> void collect(const Append& append) {
     auto& points = work_.overlap.points;
@@ -97,7 +94,8 @@ private:
   void choose(const SlaveFace& placed, const DistanceBefore& distance_before) {
     if (options_.all_layers || work_.ranges.size() < 2)
       return;
-    leave_out_hidden(master_, work_.ranges, full_area(), distance_before, work_.overlap.points);
+    leave_out_hidden(master_, work_.ranges, full_area(reference_, part_), distance_before,
+                     work_.overlap.points);
     leave_out_far(master_, work_.ranges, size_of(placed, facet()), work_.overlap.points);
   }
 
@@ -109,7 +107,7 @@ private:
     for (const auto& range : work_.ranges)
       add_overlap(range);
     part_.last_overlap = work_.overlaps.size();
-    bound_gaps(placed, facet(), full_area(), work_, part_);
+    make_dual(placed, reference_, work_, part_);
     work_.parts.push_back(part_);
   }
 

@@ -28,6 +28,7 @@ struct Part {
   FacetMoments covered;
   Products slave = Products::Zero();
   Eigen::Vector4d gaps = Eigen::Vector4d::Zero();       ///< ∫H_i g [area · length]
+  Eigen::Matrix4d dual = Eigen::Matrix4d::Zero();       ///< C where all nodes are kept
   Eigen::Vector4d least_gaps = Eigen::Vector4d::Zero(); ///< the least that functions may see (dual.hpp)
   std::size_t first_overlap = 0, last_overlap = 0; ///< in Parts::overlaps; of an obstacle: in Parts::seen
 };
@@ -81,9 +82,12 @@ struct Workspace::Impl {
   }
 };
 
-/// Sets the part's least gaps from those seen on its sub-facet, whose integrals it has.
-void bound_gaps(const SlaveFace& placed, const SubFacet& facet, double full_area, const Workspace::Impl& work,
-                Part& part);
+/// ∫1 over the whole sub-facet of a part.
+double full_area(const SlaveReference& reference, const Part& part);
+
+/// Sets the dual functions of a part whose integrals are there, and its least gaps from those seen.
+void make_dual(const SlaveFace& placed, const SlaveReference& reference, const Workspace::Impl& work,
+               Part& part);
 
 /// Which face a complaint is about.
 void require_finite(const Surface& surface, std::span<const Eigen::Vector3d> x, const char* which);

@@ -58,7 +58,7 @@ void Points::update(const Configuration& configuration) {
   collect(zone_->master, position, master_);
   take_start(configuration);
   if (held_lifts_.size() != slave_.size())
-    take_lifts(configuration);
+    take_lifts();
   const Vector3d offset =
       zone_->obstacle ? zone_->obstacle->offset(configuration.t) : Vector3d::Zero().eval();
   integrate_at(slave_, master_, offset, now_);
@@ -106,13 +106,9 @@ void Points::begin(std::span<const double> lifts) {
 }
 
 /// Before the first step.
-void Points::take_lifts(const Configuration& configuration) {
-  Positions master(zone_->master.nodes.size());
-  collect(
-      zone_->master, [&](mesh::NodeIndex node) { return configuration.start_position(node); }, master);
-  const Vector3d offset =
-      zone_->obstacle ? zone_->obstacle->offset(configuration.start_t) : Vector3d::Zero().eval();
-  integrate_at(start_slave_, master, offset, now_);
+void Points::take_lifts() {
+  const Vector3d offset = zone_->obstacle ? zone_->obstacle->offset(start_t_) : Vector3d::Zero().eval();
+  integrate_at(start_slave_, start_master_, offset, now_);
   held_lifts_.resize(now_.nodes.size());
   std::ranges::transform(now_.nodes, held_lifts_.begin(), lift_of);
 }
@@ -142,13 +138,14 @@ Options Points::options_at(const Positions& slave, const Positions& master) {
 
 /// What belongs to the start of the step is kept as long as it is the same start.
 void Points::take_start(const Configuration& configuration) {
+  const auto position = [&](mesh::NodeIndex node) { return configuration.start_position(node); };
   Positions start(zone_->slave.nodes.size());
-  collect(
-      zone_->slave, [&](mesh::NodeIndex node) { return configuration.start_position(node); }, start);
+  collect(zone_->slave, position, start);
   if (start_t_ == configuration.start_t && start == start_slave_)
     return;
   start_t_ = configuration.start_t;
   start_slave_ = std::move(start);
+  collect(zone_->master, position, start_master_);
   if (self_)
     self_->update(start_slave_);
   keep_ = keep_of(*zone_);
@@ -157,15 +154,8 @@ void Points::take_start(const Configuration& configuration) {
   if (zone_->obstacle)
     return take_tangents_before_obstacle();
   if (!self_)
-    begin_reach(configuration);
+    reach_.begin(zone_->slave, zone_->master, start_slave_, start_master_, zone_->mortar->longest_face);
   take_tangents();
-}
-
-void Points::begin_reach(const Configuration& configuration) {
-  Positions master;
-  collect(
-      zone_->master, [&](mesh::NodeIndex node) { return configuration.start_position(node); }, master);
-  reach_.begin(zone_->slave, zone_->master, start_slave_, master, zone_->mortar->longest_face);
 }
 
 void Points::take_tangents_before_obstacle() {

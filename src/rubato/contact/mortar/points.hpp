@@ -5,8 +5,9 @@
 /// Operators and frames are made anew for every configuration and held within one: a point's gap and slip
 /// are linear in the displacements there. A node at the border of the cover that keeps it, which iterations
 /// of a step take to and fro, stays kept for the rest of the step. The lift of a
-/// gap stays that of the step's start until it is off by more than 1e-4 of the longest face: what the bending
-/// of faces adds is less than their error, but followed it would take as many iterations as all the rest.
+/// gap stays that of the step's start until it is off by more than 2e-5 of the way to the next node: what the
+/// bending of faces adds is less than their error, but followed it would take as many iterations as all the
+/// rest.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
@@ -45,12 +46,11 @@ private:
                     Operators& into);
   Options options_at(const Positions& slave, const Positions& master);
   void take_start(const Configuration& configuration);
-  void begin_reach(const Configuration& configuration);
   void take_tangents();
   void take_tangents_before_obstacle();
   void hold_those_that_return();
   void hold_lifts();
-  void take_lifts(const Configuration& configuration);
+  void take_lifts();
   Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
 
   const Zone* zone_;
@@ -66,7 +66,7 @@ private:
   Operators now_;
   Positions slave_, master_;
   /// Where the slave's nodes were when the step began, and the tangents that they had there.
-  Positions start_slave_;
+  Positions start_slave_, start_master_;
   double start_t_ = 0;
   std::vector<Eigen::Matrix<double, 3, 2>> start_tangents_;
 };

@@ -13,6 +13,8 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
+constexpr std::array all_kept{true, true, true, true};
+
 /// The sharing of one configuration; lives as long as share_functions.
 class Sharing {
 public:
@@ -100,8 +102,9 @@ private:
       }
     if (work_.takers.empty())
       return false;
-    const double full = reference_.facet_area[reference_.first_facet[at(part.face)] + at(part.facet)];
-    const auto rows = dual_coefficients(count, part.covered, full, kept);
+    const bool all = static_cast<int>(work_.takers.size()) == count;
+    const Eigen::Matrix4d rows =
+        all ? part.dual : dual_coefficients(count, part.covered, full_area(reference_, part), kept);
     const auto areas = kept_areas(count, part.covered, kept);
     for (int i = 0; i < count; ++i)
       if (kept[at(i)])
@@ -237,9 +240,15 @@ void sort_shares(std::size_t node_count, Workspace::Impl& work) {
 
 } // namespace
 
-void bound_gaps(const SlaveFace& placed, const SubFacet& facet, double full_area, const Workspace::Impl& work,
-                Part& part) {
-  LeastGaps least(facet.node_count, part.covered, full_area, part.gaps);
+double full_area(const SlaveReference& reference, const Part& part) {
+  return reference.facet_area[reference.first_facet[at(part.face)] + at(part.facet)];
+}
+
+void make_dual(const SlaveFace& placed, const SlaveReference& reference, const Workspace::Impl& work,
+               Part& part) {
+  const auto& facet = subfacets(placed.type)[at(part.facet)];
+  part.dual = dual_coefficients(facet.node_count, part.covered, full_area(reference, part), all_kept);
+  LeastGaps least(facet.node_count, part.covered, part.dual, part.gaps);
   for (const auto& seen : work.seen_gaps)
     least.see(seen.values, seen.gap);
   part.least_gaps = least.bounds(size_of(placed, facet));

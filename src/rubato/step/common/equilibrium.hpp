@@ -55,7 +55,7 @@ public:
   const Eigen::VectorXd& residual() const { return residual_; }
   /// Fills the report's residual and worst node. Code_Aster's RESI_GLOB_RELA: the largest unbalanced force
   /// over the largest of reactions and applied forces (inertia, history and the forces of nodal methods among
-  /// them), and of the momentum's rate, but no less than 1 % of the largest contact force.
+  /// them), and of the momentum's rate, but no less than 1e-4 of the largest contact force.
   void measure(const time::Motion& motion, const ContactForce& contact, StepReport& report);
   /// Whether every entry of the residual is within `tolerance` or no more than what rounding of the forces
   /// that it sums may leave: 16 units in the last digit of (|A| |u|)_i, A being the effective matrix, and at

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/pressed_afar.hpp"
 
+#include "rubato/contact/motion.hpp"
 #include "rubato/contact/point_tree.hpp"
 #include "rubato/contact/springs.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace rubato::step {
 namespace {
-
-using Eigen::Vector3d;
 
 bool is_between_moving_surfaces(const contact::Zone& zone) {
   return zone.mortar && !zone.obstacle && !zone.meets_itself() && !zone.holds_geometry() &&
@@ -31,18 +29,17 @@ std::optional<Unmet> in_zone(const model::Model& model, int index, const State& 
     return std::nullopt;
   const contact::Configuration now{&model.mesh,     &model.dofs, &state.motion.u,
                                    &state.motion.u, state.t,     state.t};
-  std::vector<Vector3d> master;
-  for (const auto node : zone.master.nodes)
-    master.push_back(now.position(node));
+  const auto master = contact::positions_of(zone.master, now);
   const contact::PointTree tree(master);
+  const double faces = faces_of_both(zone);
   std::optional<Unmet> farthest;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (!(outcomes[i].pressure > 0))
       continue;
     const auto node = zone.slave.nodes[i];
     const double distance = std::sqrt(tree.nearest(now.position(node)).squared_distance);
-    const double allowed = faces_of_both(zone) + std::abs(outcomes[i].gap) +
-                           std::abs(zone.offset.at(zone.points[i].place, state.t));
+    const double allowed =
+        faces + std::abs(outcomes[i].gap) + std::abs(zone.offset.at(zone.points[i].place, state.t));
     if (distance > allowed && (!farthest || distance > farthest->value))
       farthest = {Criterion::distance, index, node, distance, allowed};
   }

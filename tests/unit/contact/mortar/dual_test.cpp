@@ -181,10 +181,10 @@ Fitted fitted(double low, double high, const std::function<double(double)>& gap)
   }
   for (const double xi : {low, high})
     seen.emplace_back(facet_values(facet, Vector2d(xi, 0)), gap(xi));
-  LeastGaps least(2, covered, 2, first_gap);
+  const auto rows = dual_coefficients(2, covered, 2, all_kept);
+  LeastGaps least(2, covered, rows, first_gap);
   for (const auto& [values, value] : seen)
     least.see(values, value);
-  const auto rows = dual_coefficients(2, covered, 2, {true, true, false, false});
   Vector4d means = Vector4d::Zero();
   for (int i = 0; i < 2; ++i)
     means[i] = rows.row(i).dot(first_gap) / covered.first[i];
