@@ -47,15 +47,20 @@ VectorXd Reduction::scatter(const VectorXd& unknowns) const {
 SparseMatrix Reduction::reduced(const SparseMatrix& matrix) const {
   const Index size = unknown_count();
   SparseMatrix part(size, size);
-  part.reserve(matrix.nonZeros());
+  part.resizeNonZeros(matrix.nonZeros());
+  int* const starts = part.outerIndexPtr();
+  int count = 0;
   for (Index column = 0; column < size; ++column) {
-    part.startVec(column);
+    starts[column] = count;
     for (SparseMatrix::InnerIterator entry(matrix, free_dofs_[static_cast<std::size_t>(column)]); entry;
          ++entry)
-      if (const int row = unknown_of(static_cast<int>(entry.row())); row >= 0)
-        part.insertBack(row, column) = entry.value();
+      if (const int row = unknown_of(static_cast<int>(entry.row())); row >= 0) {
+        part.innerIndexPtr()[count] = row;
+        part.valuePtr()[count++] = entry.value();
+      }
   }
-  part.finalize();
+  starts[size] = count;
+  part.resizeNonZeros(count);
   return part;
 }
 

@@ -9,14 +9,18 @@ namespace rubato::domain {
 
 using Eigen::VectorXd;
 
-LinearDomain::LinearDomain(SparseMatrix stiffness, int components)
-    : stiffness_(std::move(stiffness)), product_(std::in_place, stiffness_, components) {}
+LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components)
+    : product_(std::in_place, stiffness, components) {
+  const auto own = std::make_shared<SparseMatrix>();
+  own->swap(stiffness);
+  stiffness_ = own;
+}
 
 void LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                             const Wanted& wanted) const {
   now = old;
   if (wanted.tangent != nullptr)
-    *wanted.tangent = stiffness_;
+    *wanted.tangent = *stiffness_;
   if (wanted.forces == nullptr)
     return;
   if (step.forces0 != nullptr && step.u1 == step.u0) {

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
 
 namespace rubato::domain {
@@ -17,7 +18,7 @@ public:
   /// No dofs.
   LinearDomain() = default;
   /// `stiffness`: K of the cells and of all springs, symmetric, in whole blocks of `components` (2 or 3).
-  LinearDomain(SparseMatrix stiffness, int components);
+  LinearDomain(SparseMatrix&& stiffness, int components);
 
   static constexpr bool is_linear = true;
 
@@ -25,11 +26,12 @@ public:
                 const Wanted& wanted) const;
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces,
                 const QuadratureStates& states) const;
-  const SparseMatrix& initial_tangent() const { return stiffness_; }
+  const SparseMatrix& initial_tangent() const { return *stiffness_; }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
 
 private:
-  SparseMatrix stiffness_;
+  /// Shared by copies, which only read it.
+  std::shared_ptr<const SparseMatrix> stiffness_ = std::make_shared<const SparseMatrix>();
   std::optional<linalg::SymmetricBlockMatrix> product_; ///< the same K: its product reads least memory
 };
 

@@ -99,6 +99,8 @@ bool has_negligible_pivot(const cholmod_factor& factor, std::span<const double> 
 /// The entries of the first `size` rows and columns.
 LowerTriangle leading_part(const LowerTriangle& lower, Index size) {
   LowerTriangle part(SparseMatrix(0, 0));
+  part.rows.reserve(lower.rows.size());
+  part.values.reserve(lower.values.size());
   for (Index column = 0; column < size; ++column) {
     for (auto entry = lower.starts[static_cast<std::size_t>(column)];
          entry < lower.starts[static_cast<std::size_t>(column) + 1]; ++entry)
@@ -134,6 +136,12 @@ LowerTriangle::LowerTriangle(const SparseMatrix& matrix) {
 LowerTriangle::LowerTriangle(const SparseMatrix& matrix, std::span<const int> unknowns,
                              std::span<const int> number)
     : sorted(false) {
+  Index entries = 0;
+  for (const int unknown : unknowns)
+    entries += matrix.col(unknown).nonZeros();
+  const auto half = static_cast<std::size_t>(entries) / 2 + unknowns.size();
+  rows.reserve(half);
+  values.reserve(half);
   starts.reserve(unknowns.size() + 1);
   starts.push_back(0);
   for (std::size_t column = 0; column < unknowns.size(); ++column) {

@@ -137,6 +137,8 @@ std::vector<Gauge> make_gauges(const Model& model, std::vector<std::string>& not
 }
 
 void add_gauges(const Model& model, SparseMatrix& stiffness) {
+  if (model.gauges.empty())
+    return;
   std::vector<Eigen::Triplet<double, int>> entries;
   const int components = model.dofs.components;
   for (const auto& gauge : model.gauges) {

@@ -2,6 +2,7 @@
 #include "rubato/model/model.hpp"
 
 #include "rubato/core/function.hpp"
+#include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/generate.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
@@ -49,6 +50,11 @@ void free_contact_of_mass(Model& model) {
   redistribute_mass(model.mesh, model.bulk, model.dofs, nodes, model.mass);
 }
 
+/// Without a copy, which Eigen makes on assignment.
+void take(SparseMatrix& to, SparseMatrix&& from) {
+  to.swap(from);
+}
+
 domain::Domain make_domain(const Model& model, const domain::BlockPattern& pattern) {
   auto stiffness = domain::assemble_stiffness(model.mesh, model.bulk, pattern);
   for (const auto& spring : model.springs)
@@ -69,7 +75,7 @@ void assemble_matrices(Model& model, const std::vector<study::Material>& materia
   if (lumped)
     model.lumped_mass = domain::lumped_mass(model.mesh, bulk, model.dofs);
   else
-    model.mass = domain::assemble_mass(model.mesh, bulk, pattern);
+    take(model.mass, domain::assemble_mass(model.mesh, bulk, pattern));
   if (model.study.time.contact_mass == study::ContactMass::redistributed)
     free_contact_of_mass(model);
   std::vector<double> by_stiffness;
@@ -82,11 +88,11 @@ void assemble_matrices(Model& model, const std::vector<study::Material>& materia
   }
   if (!damped)
     return;
-  model.damping = domain::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness);
+  take(model.damping, domain::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness));
   if (lumped)
     model.damping.diagonal() += domain::lumped_mass(model.mesh, bulk, model.dofs, by_mass);
   else
-    model.damping += domain::assemble_mass(model.mesh, bulk, pattern, by_mass);
+    linalg::add_scaled(1, domain::assemble_mass(model.mesh, bulk, pattern, by_mass), model.damping);
 }
 
 void stop_on(const std::vector<Fault>& faults) {

@@ -5,6 +5,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/tolerances.hpp"
 #include "rubato/linalg/memory.hpp"
+#include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/step/common/spatial_order.hpp"
 #include "rubato/step/full/linear_step.hpp"
 #include "rubato/time/step_control.hpp"
@@ -146,11 +147,12 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   EffectiveSystem system;
   system.step = step;
   system.coefficients = time::coefficients_of(scheme, step);
-  SparseMatrix full = system.coefficients.stiffness * model.domain.initial_tangent();
+  SparseMatrix full = model.domain.initial_tangent();
+  full.coeffs() *= system.coefficients.stiffness;
   if (system.coefficients.mass != 0)
-    full += system.coefficients.mass * model.mass;
+    linalg::add_scaled(system.coefficients.mass, model.mass, full);
   if (system.coefficients.damping != 0 && model.damping.nonZeros() > 0)
-    full += system.coefficients.damping * model.damping;
+    linalg::add_scaled(system.coefficients.damping, model.damping, full);
   system.diagonal = full.diagonal();
   system.matrix = model.reduction.reduced(full);
   const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);
