@@ -6,6 +6,7 @@
 #include "rubato/contact/spring_friction.hpp"
 #include "rubato/core/tolerances.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -310,6 +311,16 @@ std::vector<Status> wanted_status(const ZoneLaw& law, std::span<const PointEvalu
     if (points[i].kinematics && !law.zone->points[i].excluded)
       status[i] = wanted_status(points[i].variables, law.of_point(i));
   return status;
+}
+
+void keep_last_contact(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                       std::span<const Status> before, std::span<Status> status) {
+  const auto is_open = [](Status one) { return one == Status::open; };
+  if (normal_law(law.zone->settings.method).coefficient->is_spring || !std::ranges::all_of(status, is_open))
+    return;
+  for (std::size_t i = 0; i < status.size(); ++i)
+    if (points[i].kinematics && points[i].variables.pressure > 0)
+      status[i] = before[i];
 }
 
 Vector3d force_of(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status) {

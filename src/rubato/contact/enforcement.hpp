@@ -161,6 +161,12 @@ struct ZoneLaw {
 /// The statuses that the points' present variables call for; excluded and unpaired points are open.
 std::vector<Status> wanted_status(const ZoneLaw& law, std::span<const PointEvaluation> points);
 
+/// Where no point of a zone would touch any more, those with positive multipliers stay as they were in the
+/// iterate before. What only this contact holds would fly off for a gap that is small for it, however large
+/// for the augmentation; if it does part, multipliers turn negative. Springs have none and part at once.
+void keep_last_contact(const ZoneLaw& law, std::span<const PointEvaluation> points,
+                       std::span<const Status> before, std::span<Status> status);
+
 /// z = −w T of a point in contact: what the slave feels, internal side [force].
 Eigen::Vector3d force_of(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation,
                          Status status);

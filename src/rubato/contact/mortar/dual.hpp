@@ -47,6 +47,8 @@ public:
   /// A gap of the covered part, where functions are `values`.
   void see(const Eigen::Vector4d& values, double gap);
   Eigen::Vector4d bounds(double size) const;
+  /// Whether a gap that was seen is negative: `bounds` fall by twice as much as all gaps do there.
+  bool overlaps() const { return least_ < 0; }
 
 private:
   Eigen::Vector4d fitted_ = Eigen::Vector4d::Zero(); ///< ĝ

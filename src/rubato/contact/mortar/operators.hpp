@@ -68,8 +68,10 @@ struct Node {
   Cover cover = Cover::none;
   /// With an obstacle: the mean place it faces; G_j is counted from there. 0 with a master.
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();
-  double gap = 0;             ///< g_j where it was integrated, with the lift; 0 unless kept
-  double lift = 0;            ///< how much of it is added to n_j·G_j (dual.hpp, LeastGaps) [length]
+  double gap = 0;  ///< g_j where it was integrated, with the lift; 0 unless kept
+  double lift = 0; ///< how much of it is added to n_j·G_j (dual.hpp, LeastGaps) [length]
+  /// ∂lift/∂gap where all gaps around change alike: 0 where nothing overlaps, at most 1.
+  double lift_slope = 0;
   std::vector<int> receivers; ///< of a dropped node: positions of the kept nodes that have its function
 
   bool kept() const { return cover == Cover::kept; }

@@ -30,6 +30,7 @@ struct Part {
   Eigen::Vector4d gaps = Eigen::Vector4d::Zero();       ///< ∫H_i g [area · length]
   Eigen::Matrix4d dual = Eigen::Matrix4d::Zero();       ///< C where all nodes are kept
   Eigen::Vector4d least_gaps = Eigen::Vector4d::Zero(); ///< the least that functions may see (dual.hpp)
+  bool overlaps = false;                                ///< somewhere
   std::size_t first_overlap = 0, last_overlap = 0; ///< in Parts::overlaps; of an obstacle: in Parts::seen
 };
 

@@ -94,10 +94,13 @@ void Points::hold_lifts() {
       continue;
     const auto neighbour = static_cast<std::size_t>(reference.tangent_neighbour[i]);
     const double free = free_change * (reference.undeformed[neighbour] - reference.undeformed[i]).norm();
-    if (held_lifts_[i] < 0 || std::abs(node.lift - held_lifts_[i]) > free)
+    if (held_lifts_[i] < 0 || std::abs(node.lift - held_lifts_[i]) > free) {
       held_lifts_[i] = node.lift;
+      continue;
+    }
     node.gap += held_lifts_[i] - node.lift;
     node.lift = held_lifts_[i];
+    node.lift_slope = 0;
   }
 }
 
@@ -210,8 +213,10 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
   const double offset = zone_->offset.at(point.place, configuration.t);
-  k.gap = node.gap + offset;
-  k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : -node.lift) - offset;
+  // Measured by what changes it: so that it follows motions as the stencil says.
+  const double gap = node.gap + offset;
+  k.gap = gap / (1 + node.lift_slope);
+  k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : -node.lift) - offset + gap - k.gap;
   if (zone_->space_dimension == 2)
     k.slip[1] = k.slip_origin[1] = 0;
   into.variables = variables_of(*zone_, point, multipliers, into.kinematics);

@@ -67,12 +67,10 @@ template <class Function> Root newton(double start, double limit, const Function
   return root;
 }
 
-/// Where the sign changes between −1 and 1, or the limit at the end that is nearer to a root.
-template <class Function> double by_bisection(double limit, const Function& f) {
+/// Where the sign changes between −1 and 1.
+template <class Function> double by_bisection(const Function& f) {
   double low = -1, high = 1;
-  const double at_low = f(low)[0], at_high = f(high)[0];
-  if (!(at_low * at_high < 0))
-    return std::abs(at_low) < std::abs(at_high) ? -limit : limit;
+  const double at_low = f(low)[0];
   while (high - low > 1e-15 && 0.5 * (low + high) != low && 0.5 * (low + high) != high) {
     const double middle = 0.5 * (low + high);
     (f(middle)[0] * at_low > 0 ? low : high) = middle;
@@ -80,15 +78,26 @@ template <class Function> double by_bisection(double limit, const Function& f) {
   return 0.5 * (low + high);
 }
 
-/// ξ of the slave with (x_s(ξ) − x) × n(ξ) = 0.
-double slave_place(const SlaveFace& slave, const Vector3d& x) {
+/// ξ of the slave with (x_s(ξ) − x) × n(ξ) = 0, held between the limits. Nothing where x is behind the slave
+/// and farther away than the point at which lines along the normals of its ends cross: places come in the
+/// opposite order there. Which side of those two lines x is on decides whether ξ is on the face; the equation
+/// has roots beyond the crossing too.
+std::optional<double> slave_place(const SlaveFace& slave, const Vector3d& x) {
   const auto f = [&](double xi) {
     const auto at = along(slave.type, slave.x, xi), normal = along(slave.type, slave.normals, xi);
     const Vector3d apart = at.value - x;
     return std::array{cross(apart, normal.value), cross(at.slope, normal.value) + cross(apart, normal.slope)};
   };
+  const double sign = cross(slave.x.col(1) - slave.x.col(0), along(slave.type, slave.normals, 0).value);
+  const double at_low = sign * f(-1)[0], at_high = sign * f(1)[0];
+  if (at_low > 0 && at_high < 0)
+    return std::nullopt;
   const auto root = newton(0, farthest, f);
-  return root.found ? root.at : by_bisection(farthest, f);
+  if (at_low > 0)
+    return root.found && root.at < -1 ? root.at : -farthest;
+  if (at_high < 0)
+    return root.found && root.at > 1 ? root.at : farthest;
+  return root.found && std::abs(root.at) <= 1 ? root.at : by_bisection(f);
 }
 
 /// Where (x_m(η) − x) × n = 0.
@@ -125,6 +134,8 @@ double distance_to(const MasterFace& master, double eta, const Vector3d& x, cons
 struct Piece {
   double low = 0, high = 0;
   std::array<double, 2> ends{};
+
+  bool has_length() const { return high - low >= least_piece; }
 
   /// η if it were linear in ξ.
   double guess(double xi) const {
@@ -180,6 +191,42 @@ void append_piece(const SlaveFace& slave, const Measure& measure, const MasterFa
     into.corners.push_back({Vector2d(xi, 0), met_at(slave, master, piece, xi).distance});
 }
 
+/// Whether lines along the normals reach the master there before they cross.
+bool is_before_crossing(const SlaveFace& slave, const MasterFace& master, const Piece& piece, double xi) {
+  const auto x = along(slave.type, slave.x, xi), normal = along(slave.type, slave.normals, xi);
+  const double lengths = met_at(slave, master, piece, xi).distance / normal.value.norm();
+  return cross(x.slope, normal.value) * cross(x.slope + lengths * normal.slope, normal.value) > 0;
+}
+
+/// The piece of a sub-facet before a master face, without length where there is none. Nothing where lines
+/// along the normals cross between the two: places come in the opposite order there.
+std::optional<Piece> piece_before(const SlaveFace& slave, const SubFacet& facet, const MasterFace& master) {
+  const auto first = slave_place(slave, master.x.col(0)), last = slave_place(slave, master.x.col(1));
+  if (!first || !last)
+    return std::nullopt;
+  Piece piece;
+  piece.ends = {*first, *last};
+  const double half_facet = std::abs(facet.from_local(0, 0));
+  piece.low = std::max(facet.middle[0] - half_facet, std::min(piece.ends[0], piece.ends[1]));
+  piece.high = std::min(facet.middle[0] + half_facet, std::max(piece.ends[0], piece.ends[1]));
+  if (piece.has_length() && !(is_before_crossing(slave, master, piece, piece.low) &&
+                              is_before_crossing(slave, master, piece, piece.high)))
+    return std::nullopt;
+  return piece;
+}
+
+/// The slave face with one direction of projection: that of its middle.
+SlaveFace along_one_normal(SlaveFace slave) {
+  slave.normals = along(slave.type, slave.normals, 0).value.replicate<1, 9>();
+  return slave;
+}
+
+void append_if_facing(const SlaveFace& slave, const Measure& measure, const MasterFace& master,
+                      const Piece& piece, const Reach& reach, OverlapPoints& into) {
+  if (piece.has_length() && face_each_other(slave, master, piece))
+    append_piece(slave, measure, master, piece, reach, into);
+}
+
 } // namespace
 
 std::optional<double> distance_along_normal(const SlaveFace& slave, const MasterFace& master,
@@ -196,14 +243,11 @@ void append_line_overlap(const SlaveFace& slave, const SubFacet& facet, const Me
                          const MasterFace& master, const Reach& reach, OverlapPoints& into) {
   if (!has_length(slave.x) || !has_length(master.x))
     return;
-  Piece piece;
-  piece.ends = {slave_place(slave, master.x.col(0)), slave_place(slave, master.x.col(1))};
-  const double half_facet = std::abs(facet.from_local(0, 0));
-  piece.low = std::max(facet.middle[0] - half_facet, std::min(piece.ends[0], piece.ends[1]));
-  piece.high = std::min(facet.middle[0] + half_facet, std::max(piece.ends[0], piece.ends[1]));
-  if (!(piece.high - piece.low >= least_piece) || !face_each_other(slave, master, piece))
-    return;
-  append_piece(slave, measure, master, piece, reach, into);
+  if (const auto piece = piece_before(slave, facet, master))
+    return append_if_facing(slave, measure, master, *piece, reach, into);
+  const auto straight = along_one_normal(slave);
+  if (const auto piece = piece_before(straight, facet, master))
+    append_if_facing(straight, measure, master, *piece, reach, into);
 }
 
 } // namespace rubato::contact::mortar

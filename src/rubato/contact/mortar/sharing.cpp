@@ -140,8 +140,11 @@ private:
   void add(int node, int part, const Vector4d& row, double area, double least_gap) {
     work_.shares.push_back({node, part, row});
     into_.nodes[at(node)].weight += area;
-    if (area > 0)
-      into_.nodes[at(node)].lift += std::max(0., area * least_gap - row.dot(work_.parts[at(part)].gaps));
+    const double lift = area > 0 ? area * least_gap - row.dot(work_.parts[at(part)].gaps) : 0;
+    if (!(lift > 0))
+      return;
+    into_.nodes[at(node)].lift += lift;
+    into_.nodes[at(node)].lift_slope += work_.parts[at(part)].overlaps ? area : 0;
   }
 
   void name_heirs(int node) {
@@ -174,7 +177,7 @@ void start_nodes(const Surface& slave, const SlaveReference& reference,
     node.full_weight = reference.full_weight[j];
     node.cover = work.kept[j] != 0 ? Cover::kept : work.covered[j] > 0 ? Cover::dropped : Cover::none;
     node.anchor.setZero();
-    node.gap = node.lift = 0;
+    node.gap = node.lift = node.lift_slope = 0;
     node.receivers.clear();
     into.kept_count += node.kept() ? 1 : 0;
   }
@@ -252,6 +255,7 @@ void make_dual(const SlaveFace& placed, const SlaveReference& reference, const W
   for (const auto& seen : work.seen_gaps)
     least.see(seen.values, seen.gap);
   part.least_gaps = least.bounds(size_of(placed, facet));
+  part.overlaps = least.overlaps();
 }
 
 void share_functions(const Surface& slave, const SlaveReference& reference,
@@ -264,8 +268,10 @@ void share_functions(const Surface& slave, const SlaveReference& reference,
   into.covered_area = 0;
   for (auto& node : into.nodes) {
     into.covered_area += node.weight;
-    if (node.weight > 0)
+    if (node.weight > 0) {
       node.lift /= node.weight;
+      node.lift_slope /= node.weight;
+    }
   }
 }
 

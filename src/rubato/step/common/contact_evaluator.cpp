@@ -211,6 +211,7 @@ void ContactEvaluator::renew_status(const Frozen& frozen, const ContactIterate& 
     if (!frozen[z].status.empty())
       continue;
     now.status[z] = contact::wanted_status(law_of(z, frozen), now.points[z]);
+    contact::keep_last_contact(law_of(z, frozen), now.points[z], before.status[z], now.status[z]);
     contact::stick_in_passing(law_of(z, frozen), {before.points[z], before.status[z], before.u},
                               {now.points[z], now.status[z], now.u}, model_.dofs, now.status[z]);
   }
