@@ -31,7 +31,7 @@ inline constexpr double least_kept_share = 0.05;
 
 /// Who decides whether a node is kept.
 enum class Keep : std::uint8_t {
-  by_cover, ///< kept from 5 % of its full weight on
+  by_cover, ///< kept from 5 % of its full weight on, or from its own least share on
   always,   ///< kept if anything of it is covered
   never     ///< its dual function is shared among its neighbours: cross points of ties
 };
@@ -43,6 +43,7 @@ struct Options {
   std::span<const Reach> reaches = {};       ///< the same by slave face, in place of `reach`
   std::span<const HeldComponents> held = {}; ///< for normals on planes of symmetry
   std::span<const Keep> keep = {};
+  std::span<const double> least_shares = {}; ///< in place of least_kept_share
   /// Whether a slave and a master face may meet; empty: all may. Self contact excludes neighbours by it.
   std::function<bool(int slave_face, int master_face)> may_pair = {};
   /// Of a surface that meets itself: directions of slave nodes are those of both sides

@@ -27,6 +27,8 @@ std::vector<Keep> keep_of(const Zone& zone) {
 
 /// Kept, dropped, kept and dropped again.
 constexpr int returned = 3;
+/// By how much more of a node must be covered then, and the share from which on it is kept whatever is.
+constexpr double more = 2, enough = 0.5;
 
 /// Of the way to a node's neighbour: by how much a lift may change in a step before its gap follows.
 constexpr double free_change = 2e-5;
@@ -62,23 +64,32 @@ void Points::update(const Configuration& configuration) {
   const Vector3d offset =
       zone_->obstacle ? zone_->obstacle->offset(configuration.t) : Vector3d::Zero().eval();
   integrate_at(slave_, master_, offset, now_);
-  hold_those_that_return();
+  ask_more_of_those_that_return();
   hold_lifts();
 }
 
-/// Where only rounding or the last digits of an iterate decide, each decision moves the iterate back.
-void Points::hold_those_that_return() {
+/// Where only rounding or the last digits of an iterate decide, each decision moves the iterate back. Kept
+/// for good with next to no cover it would carry in a point what its neighbours carry on their faces.
+void Points::ask_more_of_those_that_return() {
   const auto count = now_.nodes.size();
   changes_.resize(count);
+  least_shares_.resize(count, least_kept_share);
   if (was_kept_.size() == count)
     for (std::size_t i = 0; i < count; ++i)
-      if (now_.nodes[i].kept() != (was_kept_[i] != 0) && ++changes_[i] == returned) {
-        keep_.resize(count, Keep::by_cover);
-        keep_[i] = Keep::always;
-      }
+      if (now_.nodes[i].kept() != (was_kept_[i] != 0) && ++changes_[i] == returned)
+        ask_more_of(i);
   was_kept_.resize(count);
   std::ranges::transform(now_.nodes, was_kept_.begin(),
                          [](const Node& node) { return static_cast<char>(node.kept()); });
+}
+
+void Points::ask_more_of(std::size_t node) {
+  changes_[node] = 1; // as if it had been kept and dropped now for the first time
+  least_shares_[node] *= more;
+  if (least_shares_[node] < enough)
+    return;
+  keep_.resize(least_shares_.size(), Keep::by_cover);
+  keep_[node] = Keep::always;
 }
 
 /// A lift stays that of the step's start, or of the configuration in which its node was first kept, until it
@@ -128,7 +139,7 @@ void Points::integrate_at(const Positions& slave, const Positions& master, const
 }
 
 Options Points::options_at(const Positions& slave, const Positions& master) {
-  Options options{.held = zone_->held, .keep = keep_};
+  Options options{.held = zone_->held, .keep = keep_, .least_shares = least_shares_};
   if (!zone_->obstacle && !self_)
     options.reaches = reach_.at(slave, master);
   if (!self_)
@@ -154,6 +165,7 @@ void Points::take_start(const Configuration& configuration) {
   keep_ = keep_of(*zone_);
   was_kept_.clear();
   changes_.clear();
+  least_shares_.clear();
   if (zone_->obstacle)
     return take_tangents_before_obstacle();
   if (!self_)

@@ -3,11 +3,11 @@
 /// operators give it (operators.hpp), and counts with the part of its area that faces the master.
 ///
 /// Operators and frames are made anew for every configuration and held within one: a point's gap and slip
-/// are linear in the displacements there. A node at the border of the cover that keeps it, which iterations
-/// of a step take to and fro, stays kept for the rest of the step. The lift of a
-/// gap stays that of the step's start until it is off by more than 2e-5 of the way to the next node: what the
-/// bending of faces adds is less than their error, but followed it would take as many iterations as all the
-/// rest.
+/// are linear in the displacements there. Of a node at the border of the cover that is kept and dropped
+/// in turn by the iterations of a step, twice as much must be covered for the rest of the step, and so on.
+/// The lift of a gap stays that of the step's start until it is off by more than 2e-5 of the way to the next
+/// node: what the bending of faces adds is less than their error, but followed it would take as many
+/// iterations as all the rest.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
@@ -48,7 +48,8 @@ private:
   void take_start(const Configuration& configuration);
   void take_tangents();
   void take_tangents_before_obstacle();
-  void hold_those_that_return();
+  void ask_more_of_those_that_return();
+  void ask_more_of(std::size_t node);
   void hold_lifts();
   void take_lifts();
   Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
@@ -60,6 +61,7 @@ private:
   /// Of every slave node in this step: whether it was kept last, and how often that changed.
   std::vector<char> was_kept_;
   std::vector<int> changes_;
+  std::vector<double> least_shares_;
   std::vector<double> held_lifts_;     ///< in this step, as PointEvaluation::lift
   std::vector<double> measured_lifts_; ///< at the last update
   Workspace workspace_;

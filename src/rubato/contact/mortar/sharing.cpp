@@ -52,7 +52,8 @@ private:
     return work_.covered[node] > 0 && keep_of(node) != Keep::never && !work_.normals[node].isZero(0);
   }
   bool has_enough(std::size_t node) const {
-    return work_.covered[node] >= least_kept_share * reference_.full_weight[node];
+    const double least = options_.least_shares.empty() ? least_kept_share : options_.least_shares[node];
+    return work_.covered[node] >= least * reference_.full_weight[node];
   }
   bool is_kept(int node) const { return work_.kept[at(node)] != 0; }
 

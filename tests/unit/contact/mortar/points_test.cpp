@@ -37,6 +37,12 @@ protected:
     return false;
   }
 
+  /// Kept with a little more, dropped with a little less.
+  void expect_border_at(double share) {
+    EXPECT_TRUE(keeps_last(1.01 * share)) << share;
+    EXPECT_FALSE(keeps_last(0.99 * share)) << share;
+  }
+
   model::Model model_;
   VectorXd start_;
   double start_t_ = 0;
@@ -49,25 +55,22 @@ TEST_F(SlidingBlock, KeepsNodesFromATwentiethOfTheirWeightOn) {
   EXPECT_FALSE(keeps_last(0.99 * least_kept_share));
 }
 
-TEST_F(SlidingBlock, KeepsANodeThatIterationsTakeToAndFro) {
-  EXPECT_TRUE(keeps_last(1.01 * least_kept_share));
-  EXPECT_FALSE(keeps_last(0.99 * least_kept_share));
-  EXPECT_TRUE(keeps_last(1.01 * least_kept_share));
-  keeps_last(0.99 * least_kept_share);
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_TRUE(keeps_last(0.99 * least_kept_share));
-    EXPECT_TRUE(keeps_last(1.01 * least_kept_share));
+TEST_F(SlidingBlock, AsksTwiceAsMuchOfANodeThatIterationsTakeToAndFro) {
+  expect_border_at(least_kept_share);
+  expect_border_at(least_kept_share);
+  for (const double factor : {2., 4., 8.}) {
+    EXPECT_FALSE(keeps_last(1.01 * factor / 2 * least_kept_share));
+    expect_border_at(factor * least_kept_share);
   }
+  EXPECT_TRUE(keeps_last(0.1 * least_kept_share)); // more than half of it cannot be asked
 }
 
-TEST_F(SlidingBlock, ForgetsInTheNextStepWhatItHeld) {
-  for (int i = 0; i < 3; ++i) {
-    keeps_last(1.01 * least_kept_share);
-    keeps_last(0.99 * least_kept_share);
-  }
-  EXPECT_TRUE(keeps_last(0.99 * least_kept_share));
+TEST_F(SlidingBlock, ForgetsInTheNextStepWhatItAsked) {
+  expect_border_at(least_kept_share);
+  expect_border_at(least_kept_share);
+  EXPECT_FALSE(keeps_last(1.01 * least_kept_share));
   start_t_ = 0.5;
-  EXPECT_FALSE(keeps_last(0.99 * least_kept_share));
+  expect_border_at(least_kept_share);
 }
 
 } // namespace
