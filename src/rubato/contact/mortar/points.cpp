@@ -7,6 +7,7 @@
 #include "rubato/contact/mortar/slip.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -27,8 +28,10 @@ std::vector<Keep> keep_of(const Zone& zone) {
 
 /// Kept, dropped, kept and dropped again.
 constexpr int returned = 3;
-/// By how much more of a node must be covered then, and the share from which on it is kept whatever is.
-constexpr double more = 2, enough = 0.5;
+/// The shares that are asked of a node, one after the other each time that it has returned. First less, as
+/// what is kept where a step begins mostly stays; then more. Kept for good with next to no cover a node would
+/// carry in a point what its neighbours carry on their faces.
+constexpr std::array asked_shares{least_kept_share, 0.5 * least_kept_share, 0.1, 0.2, 0.4};
 
 /// Of the way to a node's neighbour: by how much a lift may change in a step before its gap follows.
 constexpr double free_change = 2e-5;
@@ -64,30 +67,32 @@ void Points::update(const Configuration& configuration) {
   const Vector3d offset =
       zone_->obstacle ? zone_->obstacle->offset(configuration.t) : Vector3d::Zero().eval();
   integrate_at(slave_, master_, offset, now_);
-  ask_more_of_those_that_return();
+  hold_those_that_return();
   hold_lifts();
 }
 
-/// Where only rounding or the last digits of an iterate decide, each decision moves the iterate back. Kept
-/// for good with next to no cover it would carry in a point what its neighbours carry on their faces.
-void Points::ask_more_of_those_that_return() {
+/// Where only rounding or the last digits of an iterate decide, each decision moves the iterate back.
+void Points::hold_those_that_return() {
   const auto count = now_.nodes.size();
   changes_.resize(count);
   least_shares_.resize(count, least_kept_share);
   if (was_kept_.size() == count)
     for (std::size_t i = 0; i < count; ++i)
       if (now_.nodes[i].kept() != (was_kept_[i] != 0) && ++changes_[i] == returned)
-        ask_more_of(i);
+        ask_another_share_of(i);
   was_kept_.resize(count);
   std::ranges::transform(now_.nodes, was_kept_.begin(),
                          [](const Node& node) { return static_cast<char>(node.kept()); });
 }
 
-void Points::ask_more_of(std::size_t node) {
+/// After the last one it is kept whatever is covered.
+void Points::ask_another_share_of(std::size_t node) {
   changes_[node] = 1; // as if it had been kept and dropped now for the first time
-  least_shares_[node] *= more;
-  if (least_shares_[node] < enough)
+  const auto* next = std::ranges::find(asked_shares, least_shares_[node]) + 1;
+  if (next != asked_shares.end()) {
+    least_shares_[node] = *next;
     return;
+  }
   keep_.resize(least_shares_.size(), Keep::by_cover);
   keep_[node] = Keep::always;
 }

@@ -3,8 +3,8 @@
 /// operators give it (operators.hpp), and counts with the part of its area that faces the master.
 ///
 /// Operators and frames are made anew for every configuration and held within one: a point's gap and slip
-/// are linear in the displacements there. Of a node at the border of the cover that is kept and dropped
-/// in turn by the iterations of a step, twice as much must be covered for the rest of the step, and so on.
+/// are linear in the displacements there. A node at the border of the cover that iterations of a step
+/// keep and drop in turn is kept from another share of its weight on for the rest of the step.
 /// The lift of a gap stays that of the step's start until it is off by more than 2e-5 of the way to the next
 /// node: what the bending of faces adds is less than their error, but followed it would take as many
 /// iterations as all the rest.
@@ -48,8 +48,8 @@ private:
   void take_start(const Configuration& configuration);
   void take_tangents();
   void take_tangents_before_obstacle();
-  void ask_more_of_those_that_return();
-  void ask_more_of(std::size_t node);
+  void hold_those_that_return();
+  void ask_another_share_of(std::size_t node);
   void hold_lifts();
   void take_lifts();
   Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
