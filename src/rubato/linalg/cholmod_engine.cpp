@@ -50,11 +50,13 @@ std::vector<double> factor_diagonal(const cholmod_factor& factor) {
                    [x](Index start) { return x[start]; });
     return diagonal;
   }
+  const std::span values(static_cast<const double*>(factor.x), factor.xsize);
+  const auto* value_start = static_cast<const Index*>(factor.px);
   for (std::size_t s = 0; s < factor.nsuper; ++s) {
     const auto node = supernode_of(factor, s);
     const auto row_count = static_cast<Index>(node.rows.size());
     for (Index column = 0; column < node.columns; ++column)
-      diagonal.push_back(node.values[column * (row_count + 1)]);
+      diagonal.push_back(values[static_cast<std::size_t>(value_start[s] + column * (row_count + 1))]);
   }
   return diagonal;
 }
