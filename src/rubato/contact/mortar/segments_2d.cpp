@@ -78,10 +78,10 @@ template <class Function> double by_bisection(const Function& f) {
   return 0.5 * (low + high);
 }
 
-/// ξ of the slave with (x_s(ξ) − x) × n(ξ) = 0, held between the limits. Nothing where x is behind the slave
-/// and farther away than the point at which lines along the normals of its ends cross: places come in the
-/// opposite order there. Which side of those two lines x is on decides whether ξ is on the face; the equation
-/// has roots beyond the crossing too.
+/// ξ of the slave with (x_s(ξ) − x) × n(ξ) = 0, held between the limits. Nothing where x is beyond the point
+/// at which lines along the normals of the slave's ends cross: places come in the opposite order there. The
+/// sides of those two lines that x is on decide whether ξ is on the face: the equation has roots beyond the
+/// crossing too.
 std::optional<double> slave_place(const SlaveFace& slave, const Vector3d& x) {
   const auto f = [&](double xi) {
     const auto at = along(slave.type, slave.x, xi), normal = along(slave.type, slave.normals, xi);
