@@ -36,6 +36,11 @@ constexpr std::array asked_shares{least_kept_share, 0.5 * least_kept_share, 0.1,
 /// Of the way to a node's neighbour: by how much a lift may change in a step before its gap follows.
 constexpr double free_change = 2e-5;
 
+/// Springs press by the gap as it is; multipliers only want it to be closed.
+bool closes_exactly(const Zone& zone) {
+  return !normal_law(zone.settings.method).coefficient->is_spring;
+}
+
 /// As PointEvaluation has it.
 double lift_of(const Node& node) {
   return node.kept() ? node.lift : -1;
@@ -230,9 +235,10 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
   const double offset = zone_->offset.at(point.place, configuration.t);
-  // Measured by what changes it: so that it follows motions as the stencil says.
   const double gap = node.gap + offset;
-  k.gap = gap / (1 + node.lift_slope);
+  k.gap = closes_exactly(*zone_) && variables_of(*zone_, point, multipliers, {}).pressure > 0
+              ? gap / (1 + node.lift_slope) // moves as the stencil says
+              : gap;
   k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : -node.lift) - offset + gap - k.gap;
   if (zone_->space_dimension == 2)
     k.slip[1] = k.slip_origin[1] = 0;
