@@ -4,6 +4,7 @@
 #include "rubato/contact/frozen_frame.hpp"
 #include "rubato/contact/point_tangent.hpp"
 #include "rubato/contact/spring_friction.hpp"
+#include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
 
 #include <algorithm>
@@ -316,7 +317,7 @@ std::vector<Status> wanted_status(const ZoneLaw& law, std::span<const PointEvalu
 void keep_last_contact(const ZoneLaw& law, std::span<const PointEvaluation> points,
                        std::span<const Status> before, std::span<Status> status) {
   const auto is_open = [](Status one) { return one == Status::open; };
-  if (normal_law(law.zone->settings.method).coefficient->is_spring || !std::ranges::all_of(status, is_open))
+  if (!closes_gaps(*law.zone) || !std::ranges::all_of(status, is_open))
     return;
   for (std::size_t i = 0; i < status.size(); ++i)
     if (points[i].kinematics && points[i].variables.pressure > 0)

@@ -5,6 +5,7 @@
 #include "rubato/contact/mortar/obstacle_mortar.hpp"
 #include "rubato/contact/mortar/parts.hpp"
 #include "rubato/contact/mortar/slip.hpp"
+#include "rubato/contact/springs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,17 +30,12 @@ std::vector<Keep> keep_of(const Zone& zone) {
 /// Kept, dropped, kept and dropped again.
 constexpr int returned = 3;
 /// The shares that are asked of a node, one after the other each time that it has returned. First less, as
-/// what is kept where a step begins mostly stays; then more. Kept for good with next to no cover a node would
-/// carry in a point what its neighbours carry on their faces.
-constexpr std::array asked_shares{least_kept_share, 0.5 * least_kept_share, 0.1, 0.2, 0.4};
+/// what is kept where a step begins mostly stays; then more; then nothing. Kept for good with next to no
+/// cover a node would carry in a point what its neighbours carry on their faces.
+constexpr std::array asked_shares{least_kept_share, 0.5 * least_kept_share, 0.1, 0.2, 0.4, 0.};
 
 /// Of the way to a node's neighbour: by how much a lift may change in a step before its gap follows.
 constexpr double free_change = 2e-5;
-
-/// Springs press by the gap as it is; multipliers only want it to be closed.
-bool closes_exactly(const Zone& zone) {
-  return !normal_law(zone.settings.method).coefficient->is_spring;
-}
 
 /// As PointEvaluation has it.
 double lift_of(const Node& node) {
@@ -90,16 +86,11 @@ void Points::hold_those_that_return() {
                          [](const Node& node) { return static_cast<char>(node.kept()); });
 }
 
-/// After the last one it is kept whatever is covered.
 void Points::ask_another_share_of(std::size_t node) {
   changes_[node] = 1; // as if it had been kept and dropped now for the first time
   const auto* next = std::ranges::find(asked_shares, least_shares_[node]) + 1;
-  if (next != asked_shares.end()) {
+  if (next != asked_shares.end())
     least_shares_[node] = *next;
-    return;
-  }
-  keep_.resize(least_shares_.size(), Keep::by_cover);
-  keep_[node] = Keep::always;
 }
 
 /// A lift stays that of the step's start, or of the configuration in which its node was first kept, until it
@@ -172,7 +163,6 @@ void Points::take_start(const Configuration& configuration) {
   collect(zone_->master, position, start_master_);
   if (self_)
     self_->update(start_slave_);
-  keep_ = keep_of(*zone_);
   was_kept_.clear();
   changes_.clear();
   least_shares_.clear();
@@ -236,9 +226,10 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
   const double offset = zone_->offset.at(point.place, configuration.t);
   const double gap = node.gap + offset;
-  k.gap = closes_exactly(*zone_) && variables_of(*zone_, point, multipliers, {}).pressure > 0
-              ? gap / (1 + node.lift_slope) // moves as the stencil says
-              : gap;
+  // Springs press by the gap as it is; of one that a multiplier closes it only matters where it is 0.
+  const bool scales =
+      node.lift_slope > 0 && closes_gaps(*zone_) && variables_of(*zone_, point, multipliers, {}).pressure > 0;
+  k.gap = scales ? gap / (1 + node.lift_slope) : gap; // moves as the stencil says
   k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : -node.lift) - offset + gap - k.gap;
   if (zone_->space_dimension == 2)
     k.slip[1] = k.slip_origin[1] = 0;

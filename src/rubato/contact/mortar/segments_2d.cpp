@@ -134,6 +134,7 @@ double distance_to(const MasterFace& master, double eta, const Vector3d& x, cons
 struct Piece {
   double low = 0, high = 0;
   std::array<double, 2> ends{};
+  std::array<double, 2> distances{}; ///< of the master, before low and high
 
   bool has_length() const { return high - low >= least_piece; }
 
@@ -187,14 +188,14 @@ void append_piece(const SlaveFace& slave, const Measure& measure, const MasterFa
     into.points.resize(first);
     return;
   }
-  for (const double xi : {piece.low, piece.high})
-    into.corners.push_back({Vector2d(xi, 0), met_at(slave, master, piece, xi).distance});
+  into.corners.push_back({Vector2d(piece.low, 0), piece.distances[0]});
+  into.corners.push_back({Vector2d(piece.high, 0), piece.distances[1]});
 }
 
-/// Whether lines along the normals reach the master there before they cross.
-bool is_before_crossing(const SlaveFace& slave, const MasterFace& master, const Piece& piece, double xi) {
+/// Whether lines along the normals go that far before they cross.
+bool is_before_crossing(const SlaveFace& slave, double xi, double distance) {
   const auto x = along(slave.type, slave.x, xi), normal = along(slave.type, slave.normals, xi);
-  const double lengths = met_at(slave, master, piece, xi).distance / normal.value.norm();
+  const double lengths = distance / normal.value.norm();
   return cross(x.slope, normal.value) * cross(x.slope + lengths * normal.slope, normal.value) > 0;
 }
 
@@ -209,10 +210,13 @@ std::optional<Piece> piece_before(const SlaveFace& slave, const SubFacet& facet,
   const double half_facet = std::abs(facet.from_local(0, 0));
   piece.low = std::max(facet.middle[0] - half_facet, std::min(piece.ends[0], piece.ends[1]));
   piece.high = std::min(facet.middle[0] + half_facet, std::max(piece.ends[0], piece.ends[1]));
-  if (piece.has_length() && !(is_before_crossing(slave, master, piece, piece.low) &&
-                              is_before_crossing(slave, master, piece, piece.high)))
-    return std::nullopt;
-  return piece;
+  if (!piece.has_length())
+    return piece;
+  piece.distances = {met_at(slave, master, piece, piece.low).distance,
+                     met_at(slave, master, piece, piece.high).distance};
+  const bool in_order = is_before_crossing(slave, piece.low, piece.distances[0]) &&
+                        is_before_crossing(slave, piece.high, piece.distances[1]);
+  return in_order ? std::optional(piece) : std::nullopt;
 }
 
 /// The slave face with one direction of projection: that of its middle.
