@@ -5,6 +5,7 @@
 #include "rubato/contact/motion.hpp"
 #include "rubato/contact/projection.hpp"
 #include "rubato/contact/two_sides.hpp"
+#include "rubato/core/index.hpp"
 
 #include <Eigen/Geometry>
 
@@ -32,10 +33,6 @@ constexpr double through = 0.5;
 constexpr double more_opposite = 0.1;
 /// Of faces as far apart those more directly before each other come first.
 constexpr double sideways = 0.1;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 /// From the corners alone; in 2D (t_y, −t_x). 0 of a face without area.
 Vector3d unit_normal(CellType type, const FaceCoordinates& x) {

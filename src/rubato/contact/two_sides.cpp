@@ -2,6 +2,7 @@
 #include "rubato/contact/two_sides.hpp"
 
 #include "rubato/contact/self_pairs.hpp"
+#include "rubato/core/index.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,10 +20,6 @@ using Eigen::Vector3d;
 constexpr double clearly = 1.5;
 /// Part of a face's size that is rounding of a centre.
 constexpr double same_centre = 1e-6;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 /// Sets of faces; each face knows whether it is on the side of the face above it (a union-find with parity).
 class SidedSets {

@@ -13,14 +13,14 @@ using Eigen::Matrix4d;
 using Eigen::Vector4d;
 
 /// What the kept nodes have of all functions: a matrix with a row for each of them, in their order.
-struct Sharing {
+struct FacetSharing {
   Matrix4d given = Matrix4d::Zero();
   std::array<int, 4> node{};
   int count = 0;
 };
 
-Sharing share(int node_count, const std::array<bool, 4>& kept) {
-  Sharing sharing;
+FacetSharing share(int node_count, const std::array<bool, 4>& kept) {
+  FacetSharing sharing;
   for (int j = 0; j < node_count; ++j)
     if (kept[static_cast<std::size_t>(j)])
       sharing.node[static_cast<std::size_t>(sharing.count++)] = j;
@@ -34,7 +34,7 @@ Sharing share(int node_count, const std::array<bool, 4>& kept) {
 }
 
 /// diag(De) Me⁻¹ G, or G where Me cannot be inverted: slivers and areas that a fan takes back.
-template <int Size> Matrix4d dual_of(const Sharing& sharing, const FacetMoments& covered) {
+template <int Size> Matrix4d dual_of(const FacetSharing& sharing, const FacetMoments& covered) {
   using Square = Eigen::Matrix<double, Size, Size>;
   const auto given = sharing.given.topRows<Size>();
   const Eigen::Vector<double, Size> first = given * covered.first;
@@ -51,7 +51,7 @@ template <int Size> Matrix4d dual_of(const Sharing& sharing, const FacetMoments&
   return coefficients;
 }
 
-Matrix4d dual_rows(const Sharing& sharing, const FacetMoments& covered) {
+Matrix4d dual_rows(const FacetSharing& sharing, const FacetMoments& covered) {
   switch (sharing.count) {
   case 1:
     return sharing.given; // ΣH = 1: one function is its own dual

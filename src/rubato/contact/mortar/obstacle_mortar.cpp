@@ -2,6 +2,7 @@
 #include "rubato/contact/mortar/obstacle_mortar.hpp"
 
 #include "rubato/contact/mortar/parts.hpp"
+#include "rubato/core/index.hpp"
 
 #include <Eigen/Geometry>
 
@@ -16,10 +17,6 @@ using Eigen::Vector3d;
 
 /// Of H² times the measure and the obstacle's curvature, on linear and on quadratic faces.
 constexpr int linear_degree = 6, quadratic_degree = 8;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 /// Columns of SeenProducts.
 constexpr Eigen::Index gap_column = 0, normal_column = 1, place_column = 4, tangent_column = 7;

@@ -3,6 +3,7 @@
 
 #include "rubato/contact/mortar/parts.hpp"
 #include "rubato/contact/mortar/self_contact_normals.hpp"
+#include "rubato/core/index.hpp"
 
 #include <algorithm>
 
@@ -10,10 +11,6 @@ namespace rubato::contact::mortar {
 namespace {
 
 using Eigen::Vector3d;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 void set_masters(const Surface& master, std::span<const Vector3d> x, Workspace::Impl& work) {
   work.masters.resize(master.faces.size());

@@ -13,15 +13,15 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int max_iterations = 40;
+constexpr int max_line_iterations = 40;
 constexpr double largest_step = 1;
 /// Projections are looked for up to there on the slave's reference line.
-constexpr double farthest = 2;
-constexpr double last_step = 1e-8;
+constexpr double farthest_root = 2;
+constexpr double last_line_step = 1e-8;
 /// Pieces shorter than that on the slave's reference line are rounding.
 constexpr double least_piece = 1e-10;
 /// How far outside, on the master's reference line, a place still belongs to the face.
-constexpr double outside = 0.5;
+constexpr double line_outside = 0.5;
 
 double cross(const Vector3d& a, const Vector3d& b) {
   return a[0] * b[1] - a[1] * b[0];
@@ -50,14 +50,14 @@ struct Root {
 /// Newton's method for f(s) = 0 where f tells value and slope.
 template <class Function> Root newton(double start, double limit, const Function& f) {
   Root root{.at = start};
-  for (int iteration = 0; iteration < max_iterations; ++iteration) {
+  for (int iteration = 0; iteration < max_line_iterations; ++iteration) {
     const auto [value, slope] = f(root.at);
     const double step = -value / slope;
     if (!std::isfinite(step))
       return value == 0 ? Root{root.at, true} : root;
     const double before = root.at;
     root.at = std::clamp(before + std::clamp(step, -largest_step, largest_step), -limit, limit);
-    if (std::abs(step) <= last_step) {
+    if (std::abs(step) <= last_line_step) {
       root.found = true;
       return root;
     }
@@ -92,17 +92,17 @@ std::optional<double> slave_place(const SlaveFace& slave, const Vector3d& x) {
   const double at_low = sign * f(-1)[0], at_high = sign * f(1)[0];
   if (at_low > 0 && at_high < 0)
     return std::nullopt;
-  const auto root = newton(0, farthest, f);
+  const auto root = newton(0, farthest_root, f);
   if (at_low > 0)
-    return root.found && root.at < -1 ? root.at : -farthest;
+    return root.found && root.at < -1 ? root.at : -farthest_root;
   if (at_high < 0)
-    return root.found && root.at > 1 ? root.at : farthest;
+    return root.found && root.at > 1 ? root.at : farthest_root;
   return root.found && std::abs(root.at) <= 1 ? root.at : by_bisection(f);
 }
 
 /// Where (x_m(η) − x) × n = 0.
 Root place_on_line(const MasterFace& master, const Vector3d& x, const Vector3d& normal, double start) {
-  return newton(start, 1 + 2 * outside, [&](double eta) {
+  return newton(start, 1 + 2 * line_outside, [&](double eta) {
     const auto at = along(master.type, master.x, eta);
     return std::array{cross(at.value - x, normal), cross(at.slope, normal)};
   });
@@ -111,7 +111,7 @@ Root place_on_line(const MasterFace& master, const Vector3d& x, const Vector3d& 
 /// η of the master with (x_m(η) − x) × n = 0, else its closest point.
 double master_place(const MasterFace& master, const Vector3d& x, const Vector3d& normal, double start) {
   const auto root = place_on_line(master, x, normal, start);
-  if (root.found && std::abs(root.at) <= 1 + outside)
+  if (root.found && std::abs(root.at) <= 1 + line_outside)
     return root.at;
   return project(master.type, master.x, x).clamped[0];
 }
@@ -155,11 +155,11 @@ bool face_each_other(const SlaveFace& slave, const MasterFace& master, const Pie
 }
 
 /// The master's place before ξ of the slave, and how far away it is along the slave's normal.
-struct Met {
+struct MetMaster {
   double eta = 0, distance = 0;
 };
 
-Met met_at(const SlaveFace& slave, const MasterFace& master, const Piece& piece, double xi) {
+MetMaster met_at(const SlaveFace& slave, const MasterFace& master, const Piece& piece, double xi) {
   const Vector3d x = along(slave.type, slave.x, xi).value;
   const Vector3d normal = along(slave.type, slave.normals, xi).value;
   const double eta = master_place(master, x, normal, piece.guess(xi));

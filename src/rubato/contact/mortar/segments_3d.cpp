@@ -24,7 +24,7 @@ constexpr double least_overlap = 1e-10;
 /// point, in parts of its mean, its inverse is not used.
 constexpr double fold = 1e-2, no_fold = 1e-6;
 /// A face whose area vector is shorter than that, in squared sizes, has no area.
-constexpr double no_area = 1e-14;
+constexpr double no_overlap_area = 1e-14;
 /// Least cosine between a face's normal and the mean of its nodal normals for a plane across these.
 constexpr double least_agreement = 0.5;
 
@@ -61,7 +61,7 @@ Polygon facing_polygon(const FaceCoordinates& local, const SubFacet& facet) {
   const Vector3d normal = one.cross(other);
   Polygon polygon;
   const double length = normal.norm();
-  if (!(length > no_area * one.squaredNorm()) || normal[2] >= facing * length)
+  if (!(length > no_overlap_area * one.squaredNorm()) || normal[2] >= facing * length)
     return polygon;
   for (std::size_t i = count; i-- > 0;)
     polygon.add(corners[i].head<2>());
@@ -128,7 +128,7 @@ PlaneOverlaps::PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, cons
   const auto middle = face_geometry(slave.type, slave.x, facet.middle);
   const Vector3d normal = middle.tangents.col(0).cross(middle.tangents.col(1));
   const double length = normal.norm();
-  if (!(length > no_area * middle.tangents.squaredNorm()))
+  if (!(length > no_overlap_area * middle.tangents.squaredNorm()))
     return;
   for (int i = 0; i < facet.node_count; ++i)
     centre_ += slave.x.col(facet.nodes[static_cast<std::size_t>(i)]) / facet.node_count;
@@ -295,7 +295,7 @@ PlanePlace PlaneOverlaps::flat_place(const Vector2d& p) const {
   to_plane << scale * (polygon_[1] - polygon_[0]), scale * (polygon_[quadrangle ? 3 : 2] - polygon_[0]);
   Projection local;
   local.xi = quadrangle ? Vector2d(0, 0) : Vector2d(1. / 3, 1. / 3);
-  if (to_plane.determinant() > no_area * to_plane.squaredNorm())
+  if (to_plane.determinant() > no_overlap_area * to_plane.squaredNorm())
     local.xi = to_plane.inverse() * (p - origin);
   clamp_to_face(facet_.type(), local);
   auto place = map_.place_at(facet_.origin + facet_.from_local * local.clamped);

@@ -14,24 +14,24 @@ using Eigen::Vector3d;
 
 constexpr int max_rounds = 60;
 constexpr double last_turn = 1e-15;
-constexpr int max_iterations = 20;
-constexpr double last_step = 1e-12;
+constexpr int max_foot_iterations = 20;
+constexpr double last_foot_step = 1e-12;
 /// On the master's reference face the line is followed up to there.
-constexpr double farthest = 3;
+constexpr double farthest_foot = 3;
 /// Of normals that turn away from each other by less, their difference has no direction.
 constexpr double no_difference = 1e-3;
 /// Distances this near to each other, in reaches, are the same: rounding would choose one of two faces.
 constexpr double same_distance = 1e-9;
 
 /// Where a line meets a face, or the place of the face beside it.
-struct Met {
+struct MetFace {
   int face = -1;
   Vector2d eta = Vector2d::Zero();
   double beside = INFINITY; ///< distance of the line from the face
   double ahead = INFINITY;  ///< along the line, to either side
   Vector3d normal = Vector3d::Zero();
 
-  bool precedes(const Met& other, double same) const {
+  bool precedes(const MetFace& other, double same) const {
     if (std::abs(beside - other.beside) > same)
       return beside < other.beside;
     return ahead < other.ahead - same || other.face < 0;
@@ -48,7 +48,7 @@ Vector2d place_along(const MasterFace& face, const Vector3d& x, const Vector3d& 
   Projection place;
   if (cell::topology(face.type).corner_count == 3)
     place.xi.setConstant(1. / 3);
-  for (int iteration = 0; iteration < max_iterations; ++iteration) {
+  for (int iteration = 0; iteration < max_foot_iterations; ++iteration) {
     const auto at = face_geometry(face.type, face.x, place.xi);
     const Vector3d off = across(at.position - x, direction);
     Eigen::Matrix<double, 3, 2> slopes;
@@ -61,8 +61,8 @@ Vector2d place_along(const MasterFace& face, const Vector3d& x, const Vector3d& 
       step = -(slopes.transpose() * slopes).ldlt().solve(slopes.transpose() * off);
     if (!step.allFinite())
       break;
-    place.xi = (place.xi + step).cwiseMax(-farthest).cwiseMin(farthest);
-    if (step.norm() <= last_step)
+    place.xi = (place.xi + step).cwiseMax(-farthest_foot).cwiseMin(farthest_foot);
+    if (step.norm() <= last_foot_step)
       break;
   }
   clamp_to_face(face.type, place);
@@ -104,11 +104,11 @@ private:
     return normal.stableNormalized();
   }
 
-  Met met_along(std::size_t k, const Vector3d& direction) const {
-    Met best;
+  MetFace met_along(std::size_t k, const Vector3d& direction) const {
+    MetFace best;
     for (const int candidate : work_.candidates) {
       const auto& face = work_.masters[static_cast<std::size_t>(candidate)];
-      Met met{.face = candidate, .eta = place_along(face, x_[k], direction)};
+      MetFace met{.face = candidate, .eta = place_along(face, x_[k], direction)};
       const Vector3d apart = face_position(face.type, face.x, met.eta) - x_[k];
       met.beside = across(apart, direction).norm();
       met.ahead = std::abs(apart.dot(direction));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/parts.hpp"
+#include "rubato/core/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +9,6 @@ namespace rubato::contact::mortar {
 namespace {
 
 using Eigen::Vector4d;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 constexpr std::array all_kept{true, true, true, true};
 

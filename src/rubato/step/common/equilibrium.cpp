@@ -34,23 +34,23 @@ VectorXd history_forces(const time::Scheme& scheme, const State& committed) {
   return history;
 }
 
-/// Adds the springs of a zone's points to the dofs of their nodes, and the stiffest to those of the master.
+/// Adds the springs of a zone's points to the dofs of their nodes, and the largest to those of the master.
 template <class SpringOf>
 void add_springs(const Model& model, const contact::Zone& zone, const SpringOf& spring_of,
                  VectorXd& stiffness) {
   const auto add = [&](mesh::NodeIndex node, double spring) {
     stiffness.segment(model.dofs.dof(node, 0), model.dofs.components).array() += spring;
   };
-  double stiffest = 0;
+  double largest = 0;
   for (std::size_t i = 0; i < zone.points.size(); ++i) {
     const auto& point = zone.points[i];
     const double spring = spring_of(i);
-    stiffest = std::max(stiffest, spring);
+    largest = std::max(largest, spring);
     for (std::size_t n = 0; n < point.nodes.size(); ++n)
       add(point.nodes[n], std::abs(point.shape[n]) * spring);
   }
   for (const auto node : zone.master.nodes)
-    add(node, stiffest);
+    add(node, largest);
 }
 
 } // namespace

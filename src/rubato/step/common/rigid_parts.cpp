@@ -20,7 +20,7 @@ using mesh::NodeIndex;
 using model::Model;
 
 /// A spring that a motion moves by less than this part of what it moves others by is not moved at all.
-constexpr double rounding = 1e-12;
+constexpr double row_rounding = 1e-12;
 
 Index mode_count(const Model& model) {
   if (model.study.physics == study::Physics::axisymmetric)
@@ -33,7 +33,7 @@ void take_out(const VectorXd& row, MatrixXd& motions) {
   if (motions.cols() == 0)
     return;
   const MatrixXd moved = motions.transpose() * row;
-  if (moved.norm() <= rounding * row.norm())
+  if (moved.norm() <= row_rounding * row.norm())
     return;
   const MatrixXd turned = linalg::orthogonal_factor(moved);
   motions = (motions * turned.rightCols(motions.cols() - 1)).eval();
