@@ -121,7 +121,7 @@ double stiffness_of(const Model& model, const Gauge& gauge, const SparseMatrix& 
 
 std::vector<Gauge> make_gauges(const Model& model, std::vector<std::string>& notes) {
   RigidMotions rigid(model);
-  rigid.add_supports();
+  rigid.add_firm_supports();
   const auto neutral = neutral_motions(model, rigid);
   std::vector<Gauge> gauges;
   for (std::size_t first = 0; first < neutral.size();) {

@@ -15,6 +15,7 @@
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/mortar_edges.hpp"
 #include "rubato/model/rigid_motions.hpp"
+#include "rubato/model/soft_springs.hpp"
 #include "rubato/study/validate.hpp"
 
 #include <fmt/format.h>
@@ -146,6 +147,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   stop_on(faults);
   std::ranges::move(edges_in_mortar_zones(model.zones, model.mesh), std::back_inserter(model.notes));
   if (study.time.scheme == study::SchemeKind::static_steps) {
+    mark_soft_springs(model);
     model.gauges = make_gauges(model, model.notes);
     check_supported(model, faults);
     model.free_body_nodes = free_body_nodes(model);

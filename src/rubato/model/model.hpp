@@ -35,6 +35,7 @@ struct Force {
 struct Spring {
   int dof = 0;
   double stiffness = 0; ///< [force/length] > 0
+  bool soft = false;    ///< too soft to say where a body in contact is (model/soft_springs.hpp)
 };
 
 /// Holds a motion of a body that nothing resists, and neither the body's other rigid motions nor, but for

@@ -217,6 +217,36 @@ MatrixXd without_work(const Model& model, const RigidMotions& rigid, std::span<c
   return coefficients;
 }
 
+/// What the soft springs of a body do when it moves, as a form of two motions [force/length].
+double spring_form(const Model& model, const RigidMotions& rigid, const RigidMotion& a,
+                   const RigidMotion& b) {
+  double sum = 0;
+  for (const auto& spring : model.springs) {
+    const auto node = model.dofs.nodes[static_cast<std::size_t>(spring.dof / model.dofs.components)];
+    if (rigid.bodies().of(node) != a.body)
+      continue;
+    const auto& place = model.mesh.points[static_cast<std::size_t>(node)];
+    const int axis = spring.dof % model.dofs.components;
+    sum += spring.stiffness * rigid.at(a, place)[axis] * rigid.at(b, place)[axis];
+  }
+  return sum;
+}
+
+/// Whether springs pull a body along a motion when it is shifted: where they do, its place there is theirs to
+/// say.
+bool is_pulled_when_shifted(const Model& model, const RigidMotions& rigid, const RigidMotion& motion) {
+  const double along = spring_form(model, rigid, motion, motion);
+  for (int axis = 0; axis < model.dofs.components; ++axis) {
+    RigidMotion shift{.body = motion.body};
+    shift.shift[axis] = 1;
+    const double across = spring_form(model, rigid, shift, shift);
+    const double both = spring_form(model, rigid, motion, shift);
+    if (both * both > square(off_its_place) * along * across && motion.turn.norm() > 0)
+      return true;
+  }
+  return false;
+}
+
 RigidMotion combined(std::span<const RigidMotion> motions, const VectorXd& coefficients) {
   RigidMotion sum{.body = motions.front().body};
   for (std::size_t k = 0; k < motions.size(); ++k) {
@@ -259,7 +289,9 @@ std::vector<RigidMotion> neutral_of(const Model& model, const RigidMotions& rigi
   std::vector<RigidMotion> neutral;
   for (Index k = 0; k < found.cols(); ++k)
     neutral.push_back(combined(motions, found.col(k)));
-  return rigid.told_apart(neutral);
+  auto apart = rigid.told_apart(neutral);
+  std::erase_if(apart, [&](const auto& motion) { return is_pulled_when_shifted(model, rigid, motion); });
+  return apart;
 }
 
 } // namespace

@@ -9,9 +9,9 @@
 
 namespace rubato::model {
 
-/// Of each body the rigid motions that supports and springs leave it, that carry its contact surfaces into
-/// themselves but for their facets, that friction does not resist and that no load works on; bodies
-/// ascending. `rigid` has supports and springs.
+/// Of each body the rigid motions that supports and firm springs leave it, that carry its contact surfaces
+/// into themselves but for their facets, that friction does not resist, that no load works on and along which
+/// soft springs do not pull when the body is shifted; bodies ascending. `rigid` has firm supports.
 ///
 /// A surface is carried into itself where r is tangential to it: where ν·r with the normals ν averaged at its
 /// nodes is small beside n·r with the normals of its faces, which is what angles between facets leave. What

@@ -94,10 +94,18 @@ RigidMotions::RigidMotions(const Model& model)
 }
 
 void RigidMotions::add_supports() {
+  add_firm_supports();
+  for (const auto& spring : model_.springs)
+    if (spring.soft)
+      add_dof(spring.dof);
+}
+
+void RigidMotions::add_firm_supports() {
   for (const auto& support : model_.reduction.prescribed())
     add_dof(support.dof);
   for (const auto& spring : model_.springs)
-    add_dof(spring.dof);
+    if (!spring.soft)
+      add_dof(spring.dof);
   for (const auto& gauge : model_.gauges)
     add_gauge(gauge);
 }
@@ -269,7 +277,7 @@ std::string holding_text(const RigidMotion& motion) {
 
 std::vector<LooseBody> loose_bodies(const Model& model) {
   RigidMotions motions(model);
-  motions.add_supports();
+  motions.add_firm_supports();
   std::vector<LooseBody> loose;
   for (const auto& motion : motions.loose_alone()) {
     const auto node = motions.bodies().first_node(motion.body);
@@ -283,7 +291,7 @@ std::vector<LooseBody> loose_bodies(const Model& model) {
 
 std::vector<NodeIndex> free_body_nodes(const Model& model) {
   RigidMotions motions(model);
-  motions.add_supports();
+  motions.add_firm_supports();
   const auto held = motions.held();
   std::vector<NodeIndex> nodes;
   for (const auto node : model.dofs.nodes)

@@ -28,6 +28,8 @@ public:
 
   /// Supports, springs and gauges.
   void add_supports();
+  /// The same without soft springs.
+  void add_firm_supports();
   /// Contact where surfaces face one another before the first step: across, with friction also along.
   void add_contact();
 
@@ -79,11 +81,11 @@ struct LooseBody {
   std::string against;       ///< "along x, along y, against turning about z"
 };
 
-/// The bodies that supports and springs leave a rigid motion.
+/// The bodies that supports and firm springs leave a rigid motion.
 std::vector<LooseBody> loose_bodies(const Model& model);
 
-/// Nodes of the bodies that supports and springs leave a rigid motion, ascending: in a static run contact has
-/// to hold them.
+/// Nodes of the bodies that supports and firm springs leave a rigid motion, ascending: in a static run
+/// contact has to hold them.
 std::vector<mesh::NodeIndex> free_body_nodes(const Model& model);
 
 } // namespace rubato::model

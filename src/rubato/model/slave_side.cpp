@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/slave_side.hpp"
 
+#include "rubato/material/stretching.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/study/words.hpp"
 
@@ -16,11 +17,6 @@ namespace {
 /// Sizes and stiffnesses this near to each other, relatively, don't decide.
 constexpr double alike = 0.1;
 
-double stretching_stiffness(const material::Law& law, study::Physics physics) {
-  const auto axes = study::dimension_of(physics);
-  return material::tangent(law, physics).diagonal().head(axes).mean();
-}
-
 bool is_less(double a, double b) {
   return a < (1 - alike) * b;
 }
@@ -33,7 +29,7 @@ SideMeasures::SideMeasures(const mesh::Mesh& mesh, const domain::Bulk& bulk, con
       stiffness_of_cell_(static_cast<std::size_t>(mesh.cell_count()), 0) {
   std::vector<double> of_law;
   for (const auto& law : bulk.laws)
-    of_law.push_back(stretching_stiffness(law, bulk.section.physics));
+    of_law.push_back(material::stretching_stiffness(law, bulk.section.physics));
   for (std::size_t i = 0; i < bulk.cells.size(); ++i)
     stiffness_of_cell_[static_cast<std::size_t>(bulk.cells[i])] =
         of_law[static_cast<std::size_t>(bulk.law_of_cell[i])];

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -94,7 +95,10 @@ std::string loose_of(const model::Model& model) {
   for (const auto& body : model::loose_bodies(model))
     bodies.push_back(
         fmt::format("the body of node {} {}", model::node_label(model.mesh, body.node), body.against));
-  return bodies.empty() ? "" : fmt::format("nothing but contact holds {}", fmt::join(bodies, ", "));
+  const bool springs = std::ranges::any_of(model.springs, &model::Spring::soft);
+  return bodies.empty() ? ""
+                        : fmt::format("nothing but contact{} holds {}", springs ? " and soft springs" : "",
+                                      fmt::join(bodies, ", "));
 }
 
 std::string geometry_loop_of(const model::Model& model, const Unmet& unmet) {

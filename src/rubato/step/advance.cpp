@@ -155,8 +155,8 @@ std::string solver_text(const Model& model, const EffectiveSystem& system) {
 std::string solver_of(const Model& model, const EffectiveSystem& system) {
   auto text = solver_text(model, system);
   if (system.has_free_bodies)
-    text += "; bodies that only contact holds have weak springs in it, whose forces are gone at the end of a "
-            "step";
+    text += "; bodies that only contact or soft springs hold have weak springs in it, whose forces are "
+            "gone at the end of a step";
   return text;
 }
 

@@ -33,7 +33,7 @@ struct State {
   Eigen::VectorXd friction_force; ///< the part of it along the surfaces [force]
   Eigen::VectorXd external_force; ///< the loads at t [force]
   Eigen::VectorXd reaction;       ///< of the supports, on constrained dofs [force]
-  double force_scale = 0;         ///< what the residual of the last step was measured by [force]
+  double force_scale = 0;         ///< the forces that the residual of the last step was measured by [force]
   std::vector<contact::ZoneState> zones;
   /// Of points that overlapped at the start of the step, unpressed, and press at its end: how far the step
   /// has moved them out along the normal they press along; 0 of others. One a contact point. [length]

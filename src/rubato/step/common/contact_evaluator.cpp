@@ -246,6 +246,21 @@ void ContactEvaluator::collect_status_changes(const Frozen& frozen, const Contac
       }
 }
 
+bool ContactEvaluator::has_decisive_changes(const Frozen& frozen, const ContactIterate& before,
+                                            const ContactIterate& now, double negligible) const {
+  for (std::size_t z = 0; z < now.status.size(); ++z) {
+    const auto law = law_of(z, frozen);
+    const auto presses = [&](const ContactIterate& iterate, std::size_t i) {
+      return iterate.status[z][i] != Status::open &&
+             contact::force_of(law, i, iterate.points[z][i], iterate.status[z][i]).norm() > negligible;
+    };
+    for (std::size_t i = 0; frozen[z].status.empty() && i < now.status[z].size(); ++i)
+      if (now.status[z][i] != before.status[z][i] && (presses(before, i) || presses(now, i)))
+        return true;
+  }
+  return false;
+}
+
 bool ContactEvaluator::settled(const Frozen& frozen, const ContactIterate& before,
                                const ContactIterate& now) const {
   return !moving_projection(frozen, before, now) && !open_gap(frozen, now);

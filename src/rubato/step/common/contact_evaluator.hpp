@@ -91,6 +91,10 @@ public:
   /// Counts and names the points whose status changed between two iterates.
   void collect_status_changes(const Frozen& frozen, const ContactIterate& before, const ContactIterate& now,
                               StepReport& report) const;
+  /// Whether a point whose status changed between two iterates had or has a force of more than `negligible`:
+  /// where none has, as when all loads are gone, statuses are rounding.
+  bool has_decisive_changes(const Frozen& frozen, const ContactIterate& before, const ContactIterate& now,
+                            double negligible) const;
   /// Whether no projection of a point in contact moved between two iterates, and exact gaps are closed.
   bool settled(const Frozen& frozen, const ContactIterate& before, const ContactIterate& now) const;
   /// Adds to the report of an attempt that fails what of contact is not settled. `before` is nothing when

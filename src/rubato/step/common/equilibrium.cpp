@@ -118,6 +118,10 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
                                   system_.step);
   // Bodies that press each other without loads, as in a shrink fit, have reactions of rounding only.
   scale_ = std::max(scale_, least_scale * scheme_.contact_weight() * contact.all.lpNorm<Eigen::Infinity>());
+  own_scale_ = scale_;
+  // Where loads go back to zero nothing is left to measure by but what there was when the step began.
+  if (!scheme_.dynamic)
+    scale_ = std::max(scale_, committed_.force_scale);
   Index worst = 0;
   const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without
@@ -172,7 +176,7 @@ void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.step = system_.step;
   trial.bulk = bulk_;
   trial.bulk_points = bulk_points_;
-  trial.force_scale = scale_;
+  trial.force_scale = own_scale_;
   trial.residual_force = bulk_residual_;
   if (scheme_.remembers_contact())
     trial.residual_force += contact.all - contact.forgotten;

@@ -87,7 +87,8 @@ private:
   Eigen::VectorXd external_;
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
   Eigen::VectorXd inertia_, bulk_residual_, full_residual_, residual_;
-  double scale_ = 0;
+  double scale_ = 0;     ///< what the residual is measured by
+  double own_scale_ = 0; ///< without what there was when the step began
 };
 
 } // namespace rubato::step

@@ -79,7 +79,9 @@ void WholeSystem::add_zone(std::size_t z, const Frozen& frozen) {
 bool WholeSystem::is_settled(const State& trial, const Frozen& frozen) {
   side_.collect_status_changes(frozen, previous_, now_, report_);
   const bool stalled = stall_.stalls(report_.residual);
-  if (report_.status_changes > 0 || !side_.settled(frozen, previous_, now_))
+  const double negligible = report_.tolerance * equilibrium_.scale();
+  if ((report_.status_changes > 0 && side_.has_decisive_changes(frozen, previous_, now_, negligible)) ||
+      !side_.settled(frozen, previous_, now_))
     return false;
   const double wanted = wanted_residual(system_, report_.tolerance);
   const bool balanced = report_.residual <= wanted || (stalled && report_.residual <= report_.tolerance);

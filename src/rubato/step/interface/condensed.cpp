@@ -176,7 +176,10 @@ bool Condensed::is_settled(const State& trial, const Frozen& frozen) {
   side_.collect_status_changes(frozen, previous(), now(), report_);
   measure_surface();
   const bool stalled = surface_stall_.stalls(report_.residual);
-  if (!surface_.consistent || report_.status_changes > 0 || !side_.settled(frozen, previous(), now()))
+  const double negligible = report_.tolerance * surface_scale();
+  if (!surface_.consistent ||
+      (report_.status_changes > 0 && side_.has_decisive_changes(frozen, previous(), now(), negligible)) ||
+      !side_.settled(frozen, previous(), now()))
     return false;
   const double wanted =
       system_.has_free_bodies ? std::max(nearly_balanced, report_.tolerance) : report_.tolerance;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/soft_springs.hpp"
+
+#include "rubato/material/stretching.hpp"
+#include "rubato/model/bodies.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace rubato::model {
+namespace {
+
+/// Springs of a body that have together less than this part of its stiffness are soft.
+constexpr double soft_part = 1e-2;
+
+/// What stretching is multiplied by in the stiffness of a node: the shortest edge in contact, in 2D the
+/// thickness, or the way round.
+double length_of(const Model& model, double edge, const Bodies& bodies, int body) {
+  switch (model.study.physics) {
+  case study::Physics::plane_stress:
+  case study::Physics::plane_strain:
+    return model.study.thickness;
+  case study::Physics::axisymmetric: {
+    double radius = 0;
+    for (const auto node : model.dofs.nodes)
+      if (bodies.of(node) == body)
+        radius = std::max(radius, model.mesh.points[static_cast<std::size_t>(node)][0]);
+    return 2 * std::numbers::pi * radius;
+  }
+  default:
+    return edge;
+  }
+}
+
+/// Of the softest material of each body [stress].
+std::vector<double> softest(const Model& model, const Bodies& bodies) {
+  std::vector<double> least(static_cast<std::size_t>(bodies.count()), INFINITY);
+  for (std::size_t i = 0; i < model.bulk.cells.size(); ++i) {
+    const auto body = bodies.of(model.mesh.nodes_of(model.bulk.cells[i]).front());
+    const auto& law = model.bulk.laws[static_cast<std::size_t>(model.bulk.law_of_cell[i])];
+    auto& known = least[static_cast<std::size_t>(body)];
+    known = std::min(known, material::stretching_stiffness(law, model.study.physics));
+  }
+  return least;
+}
+
+} // namespace
+
+void mark_soft_springs(Model& model) {
+  if (model.springs.empty() || model.zones.empty())
+    return;
+  const Bodies bodies(model.mesh, model.bulk);
+  const auto body_of = [&](const Spring& spring) {
+    return bodies.of(model.dofs.nodes[static_cast<std::size_t>(spring.dof / model.dofs.components)]);
+  };
+  std::vector<std::array<double, 3>> sums(static_cast<std::size_t>(bodies.count()), {0, 0, 0});
+  for (const auto& spring : model.springs)
+    if (const int body = body_of(spring); body >= 0)
+      sums[static_cast<std::size_t>(body)][static_cast<std::size_t>(spring.dof % model.dofs.components)] +=
+          spring.stiffness;
+  double edge = INFINITY;
+  for (const auto& zone : model.zones)
+    edge = std::min(edge, zone.edge());
+  const auto resistance = softest(model, bodies);
+  std::vector<char> soft;
+  for (int body = 0; body < bodies.count(); ++body) {
+    const auto b = static_cast<std::size_t>(body);
+    soft.push_back(
+        std::ranges::max(sums[b]) < soft_part * resistance[b] * length_of(model, edge, bodies, body) ? 1 : 0);
+  }
+  for (auto& spring : model.springs)
+    if (const int body = body_of(spring); body >= 0)
+      spring.soft = soft[static_cast<std::size_t>(body)] != 0;
+}
+
+} // namespace rubato::model
