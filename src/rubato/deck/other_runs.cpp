@@ -116,7 +116,11 @@ void check_probe(const study::Check& check, const study::Study& study, const stu
     return;
   if (other == source.probes.end())
     mention.fault(fmt::format("run {} has no probe '{}'", source.name, check.probe));
-  else if (const auto components = study::components_of(other->field, study::dimension_of(source.physics));
+  else if (own->section.has_value() != other->section.has_value() ||
+           own->minus.empty() != other->minus.empty())
+    mention.fault(fmt::format("probe '{}' is something else in run {} than in run {}", check.probe,
+                              source.name, study.name));
+  else if (const auto components = study::components_of(*other, source);
            !check.component.empty() && std::ranges::find(components, check.component) == components.end())
     mention.fault(fmt::format("run {} has no component {}", source.name, check.component));
   else if (own->field != other->field)
@@ -141,6 +145,12 @@ void check_field(const study::Check& check, const study::Study& study, const stu
   for (const auto* run : {&source, &study}) {
     if (run->contact.empty() && check.field->name.starts_with("contact_"))
       mention.fault(fmt::format("run {} has no contact, so no {}", run->name, check.field->name));
+    if (const auto fields = study::stored_fields(study::dimension_of(run->physics));
+        std::ranges::none_of(fields, [&](const study::StoredField& field) {
+          return field.name == check.field->name && study::is_written(run->fields, field);
+        }))
+      mention.fault(fmt::format("run {} does not write {}, expected it among the fields of 'only' or 'also'",
+                                run->name, check.field->name));
     if (!may_store_fields(*run, check.at))
       mention.fault(fmt::format("run {} stores no fields at {} that can be read back, expected 'fields: "
                                 "{{formats: [med], at: [{}]}}' in both runs",
