@@ -20,7 +20,7 @@ Vector3d vector_of(const std::array<double, 3>& numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-Vector3d centre_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
+Vector3d centre_of_cell(const mesh::Mesh& mesh, mesh::CellIndex cell) {
   const auto nodes = mesh.nodes_of(cell);
   Vector3d sum = Vector3d::Zero();
   for (const auto node : nodes)
@@ -77,7 +77,7 @@ private:
   Sides sides_of(const std::vector<std::size_t>& cells) const {
     const Vector3d normal = vector_of(cut_.normal).normalized();
     const auto distance = [&](std::size_t cell) {
-      return normal.dot(centre_of(mesh_, bulk_.cells[cell]) - vector_of(cut_.point));
+      return normal.dot(centre_of_cell(mesh_, bulk_.cells[cell]) - vector_of(cut_.point));
     };
     double farthest = 0;
     for (const auto cell : cells)

@@ -109,7 +109,7 @@ std::vector<double> section_values(const model::Model& model, const step::State&
   return values;
 }
 
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
+std::vector<double> difference_of_rows(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> result(a.size());
   std::ranges::transform(a, b, result.begin(), std::minus());
   return result;
@@ -144,7 +144,7 @@ void add_probe_values(const model::Model& model, const step::State& state, std::
   };
   for (std::size_t p = 0; p < probes.size(); ++p) {
     if (!probes[p].minus.empty())
-      values[p] = difference(of(probes[p].minus.at(0)), of(probes[p].minus.at(1)));
+      values[p] = difference_of_rows(of(probes[p].minus.at(0)), of(probes[p].minus.at(1)));
     row.insert(row.end(), values[p].begin(), values[p].end());
   }
 }

@@ -3,6 +3,7 @@
 #include "rubato/results/csv.hpp"
 #include "rubato/run/time_loop.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "support/faults.hpp"

@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                           {"materials.stone.rayleigh", "~"},
                           {"newton", "~"}},
                          1e-11}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& scheme) { return std::string(scheme.param.name); });
 
 } // namespace
 } // namespace rubato::results

@@ -61,7 +61,7 @@ void check_difference(Rules& rules, const Probe& probe, const std::string& path)
                              kind_of(*found[0]), shown(found[1]->name), kind_of(*found[1])));
 }
 
-void check_place(Rules& rules, const Probe& probe, const std::string& path) {
+void check_probe_place(Rules& rules, const Probe& probe, const std::string& path) {
   const int places = (probe.node.empty() ? 0 : 1) + (probe.point ? 1 : 0) + (probe.section ? 1 : 0) +
                      (probe.minus.empty() ? 0 : 1);
   if (places != 1)
@@ -82,7 +82,7 @@ void check_place(Rules& rules, const Probe& probe, const std::string& path) {
 }
 
 void check_probe(Rules& rules, const Probe& probe, const std::string& path) {
-  check_place(rules, probe, path);
+  check_probe_place(rules, probe, path);
   if (is_of_contact(probe.field) && rules.study.contact.empty())
     rules.broken({path + ".field", "contact"}, fmt::format("found {}, but the study has no contact",
                                                            word_of(probe_field_words, probe.field)));
