@@ -3,6 +3,7 @@
 JOBS ?= 2
 GMSH ?= 0
 SHELLS ?= 0
+READERS ?= 0
 # The sources of a module compiled as one: half the time from nothing. UNITY=OFF where sources change.
 UNITY ?= ON
 CLANG_TIDY ?= clang-tidy
@@ -19,8 +20,8 @@ TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 help: ## what there is
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | awk '{name = $$1; sub(/^[^ ]* /, ""); printf "make %-12s %s\n", name, $$0}'
 
-deps: ## install what is missing (GMSH=1: libgmsh too; SHELLS=1: zsh, fish and man, for tests)
-	@GMSH=$(GMSH) SHELLS=$(SHELLS) cmake/install-dependencies
+deps: ## install what is missing (GMSH=1: libgmsh too; SHELLS=1: zsh, fish and man, READERS=1: VTK, meshio and h5py, for tests)
+	@GMSH=$(GMSH) SHELLS=$(SHELLS) READERS=$(READERS) cmake/install-dependencies
 
 configure:
 	@cmake --preset release -DRUBATO_UNITY=$(UNITY) $(LAUNCHER)

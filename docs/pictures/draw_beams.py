@@ -11,6 +11,7 @@ Needs Debian's python3-matplotlib and python3-numpy.
 import csv
 import sys
 import xml.etree.ElementTree as xml
+import zlib
 from pathlib import Path
 
 import matplotlib
@@ -27,17 +28,26 @@ VTK_QUAD = 9
 NUMBER_TYPES = {"Float64": "<f8", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}
 
 
+def uncompressed(data):
+    """Of an array in pieces: their number, the size of one, that of the last (0: as the others), each compressed."""
+    pieces, _, _ = np.frombuffer(data[:24], "<u8")
+    start = 24 + 8 * int(pieces)
+    content = b""
+    for size in np.frombuffer(data[24:start], "<u8"):
+        content += zlib.decompress(data[start:start + int(size)])
+        start += int(size)
+    return content
+
+
 def read_vtu(path):
-    """Arrays of a .vtu file with raw appended data, by name."""
+    """Arrays of a .vtu file with raw appended data that zlib has compressed, by name."""
     head, separator, tail = path.read_bytes().partition(b'<AppendedData encoding="raw">')
     if not separator:
         sys.exit(f"{path}: found no raw appended data")
     data = tail[tail.index(b"_") + 1:]
     arrays = {}
     for array in xml.fromstring(head + b"</VTKFile>").iter("DataArray"):
-        offset = int(array.get("offset"))
-        size = int.from_bytes(data[offset:offset + 8], "little")
-        values = np.frombuffer(data[offset + 8:offset + 8 + size], NUMBER_TYPES[array.get("type")])
+        values = np.frombuffer(uncompressed(data[int(array.get("offset")):]), NUMBER_TYPES[array.get("type")])
         components = int(array.get("NumberOfComponents", 1))
         arrays[array.get("Name")] = values.reshape(-1, components) if components > 1 else values
     return arrays

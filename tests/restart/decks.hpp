@@ -39,7 +39,7 @@ time: {scheme: hht, alpha: -0.1, step: 5e-4, end: 0.03}
 probes:
   tip: {node: Force}
   speed: {node: Force, field: velocity}
-fields: {formats: [vtu, med], every: 7}
+fields: {formats: [vtu, med, vtkhdf], every: 7}
 checkpoint: {every: 5}
 runs:
   exact:

@@ -84,8 +84,8 @@ TEST_F(RefusedCheckpoint, ThatIsSomethingElse) {
 
 TEST_F(RefusedCheckpoint, OfAnotherFormat) {
   EXPECT_EQ(
-      sentence_for(with(sound_, "format 4\n", "format 3\n")),
-      std::string("error: out/run/checkpoint.h5: the checkpoint has format 3, this program reads format 4") +
+      sentence_for(with(sound_, "format 5\n", "format 4\n")),
+      std::string("error: out/run/checkpoint.h5: the checkpoint has format 4, this program reads format 5") +
           start_over);
 }
 

@@ -108,6 +108,13 @@ bool may_store_fields(const study::Study& study, double instant) {
                         (fields.last && is_meant(study.time.end)));
 }
 
+/// Whether the study does not write a field that there is. Another one is a fault of its own, told already.
+bool leaves_out(const study::Study& study, const std::string& name) {
+  const auto fields = study::stored_fields(study::dimension_of(study.physics));
+  const auto found = std::ranges::find(fields, name, &study::StoredField::name);
+  return found != fields.end() && !study::is_written(study.fields, *found);
+}
+
 void check_probe(const study::Check& check, const study::Study& study, const study::Study& source,
                  const Mention& mention) {
   const auto own = std::ranges::find(study.probes, check.probe, &study::Probe::name);
@@ -116,7 +123,11 @@ void check_probe(const study::Check& check, const study::Study& study, const stu
     return;
   if (other == source.probes.end())
     mention.fault(fmt::format("run {} has no probe '{}'", source.name, check.probe));
-  else if (const auto components = study::components_of(other->field, study::dimension_of(source.physics));
+  else if (own->section.has_value() != other->section.has_value() ||
+           own->minus.empty() != other->minus.empty())
+    mention.fault(fmt::format("probe '{}' is something else in run {} than in run {}", check.probe,
+                              source.name, study.name));
+  else if (const auto components = study::components_of(*other, source);
            !check.component.empty() && std::ranges::find(components, check.component) == components.end())
     mention.fault(fmt::format("run {} has no component {}", source.name, check.component));
   else if (own->field != other->field)
@@ -141,6 +152,9 @@ void check_field(const study::Check& check, const study::Study& study, const stu
   for (const auto* run : {&source, &study}) {
     if (run->contact.empty() && check.field->name.starts_with("contact_"))
       mention.fault(fmt::format("run {} has no contact, so no {}", run->name, check.field->name));
+    if (leaves_out(*run, check.field->name))
+      mention.fault(fmt::format("run {} does not write {}, expected it among the fields of 'only' or 'also'",
+                                run->name, check.field->name));
     if (!may_store_fields(*run, check.at))
       mention.fault(fmt::format("run {} stores no fields at {} that can be read back, expected 'fields: "
                                 "{{formats: [med], at: [{}]}}' in both runs",

@@ -1,37 +1,76 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Probes, fields and checkpoints: what is kept of a run.
+#include "rubato/core/naming.hpp"
 #include "rubato/deck/parts.hpp"
+#include "rubato/study/stored_fields.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <utility>
+#include <array>
+#include <map>
+#include <string_view>
 
 namespace rubato::deck {
 namespace {
+
+study::Cut read_cut(const Value& value, const Context& context) {
+  study::Cut cut;
+  MapReader map(value);
+  read_point(map.require("point"), context, cut.point);
+  read_point(map.require("normal"), context, cut.normal);
+  read_name(map.find("on"), cut.on);
+  read_name(map.find("cells"), cut.cells);
+  map.finish();
+  return cut;
+}
+
+/// What says where a probe is.
+constexpr std::array<std::string_view, 5> places_of_probes{"node", "point", "on", "section", "minus"};
+
+/// A fault unless there is one of the places.
+void check_places(const NamedValue& entry, const MapReader& map, const std::vector<std::string>& given) {
+  if (!map.is_map() || given.size() == 1)
+    return;
+  if (given.empty())
+    entry.value.fault("'node', 'point', 'on', 'section' or 'minus' is missing");
+  else
+    entry.value.fault(fmt::format("found {}, expected one of them",
+                                  given.size() == 2 ? fmt::format("both '{}' and '{}'", given[0], given[1])
+                                                    : fmt::format("'{}'", fmt::join(given, "', '"))));
+}
+
+/// Reactions of a group are summed: together they hold the body.
+void read_take(const Found& value, const Found& group, study::Probe& probe) {
+  if (!value && group && probe.field == study::ProbeField::reaction)
+    probe.take = study::ProbeTake::sum;
+  if (read(value, probe.take, study::probe_take_words) && !group)
+    value->fault("goes with 'on' only: it says what is taken of the nodes of a group");
+}
 
 study::Probe read_probe(const NamedValue& entry, const Context& context) {
   study::Probe probe;
   probe.name = entry.name.text;
   MapReader map(entry.value);
-  const auto node = map.find("node");
-  const auto group = map.find("on");
-  const auto point = map.find("point");
-  const int places = (node ? 1 : 0) + (group ? 1 : 0) + (point ? 1 : 0);
-  if (map.is_map() && places != 1)
-    entry.value.fault(
-        places > 1 ? fmt::format("found {}, expected one of them", !point   ? "both 'node' and 'on'"
-                                                                   : !group ? "both 'node' and 'point'"
-                                                                   : !node  ? "both 'on' and 'point'"
-                                                                            : "'node', 'on' and 'point'")
-                   : "'node', 'point' or 'on' is missing");
-  read_name(node, probe.node);
-  read_name(group, probe.node);
-  if (const auto take = map.find("take"); read(take, probe.take, study::probe_take_words) && !group)
-    take->fault("goes with 'on' only: it says what is taken of the nodes of a group");
-  if (std::array<double, 3> place{}; read_point(point, context, place))
-    probe.point = place;
-  read(map.find("field"), probe.field, study::probe_field_words);
+  std::map<std::string_view, Found> places;
+  std::vector<std::string> given;
+  for (const auto place : places_of_probes)
+    if (places[place] = map.find(place); places[place])
+      given.emplace_back(place);
+  check_places(entry, map, given);
+  read_name(places["node"], probe.node);
+  read_name(places["on"], probe.node);
+  if (std::array<double, 3> point{}; read_point(places["point"], context, point))
+    probe.point = point;
+  if (places["section"])
+    probe.section = read_cut(*places["section"], context);
+  read_names(places["minus"], probe.minus);
+  const auto field = map.find("field");
+  if (read(field, probe.field, study::probe_field_words) && (places["section"] || places["minus"]))
+    field->fault(
+        "goes with 'node', 'point' or 'on': sections have forces, differences what their probes have");
+  read_take(map.find("take"), places["on"], probe);
   map.finish();
   return probe;
 }
@@ -44,7 +83,20 @@ void read_formats(const Found& value, study::FieldOutput& fields) {
   const auto list = value->tree().is(Tree::Kind::list) ? items(value) : std::vector<Value>{*value};
   for (const auto& format : list)
     if (const auto choice = read_choice(format, {study::field_formats.begin(), study::field_formats.end()}))
-      (*choice == 0 ? fields.vtu : fields.med) = true;
+      (*choice == 0 ? fields.vtu : *choice == 1 ? fields.med : fields.vtkhdf) = true;
+}
+
+void read_chosen_fields(const Found& value, std::vector<std::string>& fields) {
+  std::vector<std::string> names;
+  if (!read_names(value, names))
+    return;
+  const auto known = study::stored_field_names();
+  const auto list = value->tree().is(Tree::Kind::list) ? items(value) : std::vector<Value>{*value};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (std::ranges::find(known, names[i]) != known.end())
+      fields.push_back(names[i]);
+    else
+      list[i].fault(fmt::format("no field is called {}{}", shown(names[i]), suggestion(names[i], known)));
 }
 
 } // namespace
@@ -59,6 +111,9 @@ void read_fields(const Found& value, study::FieldOutput& fields) {
     return;
   MapReader map(*value);
   read_formats(map.find("formats"), fields);
+  read_chosen_fields(map.find("only"), fields.only);
+  read_chosen_fields(map.find("also"), fields.also);
+  read(map.find("digits"), fields.digits);
   read(map.find("at"), fields.at);
   read(map.find("every"), fields.every);
   read(map.find("last"), fields.last);

@@ -45,12 +45,12 @@ void gather(const DofMap& dofs, std::span<const NodeIndex> nodes, const Eigen::V
       local.push_back(u[dofs.dof(node, a)]);
 }
 
-/// Full stresses at the quadrature points, 6 × points.
-MatrixXd point_stresses(const material::Law& law, study::Physics physics, const MatrixXd& strain) {
-  MatrixXd result(6, strain.cols());
-  for (Index q = 0; q < strain.cols(); ++q)
-    result.col(q) = material::full_stress(law, physics, material::stress(law, physics, strain.col(q)));
-  return result;
+/// All six stresses or strains of a strain of the physics.
+Eigen::Matrix<double, 6, 1> full(Tensor what, const material::Law& law, study::Physics physics,
+                                 const material::Voigt& strain) {
+  if (what == Tensor::strain)
+    return material::full_strain(law, physics, strain);
+  return material::full_stress(law, physics, material::stress(law, physics, strain));
 }
 
 } // namespace
@@ -60,32 +60,52 @@ const MatrixXd& extrapolation(CellType type) {
   return table[static_cast<std::size_t>(cell::reference_cell(type).type)];
 }
 
-NodalStress nodal_stress(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                         const Eigen::VectorXd& u) {
-  const auto physics = bulk.section.physics;
-  NodalStress result{Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, mesh.node_count()),
-                     Eigen::VectorXd::Zero(mesh.node_count())};
+CellTensors::CellTensors(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                         const Eigen::VectorXd& u)
+    : mesh_(mesh), bulk_(bulk), dofs_(dofs), u_(u) {}
+
+MatrixXd CellTensors::at_points(Tensor what, std::size_t cell) {
+  const auto physics = bulk_.section.physics;
+  const auto [block, index] = mesh_.place_of(bulk_.cells[cell]);
+  const auto nodes = block->cell(index);
+  gather(dofs_, nodes, u_, local_);
+  strain_.resize(material::strain_size(physics), extrapolation(block->type).cols());
+  element::strains(block->type, CellPoints(mesh_, nodes), physics, local_, strain_);
+  MatrixXd result(6, strain_.cols());
+  for (Index q = 0; q < strain_.cols(); ++q)
+    result.col(q) = full(what, bulk_.law(cell), physics, strain_.col(q));
+  return result;
+}
+
+MatrixXd CellTensors::at_nodes(Tensor what, std::size_t cell) {
+  return at_points(what, cell) * extrapolation(mesh_.type_of(bulk_.cells[cell])).transpose();
+}
+
+NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                           const Eigen::VectorXd& u) {
+  NodalTensors result = NodalTensors::Zero(6, mesh.node_count());
   std::vector<int> cells_at(mesh.points.size(), 0);
-  std::vector<double> local;
-  MatrixXd strain;
+  CellTensors tensors(mesh, bulk, dofs, u);
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    const auto [block, index] = mesh.place_of(bulk.cells[i]);
-    const auto nodes = block->cell(index);
-    const auto& to_nodes = extrapolation(block->type);
-    gather(dofs, nodes, u, local);
-    strain.resize(material::strain_size(physics), to_nodes.cols());
-    element::strains(block->type, CellPoints(mesh, nodes), physics, local, strain);
-    const MatrixXd at_nodes = point_stresses(bulk.law(i), physics, strain) * to_nodes.transpose();
+    const auto nodes = mesh.nodes_of(bulk.cells[i]);
+    const auto at_nodes = tensors.at_nodes(what, i);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      result.stress.col(nodes[n]) += at_nodes.col(static_cast<Index>(n));
+      result.col(nodes[n]) += at_nodes.col(static_cast<Index>(n));
       ++cells_at[slot(nodes[n])];
     }
   }
-  for (const auto node : dofs.nodes) {
+  for (const auto node : dofs.nodes)
     if (cells_at[slot(node)] > 0)
-      result.stress.col(node) /= cells_at[slot(node)];
+      result.col(node) /= cells_at[slot(node)];
+  return result;
+}
+
+NodalStress nodal_stress(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                         const Eigen::VectorXd& u) {
+  NodalStress result{nodal_tensors(Tensor::stress, mesh, bulk, dofs, u),
+                     Eigen::VectorXd::Zero(mesh.node_count())};
+  for (const auto node : dofs.nodes)
     result.von_mises[node] = material::von_mises(result.stress.col(node));
-  }
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Stresses for people to look at: from quadrature points to nodes.
+/// Stresses and strains for people to look at: at quadrature points, and from there to nodes.
 #pragma once
 
 #include "rubato/domain/bulk.hpp"
@@ -7,11 +7,18 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace rubato::domain {
 
+/// What has six components xx yy zz xy yz xz: stress [force/area]; strain as a tensor, ε_xy = γ_xy/2.
+enum class Tensor { stress, strain };
+
+/// One column a mesh node; 0 off the bulk.
+using NodalTensors = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
 struct NodalStress {
-  Eigen::Matrix<double, 6, Eigen::Dynamic>
-      stress;                ///< xx yy zz xy yz xz in one column a mesh node; 0 off the bulk
+  NodalTensors stress;
   Eigen::VectorXd von_mises; ///< of the averaged stress
 };
 
@@ -20,9 +27,32 @@ struct NodalStress {
 /// std::invalid_argument for cells without mechanics.
 const Eigen::MatrixXd& extrapolation(CellType type);
 
-/// Stress of the displacement `u` (size dof_count) extrapolated cell by cell, averaged at each node over its
-/// cells with equal weights. Where materials meet, the average hides a jump: call it with the cells of one
-/// material to see it.
+/// Stresses and strains of cells one by one, of a displacement `u` (size dof_count). Everything must outlive
+/// this.
+class CellTensors {
+public:
+  CellTensors(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, const Eigen::VectorXd& u);
+
+  /// At the points of cell::stiffness_rule, 6 × points, of a cell by its place in `bulk.cells`.
+  Eigen::MatrixXd at_points(Tensor what, std::size_t cell);
+  /// The same extrapolated to the nodes of the cell, 6 × nodes.
+  Eigen::MatrixXd at_nodes(Tensor what, std::size_t cell);
+
+private:
+  const mesh::Mesh& mesh_;
+  const Bulk& bulk_;
+  const DofMap& dofs_;
+  const Eigen::VectorXd& u_;
+  std::vector<double> local_;
+  Eigen::MatrixXd strain_;
+};
+
+/// Stress or strain of the displacement `u` (size dof_count) extrapolated cell by cell, averaged at each node
+/// over its cells with equal weights. Where materials meet, the average hides a jump: call it with the cells
+/// of one material to see it.
+NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                           const Eigen::VectorXd& u);
+/// Of stress, with von Mises'.
 NodalStress nodal_stress(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
                          const Eigen::VectorXd& u);
 

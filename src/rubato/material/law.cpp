@@ -46,6 +46,10 @@ FullStress full_stress(const Law& law, Physics physics, const Voigt& stress) {
   return std::visit([&](const auto& one) { return full_stress(one, physics, stress); }, law);
 }
 
+FullStrain full_strain(const Law& law, Physics physics, const Voigt& strain) {
+  return std::visit([&](const auto& one) { return full_strain(one, physics, strain); }, law);
+}
+
 std::string described(const Law& law) {
   return std::visit([](const auto& one) { return described(one); }, law);
 }

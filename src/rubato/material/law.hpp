@@ -42,6 +42,9 @@ Tangent tangent(const Law& law, study::Physics physics);
 /// physics leaves out is 0.
 FullStress full_stress(const Law& law, study::Physics physics, const Voigt& stress);
 
+/// All six strains as a tensor, ε_xy = γ_xy/2. In plane stress ε_zz follows from σ_zz = 0.
+FullStrain full_strain(const Law& law, study::Physics physics, const Voigt& strain);
+
 /// The law's numbers, for messages: "young 2e+11, poisson 0.3, density 7800".
 std::string described(const Law& law);
 

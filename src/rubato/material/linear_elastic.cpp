@@ -46,6 +46,13 @@ FullStress full_stress(const LinearElastic& law, Physics physics, const Voigt& s
   return full;
 }
 
+FullStrain full_strain(const LinearElastic& law, Physics physics, const Voigt& strain) {
+  auto full = tensor_of(physics, strain);
+  if (physics == Physics::plane_stress)
+    full[2] = -law.poisson / (1 - law.poisson) * (strain[0] + strain[1]);
+  return full;
+}
+
 std::string described(const LinearElastic& law) {
   return fmt::format("young {:g}, poisson {:g}, density {:g}", law.young, law.poisson, law.density);
 }

@@ -38,6 +38,9 @@ Tangent tangent(const LinearElastic& law, study::Physics physics);
 /// In plane strain σ_zz = ν (σ_xx + σ_yy).
 FullStress full_stress(const LinearElastic& law, study::Physics physics, const Voigt& stress);
 
+/// In plane stress ε_zz = −ν/(1 − ν) (ε_xx + ε_yy).
+FullStrain full_strain(const LinearElastic& law, study::Physics physics, const Voigt& strain);
+
 std::string described(const LinearElastic& law);
 
 } // namespace rubato::material

@@ -94,6 +94,13 @@ FullStress full_stress(const Orthotropic& law, Physics physics, const Voigt& str
   return full;
 }
 
+FullStrain full_strain(const Orthotropic& law, Physics physics, const Voigt& strain) {
+  auto full = tensor_of(physics, strain);
+  if (physics == Physics::plane_stress)
+    full[2] = law.compliance.row(2).dot(with_zeros(physics, stress(law, physics, strain)));
+  return full;
+}
+
 std::string described(const Orthotropic& law) {
   const auto& o = law.numbers;
   return fmt::format("orthotropic, young_x {:g}, young_y {:g}, poisson_xy {:g}, shear_xy {:g}, density {:g}",

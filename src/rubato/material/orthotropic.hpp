@@ -48,6 +48,9 @@ Tangent tangent(const Orthotropic& law, study::Physics physics);
 /// In plane strain σ_zz keeps ε_zz = 0: σ_zz = −(S_zx σ_xx + S_zy σ_yy + S_zs σ_xy)/S_zz.
 FullStress full_stress(const Orthotropic& law, study::Physics physics, const Voigt& stress);
 
+/// In plane stress ε_zz is that of the stresses; ν_xz and ν_yz count as 0 when they are left out.
+FullStrain full_strain(const Orthotropic& law, study::Physics physics, const Voigt& strain);
+
 std::string described(const Orthotropic& law);
 
 } // namespace rubato::material

@@ -39,6 +39,12 @@ FullStress with_zeros(Physics physics, const Voigt& stress) {
   return full;
 }
 
+FullStrain tensor_of(Physics physics, const Voigt& strain) {
+  auto full = with_zeros(physics, strain);
+  full.tail<3>() /= 2;
+  return full;
+}
+
 double von_mises(const FullStress& stress) {
   const double direct = std::pow(stress[0] - stress[1], 2) + std::pow(stress[1] - stress[2], 2) +
                         std::pow(stress[2] - stress[0], 2);

@@ -27,6 +27,10 @@ int direct_count(study::Physics physics);
 /// Stresses of the physics among all six; those that it leaves out are 0.
 FullStress with_zeros(study::Physics physics, const Voigt& stress);
 
+/// Strains of the physics among all six, as a tensor: ε_xy = γ_xy/2; those that it leaves out are 0.
+using FullStrain = Eigen::Matrix<double, 6, 1>; ///< xx yy zz xy yz xz, whatever the physics
+FullStrain tensor_of(study::Physics physics, const Voigt& strain);
+
 /// √(3/2 s:s), s the deviator.
 double von_mises(const FullStress& stress);
 

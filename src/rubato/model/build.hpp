@@ -52,6 +52,11 @@ std::vector<std::vector<mesh::NodeIndex>> make_probe_nodes(const study::Study& s
                                                            std::vector<Fault>& faults,
                                                            std::vector<std::string>& notes);
 
+/// The cuts of those probes that are sections, empty ones for the others.
+std::vector<domain::CutForces> make_probe_cuts(const study::Study& study, const mesh::Mesh& mesh,
+                                               const domain::DofMap& dofs, const domain::Bulk& bulk,
+                                               std::vector<Fault>& faults);
+
 /// Faults for checks on groups or nodes that there are not.
 void check_compared_places(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
 

@@ -143,6 +143,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults, model.notes);
+  model.probe_cuts = make_probe_cuts(study, model.mesh, model.dofs, model.bulk, faults);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
   std::ranges::move(edges_in_mortar_zones(model.zones, model.mesh), std::back_inserter(model.notes));

@@ -5,6 +5,7 @@
 #include "rubato/constraint/reduction.hpp"
 #include "rubato/contact/zone.hpp"
 #include "rubato/domain/bulk.hpp"
+#include "rubato/domain/cut.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/domain.hpp"
 #include "rubato/load/field_forces.hpp"
@@ -72,9 +73,11 @@ struct Model {
   /// Nodes of bodies that in a static run only contact holds, ascending.
   std::vector<mesh::NodeIndex> free_body_nodes;
   std::vector<contact::Zone> zones;
-  std::vector<std::vector<mesh::NodeIndex>> probe_nodes; ///< of each probe of the study, at least one
-  std::vector<std::string> notes;      ///< sentences that whoever runs the model should read
-  std::vector<int> multiplier_offsets; ///< first multiplier of each zone
+  /// Of each probe of the study, at least one; none of cuts and differences.
+  std::vector<std::vector<mesh::NodeIndex>> probe_nodes;
+  std::vector<domain::CutForces> probe_cuts; ///< of each probe of the study; empty where it is no cut
+  std::vector<std::string> notes;            ///< sentences that whoever runs the model should read
+  std::vector<int> multiplier_offsets;       ///< first multiplier of each zone
   int multiplier_count = 0;
 
   /// The node a dof belongs to, and its direction.

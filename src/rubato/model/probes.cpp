@@ -108,8 +108,11 @@ std::vector<Nodes> make_probe_nodes(const study::Study& study, const mesh::Mesh&
                                     std::vector<std::string>& notes) {
   std::vector<Nodes> nodes;
   for (const auto& probe : study.probes)
-    nodes.push_back(probe.point ? node_at(probe, mesh, dofs, notes)
-                                : named_nodes_of(probe, mesh, dofs, faults));
+    if (probe.section || !probe.minus.empty())
+      nodes.emplace_back();
+    else
+      nodes.push_back(probe.point ? node_at(probe, mesh, dofs, notes)
+                                  : named_nodes_of(probe, mesh, dofs, faults));
   return nodes;
 }
 

@@ -264,6 +264,7 @@ template <class Archive> void exchange(Archive& archive, RecorderPosition& posit
   for (std::size_t i = 0; i < position.field_files.size(); ++i)
     archive.text(fmt::format("files/field_file_{}", i), position.field_files[i]);
   archive.text("files/med_copy", position.med_copy);
+  archive.text("files/vtkhdf_copy", position.vtkhdf_copy);
   archive.whole("files/unwritten", position.unwritten);
 }
 

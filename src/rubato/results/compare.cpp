@@ -88,7 +88,8 @@ Stored read_stored(const fs::path& run, const std::string& name, double at) {
     throw InputError(fmt::format("{}: holds no fields that can be read back, expected a run with 'fields: "
                                  "{{formats: [med], at: [{}]}}'",
                                  run.string(), at));
-  const auto fields = med_fields(file);
+  auto fields = med_fields(file);
+  std::erase_if(fields, [](const MedField& field) { return !field.at_nodes; });
   if (fields.empty())
     throw InputError(fmt::format("{}: has stored no field yet", run.string()));
   const auto& field = field_named(run, fields, name);

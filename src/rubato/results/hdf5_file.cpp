@@ -2,6 +2,7 @@
 #include "rubato/results/hdf5_file.hpp"
 
 #include "rubato/core/writing.hpp"
+#include "rubato/results/hdf5_handle.hpp"
 
 #include <fmt/format.h>
 
@@ -16,31 +17,13 @@ namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>);
 
-/// Closes what HDF5 opened.
-class Handle {
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  ~Handle() {
-    if (id_ >= 0)
-      close_(id_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  hid_t id() const { return id_; }
-  bool good() const { return id_ >= 0; }
-
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
 /// What goes wrong is told by exceptions; HDF5 would print it as well.
 void keep_silent() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
 hid_t create(const std::filesystem::path& path, std::uint64_t user_block) {
-  const Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  const Hdf5Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_userblock(properties.id(), user_block);
   return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.id(), H5P_DEFAULT);
 }
@@ -80,7 +63,7 @@ void Hdf5File::write(const std::string& name, std::span<const std::int64_t> valu
 }
 
 void Hdf5File::write(const std::string& name, std::string_view text) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type.id(), std::max<std::size_t>(text.size(), 1)); // HDF5 knows no empty texts
   H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
   write_array(name, type.id(), 1, text.empty() ? "" : text.data());
@@ -89,19 +72,19 @@ void Hdf5File::write(const std::string& name, std::string_view text) {
 void Hdf5File::write_array(const std::string& name, std::int64_t type, std::uint64_t size,
                            const void* values) {
   const std::array<hsize_t, 1> extent{size};
-  const Handle space(H5Screate_simple(1, extent.data(), nullptr), H5Sclose);
-  const Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  const Hdf5Handle space(H5Screate_simple(1, extent.data(), nullptr), H5Sclose);
+  const Hdf5Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(link.id(), 1);
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.id(), false); // the same content, the same bytes
-  const Handle data(H5Dcreate2(id_, name.c_str(), type, space.id(), link.id(), creation.id(), H5P_DEFAULT),
-                    H5Dclose);
+  const Hdf5Handle data(
+      H5Dcreate2(id_, name.c_str(), type, space.id(), link.id(), creation.id(), H5P_DEFAULT), H5Dclose);
   if (!data.good() || (size > 0 && H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
     throw WriteError(path_);
 }
 
 std::uint64_t Hdf5File::size_of(std::int64_t data) const {
-  const Handle space(H5Dget_space(data), H5Sclose);
+  const Hdf5Handle space(H5Dget_space(data), H5Sclose);
   const auto size = H5Sget_simple_extent_npoints(space.id());
   if (size < 0)
     fail("an array has no size");
@@ -109,7 +92,7 @@ std::uint64_t Hdf5File::size_of(std::int64_t data) const {
 }
 
 template <class T> std::vector<T> Hdf5File::array(const std::string& name, std::int64_t type) const {
-  const Handle data(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle data(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (!data.good())
     fail(fmt::format("holds no '{}'", name));
   std::vector<T> values(size_of(data.id()));
@@ -131,10 +114,10 @@ std::vector<std::int64_t> Hdf5File::integers(const std::string& name) const {
 }
 
 std::string Hdf5File::text(const std::string& name) const {
-  const Handle data(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle data(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (!data.good())
     fail(fmt::format("holds no '{}'", name));
-  const Handle type(H5Dget_type(data.id()), H5Tclose);
+  const Hdf5Handle type(H5Dget_type(data.id()), H5Tclose);
   std::string text(H5Tget_size(type.id()), '\0');
   if (H5Dread(data.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
     fail(fmt::format("'{}' cannot be read", name));

@@ -5,6 +5,8 @@
 #include "rubato/core/naming.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med_file.hpp"
+#include "rubato/mesh/io/med_numbering.hpp"
+#include "rubato/results/med_gauss.hpp"
 
 #include <fmt/format.h>
 #include <med.h>
@@ -18,7 +20,7 @@ namespace {
 namespace med = mesh::med;
 using Components = std::vector<std::string>;
 
-Components component_names(const NodalField& field) {
+template <class Field> Components component_names(const Field& field) {
   if (!field.component_names.empty())
     return field.component_names;
   const Components axes{"x", "y", "z"};
@@ -61,7 +63,7 @@ std::int64_t node_count(const med::File& file, const std::string& mesh_name) {
   return count;
 }
 
-bool is_declared(const med::File& file, const NodalField& field) {
+template <class Field> bool is_declared(const med::File& file, const Field& field) {
   med_bool there = MED_FALSE;
   file.check(MEDfileObjectExist(file.id(), MED_FIELD, field.name.c_str(), &there), "a field");
   if (there == MED_TRUE && MEDfieldnComponentByName(file.id(), field.name.c_str()) != field.components)
@@ -70,10 +72,19 @@ bool is_declared(const med::File& file, const NodalField& field) {
   return there == MED_TRUE;
 }
 
-void declare(const med::File& file, const std::string& mesh_name, const NodalField& field,
+std::string unit_of(const NodalField& field) {
+  return field.unit.empty() ? " " : field.unit;
+}
+
+std::string unit_of(const CellField&) {
+  return " ";
+}
+
+template <class Field>
+void declare(const med::File& file, const std::string& mesh_name, const Field& field,
              const std::string& time_unit) {
   const auto names = med::joined_texts(component_names(field), med::short_name_size);
-  const Components units(static_cast<std::size_t>(field.components), field.unit.empty() ? " " : field.unit);
+  const Components units(static_cast<std::size_t>(field.components), unit_of(field));
   const auto time = med::joined_texts({time_unit.empty() ? " " : time_unit}, med::short_name_size);
   file.check(MEDfieldCr(file.id(), field.name.c_str(), MED_FLOAT64, field.components, names.c_str(),
                         med::joined_texts(units, med::short_name_size).c_str(), time.c_str(),
@@ -89,12 +100,61 @@ void append(const med::File& file, const Instant& instant, const NodalField& fie
              "the values of a field");
 }
 
+void write_localisation(const med::File& file, const MedGauss& gauss, CellType type) {
+  med_bool there = MED_FALSE;
+  file.check(MEDfileObjectExist(file.id(), MED_LOCALIZATION, gauss.name.c_str(), &there), "a localisation");
+  if (there == MED_TRUE)
+    return;
+  file.check(MEDlocalizationWr(file.id(), gauss.name.c_str(),
+                               static_cast<med_geometry_type>(med::geometry_of(type)), gauss.dimension,
+                               gauss.nodes.data(), MED_FULL_INTERLACE,
+                               static_cast<med_int>(gauss.weights.size()), gauss.points.data(),
+                               gauss.weights.data(), MED_NO_INTERPOLATION, MED_NO_MESH_SUPPORT),
+             "a localisation");
+}
+
+/// Values at the nodes of cells in MED's order of the nodes.
+std::vector<double> in_med_order(const CellField::Part& part, int components) {
+  const auto order = med::node_order(part.type);
+  if (order.empty())
+    return part.values;
+  std::vector<double> values(part.values.size());
+  const auto size = static_cast<std::size_t>(components);
+  const auto cell = size * order.size();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i / cell * cell + order[i % cell / size] * size + i % size] = part.values[i];
+  return values;
+}
+
+void append_part(const med::File& file, const Instant& instant, const CellField& field,
+                 const CellField::Part& part) {
+  const bool at_nodes = field.place == study::FieldPlace::element_nodes;
+  std::string localisation = MED_NO_LOCALIZATION;
+  std::vector<double> values = at_nodes ? in_med_order(part, field.components) : part.values;
+  if (!at_nodes) {
+    const auto gauss = med_gauss(part.type);
+    write_localisation(file, gauss, part.type);
+    localisation = gauss.name;
+  }
+  const auto cells = values.size() / static_cast<std::size_t>(field.components * part.places);
+  file.check(MEDfieldValueWithProfileWr(file.id(), field.name.c_str(), instant.number, MED_NO_IT,
+                                        instant.time, at_nodes ? MED_NODE_ELEMENT : MED_CELL,
+                                        static_cast<med_geometry_type>(med::geometry_of(part.type)),
+                                        MED_COMPACT_STMODE, MED_NO_PROFILE, localisation.c_str(),
+                                        MED_FULL_INTERLACE, MED_ALL_CONSTITUENT, static_cast<med_int>(cells),
+                                        reinterpret_cast<const unsigned char*>(values.data())),
+             "the values of a field");
+}
+
 /// What an instant needs at most: its values, and what MED and HDF5 tell about each field.
-std::uintmax_t room_for(std::span<const NodalField> fields) {
+std::uintmax_t room_for(std::span<const NodalField> fields, std::span<const CellField> cell_fields) {
   constexpr std::uintmax_t of_field = 6144;
   std::uintmax_t bytes = 0;
   for (const auto& field : fields)
     bytes += of_field + field.values.size_bytes();
+  for (const auto& field : cell_fields)
+    for (const auto& part : field.parts)
+      bytes += 2 * of_field + part.values.size() * sizeof(double);
   return bytes;
 }
 
@@ -131,6 +191,9 @@ Description description_of(const med::File& file, int index) {
         "instants of a field");
     found.field.instants.push_back({number, time});
   }
+  found.field.at_nodes = found.field.instants.empty() || MEDfieldnValue(file.id(), found.field.name.c_str(),
+                                                                        found.field.instants.front().number,
+                                                                        MED_NO_IT, MED_NODE, MED_NONE) > 0;
   return found;
 }
 
@@ -173,8 +236,9 @@ std::vector<double> values_of(const med::File& file, const std::string& field, i
 } // namespace
 
 void append_med_fields(const std::filesystem::path& path, const std::string& mesh_name, Instant instant,
-                       std::span<const NodalField> fields, const std::string& time_unit) {
-  require_room(path, room_for(fields));
+                       std::span<const NodalField> fields, const std::string& time_unit,
+                       std::span<const CellField> cell_fields) {
+  require_room(path, room_for(fields, cell_fields));
   med::File file(path, med::File::Access::extend);
   check_length(time_unit, med::short_name_size, "time unit");
   const auto nodes = node_count(file, mesh_name);
@@ -183,6 +247,12 @@ void append_med_fields(const std::filesystem::path& path, const std::string& mes
     if (!is_declared(file, field))
       declare(file, mesh_name, field, time_unit);
     append(file, instant, field, nodes);
+  }
+  for (const auto& field : cell_fields) {
+    if (!is_declared(file, field))
+      declare(file, mesh_name, field, time_unit);
+    for (const auto& part : field.parts)
+      append_part(file, instant, field, part);
   }
   file.close();
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Fields at nodes in MED files, beside the mesh they belong to (mesh::write_med).
+/// Fields in MED files, beside the mesh they belong to (mesh::write_med).
 #pragma once
 
+#include "rubato/results/cell_fields.hpp"
 #include "rubato/results/field.hpp"
 
 #include <filesystem>
@@ -22,11 +23,13 @@ struct Instant {
 /// comes. Throws WriteError, before the file is touched, when the disk has no room for it; InputError when
 /// the file can't be opened or lacks the mesh, when a name is too long for MED (field 64, component and unit
 /// 16 letters); std::invalid_argument when a field's size is not node count times components or its
-/// components differ from those in the file.
+/// components differ from those in the file. Fields in cells are written at their nodes (MED_NODE_ELEMENT) or
+/// at their Gauss points (MED_CELL with a localisation for each cell type).
 void append_med_fields(const std::filesystem::path& path, const std::string& mesh_name, Instant instant,
-                       std::span<const NodalField> fields, const std::string& time_unit = "");
+                       std::span<const NodalField> fields, const std::string& time_unit = "",
+                       std::span<const CellField> cell_fields = {});
 
-/// A field at the nodes as a MED file holds it.
+/// A field as a MED file holds it.
 struct MedField {
   std::string name;
   std::string mesh_name;
@@ -34,6 +37,7 @@ struct MedField {
   std::string unit; ///< of the first component
   std::string time_unit;
   std::vector<Instant> instants;
+  bool at_nodes = true; ///< else in cells: it cannot be read back here
 };
 
 /// The fields of real numbers of a MED file. Throws InputError when the file can't be read.

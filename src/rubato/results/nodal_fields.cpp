@@ -3,6 +3,7 @@
 
 #include "rubato/contact/nodal_pressure.hpp"
 #include "rubato/domain/recovery.hpp"
+#include "rubato/study/stored_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@ using Eigen::VectorXd;
 using model::Model;
 
 const std::vector<std::string> axes{"x", "y", "z"};
+const std::vector<std::string> tensor_components{"xx", "yy", "zz", "xy", "yz", "xz"};
 
 OwnedField vector_field(const Model& model, std::string name, const VectorXd& values) {
   const int components = model.dofs.components;
@@ -97,18 +99,33 @@ std::vector<OwnedField> contact_fields(const Model& model, const step::State& no
 std::vector<OwnedField> stress_fields(const Model& model, const step::State& now) {
   const auto recovered = domain::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u);
   const auto& stress = recovered.stress;
-  return {{"stress", 6, {stress.data(), stress.data() + stress.size()}, {"xx", "yy", "zz", "xy", "yz", "xz"}},
+  return {{"stress", 6, {stress.data(), stress.data() + stress.size()}, tensor_components},
           {"von_mises", 1, {recovered.von_mises.begin(), recovered.von_mises.end()}, {}}};
 }
 
-std::vector<OwnedField> nodal_fields(const Model& model, const step::State& now) {
+OwnedField strain_field(const Model& model, const step::State& now) {
+  const auto strain =
+      domain::nodal_tensors(domain::Tensor::strain, model.mesh, model.bulk, model.dofs, now.motion.u);
+  return {"strain", 6, {strain.data(), strain.data() + strain.size()}, tensor_components};
+}
+
+std::vector<OwnedField> nodal_fields(const Model& model, const step::State& now,
+                                     const study::FieldOutput& output) {
+  const auto stored = study::stored_fields(model.dofs.components);
+  const auto is_wanted = [&](const std::string& name) {
+    return study::is_written(output, *std::ranges::find(stored, name, &study::StoredField::name));
+  };
   std::vector<OwnedField> fields;
   fields.push_back(vector_field(model, "displacement", now.motion.u));
   fields.push_back(vector_field(model, "velocity", now.motion.v));
   fields.push_back(vector_field(model, "acceleration", now.motion.a));
-  std::ranges::move(stress_fields(model, now), std::back_inserter(fields));
+  if (is_wanted("stress") || is_wanted("von_mises"))
+    std::ranges::move(stress_fields(model, now), std::back_inserter(fields));
   if (!model.zones.empty())
     std::ranges::move(contact_fields(model, now), std::back_inserter(fields));
+  std::erase_if(fields, [&](const OwnedField& field) { return !is_wanted(field.name); });
+  if (is_wanted("strain"))
+    fields.push_back(strain_field(model, now));
   return fields;
 }
 

@@ -22,15 +22,18 @@ struct OwnedField {
   NodalField view() const { return {name, components, values, component_names, ""}; }
 };
 
-/// displacement, velocity, acceleration; stress (averaged at the nodes) and von_mises; with contact also
-/// contact_pressure (≥ 0; of ties and bilateral zones < 0 where it pulls), contact_gap (> 0 open; 0 where
-/// nothing faces the node), contact_slip (along the master's first and second tangent, of the last step),
-/// contact_status (0 open, 1 sticking, 2 slipping), contact_cumulated_slip and contact_friction_work (since
-/// the run began; of several points on a node the largest slip and the sum of the works). Nodes off the slave
-/// surfaces carry 0.
-std::vector<OwnedField> nodal_fields(const model::Model& model, const step::State& now);
-/// Parts of these: stress and von_mises; those of contact.
+/// At the nodes: displacement, velocity, acceleration; stress (averaged at the nodes) and von_mises; with
+/// contact also contact_pressure (≥ 0; of ties and bilateral zones < 0 where it pulls), contact_gap (> 0
+/// open; 0 where nothing faces the node), contact_slip (along the master's first and second tangent, of the
+/// last step), contact_status (0 open, 1 sticking, 2 slipping), contact_cumulated_slip and
+/// contact_friction_work (since the run began; of several points on a node the largest slip and the sum of
+/// the works). Nodes off the slave surfaces carry 0. Those of them that `output` writes, and strain (as a
+/// tensor, averaged at the nodes) if it does.
+std::vector<OwnedField> nodal_fields(const model::Model& model, const step::State& now,
+                                     const study::FieldOutput& output = {});
+/// Parts of these: stress and von_mises; strain; those of contact.
 std::vector<OwnedField> stress_fields(const model::Model& model, const step::State& now);
+OwnedField strain_field(const model::Model& model, const step::State& now);
 std::vector<OwnedField> contact_fields(const model::Model& model, const step::State& now);
 
 struct Resultants {

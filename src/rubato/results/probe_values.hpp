@@ -13,8 +13,8 @@ namespace rubato::results {
 /// Of each probe in the study's order "name.component", "name" for scalars.
 std::vector<std::string> probe_columns(const model::Model& model);
 
-/// Appends one number a column. Stresses are recovered, and contact is brought to the nodes, only when a
-/// probe asks for them.
+/// Appends one number a column. Stresses and strains are recovered, and contact is brought to the nodes,
+/// only when a probe asks for them.
 void add_probe_values(const model::Model& model, const step::State& state, std::vector<double>& row);
 
 } // namespace rubato::results

@@ -4,13 +4,16 @@
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/results/attempt_json.hpp"
+#include "rubato/results/cell_fields.hpp"
 #include "rubato/results/contact_table.hpp"
+#include "rubato/results/growing_file.hpp"
 #include "rubato/results/history.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/probe_values.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/summary_json.hpp"
+#include "rubato/results/vtkhdf.hpp"
 #include "rubato/results/vtu.hpp"
 #include "rubato/study/echo.hpp"
 #include "rubato/study/stored_fields.hpp"
@@ -42,21 +45,6 @@ std::ofstream opened(const std::filesystem::path& path) {
   return file;
 }
 
-void move_over(const std::filesystem::path& from, const std::filesystem::path& to) {
-  std::error_code error;
-  std::filesystem::rename(from, to, error);
-  if (error)
-    throw WriteError(to, error.value());
-}
-
-/// Copies a file so that the other is there whole or not at all.
-void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to) {
-  write_whole(to, [&](const std::filesystem::path& beside) {
-    require_room(beside, std::filesystem::file_size(from));
-    std::filesystem::copy_file(from, beside, std::filesystem::copy_options::overwrite_existing);
-  });
-}
-
 } // namespace
 
 class Recorder::Impl {
@@ -74,15 +62,19 @@ public:
     }
     if (model_.study.fields.vtu)
       std::filesystem::create_directories(folder_ / vtu_folder);
-    if (model_.study.fields.med)
-      mesh::write_med(folder_ / med_file, model_.mesh, mesh_name);
+    place_growing_files({}, {});
+    if (med_)
+      mesh::write_med(med_->path(), model_.mesh, mesh_name);
+    if (vtkhdf_)
+      start_vtkhdf(vtkhdf_->path(), model_.mesh);
   }
 
   Impl(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position)
       : model_(model), folder_(std::move(folder)), probes_(folder_ / probes_file, position.probes),
         steps_(folder_ / steps_file, position.attempts), energy_(folder_ / energy_file, position.energy),
         series_(folder_ / pvd_file, series_of(position)), history_(read_csv(folder_ / probes_file)),
-        unwritten_(position.unwritten), med_copy_(position.med_copy), steps_done_(position.steps) {
+        unwritten_(position.unwritten), steps_done_(position.steps) {
+    place_growing_files(position.med_copy, position.vtkhdf_copy);
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
       resultants_.emplace_back(folder_ / resultants_file(model_.zones[z].settings.name),
                                position.resultants.at(z));
@@ -142,13 +134,13 @@ public:
     auto entries = series_.entries();
     entries.resize(mark.fields);
     series_ = PvdSeries(folder_ / pvd_file, std::move(entries));
+    vtkhdf_instants_ = mark.vtkhdf;
     history_.rows.resize(mark.history);
     steps_done_ = mark.steps_done;
     unwritten_ = mark.unwritten;
   }
 
   RecorderPosition position() {
-    name_med_copy();
     RecorderPosition position;
     position.steps = steps_done_;
     position.probes = probes_.bytes();
@@ -162,7 +154,10 @@ public:
       position.field_times.push_back(entry.time);
       position.field_files.push_back(entry.file.generic_string());
     }
-    position.med_copy = med_copy_;
+    if (med_)
+      position.med_copy = med_->name_copy(steps_done_);
+    if (vtkhdf_)
+      position.vtkhdf_copy = vtkhdf_->name_copy(steps_done_);
     position.unwritten = unwritten_;
     return position;
   }
@@ -194,14 +189,15 @@ private:
     std::vector<std::uintmax_t> resultants;
     std::vector<std::uintmax_t> contact;
     std::size_t fields = 0;
+    std::int64_t vtkhdf = 0;
     std::size_t history = 0;
     int steps_done = 0;
     bool unwritten = false;
   };
 
   void mark() {
-    mark_ = {probes_.bytes(),          steps_.bytes(),       energy_.bytes(), {},        {},
-             series_.entries().size(), history_.rows.size(), steps_done_,     unwritten_};
+    mark_ = {probes_.bytes(),          steps_.bytes(),   energy_.bytes(),      {},          {},
+             series_.entries().size(), vtkhdf_instants_, history_.rows.size(), steps_done_, unwritten_};
     for (const auto& table : resultants_)
       mark_->resultants.push_back(table.bytes());
     for (const auto& table : contact_)
@@ -223,31 +219,22 @@ private:
       remove_vtu_files_but(folder_, kept);
       series_.rewrite();
     }
+    if (med_)
+      med_->restore();
+    if (vtkhdf_)
+      restore_vtkhdf();
+  }
+
+  void restore_vtkhdf() {
+    vtkhdf_->restore();
+    vtkhdf_instants_ = instants_in_vtkhdf(vtkhdf_->path());
+  }
+
+  void place_growing_files(const std::string& med_copy, const std::string& vtkhdf_copy) {
     if (model_.study.fields.med)
-      restore_med();
-  }
-
-  /// Without the copy, fields.med is as the checkpoint has it: nothing was written into it since.
-  void restore_med() {
-    const auto copy = folder_ / med_copy_;
-    const auto file = folder_ / med_file;
-    if (!med_copy_.empty() && std::filesystem::exists(copy))
-      move_over(copy, file);
-    else if (!std::filesystem::exists(file))
-      throw InputError(fmt::format("{}: does not exist, but the checkpoint counts on it", file.string()));
-  }
-
-  /// What the checkpoint calls the copy that is made when fields.med is to grow again, and not before.
-  void name_med_copy() {
-    if (model_.study.fields.med && med_copy_.empty())
-      med_copy_ = med_copy_file(steps_done_);
-  }
-
-  /// MED files do not grow at their end alone: what a checkpoint counts on is put aside first.
-  void keep_med_copy() {
-    if (!med_copy_.empty())
-      copy_whole(folder_ / med_file, folder_ / med_copy_);
-    med_copy_.clear();
+      med_.emplace(folder_, med_file, med_copy);
+    if (model_.study.fields.vtkhdf)
+      vtkhdf_.emplace(folder_, vtkhdf_file, vtkhdf_copy);
   }
 
   /// Written beside and then renamed: whoever reads it meanwhile finds a whole one.
@@ -335,19 +322,26 @@ private:
   }
 
   void write_fields(const step::State& now) {
-    if (!model_.study.fields.vtu && !model_.study.fields.med)
+    const auto& output = model_.study.fields;
+    if (!output.vtu && !output.med && !output.vtkhdf)
       return;
-    const auto owned = nodal_fields(model_, now);
+    const auto owned = nodal_fields(model_, now, output);
+    const auto in_cells = cell_fields(model_, now, output);
     std::vector<NodalField> fields;
     std::ranges::transform(owned, std::back_inserter(fields), &OwnedField::view);
-    if (model_.study.fields.vtu) {
+    if (output.vtu) {
       const auto file = std::filesystem::path(vtu_folder) / vtu_file(steps_done_);
-      write_vtu(folder_ / file, model_.mesh, fields);
+      write_vtu(folder_ / file, model_.mesh, fields, {.cell_fields = in_cells, .digits = output.digits});
       series_.add(now.t, folder_ / file);
     }
-    if (model_.study.fields.med) {
-      keep_med_copy();
-      append_med_fields(folder_ / med_file, mesh_name, {steps_done_, now.t}, fields);
+    if (vtkhdf_) {
+      vtkhdf_->keep_copy();
+      append_vtkhdf(vtkhdf_->path(), model_.mesh, {vtkhdf_instants_++, now.t}, fields, in_cells,
+                    output.digits);
+    }
+    if (med_) {
+      med_->keep_copy();
+      append_med_fields(med_->path(), mesh_name, {steps_done_, now.t}, fields, "", in_cells);
     }
   }
 
@@ -360,8 +354,10 @@ private:
   std::vector<CsvWriter> resultants_;
   std::vector<ContactTable> contact_;
   Table history_;
-  bool unwritten_ = false;   // whether the last step has no fields that it may still get
-  std::string med_copy_;     // by which the last checkpoint knows fields.med as it is now, or empty
+  bool unwritten_ = false; // whether the last step has no fields that it may still get
+  std::optional<GrowingFile> med_;
+  std::optional<GrowingFile> vtkhdf_;
+  std::int64_t vtkhdf_instants_ = 0;
   std::optional<Mark> mark_; // before the attempt that was written last
   int steps_done_ = 0;
   std::size_t factor_bytes_ = 0;

@@ -8,7 +8,7 @@
 ///   contact_<zone>.csv     at the chosen instants, one line a contact point (contact_table.hpp)
 ///   energy.csv             t and the parts of the energy ledger
 ///   steps.jsonl            one JSON object a step tried, accepted or not
-///   fields/*.vtu, *.pvd    and fields.med, at the chosen instants
+///   fields/*.vtu, *.pvd    and fields.med, fields.vtkhdf, at the chosen instants
 ///   run.json               status, the study, versions, timings, iterations, checks; there from the start,
 ///                          with status "running"
 #pragma once
@@ -56,8 +56,9 @@ struct RecorderPosition {
   std::vector<std::uintmax_t> contact;    ///< one a zone
   std::vector<double> field_times;        ///< of the .vtu files
   std::vector<std::string> field_files;
-  std::string med_copy;   ///< of fields.med, made when that grows again; empty: no such file
-  bool unwritten = false; ///< whether the last step has no fields that it may still get
+  std::string med_copy;    ///< of fields.med, made when that grows again; empty: no such file
+  std::string vtkhdf_copy; ///< likewise of fields.vtkhdf
+  bool unwritten = false;  ///< whether the last step has no fields that it may still get
 };
 
 /// What cannot be written is told by WriteError, by each member function.

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view resultants_prefix = "resultants_";
 constexpr std::string_view contact_prefix = "contact_";
 constexpr std::size_t step_digits = 6;
-constexpr std::string_view med_copy_prefix = "checkpoint_";
+constexpr std::string_view copy_prefix = "checkpoint_";
 
 bool is_vtu_file(const std::string& name) {
   const fs::path path(name);
@@ -31,13 +31,14 @@ bool is_vtu_file(const std::string& name) {
          std::ranges::all_of(stem, [](unsigned char letter) { return std::isdigit(letter) != 0; });
 }
 
-bool is_med_copy(const std::string& name) {
-  return name.starts_with(med_copy_prefix) && name.ends_with(".med");
+bool is_copy_of_fields(const std::string& name) {
+  return name.starts_with(copy_prefix) && (name.ends_with(".med") || name.ends_with(".vtkhdf"));
 }
 
 bool is_file_of_a_run(const std::string& name) {
-  constexpr std::array known{probes_file, energy_file, steps_file, pvd_file, med_file, checkpoint_file};
-  return std::ranges::find(known, name) != known.end() || is_med_copy(name) ||
+  constexpr std::array known{probes_file, energy_file, steps_file,     pvd_file,
+                             med_file,    vtkhdf_file, checkpoint_file};
+  return std::ranges::find(known, name) != known.end() || is_copy_of_fields(name) ||
          ((name.starts_with(resultants_prefix) || name.starts_with(contact_prefix)) &&
           name.ends_with(".csv"));
 }
@@ -82,14 +83,18 @@ std::string vtu_file(int step) {
   return fmt::format("{:0{}}.vtu", step, step_digits);
 }
 
-std::string med_copy_file(int step) {
-  return fmt::format("{}{:0{}}.med", med_copy_prefix, step, step_digits);
+std::string copy_of_fields(std::string_view file, int step) {
+  return fmt::format("{}{:0{}}{}", copy_prefix, step, step_digits, fs::path(file).extension().string());
 }
 
-void remove_med_copies(const fs::path& folder, const std::string& but) {
+void remove_copies_of_fields(const fs::path& folder, std::span<const std::string> kept) {
   std::vector<fs::path> files;
   collect(
-      folder, [&](const auto& name) { return is_med_copy(name) && name != but; }, files);
+      folder,
+      [&](const auto& name) {
+        return is_copy_of_fields(name) && std::ranges::find(kept, name) == kept.end();
+      },
+      files);
   std::error_code ignored;
   for (const auto& file : files)
     fs::remove(file, ignored);

@@ -16,6 +16,7 @@ constexpr std::string_view steps_file = "steps.jsonl";
 constexpr std::string_view vtu_folder = "fields";
 constexpr std::string_view pvd_file = "fields.pvd";
 constexpr std::string_view med_file = "fields.med";
+constexpr std::string_view vtkhdf_file = "fields.vtkhdf";
 constexpr std::string_view checkpoint_file = "checkpoint.h5";
 constexpr std::string_view former_folder = "former";
 
@@ -27,9 +28,9 @@ std::string contact_file(std::string_view zone);
 std::string vtu_file(int step);
 
 /// "checkpoint_000012.med": fields.med as it was at a checkpoint, where it has grown since.
-std::string med_copy_file(int step);
-/// Removes these copies but one.
-void remove_med_copies(const std::filesystem::path& folder, const std::string& but);
+std::string copy_of_fields(std::string_view file, int step);
+/// Removes these copies but some.
+void remove_copies_of_fields(const std::filesystem::path& folder, std::span<const std::string> kept);
 
 /// Removes the files in `vtu_folder` but those of these names.
 void remove_vtu_files_but(const std::filesystem::path& folder, std::span<const std::string> kept);

@@ -4,6 +4,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/vtu.hpp"
+#include "rubato/results/vtk_arrays.hpp"
 
 #include <fmt/format.h>
 
@@ -14,18 +15,9 @@
 namespace rubato::results {
 namespace {
 
-constexpr std::size_t vector_size = 3;
-
 /// Of an instant. Nine steps of 0.001 add up to 0.009000000000000001: what rounding adds, over many steps
 /// more than the last digit, is not shown.
 constexpr int shown_digits = 12;
-
-std::vector<double> with_third_component(std::span<const double> values) {
-  std::vector<double> padded(values.size() / 2 * vector_size, 0.0);
-  for (std::size_t i = 0; i < values.size() / 2 * 2; ++i)
-    padded[i / 2 * vector_size + i % 2] = values[i];
-  return padded;
-}
 
 std::vector<Eigen::Vector3d> moved(const mesh::Mesh& mesh, std::span<const double> displacement) {
   const auto dimension = static_cast<std::size_t>(mesh.dimension);
@@ -42,22 +34,12 @@ std::vector<Eigen::Vector3d> moved(const mesh::Mesh& mesh, std::span<const doubl
 
 void write_vtu(const std::filesystem::path& path, const mesh::Mesh& mesh, std::span<const NodalField> fields,
                const VtuOptions& options) {
-  std::vector<std::vector<double>> padded;
-  padded.reserve(fields.size());
-  std::vector<mesh::VtuArray> arrays;
-  for (const auto& field : fields) {
-    mesh::VtuArray array{field.name, field.components, field.values, field.component_names};
-    if (field.components == 2) {
-      array.values = padded.emplace_back(with_third_component(field.values));
-      array.components = vector_size;
-      if (!array.component_names.empty())
-        array.component_names.emplace_back("z");
-    }
-    arrays.push_back(std::move(array));
-  }
+  const VtkArrays arrays(fields, options.cell_fields);
   const auto points = options.displacement.empty() ? mesh.points : moved(mesh, options.displacement);
-  mesh::write_vtu(path, mesh, arrays,
-                  options.all_cells ? mesh::VtuCells::all : mesh::VtuCells::of_highest_dimension, points);
+  mesh::write_vtu(path, mesh, arrays.all(),
+                  {.which = options.all_cells ? mesh::VtuCells::all : mesh::VtuCells::of_highest_dimension,
+                   .points = points,
+                   .digits = options.digits});
 }
 
 PvdSeries::PvdSeries(std::filesystem::path path, std::vector<Entry> entries)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/mesh/mesh.hpp"
+#include "rubato/results/cell_fields.hpp"
 #include "rubato/results/field.hpp"
 
 #include <filesystem>
@@ -15,12 +16,15 @@ namespace rubato::results {
 struct VtuOptions {
   /// Displacements to add to the coordinates, node-major, node_count · mesh.dimension; empty: the shape at
   /// rest.
-  std::span<const double> displacement;
+  std::span<const double> displacement = {};
+  std::span<const CellField> cell_fields = {}; ///< written as their means over each cell
+  int digits = 17;                             ///< of the numbers that are kept (mesh::with_digits)
   bool all_cells = false; ///< faces, edges and points too, not the cells of highest dimension alone
 };
 
 /// Writes the fields on the mesh. Fields of two components get a third one of zeros, as VTK wants vectors.
-/// Throws InputError when the file can't be written; std::invalid_argument for a field of the wrong size.
+/// Throws InputError when the file can't be written; std::invalid_argument for a field of the wrong size and
+/// for fields in cells beside `all_cells`.
 void write_vtu(const std::filesystem::path& path, const mesh::Mesh& mesh, std::span<const NodalField> fields,
                const VtuOptions& options = {});
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <utility>
 
@@ -99,9 +100,9 @@ bool CheckpointWriter::keep(const std::function<results::Checkpoint()>& make) co
     checkpoint.study = study_;
     checkpoint.mesh = course_.mesh;
     checkpoint.start = course_.start;
-    const auto med_copy = checkpoint.recorder.med_copy;
+    const std::array copies{checkpoint.recorder.med_copy, checkpoint.recorder.vtkhdf_copy};
     results::write_checkpoint(course_.folder / results::checkpoint_file, std::move(checkpoint));
-    results::remove_med_copies(course_.folder, med_copy);
+    results::remove_copies_of_fields(course_.folder, copies);
     return true;
   } catch (const std::exception& error) {
     watch_.warn(fmt::format("no checkpoint was written: {}", error.what()));

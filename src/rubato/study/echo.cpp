@@ -245,6 +245,13 @@ Json echo(const TimeStepping& time) {
   return map;
 }
 
+Json echo(const Cut& cut, int dimension) {
+  Json map{{"point", first(cut.point, dimension)}, {"normal", first(cut.normal, dimension)}};
+  put_name(map, "on", cut.on);
+  put_name(map, "cells", cut.cells);
+  return map;
+}
+
 Json echo(const Probe& probe, int dimension) {
   auto map = Json::object();
   if (probe.take == ProbeTake::node) {
@@ -255,6 +262,12 @@ Json echo(const Probe& probe, int dimension) {
   }
   if (probe.point)
     map["point"] = first(*probe.point, dimension);
+  if (probe.section)
+    map["section"] = echo(*probe.section, dimension);
+  if (!probe.minus.empty())
+    map["minus"] = probe.minus;
+  if (probe.section || !probe.minus.empty())
+    return map;
   map["field"] = word(probe_field_words, probe.field);
   return map;
 }
@@ -265,7 +278,18 @@ Json echo(const FieldOutput& fields) {
     formats.push_back("vtu");
   if (fields.med)
     formats.push_back("med");
-  return {{"formats", formats}, {"at", fields.at}, {"every", fields.every}, {"last", fields.last}};
+  if (fields.vtkhdf)
+    formats.push_back("vtkhdf");
+  Json map{{"formats", formats}};
+  if (!fields.only.empty())
+    map["only"] = fields.only;
+  else
+    map["also"] = fields.also;
+  map["digits"] = fields.digits;
+  map["at"] = fields.at;
+  map["every"] = fields.every;
+  map["last"] = fields.last;
+  return map;
 }
 
 Json echo(const CheckpointOutput& checkpoint) {

@@ -11,16 +11,34 @@
 
 namespace rubato::study {
 
+/// Where a field has its values.
+enum class FieldPlace {
+  nodes,
+  element_nodes, ///< of each cell its own
+  gauss_points   ///< the points of cell::stiffness_rule
+};
+
 struct StoredField {
   std::string name;
   std::vector<std::string> components; ///< empty for a scalar
+  FieldPlace place = FieldPlace::nodes;
+  bool usual = true; ///< whether it is written unless the deck says otherwise
 };
 
 /// `dimension` is that of space, 2 or 3. Contact fields are there only in runs with contact.
 std::vector<StoredField> stored_fields(int dimension);
+/// Their names, whatever the dimension.
+std::vector<std::string> stored_field_names();
+
+/// Whether a run writes the field.
+bool is_written(const FieldOutput& output, const StoredField& field);
 
 /// Components of what a probe has, empty for a scalar.
 std::vector<std::string> components_of(ProbeField field, int dimension);
+/// The same of a probe of the study; of a difference those of the probe that it begins with.
+std::vector<std::string> components_of(const Probe& probe, const Study& study);
+/// Of a cut: force along the axes, moment about them, force along the normal, magnitude of the rest of it.
+std::vector<std::string> cut_quantities(int dimension);
 /// Whether it is known in runs with contact only.
 bool is_of_contact(ProbeField field);
 

@@ -335,6 +335,7 @@ enum class ProbeField {
   reaction,
   stress,
   von_mises,
+  strain,
   contact_pressure,
   contact_gap,
   contact_slip,
@@ -346,12 +347,24 @@ enum class ProbeField {
 /// What is taken of the nodes of a group, of each component by itself.
 enum class ProbeTake { node, sum, mean, least, largest };
 
+/// Where bodies are cut to find the force and the moment that they transmit: by a plane, between the cells
+/// whose centres lie on its two sides; or at the nodes of a group, which the cells behind the plane have.
+struct Cut {
+  std::array<double, 3> point{};  ///< of the plane; moments are about it [length]
+  std::array<double, 3> normal{}; ///< out of the part that the forces act on; of any length > 0
+  std::string on;                 ///< group of faces or nodes; empty: the plane itself
+  std::string cells;              ///< the group that is cut; empty: all cells
+  bool operator==(const Cut&) const = default;
+};
+
 /// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point; or of
-/// the nodes of a group.
+/// the nodes of a group; or in a cut; or the difference of two others.
 struct Probe {
   std::string name;
   std::string node; ///< or the group, when something is taken of its nodes
   std::optional<std::array<double, 3>> point;
+  std::optional<Cut> section;
+  std::vector<std::string> minus; ///< two other probes, the first minus the second; else empty
   ProbeField field = ProbeField::displacement;
   ProbeTake take = ProbeTake::node; ///< `node`: there is one node
   bool operator==(const Probe&) const = default;
@@ -360,9 +373,13 @@ struct Probe {
 struct FieldOutput {
   bool vtu = false;
   bool med = false;
-  std::vector<double> at; ///< instants
-  int every = 0;          ///< and every n-th step; 0: none
-  bool last = true;       ///< and the last one
+  bool vtkhdf = false;
+  std::vector<std::string> only; ///< fields that are written instead of the usual ones; empty: these
+  std::vector<std::string> also; ///< fields that are written beside the usual ones
+  int digits = 9;                ///< that .vtu and VTKHDF files keep of numbers at nodes and in cells
+  std::vector<double> at;        ///< instants
+  int every = 0;                 ///< and every n-th step; 0: none
+  bool last = true;              ///< and the last one
   bool operator==(const FieldOutput&) const = default;
 };
 

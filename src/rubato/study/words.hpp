@@ -86,13 +86,14 @@ inline constexpr std::string_view automatic_step = "auto";
 inline constexpr std::array<Word<StartKind>, 2> start_words{
     {{"consistent", StartKind::consistent}, {"at_rest_unloaded", StartKind::at_rest_unloaded}}};
 
-inline constexpr std::array<Word<ProbeField>, 12> probe_field_words{
+inline constexpr std::array<Word<ProbeField>, 13> probe_field_words{
     {{"displacement", ProbeField::displacement},
      {"velocity", ProbeField::velocity},
      {"acceleration", ProbeField::acceleration},
      {"reaction", ProbeField::reaction},
      {"stress", ProbeField::stress},
      {"von_mises", ProbeField::von_mises},
+     {"strain", ProbeField::strain},
      {"contact_pressure", ProbeField::contact_pressure},
      {"contact_gap", ProbeField::contact_gap},
      {"contact_slip", ProbeField::contact_slip},
@@ -121,7 +122,7 @@ inline constexpr std::array<Word<CheckSource>, 4> check_source_words{{{"external
 inline constexpr std::array<std::string_view, 3> axis_words{"x", "y", "z"};
 
 /// Formats of stored fields.
-inline constexpr std::array<std::string_view, 2> field_formats{"vtu", "med"};
+inline constexpr std::array<std::string_view, 3> field_formats{"vtu", "med", "vtkhdf"};
 
 /// The word of a value, accepted or not.
 template <class E, std::size_t N>

@@ -89,6 +89,14 @@ TEST(Comparison, NamesAFieldAndAComponentThatRunsStore) {
             "checks.0.field: found the component 'x', but von_mises has none (run evol2)");
 }
 
+TEST(Comparison, OfFieldsNeedsThemAmongThoseThatAreWritten) {
+  EXPECT_EQ(fault_of("{field: strain.xy, at: 0.001, tolerance: 1, run: evol1}",
+                     "{fields: {formats: [med], at: [0.001], also: [stress_elga]}}",
+                     "fields: {formats: [med], at: [0.001], only: [strain]}, "),
+            "checks.0.run: run evol1 does not write strain, expected it among the fields of 'only' or 'also' "
+            "(run evol2)");
+}
+
 TEST(Comparison, OfFieldsNeedsThemStoredInBothRuns) {
   const std::string wanted =
       " stores no fields at 0.001 that can be read back, expected 'fields: {formats: [med], "

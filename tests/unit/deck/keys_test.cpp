@@ -346,7 +346,10 @@ TEST(DeckKeys, NewtonProbesFieldsAndChecks) {
   EXPECT_EQ(study.probes[0].field, study::ProbeField::velocity);
   EXPECT_EQ(study.probes[1].point, (std::array{0.5, 0.15, 0.0}));
   EXPECT_EQ(study.probes[1].field, study::ProbeField::reaction);
-  EXPECT_EQ(study.fields, (study::FieldOutput{true, true, {0.001, 0.006}, 10, false}));
+  EXPECT_TRUE(study.fields.vtu && study.fields.med && !study.fields.vtkhdf);
+  EXPECT_EQ(study.fields.at, (std::vector<double>{0.001, 0.006}));
+  EXPECT_EQ(study.fields.every, 10);
+  EXPECT_FALSE(study.fields.last);
   EXPECT_EQ(study.checkpoint, (study::CheckpointOutput{{0.002}, 20, false}));
   ASSERT_EQ(study.checks.size(), 1U);
   study::Check expected;
@@ -369,7 +372,40 @@ TEST(DeckKeys, WithoutACheckpointTheEndIsKept) {
 
 TEST(DeckKeys, FieldsAloneAreWrittenForParaView) {
   const auto fields = parse_one(smallest_deck + "fields: {}").fields;
-  EXPECT_EQ(fields, (study::FieldOutput{true, false, {}, 0, true}));
+  study::FieldOutput expected;
+  expected.vtu = true;
+  EXPECT_EQ(fields, expected);
+  EXPECT_EQ(fields.digits, 9);
+}
+
+TEST(DeckKeys, FieldsAreChosenByTheirNames) {
+  const auto fields =
+      parse_one(smallest_deck + "fields: {formats: [vtkhdf], only: [displacement, stress_elga], digits: 17}")
+          .fields;
+  EXPECT_TRUE(fields.vtkhdf && !fields.vtu && !fields.med);
+  EXPECT_EQ(fields.only, (std::vector<std::string>{"displacement", "stress_elga"}));
+  EXPECT_EQ(fields.digits, 17);
+  EXPECT_EQ(parse_one(smallest_deck + "fields: {also: strain}").fields.also,
+            std::vector<std::string>{"strain"});
+}
+
+TEST(DeckKeys, ProbesAreInCutsAndDifferencesToo) {
+  const auto study = parse_one(smallest_deck + R"(
+probes:
+  held: {on: clamped, field: reaction}
+  least: {on: clamped, take: min, field: reaction}
+  a: {node: N1}
+  b: {node: N2}
+  middle: {section: {point: [0.5, 0, 0], normal: [1, 0, 0], cells: beam}}
+  end: {section: {on: clamped, point: [0, 0, 0], normal: [-1, 0, 0]}}
+  stretch: {minus: [b, a]}
+)");
+  ASSERT_EQ(study.probes.size(), 7U);
+  EXPECT_EQ(study.probes[0].take, study::ProbeTake::sum) << "the force of the support";
+  EXPECT_EQ(study.probes[1].take, study::ProbeTake::least);
+  EXPECT_EQ(study.probes[4].section, (study::Cut{{0.5, 0, 0}, {1, 0, 0}, "", "beam"}));
+  EXPECT_EQ(study.probes[5].section->on, "clamped");
+  EXPECT_EQ(study.probes[6].minus, (std::vector<std::string>{"b", "a"}));
 }
 
 TEST(DeckKeys, NamesAndPartsKeepTheirPlaces) {

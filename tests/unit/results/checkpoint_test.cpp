@@ -79,6 +79,7 @@ TEST(CheckpointFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(read.recorder.contact, written.recorder.contact);
   EXPECT_EQ(read.recorder.field_files, written.recorder.field_files);
   EXPECT_EQ(read.recorder.med_copy, "");
+  EXPECT_EQ(read.recorder.vtkhdf_copy, "");
   EXPECT_TRUE(read.recorder.unwritten);
 }
 

@@ -33,6 +33,7 @@ TEST(RunFolderPreparation, MovesWhatTheFormerRunWroteAndNothingElse) {
                                       steps_file,
                                       pvd_file,
                                       med_file,
+                                      vtkhdf_file,
                                       resultants_file("interface"),
                                       contact_file("interface"),
                                       fs::path(vtu_folder) / vtu_file(0),

@@ -7,10 +7,14 @@
 #include "support/scratch_folder.hpp"
 #include "unit/mesh_io/one_cell.hpp"
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <zlib.h>
 
 namespace rubato::results {
 namespace {
@@ -41,11 +45,22 @@ public:
   }
 
   template <class T> std::vector<T> values(const std::string& name) const {
-    const auto at = offsets_.at(name);
-    std::uint64_t size = 0;
-    std::memcpy(&size, data_.data() + at, sizeof size);
-    std::vector<T> found(size / sizeof(T));
-    std::memcpy(found.data(), data_.data() + at + sizeof size, size);
+    const auto head = head_at(offsets_.at(name));
+    std::string bytes;
+    auto next = offsets_.at(name) + (3 + head.at(0)) * sizeof head[0];
+    for (std::uint64_t piece = 0; piece < head.at(0); ++piece) {
+      const bool shorter = piece + 1 == head.at(0) && head.at(2) > 0;
+      std::string whole(shorter ? head.at(2) : head.at(1), '\0');
+      auto size = static_cast<uLongf>(whole.size());
+      EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(whole.data()), &size,
+                           reinterpret_cast<const Bytef*>(data_.data() + next), head.at(3 + piece)),
+                Z_OK);
+      EXPECT_EQ(size, whole.size()) << name;
+      bytes += whole;
+      next += head.at(3 + piece);
+    }
+    std::vector<T> found(bytes.size() / sizeof(T));
+    std::memcpy(found.data(), bytes.data(), bytes.size());
     return found;
   }
 
@@ -59,19 +74,31 @@ public:
     for (const auto at : starts) {
       if (at != next)
         return false;
-      std::uint64_t size = 0;
-      std::memcpy(&size, data_.data() + at, sizeof size);
-      next = at + sizeof size + size;
+      const auto head = head_at(at);
+      next =
+          at + head.size() * sizeof head[0] + std::accumulate(head.begin() + 3, head.end(), std::size_t{0});
     }
     return data_.substr(next) == "\n</AppendedData>\n</VTKFile>\n";
   }
 
+  /// How many pieces an array is compressed in.
+  std::uint64_t pieces(const std::string& name) const { return head_at(offsets_.at(name)).at(0); }
+  std::size_t size() const { return text_.size(); }
   bool has(const std::string& name) const { return offsets_.contains(name); }
   int components(const std::string& name) const { return components_.at(name); }
   const std::string& head() const { return head_; }
 
 private:
   static constexpr const char* opening = "<DataArray ";
+
+  /// Of a compressed array: pieces, size of one, of the last, and the compressed size of each.
+  std::vector<std::uint64_t> head_at(std::size_t at) const {
+    std::vector<std::uint64_t> head(3);
+    std::memcpy(head.data(), data_.data() + at, 3 * sizeof head[0]);
+    head.resize(3 + head[0]);
+    std::memcpy(head.data(), data_.data() + at, head.size() * sizeof head[0]);
+    return head;
+  }
 
   static std::string attribute(const std::string& tag, const std::string& name) {
     const auto start = tag.find(" " + name + "=\"") + name.size() + 3;
@@ -234,6 +261,100 @@ TEST(VtuFile, PadsVectorsOfThePlaneToThreeComponents) {
   EXPECT_NE(file.head().find(R"(ComponentName1="DY" ComponentName2="z")"), std::string::npos);
   EXPECT_EQ(file.values<double>("pressure &lt;x &amp; &quot;y&quot;&gt;"), p);
   EXPECT_TRUE(file.blocks_fill_the_data());
+}
+
+/// A grid with more than one piece of coordinates, and values that no rounding shortens.
+mesh::Mesh many_nodes(int count) {
+  mesh::Mesh mesh;
+  mesh.dimension = 2;
+  for (int i = 0; i < count; ++i)
+    mesh.points.emplace_back(0.001 * i, 0.0, 0.0);
+  mesh.blocks = {{CellType::tria3, {0, 1, 2}, {}}};
+  return mesh;
+}
+
+std::vector<double> roots(int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i)
+    values.push_back(i % 2 == 0 ? std::sqrt(2.0 + i) : -1e-9 * std::cbrt(i));
+  return values;
+}
+
+TEST(VtuFile, CompressesLongArraysInPieces) {
+  const ScratchFolder folder;
+  constexpr int count = 40'000;
+  const auto values = roots(count);
+  const std::array fields{NodalField{"root", 1, values, {}, ""}};
+  write_vtu(folder / "a.vtu", many_nodes(count), fields);
+  const Parsed file(folder / "a.vtu");
+  EXPECT_EQ(file.pieces("root"), 2U);
+  EXPECT_EQ(file.pieces("Points"), 4U);
+  EXPECT_EQ(file.values<double>("root"), values);
+  EXPECT_TRUE(file.blocks_fill_the_data());
+}
+
+TEST(VtuFile, KeepsTheDigitsItIsTold) {
+  const ScratchFolder folder;
+  constexpr int count = 5'000;
+  auto values = roots(count);
+  values[7] = std::numeric_limits<double>::infinity();
+  values[8] = std::numeric_limits<double>::max();
+  values[9] = 0;
+  const std::array fields{NodalField{"root", 1, values, {}, ""}};
+  std::map<int, std::size_t> sizes;
+  for (const int digits : {6, 9, 15, 17}) {
+    write_vtu(folder / "a.vtu", many_nodes(count), fields, {.digits = digits});
+    const Parsed file(folder / "a.vtu");
+    sizes[digits] = file.size();
+    const auto kept = file.values<double>("root");
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      if (std::isfinite(values[i]))
+        EXPECT_LE(std::abs(kept[i] - values[i]), 0.5 * std::pow(10, -digits) * std::abs(values[i])) << i;
+      else
+        EXPECT_EQ(kept[i], values[i]);
+    EXPECT_EQ(kept == values, digits == 17);
+  }
+  EXPECT_LT(sizes[6], sizes[9]);
+  EXPECT_LT(sizes[9], sizes[15]);
+}
+
+TEST(VtuFile, TellsWhichGroupsNodesAndCellsBelongTo) {
+  const ScratchFolder folder;
+  auto mesh = flat_mesh();
+  mesh.node_groups = {{"corner", {0, 12}}, {"both", {3}}};
+  mesh.cell_groups = {{"edge", {0}}, {"round", {2}}, {"mixed", {0, 1}}, {"both", {0}}};
+  write_vtu(folder / "a.vtu", mesh, {});
+  const Parsed file(folder / "a.vtu");
+  using Marks = std::vector<std::uint8_t>;
+  EXPECT_EQ(file.values<std::uint8_t>("group_corner"), (Marks{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(file.values<std::uint8_t>("group_edge"), (Marks{1, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(file.values<std::uint8_t>("group_round"), (Marks{0, 1}));
+  EXPECT_EQ(file.values<std::uint8_t>("group_both"), (Marks{0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0}))
+      << "the nodes' one";
+  const auto mixed = file.head().find("Name=\"group_mixed\"");
+  EXPECT_LT(mixed, file.head().find("</PointData>")) << "its edge shows at nodes";
+  EXPECT_NE(file.head().find("Name=\"group_mixed\"", mixed + 1), std::string::npos) << "its triangle";
+}
+
+TEST(VtuFile, HoldsFieldsInCellsAsTheirMeans) {
+  const ScratchFolder folder;
+  const CellField stress{"stress_elga",
+                         1,
+                         {},
+                         study::FieldPlace::gauss_points,
+                         {{CellType::tria7, 2, {1, 4}}, {CellType::quad9, 3, {6, 6, 9}}},
+                         {2, 1, 1, 1, 2}};
+  const CellField nodal{"stress_elno",
+                        2,
+                        {"a", "b"},
+                        study::FieldPlace::element_nodes,
+                        {{CellType::tria7, 2, {1, 10, 3, 30}}, {CellType::quad9, 1, {7, 70}}},
+                        {}};
+  write_vtu(folder / "a.vtu", flat_mesh(), {}, {.cell_fields = std::array{stress, nodal}});
+  const Parsed file(folder / "a.vtu");
+  EXPECT_EQ(file.values<double>("stress_elga"), (std::vector<double>{2, 7.5})) << "over the volume";
+  EXPECT_EQ(file.values<double>("stress_elno"), (std::vector<double>{2, 20, 7, 70}));
+  EXPECT_GT(file.head().find("stress_elno"), file.head().find("<CellData>"));
 }
 
 TEST(VtuFile, ShowsTheDeformedShapeWhenGivenDisplacements) {

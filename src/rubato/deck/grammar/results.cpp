@@ -2,6 +2,7 @@
 // Probes, fields, checkpoints and checks.
 #include "rubato/deck/grammar/parts.hpp"
 #include "rubato/study/bounds.hpp"
+#include "rubato/study/stored_fields.hpp"
 #include "rubato/study/words.hpp"
 
 namespace rubato::deck::grammar {
@@ -12,18 +13,33 @@ Forms probes() {
           {{"node", "a node, or a group of one node", name()},
            {"point", "coordinates: the nearest node [length]", coordinates()},
            {"on", "a group, with 'take'", name()},
-           {"take", "the value over the nodes of 'on', for each component", word_of(study::probe_take_words)},
-           {"field", "displacement when not given", word_of(study::probe_field_words)}}));
+           {"take", "the value over the nodes of 'on', for each component; of reactions sum when not given",
+            word_of(study::probe_take_words)},
+           {"field", "displacement when not given", word_of(study::probe_field_words)},
+           {"section", "a cut through bodies: force and moment that they transmit there",
+            map("a cut, and what is cut",
+                {{"point", "of the plane of the cut; moments are about it [length]", coordinates(), true},
+                 {"normal", "of the plane, out of the part that the forces act on", coordinates(), true},
+                 {"on", "the group whose nodes are the cut; the plane itself when not given", name()},
+                 {"cells", "the group of cells that is cut; all when not given", name()}})},
+           {"minus", "two other probes: the first minus the second", list(name(), 2, 2)}}));
 }
 
 Forms fields() {
   const auto format = word({study::field_formats.begin(), study::field_formats.end()});
-  return map("whole fields that are stored",
-             {{"formats", "vtu (ParaView), med (Salome, and comparisons); vtu when not given",
-               either(format, list(format))},
-              {"at", "instants, ascending [time]", list(number())},
-              {"every", "and every n-th step, 0 for none", whole_number(study::bounds::every)},
-              {"last", "and the last step; true when not given", truth()}});
+  const auto field = word(study::stored_field_names());
+  return map(
+      "whole fields that are stored",
+      {{"formats",
+        "vtu (ParaView), med (Salome, and comparisons), vtkhdf (ParaView, one file); vtu when not given",
+        either(format, list(format))},
+       {"only", "the fields that are written, instead of the usual ones", either(field, list(field, 1))},
+       {"also", "fields that are written beside the usual ones", either(field, list(field))},
+       {"digits", "that vtu and vtkhdf keep of values; 9 when not given",
+        whole_number(study::bounds::digits)},
+       {"at", "instants, ascending [time]", list(number())},
+       {"every", "and every n-th step, 0 for none", whole_number(study::bounds::every)},
+       {"last", "and the last step; true when not given", truth()}});
 }
 
 Forms checkpoint() {

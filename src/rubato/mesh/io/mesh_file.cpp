@@ -43,7 +43,7 @@ const std::vector<Format>& formats() {
       {{".vtu"},
        {},
        nullptr,
-       [](const fs::path& path, const Mesh& mesh) { write_vtu(path, mesh, {}, VtuCells::all); },
+       [](const fs::path& path, const Mesh& mesh) { write_vtu(path, mesh, {}, {.which = VtuCells::all}); },
        "VTK, written"},
       {{".geo"},
        {},

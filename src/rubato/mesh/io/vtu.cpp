@@ -1,33 +1,44 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Format: VTK file formats, "XML file formats", UnstructuredGrid with appended data in raw encoding: each
-// block is a 64-bit byte count and its bytes, found by its offset from the underscore.
+// Format: VTK file formats, "XML file formats", UnstructuredGrid with appended data in raw encoding. Each
+// array is compressed in pieces (vtkXMLDataParser, vtkZLibDataCompressor): the number of pieces, the size of
+// a piece, the size of the last one if it is shorter, else 0, the compressed size of each, all 64 bits, then
+// the compressed pieces; found by its offset from the underscore.
 #include "rubato/mesh/io/vtu.hpp"
 
-#include "rubato/cell/parts.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/core/writing.hpp"
-#include "rubato/mesh/orientation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <fstream>
 #include <stdexcept>
+#include <zlib.h>
 
 namespace rubato::mesh {
 namespace {
-
-/// VTK's cell type numbers (vtkCellType.h), in the order of CellType.
-constexpr std::array<std::uint8_t, 19> vtk_types{1,  3,  21, 5,  22, 34, 9,  23, 28, 10,
-                                                 24, 14, 27, 13, 26, 32, 12, 25, 29};
 
 template <class T> constexpr std::string_view vtk_name{};
 template <> constexpr std::string_view vtk_name<double> = "Float64";
 template <> constexpr std::string_view vtk_name<std::int32_t> = "Int32";
 template <> constexpr std::string_view vtk_name<std::int64_t> = "Int64";
 template <> constexpr std::string_view vtk_name<std::uint8_t> = "UInt8";
+
+constexpr std::size_t piece_size = std::size_t{1} << 18;
+
+/// Adds the bytes compressed by zlib; how many they are then. Higher levels than the fastest take several
+/// times as long and gain next to nothing on numbers.
+std::uint64_t append_compressed(std::span<const std::byte> bytes, std::string& to) {
+  auto size = compressBound(bytes.size());
+  const auto start = to.size();
+  to.resize(start + size);
+  if (compress2(reinterpret_cast<Bytef*>(to.data() + start), &size,
+                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_SPEED) != Z_OK)
+    throw std::bad_alloc(); // the only reason there can be, as there is room for the result
+  to.resize(start + size);
+  return size;
+}
 
 /// The XML text and the binary blocks it points to, side by side.
 class Document {
@@ -52,7 +63,7 @@ public:
         std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
     to << "<?xml version=\"1.0\"?>\n"
        << fmt::format(
-              R"(<VTKFile type="UnstructuredGrid" version="1.0" byte_order="{}" header_type="UInt64">)",
+              R"(<VTKFile type="UnstructuredGrid" version="1.0" byte_order="{}" header_type="UInt64" compressor="vtkZLibDataCompressor">)",
               order)
        << "\n<UnstructuredGrid>\n"
        << xml_ << "</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
@@ -62,25 +73,19 @@ public:
 
 private:
   void append(std::span<const std::byte> bytes) {
-    const std::uint64_t size = bytes.size();
-    data_.append(reinterpret_cast<const char*>(&size), sizeof size);
-    data_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const auto pieces = (bytes.size() + piece_size - 1) / piece_size;
+    std::vector<std::uint64_t> head{pieces, piece_size, bytes.size() % piece_size};
+    std::string content;
+    for (std::size_t start = 0; start < bytes.size(); start += piece_size)
+      head.push_back(
+          append_compressed(bytes.subspan(start, std::min(piece_size, bytes.size() - start)), content));
+    data_.append(reinterpret_cast<const char*>(head.data()), head.size() * sizeof head[0]);
+    data_ += content;
   }
 
   std::string xml_;
   std::string data_;
 };
-
-std::vector<const CellBlock*> chosen_blocks(const Mesh& mesh, VtuCells which) {
-  int highest = 0;
-  for (const auto& block : mesh.blocks)
-    highest = std::max(highest, cell::topology(block.type).dimension);
-  std::vector<const CellBlock*> chosen;
-  for (const auto& block : mesh.blocks)
-    if (which == VtuCells::all || cell::topology(block.type).dimension == highest)
-      chosen.push_back(&block);
-  return chosen;
-}
 
 void add_points(Document& document, std::span<const Eigen::Vector3d> points) {
   static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double));
@@ -90,90 +95,65 @@ void add_points(Document& document, std::span<const Eigen::Vector3d> points) {
   document.line("</Points>");
 }
 
-/// The nodes of a block as VTK orders them. The base of VTK's wedges, 0 1 2, turns so that its normal points
-/// out of the cell (vtkWedge.h, vtkQuadraticWedge.h): our prism mirrored. So volumes are positive and faces
-/// turn outward in VTK, quadratic wedges included; vtkCellValidator alone wants the faces of those inward.
-/// All other cells are VTK's.
-void append_in_vtk_order(const CellBlock& block, std::vector<std::int32_t>& nodes) {
-  if (cell::linear_type(block.type) != CellType::penta6) {
-    nodes.insert(nodes.end(), block.nodes.begin(), block.nodes.end());
-    return;
-  }
-  const auto order = mirrored_numbering(block.type);
-  for (CellIndex cell = 0; cell < block.cell_count(); ++cell)
-    for (const auto local : order)
-      nodes.push_back(block.cell(cell)[local]);
-}
-
-void add_cells(Document& document, const std::vector<const CellBlock*>& blocks) {
-  std::vector<std::int32_t> nodes;
-  std::vector<std::int64_t> ends;
-  std::vector<std::uint8_t> types;
-  for (const auto* block : blocks) {
-    append_in_vtk_order(*block, nodes);
-    types.insert(types.end(), static_cast<std::size_t>(block->cell_count()),
-                 vtk_types[static_cast<std::size_t>(block->type)]);
-    for (CellIndex cell = 0; cell < block->cell_count(); ++cell)
-      ends.push_back((ends.empty() ? 0 : ends.back()) + cell::topology(block->type).node_count);
-  }
+void add_cells(Document& document, const VtkCells& cells) {
   document.line("<Cells>");
-  document.array<std::int32_t>("connectivity", 1, nodes);
-  document.array<std::int64_t>("offsets", 1, ends);
-  document.array<std::uint8_t>("types", 1, types);
+  document.array<std::int32_t>("connectivity", 1, cells.connectivity);
+  document.array<std::int64_t>("offsets", 1, cells.ends);
+  document.array<std::uint8_t>("types", 1, cells.types);
   document.line("</Cells>");
 }
 
-void add_cell_numbers(Document& document, const std::vector<const CellBlock*>& blocks) {
-  std::vector<std::int64_t> numbers;
-  for (const auto* block : blocks) {
-    if (block->numbers.size() != static_cast<std::size_t>(block->cell_count()))
-      return;
-    numbers.insert(numbers.end(), block->numbers.begin(), block->numbers.end());
-  }
-  document.line("<CellData>");
-  document.array<std::int64_t>("cell_number", 1, numbers);
-  document.line("</CellData>");
-}
-
-void add_node_arrays(Document& document, const Mesh& mesh, std::span<const VtuArray> arrays) {
-  document.line("<PointData>");
+void add_values(Document& document, std::span<const VtuArray> arrays, bool of_cells, int digits) {
   for (const auto& array : arrays)
-    document.array<double>(array.name, array.components, array.values, array.component_names);
-  if (mesh.node_numbers.size() == mesh.points.size())
-    document.array<std::int64_t>("node_number", 1, mesh.node_numbers);
-  document.line("</PointData>");
+    if (array.of_cells == of_cells)
+      document.array<double>(array.name, array.components, with_digits(array.values, digits),
+                             array.component_names);
 }
 
-void check_sizes(const Mesh& mesh, std::span<const VtuArray> arrays,
-                 std::span<const Eigen::Vector3d> points) {
+void add_groups(Document& document, const std::vector<VtkGroup>& groups) {
+  for (const auto& group : groups)
+    document.array<std::uint8_t>(group.name, 1, group.members);
+}
+
+void check_sizes(const Mesh& mesh, std::span<const VtuArray> arrays, std::span<const Eigen::Vector3d> points,
+                 std::size_t cells) {
   if (points.size() != mesh.points.size())
     throw std::invalid_argument(fmt::format("{} points for {} nodes", points.size(), mesh.points.size()));
-  for (const auto& array : arrays)
-    if (array.components < 1 ||
-        array.values.size() != mesh.points.size() * static_cast<std::size_t>(array.components))
+  for (const auto& array : arrays) {
+    const auto places = array.of_cells ? cells : mesh.points.size();
+    if (array.components < 1 || array.values.size() != places * static_cast<std::size_t>(array.components))
       throw std::invalid_argument(
-          fmt::format("array '{}' has {} values, {} nodes of {} components were expected", array.name,
-                      array.values.size(), mesh.points.size(), array.components));
+          fmt::format("array '{}' has {} values, {} {} of {} components were expected", array.name,
+                      array.values.size(), places, array.of_cells ? "cells" : "nodes", array.components));
+  }
 }
 
 } // namespace
 
 void write_vtu(const std::filesystem::path& path, const Mesh& mesh, std::span<const VtuArray> arrays,
-               VtuCells which, std::span<const Eigen::Vector3d> points) {
-  if (points.empty())
-    points = mesh.points;
-  check_sizes(mesh, arrays, points);
-  const auto blocks = chosen_blocks(mesh, which);
-  CellIndex cells = 0;
-  for (const auto* block : blocks)
-    cells += block->cell_count();
+               const VtuSettings& settings) {
+  const auto points =
+      settings.points.empty() ? std::span<const Eigen::Vector3d>(mesh.points) : settings.points;
+  const auto cells = vtk_cells(mesh, settings.which);
+  check_sizes(mesh, arrays, points, cells.types.size());
+  const auto groups = vtk_groups(mesh, cells);
 
   Document document;
-  document.line(fmt::format(R"(<Piece NumberOfPoints="{}" NumberOfCells="{}">)", points.size(), cells));
-  add_node_arrays(document, mesh, arrays);
-  add_cell_numbers(document, blocks);
+  document.line(
+      fmt::format(R"(<Piece NumberOfPoints="{}" NumberOfCells="{}">)", points.size(), cells.types.size()));
+  document.line("<PointData>");
+  add_values(document, arrays, false, settings.digits);
+  if (mesh.node_numbers.size() == mesh.points.size())
+    document.array<std::int64_t>("node_number", 1, mesh.node_numbers);
+  add_groups(document, groups.of_points);
+  document.line("</PointData>\n<CellData>");
+  add_values(document, arrays, true, settings.digits);
+  if (!cells.numbers.empty())
+    document.array<std::int64_t>("cell_number", 1, cells.numbers);
+  add_groups(document, groups.of_cells);
+  document.line("</CellData>");
   add_points(document, points);
-  add_cells(document, blocks);
+  add_cells(document, cells);
   document.line("</Piece>");
 
   write_whole(path, [&](const std::filesystem::path& beside) {

@@ -11,23 +11,81 @@
 namespace rubato::study {
 namespace {
 
-void check_probe(Rules& rules, const Probe& probe, const std::string& path) {
-  if (probe.node.empty() != probe.point.has_value())
-    rules.broken({path, path + ".node", path + ".on", path + ".point"},
-                 probe.point ? "found both 'node' and 'point', expected one of them"
-                             : "'node', 'point' or 'on' is missing");
+void check_axes(Rules& rules, const std::array<double, 3>& vector, const std::string& path) {
+  for (std::size_t axis = 0; axis < vector.size(); ++axis) {
+    const auto at = fmt::format("{}.{}", path, axis);
+    rules.number(at, vector[axis]);
+    if (vector[axis] != 0)
+      rules.axis(at, axis);
+  }
+}
+
+void check_cut(Rules& rules, const Cut& cut, const std::string& path) {
+  check_axes(rules, cut.point, path + ".point");
+  check_axes(rules, cut.normal, path + ".normal");
+  if (std::ranges::all_of(cut.normal, [](double x) { return x == 0; }))
+    rules.broken({path + ".normal"}, "found a vector of length 0, expected one that points somewhere");
+}
+
+/// What a probe is of, but for its place: differences are of two of one kind.
+std::string kind_of(const Probe& probe) {
+  return probe.section ? "a section" : std::string(word_of(probe_field_words, probe.field));
+}
+
+void check_difference(Rules& rules, const Probe& probe, const std::string& path) {
+  const auto at = path + ".minus";
+  if (probe.minus.size() != 2) {
+    rules.broken(
+        {at}, fmt::format("found {} probes, expected two: the first minus the second", probe.minus.size()));
+    return;
+  }
+  std::vector<const Probe*> found;
+  std::vector<std::string> names;
+  for (const auto& other : rules.study.probes)
+    if (other.minus.empty())
+      names.push_back(other.name);
+  for (const auto& name : probe.minus) {
+    const auto other = std::ranges::find(rules.study.probes, name, &Probe::name);
+    if (other == rules.study.probes.end())
+      rules.broken({at, "probes"},
+                   fmt::format("no probe is called {}{}", shown(name), suggestion(name, names)));
+    else if (!other->minus.empty())
+      rules.broken({at, "probes"},
+                   fmt::format("{} is a difference itself, expected probes that are none", shown(name)));
+    else
+      found.push_back(&*other);
+  }
+  if (found.size() == 2 && kind_of(*found[0]) != kind_of(*found[1]))
+    rules.broken({at, "probes"},
+                 fmt::format("{} is of {} and {} of {}, expected two of one kind", shown(found[0]->name),
+                             kind_of(*found[0]), shown(found[1]->name), kind_of(*found[1])));
+}
+
+void check_probe_place(Rules& rules, const Probe& probe, const std::string& path) {
+  const int places = (probe.node.empty() ? 0 : 1) + (probe.point ? 1 : 0) + (probe.section ? 1 : 0) +
+                     (probe.minus.empty() ? 0 : 1);
+  if (places != 1)
+    rules.broken({path, path + ".node", path + ".on", path + ".point", path + ".section", path + ".minus"},
+                 places > 1
+                     ? "found several of 'node', 'on', 'point', 'section' and 'minus', expected one of "
+                       "them"
+                     : "'node', 'point', 'on', 'section' or 'minus' is missing");
   if (probe.take != ProbeTake::node && probe.node.empty())
     rules.broken({path + ".take", path + ".on"},
                  "goes with 'on' only: it says what is taken of the nodes of a group");
+  if (probe.point)
+    check_axes(rules, *probe.point, path + ".point");
+  if (probe.section)
+    check_cut(rules, *probe.section, path + ".section");
+  if (!probe.minus.empty())
+    check_difference(rules, probe, path);
+}
+
+void check_probe(Rules& rules, const Probe& probe, const std::string& path) {
+  check_probe_place(rules, probe, path);
   if (is_of_contact(probe.field) && rules.study.contact.empty())
     rules.broken({path + ".field", "contact"}, fmt::format("found {}, but the study has no contact",
                                                            word_of(probe_field_words, probe.field)));
-  for (std::size_t axis = 0; probe.point && axis < probe.point->size(); ++axis) {
-    const auto at = fmt::format("{}.point.{}", path, axis);
-    rules.number(at, probe.point->at(axis));
-    if (probe.point->at(axis) != 0)
-      rules.axis(at, axis);
-  }
 }
 
 void check_instants(Rules& rules, const std::string& path, const std::vector<double>& instants) {
@@ -53,7 +111,7 @@ void check_probed(Rules& rules, const Check& check, const std::string& path) {
                  fmt::format("no probe is called {}{}", shown(check.probe), suggestion(check.probe, names)));
     return;
   }
-  const auto components = components_of(probe->field, dimension_of(rules.study.physics));
+  const auto components = components_of(*probe, rules.study);
   const auto& component = check.component;
   if (component.empty() && !components.empty())
     rules.broken({path + ".probe", "probes"},
@@ -62,7 +120,7 @@ void check_probed(Rules& rules, const Check& check, const std::string& path) {
   else if (!component.empty() && components.empty())
     rules.broken({path + ".probe", "probes"},
                  fmt::format("found the component {}, but {} has none", shown(component),
-                             word_of(probe_field_words, probe->field)));
+                             probe->minus.empty() ? kind_of(*probe) : "the difference"));
   else if (!component.empty() && std::ranges::find(components, component) == components.end())
     rules.broken({path + ".probe", "physics"}, fmt::format("found the component {}, expected {}",
                                                            shown(component), alternatives(components)));
@@ -94,7 +152,8 @@ void check_resultant(Rules& rules, const CheckedResultant& checked, const std::s
 }
 
 void check_field(Rules& rules, const CheckedField& checked, const std::string& path) {
-  const auto fields = stored_fields(dimension_of(rules.study.physics));
+  auto fields = stored_fields(dimension_of(rules.study.physics));
+  std::erase_if(fields, [](const StoredField& field) { return field.place != FieldPlace::nodes; });
   const auto field = std::ranges::find(fields, checked.name, &StoredField::name);
   if (field == fields.end()) {
     std::vector<std::string> names;
@@ -168,6 +227,17 @@ void check_one(Rules& rules, const Check& check, const std::string& path) {
   rules.number(path + ".tolerance", check.tolerance, bounds::check_tolerance);
 }
 
+void check_chosen_fields(Rules& rules, const std::vector<std::string>& fields, const std::string& path) {
+  const auto known = stored_field_names();
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (const auto at = fmt::format("{}.{}", path, i); std::ranges::find(known, fields[i]) == known.end())
+      rules.broken({at, path},
+                   fmt::format("no field is called {}{}", shown(fields[i]), suggestion(fields[i], known)));
+    else if (rules.study.contact.empty() && fields[i].starts_with("contact_"))
+      rules.broken({at, path, "contact"},
+                   fmt::format("found {}, but the study has no contact", shown(fields[i])));
+}
+
 } // namespace
 
 void check_probes(Rules& rules) {
@@ -181,6 +251,12 @@ void check_probes(Rules& rules) {
 
 void check_output(Rules& rules) {
   const auto& fields = rules.study.fields;
+  check_chosen_fields(rules, fields.only, "fields.only");
+  check_chosen_fields(rules, fields.also, "fields.also");
+  if (!fields.only.empty() && !fields.also.empty())
+    rules.broken({"fields.also", "fields.only"},
+                 "goes without 'only', which names all fields that are written");
+  rules.whole_number("fields.digits", fields.digits, bounds::digits);
   const auto& checkpoint = rules.study.checkpoint;
   check_instants(rules, "fields.at", fields.at);
   rules.whole_number("fields.every", fields.every, bounds::every);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The force and the moment that bodies transmit where they are cut, from nodal forces.
+#pragma once
+
+#include "rubato/domain/bulk.hpp"
+#include "rubato/domain/dof_map.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <span>
+
+namespace rubato::domain {
+
+/// Internal forces of the cells on one side of a cut, summed over the nodes of the cut. They hold that side
+/// in balance with all else that acts on it, exactly, however coarse its cells are; stresses that are
+/// integrated over the cut do so only as the mesh is refined.
+struct CutForces {
+  /// Rows: force along x, y, z [force/length], moment about x, y, z [force]; one column a dof. No rows: no
+  /// cut.
+  Eigen::SparseMatrix<double, Eigen::RowMajor, int> of_displacement;
+
+  bool empty() const { return of_displacement.rows() == 0; }
+};
+
+/// `cells`: those on one side, by their places in `bulk.cells`; `nodes`: the cut; moments are about `point`.
+/// Springs on the nodes do not count, nor does damping. 2D: of the whole thickness; axisymmetric: of the
+/// ring.
+CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                          std::span<const std::size_t> cells, std::span<const mesh::NodeIndex> nodes,
+                          const Eigen::Vector3d& point);
+
+/// What the other side does to the cells of the cut at displacement `u` (size dof_count): force, moment.
+Eigen::Matrix<double, 6, 1> forces_at(const CutForces& cut, const Eigen::VectorXd& u);
+
+} // namespace rubato::domain
