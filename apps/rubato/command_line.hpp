@@ -16,6 +16,7 @@ struct Arguments {
   RunArguments run;
   CheckArguments check;
   CompareArguments compare;
+  PlotArguments plot;
   InfoArguments info;
   MeshArguments mesh;
   NewArguments new_deck;
@@ -36,6 +37,9 @@ inline constexpr auto runs = "RUN,...";
 inline constexpr auto setting = "PATH=VALUE";
 inline constexpr auto name = "NAME";
 inline constexpr auto number = "NUMBER";
+inline constexpr auto numbers = "NUMBER,...";
+inline constexpr auto names = "NAME,...";
+inline constexpr auto expression = "EXPRESSION";
 } // namespace kind
 
 inline constexpr auto about = "rubato: how elastic bodies move, touch, rub and part";

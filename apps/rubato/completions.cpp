@@ -84,7 +84,8 @@ BashCases bash_cases(const CLI::App& command) {
   for (const auto& argument : arguments_of(command)) {
     if (argument.names.empty())
       cases.positional +=
-          fmt::format("    '{} {}') {} ;;\n", command.get_name(), place++, bash_value(argument.kind));
+          fmt::format("    '{} '{}) {} ;;\n", command.get_name(),
+                      argument.repeated ? "*" : std::to_string(place++), bash_value(argument.kind));
     else if (!argument.kind.empty())
       cases.options += fmt::format("    '{} {}') {}; return ;;\n", command.get_name(),
                                    fmt::join(argument.names, fmt::format("'|'{} ", command.get_name())),
@@ -183,8 +184,11 @@ std::string zsh_argument(const Argument& argument) {
           : fmt::format(":{}:{}", zsh_escaped(words_of_kind(argument.kind).empty() ? argument.kind : "word"),
                         replaced(zsh_value(argument.kind), "'", "'\\''"));
   if (argument.names.empty())
-    return fmt::format("'{}:{}:{}'", argument.required ? "" : ":", zsh_escaped(argument.meaning),
-                       replaced(zsh_value(argument.kind), "'", "'\\''"));
+    return fmt::format("'{}:{}:{}'",
+                       argument.repeated   ? "*"
+                       : argument.required ? ""
+                                           : ":",
+                       zsh_escaped(argument.meaning), replaced(zsh_value(argument.kind), "'", "'\\''"));
   if (argument.names.size() == 1)
     return fmt::format("'{}{}[{}]{}'", argument.kind == kind::setting ? "*" : "", argument.names.front(),
                        zsh_escaped(argument.meaning), value);

@@ -90,16 +90,13 @@ void add_points(Document& document, std::span<const Eigen::Vector3d> points) {
   document.line("</Points>");
 }
 
-/// The nodes of a block as VTK orders them. The base of VTK's wedges, 0 1 2, turns so that its normal points
-/// out of the cell (vtkWedge.h, vtkQuadraticWedge.h): our prism mirrored. So volumes are positive and faces
-/// turn outward in VTK, quadratic wedges included; vtkCellValidator alone wants the faces of those inward.
-/// All other cells are VTK's.
+/// The nodes of a block as VTK orders them.
 void append_in_vtk_order(const CellBlock& block, std::vector<std::int32_t>& nodes) {
-  if (cell::linear_type(block.type) != CellType::penta6) {
+  const auto order = vtk_order(block.type);
+  if (order.empty()) {
     nodes.insert(nodes.end(), block.nodes.begin(), block.nodes.end());
     return;
   }
-  const auto order = mirrored_numbering(block.type);
   for (CellIndex cell = 0; cell < block.cell_count(); ++cell)
     for (const auto local : order)
       nodes.push_back(block.cell(cell)[local]);
@@ -184,6 +181,20 @@ void write_vtu(const std::filesystem::path& path, const Mesh& mesh, std::span<co
     document.write(stream);
     finish_writing(stream, path);
   });
+}
+
+std::optional<CellType> cell_type_of_vtk(std::uint8_t number) {
+  const auto* const found = std::ranges::find(vtk_types, number);
+  return found == vtk_types.end() ? std::nullopt
+                                  : std::optional(static_cast<CellType>(found - vtk_types.begin()));
+}
+
+/// The base of VTK's wedges, 0 1 2, turns so that its normal points out of the cell (vtkWedge.h,
+/// vtkQuadraticWedge.h): our prism mirrored. So volumes are positive and faces turn outward in VTK, quadratic
+/// wedges included; vtkCellValidator alone wants the faces of those inward. All other cells are VTK's.
+std::span<const std::uint8_t> vtk_order(CellType type) {
+  return cell::linear_type(type) == CellType::penta6 ? mirrored_numbering(type)
+                                                     : std::span<const std::uint8_t>();
 }
 
 std::string xml_escaped(const std::string& text) {

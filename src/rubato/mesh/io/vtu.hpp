@@ -4,7 +4,9 @@
 
 #include "rubato/mesh/mesh.hpp"
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +32,13 @@ enum class VtuCells {
 /// still there then); std::invalid_argument for an array of the wrong size.
 void write_vtu(const std::filesystem::path& path, const Mesh& mesh, std::span<const VtuArray> arrays = {},
                VtuCells which = VtuCells::of_highest_dimension, std::span<const Eigen::Vector3d> points = {});
+
+/// The type of VTK's number; nothing when rubato has no such cell.
+std::optional<CellType> cell_type_of_vtk(std::uint8_t number);
+
+/// Where a type's nodes stand in VTK's order: VTK's local node i is local node order[i] here. Empty where
+/// both orders are one.
+std::span<const std::uint8_t> vtk_order(CellType type);
 
 /// `text` with &, <, > and quotes written as XML wants them.
 std::string xml_escaped(const std::string& text);
