@@ -87,12 +87,12 @@ CLI::Option* add_history_options(CLI::App& command, PlotArguments& plot) {
                       "(default: every probe)")
           ->delimiter(',')
           ->allow_extra_args(false)
-          ->type_name(kind::names);
+          ->type_name(kind::quantities);
   command
       .add_option("--against", plot.against,
                   "with --history: over this quantity instead of the time, as a hysteresis loop")
       ->needs(history)
-      ->type_name(kind::name);
+      ->type_name(kind::quantity);
   return history;
 }
 
@@ -245,6 +245,11 @@ void add_shell(CLI::App& program, Arguments& arguments) {
   auto* runs = program.add_subcommand("run-names", "print the runs of a deck, one a line")->group("");
   runs->add_option("deck", arguments.shell.deck, "the study")->required()->type_name(kind::deck);
   runs->callback([&arguments] { arguments.work = [&] { return app::print_run_names(arguments.shell); }; });
+  auto* quantities =
+      program.add_subcommand("quantity-names", "print what histories of runs have, one a line")->group("");
+  quantities->add_option("run", arguments.shell.runs, "folders")->required()->type_name(kind::folder);
+  quantities->callback(
+      [&arguments] { arguments.work = [&] { return app::print_quantity_names(arguments.shell); }; });
 }
 
 /// The version, and which of the parts that a build may lack this one has.

@@ -38,7 +38,8 @@ inline constexpr auto setting = "PATH=VALUE";
 inline constexpr auto name = "NAME";
 inline constexpr auto number = "NUMBER";
 inline constexpr auto numbers = "NUMBER,...";
-inline constexpr auto names = "NAME,...";
+inline constexpr auto quantity = "QUANTITY";
+inline constexpr auto quantities = "QUANTITY,...";
 inline constexpr auto expression = "EXPRESSION";
 } // namespace kind
 

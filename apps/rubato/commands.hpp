@@ -90,9 +90,11 @@ std::vector<std::string> template_names();
 struct ShellArguments {
   std::filesystem::path folder; ///< laid out as /usr/share
   std::filesystem::path deck;
+  std::vector<std::filesystem::path> runs;
 };
 int write_shell_files(const ShellArguments& arguments);
 int print_run_names(const ShellArguments& arguments);
+int print_quantity_names(const ShellArguments& arguments);
 
 int list();
 int schema();

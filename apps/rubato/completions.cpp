@@ -63,6 +63,8 @@ std::string bash_value(const std::string& kind) {
     return fmt::format("_rubato_words '{}'", fmt::join(words, " "));
   if (kind == kind::runs)
     return "_rubato_runs";
+  if (kind == kind::quantity || kind == kind::quantities)
+    return "_rubato_quantities";
   if (kind == kind::folder)
     return "_rubato_files ''";
   if (kind == kind::file)
@@ -111,15 +113,29 @@ _rubato_files() {
   done < <(compgen -f -- "$current")
 }
 
-# Names of runs of the deck on the command line, after the last comma.
+# Names that rubato prints for these arguments, after the last comma.
+_rubato_names() {
+  local before=""
+  [[ $current == *,* ]] && before=${current%,*},
+  COMPREPLY=($(compgen -P "$before" -W "$("${COMP_WORDS[0]}" "$@" 2>/dev/null)" -- "${current##*,}"))
+}
+
+# Names of runs of the deck on the command line.
 _rubato_runs() {
-  local word deck before=""
+  local word deck
   for word in "${COMP_WORDS[@]}"; do
     [[ $word == *.@(@deck_endings@) ]] && deck=$word
   done
-  [[ -n $deck ]] || return
-  [[ $current == *,* ]] && before=${current%,*},
-  COMPREPLY=($(compgen -P "$before" -W "$("${COMP_WORDS[0]}" run-names "$deck" 2>/dev/null)" -- "${current##*,}"))
+  [[ -n $deck ]] && _rubato_names run-names "$deck"
+}
+
+# What the runs on the command line have histories of.
+_rubato_quantities() {
+  local word folders=()
+  for word in "${COMP_WORDS[@]:2}"; do
+    [[ -d $word ]] && folders+=("$word")
+  done
+  ((${#folders[@]} > 0)) && _rubato_names quantity-names "${folders[@]}"
 }
 
 _rubato() {
@@ -168,6 +184,8 @@ std::string zsh_value(const std::string& kind) {
     return fmt::format("({})", fmt::join(words, " "));
   if (kind == kind::runs)
     return "_rubato_runs";
+  if (kind == kind::quantity || kind == kind::quantities)
+    return "_rubato_quantities";
   if (kind == kind::folder)
     return "_files -/";
   if (kind == kind::file)
@@ -206,6 +224,17 @@ _rubato_runs() {
   _values -s , run $names
 }
 
+_rubato_quantities() {
+  local word
+  local -a folders
+  for word in $words; do
+    [[ -d $word ]] && folders+=($word)
+  done
+  (($#folders)) || return
+  local -a names=(${(f)"$(rubato quantity-names $folders 2>/dev/null)"})
+  _values -s , quantity $names
+}
+
 _rubato() {
   local context state state_descr line
   local -A opt_args
@@ -239,6 +268,8 @@ std::string fish_value(const std::string& kind) {
     return fmt::format(" -x -a '{}'", fmt::join(words, " "));
   if (kind == kind::runs)
     return " -x -a '(__rubato_runs)'";
+  if (kind == kind::quantity || kind == kind::quantities)
+    return " -x -a '(__rubato_quantities)'";
   if (kind == kind::folder)
     return " -x -a '(__fish_complete_directories)'";
   if (kind == kind::file)
@@ -266,6 +297,16 @@ function __rubato_runs
     set -l deck (commandline -opc | string match -r '.*\.(?:@deck_endings@)$')
     set -l before (commandline -ct | string match -r '^.*,')
     test -n "$deck[1]"; and rubato run-names $deck[1] 2>/dev/null | string replace -r '^' "$before"
+end
+
+# What the runs on the command line have histories of, likewise.
+function __rubato_quantities
+    set -l folders
+    for word in (commandline -opc)[3..-1]
+        test -d $word; and set -a folders $word
+    end
+    set -l before (commandline -ct | string match -r '^.*,')
+    test -n "$folders[1]"; and rubato quantity-names $folders 2>/dev/null | string replace -r '^' "$before"
 end
 
 # Folders, and files with one of these endings. A command that is none has files for arguments.

@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace rubato::app {
 namespace {
@@ -113,6 +114,16 @@ int plot(const PlotArguments& arguments) {
   plot::write_picture(output,
                       arguments.field.empty() ? curves(arguments, runs) : field_picture(arguments, runs));
   fmt::print("written to {}\n", output.string());
+  return done;
+}
+
+int print_quantity_names(const ShellArguments& arguments) {
+  std::set<std::string> names;
+  for (const auto& run : read_runs(arguments.runs))
+    for (auto& name : plot::quantity_names(run))
+      names.insert(std::move(name));
+  for (const auto& name : names)
+    fmt::print("{}\n", name);
   return done;
 }
 
