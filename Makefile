@@ -64,7 +64,7 @@ deb: deps configure ## Debian packages of program and library, into build/packag
 	@cmake/install-dependencies dpkg-dev file
 	@cmake --build --preset release -j$(JOBS) --target rubato_cli rubato rubato_shell_files
 	@cmake -E rm -rf build/packages
-	@cpack --config build/release/CPackConfig.cmake -B build/packages -D CPACK_CMAKE_GENERATOR= > build/packages.log || { tail -20 build/packages.log; false; }
+	@cpack --config build/release/CPackConfig.cmake -B build/packages > build/packages.log || { tail -20 build/packages.log; false; }
 	@ls build/packages/*.deb
 
 deb-test: ## the packages in a clean Debian 12 in build/deb-test (as root; from Debian's packages)
