@@ -11,9 +11,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
 
 namespace rubato::plot {
 namespace {
@@ -80,9 +77,9 @@ std::vector<double> chosen_instants(const PlottedRun& run, const ContactPoints& 
   stored.erase(std::unique(stored.begin(), stored.end()), stored.end());
   if (wanted.empty())
     return {stored.back()};
-  std::vector<double> found;
-  for (const double at : wanted)
-    found.push_back(stored_instant(run.folder, stored, at));
+  std::vector<double> found(wanted.size());
+  std::ranges::transform(wanted, found.begin(),
+                         [&](double at) { return stored_instant(run.folder, stored, at); });
   return found;
 }
 

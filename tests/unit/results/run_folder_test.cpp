@@ -65,7 +65,7 @@ TEST(RunFolderPreparation, KeepsTheLastFormerRunOnly) {
   EXPECT_FALSE(fs::exists(scratch / "former/fields"));
 }
 
-TEST(RunFolder, HasTheNamesOfItsContactZones) {
+TEST(RunFolderContents, HasTheNamesOfItsContactZones) {
   const ScratchFolder folder;
   EXPECT_EQ(contact_zones(folder.path()), std::vector<std::string>{});
   for (const auto* name : {"resultants_seat.csv", "resultants_a_b.csv", "contact_seat.csv", "probes.csv"})
