@@ -72,8 +72,8 @@ Ticks ticks_in(Range range, int most) {
   constexpr double slack = 1e-9; // of a step: an end that is a tick but for rounding
   const double first = std::ceil(range.low / step.times(1) - slack);
   const double last = std::floor(range.high / step.times(1) + slack);
-  for (double count = first; count <= last; ++count)
-    ticks.values.push_back(count == 0 ? 0.0 : step.times(count)); // not −0
+  for (int i = 0; first + i <= last; ++i)
+    ticks.values.push_back(first + i == 0 ? 0.0 : step.times(first + i)); // not −0
   ticks.exponent = exponent_for(std::max({std::abs(range.low), std::abs(range.high), step.times(1)}));
   ticks.decimals = std::max(0, ticks.exponent - step.power);
   return ticks;

@@ -121,6 +121,7 @@ std::vector<mesh::CellBlock> blocks_of(const Appended& file, std::size_t node_co
     begin = ends[i];
   }
   std::vector<mesh::CellBlock> list;
+  list.reserve(blocks.size());
   for (auto& [type, block] : blocks)
     list.push_back(std::move(block));
   return list;
