@@ -69,10 +69,10 @@ std::string cut_to_width(std::string_view text, double size, double width) {
   if (text_width(text, size) <= width)
     return std::string(text);
   std::string cut;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (begins_letter(text[i]) && text_width(cut, size) + 2 * size * letter_width > width)
+  for (const char byte : text) {
+    if (begins_letter(byte) && text_width(cut, size) + 2 * size * letter_width > width)
       break;
-    cut += text[i];
+    cut += byte;
   }
   return cut + "…";
 }
