@@ -13,7 +13,7 @@ SCRATCH := build/installed
 SOURCES = $(shell find src apps tests bench -name '*.hpp' -o -name '*.cpp' 2>/dev/null)
 TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 
-.PHONY: help deps configure build demo picture test installed-test debug-test verify figures bench format lint clean
+.PHONY: help deps configure build demo picture test installed-test debug-test verify figures bench deb deb-test site format lint clean
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 
@@ -60,6 +60,21 @@ debug-test: deps ## the tests under the address and undefined-behaviour sanitize
 	@cmake --preset debug $(LAUNCHER)
 	@cmake --build --preset debug -j$(JOBS)
 	ctest --preset debug -j$(JOBS)
+
+deb: deps configure ## Debian packages of program and library, into build/packages
+	@cmake/install-dependencies dpkg-dev file
+	@cmake --build --preset release -j$(JOBS) --target rubato_cli rubato rubato_shell_files
+	@cmake -E rm -rf build/packages
+	@cpack --config build/release/CPackConfig.cmake -B build/packages > build/packages.log || { tail -20 build/packages.log; false; }
+	@ls build/packages/*.deb
+
+deb-test: ## the packages in a clean Debian 12 in build/deb-test (as root; from Debian's packages)
+	@cmake/install-dependencies debootstrap
+	@cmake/test-packages build/packages build/deb-test
+
+site: deps ## the pages as a web site, into build/site
+	@docs/make-site build/site
+	@echo build/site/index.html
 
 verify: build ## the slow studies of docs/verification, their figures, and 50 runs killed at any moment
 	@cmake --build --preset release --target verify

@@ -40,14 +40,21 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/rubatoConfig.cmake.in 
                               INSTALL_DESTINATION ${rubato_package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/rubatoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 
-install(TARGETS rubato_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY ${PROJECT_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} OPTIONAL) # man pages and completions
-install(TARGETS rubato EXPORT rubatoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT rubatoTargets NAMESPACE rubato:: DESTINATION ${rubato_package_dir})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/rubato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+# Two components, as packages have them: the program with its pages, and what programs are built with.
+install(TARGETS rubato_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT program OPTIONAL) # man pages and completions
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/COPYING.LESSER
+              ${PROJECT_SOURCE_DIR}/COPYING
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/cases DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png" PATTERN "*.yaml")
+install(TARGETS rubato EXPORT rubatoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT rubatoTargets NAMESPACE rubato:: DESTINATION ${rubato_package_dir} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/rubato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
         FILES_MATCHING PATTERN "*.hpp")
-install(FILES ${PROJECT_BINARY_DIR}/generated/rubato/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rubato)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/cmake/ DESTINATION ${rubato_package_dir}
+install(FILES ${PROJECT_BINARY_DIR}/generated/rubato/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rubato
+        COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/cmake/ DESTINATION ${rubato_package_dir} COMPONENT development
         FILES_MATCHING PATTERN "Find*.cmake")
 install(FILES ${PROJECT_BINARY_DIR}/rubatoConfig.cmake ${PROJECT_BINARY_DIR}/rubatoConfigVersion.cmake
-        DESTINATION ${rubato_package_dir})
+        DESTINATION ${rubato_package_dir} COMPONENT development)

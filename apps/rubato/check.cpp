@@ -28,12 +28,21 @@ int exit_code_of(const results::StoredRun& run, bool checks_hold) {
   }
 }
 
-int check_run(const std::filesystem::path& folder) {
+std::string text_of(const results::StoredRun& run, const std::vector<results::CheckResult>& checks,
+                    bool markdown) {
+  const auto state = run.status == results::RunStatus::complete ? "complete" : run.reason;
+  if (markdown)
+    return fmt::format("### {}\n\n{}\n\n{}\n", run.name, state,
+                       checks.empty() ? "no checks in the deck\n" : results::to_markdown(checks));
+  return fmt::format("{}: {}\n{}", run.name, state,
+                     checks.empty() ? "no checks in the deck\n" : results::to_text(checks));
+}
+
+int check_run(const std::filesystem::path& folder, bool markdown) {
   const auto run = results::read_stored_run(folder);
   const auto study = deck::parse_echo(run.study, (folder / results::summary_file).string());
   const auto checks = results::evaluate_checks(study.checks, run.probes, folder);
-  fmt::print("{}: {}\n", run.name, run.status == results::RunStatus::complete ? "complete" : run.reason);
-  fmt::print("{}", checks.empty() ? "no checks in the deck\n" : results::to_text(checks));
+  fmt::print("{}", text_of(run, checks, markdown));
   return exit_code_of(run, std::ranges::all_of(checks, &results::CheckResult::holds));
 }
 
@@ -56,7 +65,7 @@ int check(const CheckArguments& arguments) {
     return check_deck(what);
   int code = done;
   for (const auto& folder : results::run_folders(what))
-    code = std::max(code, check_run(folder));
+    code = std::max(code, check_run(folder, arguments.markdown));
   return code;
 }
 

@@ -48,6 +48,8 @@ void add_check(CLI::App& program, Arguments& arguments) {
                    "a deck (- reads it from standard input), a run's folder, or a folder of runs")
       ->required()
       ->type_name(kind::deck_or_folder);
+  command->add_flag("--markdown", arguments.check.markdown,
+                    "of a run: print its checks as a table in Markdown");
   command->callback([&arguments] { arguments.work = [&] { return app::check(arguments.check); }; });
 }
 
@@ -75,6 +77,105 @@ void add_compare(CLI::App& program, Arguments& arguments) {
   command->add_option("--tolerance", compare.tolerance, "fail when the largest difference is beyond it")
       ->type_name(kind::number);
   command->callback([&arguments] { arguments.work = [&] { return app::compare(arguments.compare); }; });
+}
+
+CLI::Option* add_history_options(CLI::App& command, PlotArguments& plot) {
+  auto* history =
+      command
+          .add_option("--history", plot.history,
+                      "curves over time: a probe (tip, tip.y), energy.COLUMN, ZONE.COLUMN of the resultants "
+                      "(default: every probe)")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->type_name(kind::quantities);
+  command
+      .add_option("--against", plot.against,
+                  "with --history: over this quantity instead of the time, as a hysteresis loop")
+      ->needs(history)
+      ->type_name(kind::quantity);
+  return history;
+}
+
+CLI::Option* add_line_options(CLI::App& command, PlotArguments& plot) {
+  auto* line =
+      command
+          .add_option("--line", plot.line,
+                      "pressure along a contact zone (fit), or another column of its table (fit.gap)")
+          ->type_name(kind::name);
+  command
+      .add_option("--along", plot.along,
+                  "with --line: over the arc length s or a coordinate (default: s in the plane, else the "
+                  "longest axis)")
+      ->needs(line)
+      ->type_name("s|x|y|z");
+  return line;
+}
+
+CLI::Option* add_field_options(CLI::App& command, PlotArguments& plot) {
+  auto* field = command
+                    .add_option("--field", plot.field,
+                                "the deformed bodies with a stored field in colours: von_mises, stress.xx, "
+                                "displacement (its length)")
+                    ->type_name(kind::name);
+  command.add_option("--scale", plot.scale, "with --field: enlarge displacements (default: 1)")
+      ->needs(field)
+      ->type_name(kind::number);
+  command
+      .add_option("--view", plot.view,
+                  "with --field, in space: degrees about z from x and above the xy plane (default: -60,30)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->needs(field)
+      ->type_name(kind::numbers);
+  command
+      .add_option("--range", plot.range,
+                  "with --field: lowest and highest value of the colours (default: those of the field)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->needs(field)
+      ->type_name(kind::numbers);
+  return field;
+}
+
+void add_picture_options(CLI::App& command, PlotArguments& plot) {
+  command
+      .add_option("-o,--output", plot.output,
+                  "file to write, .svg or .png (default: history.svg, line.svg or field.svg)")
+      ->type_name(kind::file);
+  command.add_option("--width", plot.width, "of the picture in pixels (default: 800)")
+      ->type_name(kind::number);
+  command.add_option("--height", plot.height, "of the picture in pixels (default: as its content suits)")
+      ->type_name(kind::number);
+}
+
+void add_plot(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand(
+      "plot", "draw histories, contact along a line, or a field on the deformed bodies (SVG, PNG)");
+  auto& plot = arguments.plot;
+  command
+      ->add_option("run", plot.runs, "folders of runs, or folders that hold runs; curves of all in one plot")
+      ->required()
+      ->type_name(kind::folder);
+  auto* history = add_history_options(*command, plot);
+  auto* line = add_line_options(*command, plot);
+  auto* field = add_field_options(*command, plot);
+  history->excludes(line)->excludes(field);
+  line->excludes(field);
+  command
+      ->add_option("--at", plot.at,
+                   "with --line: instants, a curve each; with --field: the instant (default: the last one "
+                   "stored)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->excludes(history)
+      ->type_name(kind::numbers);
+  command
+      ->add_option("--reference", plot.reference,
+                   "with curves: also the line of an expression of the abscissa x, as 45e6*sqrt(1-(x/2)^2)")
+      ->excludes(field)
+      ->type_name(kind::expression);
+  add_picture_options(*command, plot);
+  command->callback([&arguments] { arguments.work = [&] { return app::plot(arguments.plot); }; });
 }
 
 void add_info(CLI::App& program, Arguments& arguments) {
@@ -144,6 +245,11 @@ void add_shell(CLI::App& program, Arguments& arguments) {
   auto* runs = program.add_subcommand("run-names", "print the runs of a deck, one a line")->group("");
   runs->add_option("deck", arguments.shell.deck, "the study")->required()->type_name(kind::deck);
   runs->callback([&arguments] { arguments.work = [&] { return app::print_run_names(arguments.shell); }; });
+  auto* quantities =
+      program.add_subcommand("quantity-names", "print what histories of runs have, one a line")->group("");
+  quantities->add_option("run", arguments.shell.runs, "folders")->required()->type_name(kind::folder);
+  quantities->callback(
+      [&arguments] { arguments.work = [&] { return app::print_quantity_names(arguments.shell); }; });
 }
 
 /// The version, and which of the parts that a build may lack this one has.
@@ -169,6 +275,7 @@ void declare(CLI::App& program, Arguments& arguments) {
   add_new(program, arguments);
   add_check(program, arguments);
   add_compare(program, arguments);
+  add_plot(program, arguments);
   add_info(program, arguments);
   add_mesh(program, arguments);
   add_list(program, arguments);

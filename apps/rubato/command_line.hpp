@@ -16,6 +16,7 @@ struct Arguments {
   RunArguments run;
   CheckArguments check;
   CompareArguments compare;
+  PlotArguments plot;
   InfoArguments info;
   MeshArguments mesh;
   NewArguments new_deck;
@@ -36,6 +37,10 @@ inline constexpr auto runs = "RUN,...";
 inline constexpr auto setting = "PATH=VALUE";
 inline constexpr auto name = "NAME";
 inline constexpr auto number = "NUMBER";
+inline constexpr auto numbers = "NUMBER,...";
+inline constexpr auto quantity = "QUANTITY";
+inline constexpr auto quantities = "QUANTITY,...";
+inline constexpr auto expression = "EXPRESSION";
 } // namespace kind
 
 inline constexpr auto about = "rubato: how elastic bodies move, touch, rub and part";

@@ -25,6 +25,7 @@ int run(const RunArguments& arguments);
 
 struct CheckArguments {
   std::filesystem::path what; ///< a deck, or a folder of results
+  bool markdown = false;      ///< checks as a table in Markdown
 };
 int check(const CheckArguments& arguments);
 
@@ -42,6 +43,25 @@ struct CompareArguments {
   std::optional<double> tolerance;
 };
 int compare(const CompareArguments& arguments);
+
+/// What is drawn: histories, the points of a contact zone, or a field on the deformed bodies.
+struct PlotArguments {
+  std::vector<std::filesystem::path> runs;
+  std::vector<std::string> history; ///< empty, as `line` and `field`: every probe
+  std::string against;
+  std::string line; ///< a zone, or a zone and a column of its points
+  std::string along;
+  std::string field;
+  std::vector<double> at;
+  double scale = 1;
+  std::vector<double> view;  ///< azimuth and elevation [degrees]
+  std::vector<double> range; ///< of the colours
+  std::string reference;     ///< an expression
+  std::filesystem::path output;
+  int width = 800;
+  std::optional<int> height;
+};
+int plot(const PlotArguments& arguments);
 
 struct InfoArguments {
   std::filesystem::path file;
@@ -70,9 +90,11 @@ std::vector<std::string> template_names();
 struct ShellArguments {
   std::filesystem::path folder; ///< laid out as /usr/share
   std::filesystem::path deck;
+  std::vector<std::filesystem::path> runs;
 };
 int write_shell_files(const ShellArguments& arguments);
 int print_run_names(const ShellArguments& arguments);
+int print_quantity_names(const ShellArguments& arguments);
 
 int list();
 int schema();

@@ -63,6 +63,8 @@ std::string bash_value(const std::string& kind) {
     return fmt::format("_rubato_words '{}'", fmt::join(words, " "));
   if (kind == kind::runs)
     return "_rubato_runs";
+  if (kind == kind::quantity || kind == kind::quantities)
+    return "_rubato_quantities";
   if (kind == kind::folder)
     return "_rubato_files ''";
   if (kind == kind::file)
@@ -84,7 +86,8 @@ BashCases bash_cases(const CLI::App& command) {
   for (const auto& argument : arguments_of(command)) {
     if (argument.names.empty())
       cases.positional +=
-          fmt::format("    '{} {}') {} ;;\n", command.get_name(), place++, bash_value(argument.kind));
+          fmt::format("    '{} '{}) {} ;;\n", command.get_name(),
+                      argument.repeated ? "*" : std::to_string(place++), bash_value(argument.kind));
     else if (!argument.kind.empty())
       cases.options += fmt::format("    '{} {}') {}; return ;;\n", command.get_name(),
                                    fmt::join(argument.names, fmt::format("'|'{} ", command.get_name())),
@@ -110,15 +113,29 @@ _rubato_files() {
   done < <(compgen -f -- "$current")
 }
 
-# Names of runs of the deck on the command line, after the last comma.
+# Names that rubato prints for these arguments, after the last comma.
+_rubato_names() {
+  local before=""
+  [[ $current == *,* ]] && before=${current%,*},
+  COMPREPLY=($(compgen -P "$before" -W "$("${COMP_WORDS[0]}" "$@" 2>/dev/null)" -- "${current##*,}"))
+}
+
+# Names of runs of the deck on the command line.
 _rubato_runs() {
-  local word deck before=""
+  local word deck
   for word in "${COMP_WORDS[@]}"; do
     [[ $word == *.@(@deck_endings@) ]] && deck=$word
   done
-  [[ -n $deck ]] || return
-  [[ $current == *,* ]] && before=${current%,*},
-  COMPREPLY=($(compgen -P "$before" -W "$("${COMP_WORDS[0]}" run-names "$deck" 2>/dev/null)" -- "${current##*,}"))
+  [[ -n $deck ]] && _rubato_names run-names "$deck"
+}
+
+# What the runs on the command line have histories of.
+_rubato_quantities() {
+  local word folders=()
+  for word in "${COMP_WORDS[@]:2}"; do
+    [[ -d $word ]] && folders+=("$word")
+  done
+  ((${#folders[@]} > 0)) && _rubato_names quantity-names "${folders[@]}"
 }
 
 _rubato() {
@@ -167,6 +184,8 @@ std::string zsh_value(const std::string& kind) {
     return fmt::format("({})", fmt::join(words, " "));
   if (kind == kind::runs)
     return "_rubato_runs";
+  if (kind == kind::quantity || kind == kind::quantities)
+    return "_rubato_quantities";
   if (kind == kind::folder)
     return "_files -/";
   if (kind == kind::file)
@@ -183,8 +202,11 @@ std::string zsh_argument(const Argument& argument) {
           : fmt::format(":{}:{}", zsh_escaped(words_of_kind(argument.kind).empty() ? argument.kind : "word"),
                         replaced(zsh_value(argument.kind), "'", "'\\''"));
   if (argument.names.empty())
-    return fmt::format("'{}:{}:{}'", argument.required ? "" : ":", zsh_escaped(argument.meaning),
-                       replaced(zsh_value(argument.kind), "'", "'\\''"));
+    return fmt::format("'{}:{}:{}'",
+                       argument.repeated   ? "*"
+                       : argument.required ? ""
+                                           : ":",
+                       zsh_escaped(argument.meaning), replaced(zsh_value(argument.kind), "'", "'\\''"));
   if (argument.names.size() == 1)
     return fmt::format("'{}{}[{}]{}'", argument.kind == kind::setting ? "*" : "", argument.names.front(),
                        zsh_escaped(argument.meaning), value);
@@ -200,6 +222,17 @@ _rubato_runs() {
   [[ -n $deck ]] || return
   local -a names=(${(f)"$(rubato run-names $deck 2>/dev/null)"})
   _values -s , run $names
+}
+
+_rubato_quantities() {
+  local word
+  local -a folders
+  for word in $words; do
+    [[ -d $word ]] && folders+=($word)
+  done
+  (($#folders)) || return
+  local -a names=(${(f)"$(rubato quantity-names $folders 2>/dev/null)"})
+  _values -s , quantity $names
 }
 
 _rubato() {
@@ -235,6 +268,8 @@ std::string fish_value(const std::string& kind) {
     return fmt::format(" -x -a '{}'", fmt::join(words, " "));
   if (kind == kind::runs)
     return " -x -a '(__rubato_runs)'";
+  if (kind == kind::quantity || kind == kind::quantities)
+    return " -x -a '(__rubato_quantities)'";
   if (kind == kind::folder)
     return " -x -a '(__fish_complete_directories)'";
   if (kind == kind::file)
@@ -262,6 +297,16 @@ function __rubato_runs
     set -l deck (commandline -opc | string match -r '.*\.(?:@deck_endings@)$')
     set -l before (commandline -ct | string match -r '^.*,')
     test -n "$deck[1]"; and rubato run-names $deck[1] 2>/dev/null | string replace -r '^' "$before"
+end
+
+# What the runs on the command line have histories of, likewise.
+function __rubato_quantities
+    set -l folders
+    for word in (commandline -opc)[3..-1]
+        test -d $word; and set -a folders $word
+    end
+    set -l before (commandline -ct | string match -r '^.*,')
+    test -n "$folders[1]"; and rubato quantity-names $folders 2>/dev/null | string replace -r '^' "$before"
 end
 
 # Folders, and files with one of these endings. A command that is none has files for arguments.

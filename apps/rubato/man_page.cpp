@@ -46,10 +46,11 @@ std::string options_text(const CLI::App& command) {
 
 std::string synopsis(const CLI::App& command) {
   std::string positional;
-  for (const auto& argument : arguments_of(command))
+  for (const auto& argument : arguments_of(command)) {
+    const auto name = fmt::format("\\fI{}\\fR{}", escaped(argument.name), argument.repeated ? " ..." : "");
     if (argument.names.empty())
-      positional += argument.required ? fmt::format(" \\fI{}\\fR", escaped(argument.name))
-                                      : fmt::format(" [\\fI{}\\fR]", escaped(argument.name));
+      positional += argument.required ? " " + name : " [" + name + "]";
+  }
   return fmt::format(".SH SYNOPSIS\n\\fBrubato {}\\fR [options]{}\n", escaped(command.get_name()),
                      positional);
 }

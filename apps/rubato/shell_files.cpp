@@ -30,6 +30,7 @@ Argument argument_of(const CLI::Option& option) {
   argument.kind = option.get_items_expected_max() == 0 ? "" : option.get_type_name();
   argument.meaning = option.get_description();
   argument.required = option.get_required();
+  argument.repeated = option.get_positional() && option.get_items_expected_max() > 1;
   return argument;
 }
 

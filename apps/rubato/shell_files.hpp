@@ -16,6 +16,7 @@ struct Argument {
   std::string kind;               ///< "FOLDER"; empty of a flag
   std::string meaning;
   bool required = false;
+  bool repeated = false; ///< a positional one that takes all that follow
 };
 
 /// Options first, --help among them, then positional arguments in their order.

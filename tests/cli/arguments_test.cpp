@@ -44,12 +44,12 @@ TEST_F(CommandLine, ShowsItsHelpAsAFaultWhenNothingIsAsked) {
 }
 
 TEST_F(CommandLine, RefusesUnknownSubcommandsAndOptions) {
-  expect(
-      {{"rum"},
-       2,
-       "",
-       "error: found 'rum', expected one of run, new, check, compare, info, mesh, list, schema; did you mean "
-       "'run'?\n"});
+  expect({{"rum"},
+          2,
+          "",
+          "error: found 'rum', expected one of run, new, check, compare, plot, info, mesh, list, schema; did "
+          "you mean "
+          "'run'?\n"});
   expect({{"run"}, 2, "", "error: deck is required (rubato --help tells more)\n"});
   expect({{"run", "deck.yaml", "--fast"},
           2,

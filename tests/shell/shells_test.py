@@ -21,6 +21,17 @@ runs: {first: {}, second: {}, third: {}}
 """
 
 
+BLOCK = """mesh: {generate: [{name: block, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [2, 2],
+  sides: {bottom: ground, top: roof}}]}
+physics: plane_strain
+materials: {rubber: {young: 1e6, poisson: 0.3}}
+supports: [{on: ground, fix: [x, y]}]
+loads: [{pressure: {on: roof, value: 1000}}]
+time: {scheme: static, step: 1, end: 1}
+probes: {roof: {on: roof, take: mean}}
+"""
+
+
 @pytest.fixture(scope="session")
 def share(tmp_path_factory):
     folder = tmp_path_factory.mktemp("share")
@@ -208,6 +219,21 @@ def test_meshes_are_offered_to_info(complete):
 def test_folders_are_offered_for_results(complete):
     found = complete("rubato", "run", "deck.yaml", "-o", "")
     assert {"results", "results/"} & found and "notes.txt" not in found
+
+
+def test_folders_are_offered_for_each_run_of_a_plot(complete):
+    for words in [["r"], ["results", "r"], ["results", "results", "r"]]:
+        found = complete("rubato", "plot", *words)
+        assert {"results", "results/"} & found and "notes.txt" not in found, words
+
+
+def test_what_runs_have_histories_of_is_offered(complete, place):
+    (place / "block.yaml").write_text(BLOCK)
+    assert corpus.outcome("run", str(place / "block.yaml"), "-q", "-o", str(place / "results"))[0] == 0
+    for option in ["--history", "--against"]:
+        found = complete("rubato", "plot", "results/run", option, "")
+        assert {"roof", "roof.y", "energy.strain"} <= found, option
+    assert any("energy.strain" in word for word in complete("rubato", "plot", "results/run", "--history", "roof,energy.s"))
 
 
 def test_runs_of_the_deck_are_offered(complete):

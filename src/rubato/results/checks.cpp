@@ -161,6 +161,17 @@ std::string source_of(const CheckResult& r) {
   return r.failure.empty() ? text : fmt::format("{} ({})", text, r.failure);
 }
 
+/// Text in a cell of a Markdown table.
+std::string cell_text(const std::string& text) {
+  std::string shown;
+  for (const char letter : text) {
+    if (std::string_view("\\|*_`<>").find(letter) != std::string_view::npos)
+      shown += '\\';
+    shown += letter == '\n' ? ' ' : letter;
+  }
+  return shown;
+}
+
 } // namespace
 
 std::vector<CheckResult> evaluate_checks(std::span<const study::Check> checks, const Table& probes,
@@ -184,6 +195,21 @@ std::string to_text(std::span<const CheckResult> results) {
                         r.value ? fmt::format("{:.2e}", r.deviation) : "",
                         fmt::format("{:.1e}{}", r.tolerance, r.relative ? "" : " abs"),
                         r.holds ? "ok" : "FAILS", source_of(r));
+  return text;
+}
+
+std::string to_markdown(std::span<const CheckResult> results) {
+  std::string text =
+      "| quantity | t | value | reference | difference | deviation | tolerance | verdict | source |\n"
+      "|---|---:|---:|---:|---:|---:|---:|---|---|\n";
+  for (const auto& r : results)
+    text += fmt::format("| {} | {} | {} | {:.9g} | {} | {} | {:.1e} {} | {} | {} |\n", cell_text(r.quantity),
+                        r.over.empty() ? fmt::format("{:.6g}", r.at) : cell_text(r.over),
+                        r.value ? fmt::format("{:.9g}", *r.value) : "not reached", r.reference,
+                        r.value ? fmt::format("{:.2e}", *r.value - r.reference) : "",
+                        r.value ? fmt::format("{:.2e}", r.deviation) : "", r.tolerance,
+                        r.relative ? "relative" : "absolute", r.holds ? "ok" : "**FAILS**",
+                        cell_text(source_of(r)));
   return text;
 }
 

@@ -41,6 +41,10 @@ std::vector<CheckResult> evaluate_checks(std::span<const study::Check> checks, c
 /// The comparison as a table for people.
 std::string to_text(std::span<const CheckResult> results);
 
+/// The same in Markdown: quantity, instant, value, reference, difference, deviation, tolerance, verdict,
+/// source.
+std::string to_markdown(std::span<const CheckResult> results);
+
 std::string_view to_string(study::CheckSource source);
 
 } // namespace rubato::results

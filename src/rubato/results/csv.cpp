@@ -87,27 +87,37 @@ int Table::column(const std::string& name) const {
   return found == columns.end() ? -1 : static_cast<int>(found - columns.begin());
 }
 
-Table read_csv(const std::filesystem::path& path) {
+void read_csv_lines(const std::filesystem::path& path,
+                    const std::function<void(std::span<const std::string_view>, const Location&)>& line) {
   std::ifstream file(path);
   if (!file)
     throw InputError(fmt::format("{}: cannot be read", path.string()));
-  Table table;
-  std::string line;
-  for (int number_of_line = 1; std::getline(file, line); ++number_of_line) {
+  std::string text;
+  std::size_t columns = 0;
+  for (int number_of_line = 1; std::getline(file, text); ++number_of_line) {
     const Location at{path.string(), number_of_line, 1};
-    if (line.ends_with('\r')) // other programs' tables may end their lines so
-      line.pop_back();
-    const auto parts = split(line);
-    if (number_of_line == 1) {
-      table.columns.assign(parts.begin(), parts.end());
-      continue;
-    }
-    if (parts.size() != table.columns.size())
-      throw InputError(fmt::format("found {} values, expected {}", parts.size(), table.columns.size()), at);
-    auto& row = table.rows.emplace_back();
-    for (const auto part : parts)
-      row.push_back(number(part, at));
+    if (text.ends_with('\r')) // other programs' tables may end their lines so
+      text.pop_back();
+    const auto values = split(text);
+    if (number_of_line == 1)
+      columns = values.size();
+    if (values.size() != columns)
+      throw InputError(fmt::format("found {} values, expected {}", values.size(), columns), at);
+    line(values, at);
   }
+}
+
+Table read_csv(const std::filesystem::path& path) {
+  Table table;
+  read_csv_lines(path, [&](std::span<const std::string_view> values, const Location& at) {
+    if (at.line == 1) {
+      table.columns.assign(values.begin(), values.end());
+      return;
+    }
+    auto& row = table.rows.emplace_back();
+    for (const auto value : values)
+      row.push_back(number(value, at));
+  });
   return table;
 }
 

@@ -2,9 +2,12 @@
 /// Tables as text, a line at a time: what is written stays readable however the run ends.
 #pragma once
 
+#include "rubato/core/error.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,6 +51,13 @@ public:
 private:
   LineFile file_;
 };
+
+/// Calls `line` for each line of a table, the header too, with its values as text and its place. Throws
+/// InputError, with file and line, when the file cannot be read or a line has another number of values than
+/// the header.
+void read_csv_lines(
+    const std::filesystem::path& path,
+    const std::function<void(std::span<const std::string_view> values, const Location& at)>& line);
 
 struct Table {
   std::vector<std::string> columns;

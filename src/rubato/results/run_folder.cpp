@@ -79,6 +79,19 @@ std::string contact_file(std::string_view zone) {
   return fmt::format("{}{}.csv", contact_prefix, zone);
 }
 
+std::vector<std::string> contact_zones(const std::filesystem::path& folder) {
+  constexpr std::string_view ending = ".csv";
+  std::vector<std::string> zones;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const auto name = entry.path().filename().string();
+    if (name.starts_with(resultants_prefix) && name.ends_with(ending))
+      zones.push_back(
+          name.substr(resultants_prefix.size(), name.size() - resultants_prefix.size() - ending.size()));
+  }
+  std::ranges::sort(zones);
+  return zones;
+}
+
 std::string vtu_file(int step) {
   return fmt::format("{:0{}}.vtu", step, step_digits);
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubato::results {
 
@@ -24,6 +25,8 @@ constexpr std::string_view former_folder = "former";
 std::string resultants_file(std::string_view zone);
 /// "contact_<zone>.csv"
 std::string contact_file(std::string_view zone);
+/// The contact zones of a run, by name, as its folder has tables of their resultants.
+std::vector<std::string> contact_zones(const std::filesystem::path& folder);
 /// "000012.vtu", in the folder `vtu_folder`.
 std::string vtu_file(int step);
 

@@ -129,5 +129,20 @@ TEST(CheckTable, ShowsSourceAndNote) {
   EXPECT_NE(text.find("5.0e-01 abs"), std::string::npos) << text;
 }
 
+TEST(CheckTable, InMarkdownHasACellForEachPart) {
+  auto result = result_of(check(1, 0.3, -4.004, 1e-3, true));
+  result.note = "a | b * c";
+  EXPECT_EQ(to_markdown(std::array{result}),
+            "| quantity | t | value | reference | difference | deviation | tolerance | verdict | source |\n"
+            "|---|---:|---:|---:|---:|---:|---:|---|---|\n"
+            "| tip.y | 0.3 | -4 | -4.004 | 4.00e-03 | 9.99e-04 | 1.0e-03 relative | ok | external: a \\| b "
+            "\\* c |\n");
+  const auto missing = result_of(check(1, 9, 1, 1e-3, false));
+  EXPECT_NE(to_markdown(std::array{missing})
+                .find("| tip.y | 9 | not reached | 1 |  |  | 1.0e-03 absolute | **FAILS** |"),
+            std::string::npos)
+      << to_markdown(std::array{missing});
+}
+
 } // namespace
 } // namespace rubato::results

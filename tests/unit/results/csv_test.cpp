@@ -104,5 +104,16 @@ TEST(CsvFile, IsRefusedWithFileAndLineWhenItIsNoTable) {
             std::string::npos);
 }
 
+TEST(CsvLines, AreGivenAsTextWithTheirPlaces) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "table.csv") << "t,node,gap\r\n1,N4,\n";
+  std::vector<std::vector<std::string>> lines;
+  read_csv_lines(folder / "table.csv", [&](std::span<const std::string_view> values, const Location& at) {
+    EXPECT_EQ(at.line, static_cast<int>(lines.size()) + 1);
+    lines.emplace_back(values.begin(), values.end());
+  });
+  EXPECT_EQ(lines, (std::vector<std::vector<std::string>>{{"t", "node", "gap"}, {"1", "N4", ""}}));
+}
+
 } // namespace
 } // namespace rubato::results

@@ -66,6 +66,14 @@ TEST(RunFolderPreparation, KeepsTheLastFormerRunOnly) {
   EXPECT_FALSE(fs::exists(scratch / "former/fields"));
 }
 
+TEST(RunFolderContents, HasTheNamesOfItsContactZones) {
+  const ScratchFolder folder;
+  EXPECT_EQ(contact_zones(folder.path()), std::vector<std::string>{});
+  for (const auto* name : {"resultants_seat.csv", "resultants_a_b.csv", "contact_seat.csv", "probes.csv"})
+    std::ofstream(folder / name) << "t\n";
+  EXPECT_EQ(contact_zones(folder.path()), (std::vector<std::string>{"a_b", "seat"}));
+}
+
 TEST(RunFolderClaim, IsOneProgramsAtATime) {
   const ScratchFolder scratch;
   const auto folder = scratch / "run";

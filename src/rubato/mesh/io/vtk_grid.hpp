@@ -5,6 +5,7 @@
 #include "rubato/mesh/mesh.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,12 @@ struct VtkCells {
   std::vector<std::int64_t> numbers; ///< the file's own; empty where they are not known
 };
 VtkCells vtk_cells(const Mesh& mesh, VtuCells which);
+
+/// The type of cell that VTK numbers so (vtkCellType.h); nothing for one that this project does not know.
+std::optional<CellType> cell_type_of_vtk(int number);
+
+/// The nodes of a cell, which stand as VTK orders them, in this project's order.
+std::vector<NodeIndex> from_vtk_order(CellType type, std::span<const NodeIndex> nodes);
 
 /// Which of the points or of the cells written belong to a group: 1, of others 0.
 struct VtkGroup {

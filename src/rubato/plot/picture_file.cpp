@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/plot/picture_file.hpp"
+
+#include "rubato/core/error.hpp"
+#include "rubato/core/writing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <librsvg/rsvg.h>
+#include <memory>
+#include <stdexcept>
+
+namespace rubato::plot {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Release {
+  void operator()(GInputStream* stream) const { g_object_unref(stream); }
+  void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+  void operator()(GError* error) const { g_error_free(error); }
+};
+template <class T> using Owned = std::unique_ptr<T, Release>;
+
+std::string ending_of(const fs::path& path) {
+  auto ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return ending;
+}
+
+[[noreturn]] void fail(GError* error) {
+  const Owned<GError> owned(error);
+  throw std::runtime_error(
+      fmt::format("the picture cannot be drawn ({})", owned ? owned->message : "librsvg gives no reason"));
+}
+
+Owned<RsvgHandle> read_svg(const std::string& svg) {
+  const Owned<GInputStream> stream(
+      g_memory_input_stream_new_from_data(svg.data(), static_cast<gssize>(svg.size()), nullptr));
+  GError* error = nullptr;
+  // Unlimited: texts of many megabytes are taken too.
+  Owned<RsvgHandle> handle(
+      rsvg_handle_new_from_stream_sync(stream.get(), nullptr, RSVG_HANDLE_FLAG_UNLIMITED, nullptr, &error));
+  if (!handle)
+    fail(error);
+  return handle;
+}
+
+Owned<cairo_surface_t> drawn_picture(RsvgHandle* handle) {
+  gdouble width = 0;
+  gdouble height = 0;
+  rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height);
+  Owned<cairo_surface_t> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
+  const Owned<cairo_t> context(cairo_create(surface.get()));
+  const RsvgRectangle whole{0, 0, width, height};
+  GError* error = nullptr;
+  if (!rsvg_handle_render_document(handle, context.get(), &whole, &error))
+    fail(error);
+  return surface;
+}
+
+void write_svg(const fs::path& path, const std::string& svg) {
+  std::ofstream stream(path, std::ios::binary);
+  stream << svg;
+  finish_writing(stream, path);
+}
+
+void write_png(const fs::path& path, const std::string& svg) {
+  const auto handle = read_svg(svg);
+  const auto surface = drawn_picture(handle.get());
+  errno = 0;
+  if (cairo_surface_write_to_png(surface.get(), path.c_str()) != CAIRO_STATUS_SUCCESS)
+    throw WriteError(path, errno);
+}
+
+} // namespace
+
+void require_picture_name(const fs::path& path) {
+  const auto ending = ending_of(path);
+  if (ending != ".svg" && ending != ".png")
+    throw InputError(fmt::format("{}: found the ending '{}', expected .svg or .png", path.string(),
+                                 path.extension().string()));
+}
+
+void write_picture(const fs::path& path, const std::string& svg) {
+  require_picture_name(path);
+  const auto folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder) || fs::is_directory(path))
+    throw InputError(fmt::format("{}: cannot be written: {}", path.string(),
+                                 fs::is_directory(path) ? "it is a folder" : "there is no such folder"));
+  write_whole(path, [&](const fs::path& beside) {
+    ending_of(path) == ".png" ? write_png(beside, svg) : write_svg(beside, svg);
+  });
+}
+
+} // namespace rubato::plot
