@@ -16,6 +16,7 @@ struct Arguments {
   RunArguments run;
   CheckArguments check;
   CompareArguments compare;
+  ReportArguments report;
   InfoArguments info;
   MeshArguments mesh;
   NewArguments new_deck;

@@ -43,6 +43,12 @@ struct CompareArguments {
 };
 int compare(const CompareArguments& arguments);
 
+struct ReportArguments {
+  std::vector<std::filesystem::path> runs; ///< one, or two side by side
+  std::filesystem::path output;
+};
+int report(const ReportArguments& arguments);
+
 struct InfoArguments {
   std::filesystem::path file;
   std::string mesh_name;

@@ -186,6 +186,22 @@ void write_vtu(const std::filesystem::path& path, const Mesh& mesh, std::span<co
   });
 }
 
+std::optional<CellType> cell_type_of_vtk(int number) {
+  const auto* const found = std::ranges::find(vtk_types, number);
+  if (found == vtk_types.end())
+    return std::nullopt;
+  return static_cast<CellType>(found - vtk_types.begin());
+}
+
+std::vector<NodeIndex> from_vtk_order(CellType type, std::span<const NodeIndex> nodes) {
+  std::vector<NodeIndex> ordered(nodes.begin(), nodes.end());
+  if (cell::linear_type(type) == CellType::penta6) {
+    const auto order = mirrored_numbering(type); // its own inverse
+    std::ranges::transform(order, ordered.begin(), [&](auto local) { return nodes[local]; });
+  }
+  return ordered;
+}
+
 std::string xml_escaped(const std::string& text) {
   std::string escaped;
   for (const char letter : text) {

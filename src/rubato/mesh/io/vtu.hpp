@@ -5,6 +5,7 @@
 #include "rubato/mesh/mesh.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,12 @@ enum class VtuCells {
 /// still there then); std::invalid_argument for an array of the wrong size.
 void write_vtu(const std::filesystem::path& path, const Mesh& mesh, std::span<const VtuArray> arrays = {},
                VtuCells which = VtuCells::of_highest_dimension, std::span<const Eigen::Vector3d> points = {});
+
+/// The type of cell that VTK numbers so (vtkCellType.h); nothing for one that this project does not know.
+std::optional<CellType> cell_type_of_vtk(int number);
+
+/// The nodes of a cell, which stand as VTK orders them, in this project's order.
+std::vector<NodeIndex> from_vtk_order(CellType type, std::span<const NodeIndex> nodes);
 
 /// `text` with &, <, > and quotes written as XML wants them.
 std::string xml_escaped(const std::string& text);
