@@ -71,7 +71,7 @@ void add_table(const fs::path& folder, const std::string& name, std::string_view
     if (!zone.empty())
       json["zone"] = zone;
     if (const auto stride = stride_of(table.rows.size()); stride > 1)
-      record["warnings"].push_back(fmt::format("{} has {} lines; the curves here are drawn of every {}th",
+      record["warnings"].push_back(fmt::format("{} has {} lines, of which the curves here show one in {}",
                                                name, table.rows.size(), stride));
     record["tables"].push_back(std::move(json));
   } catch (const InputError& error) {

@@ -86,6 +86,7 @@
     { pixels: 0.35, edges: false, coarse: true },
   ];
   const slowFrame = 70, fastFrame = 25; // ms
+  const eyeDistance = 3; // from the middle, in radii of the body: it does not change what is seen
 
   class Picture {
     constructor(run, container, shape) {
@@ -114,7 +115,7 @@
       this.buildBodies();
       this.buildMarkers();
       this.controls = new THREE.TrackballControls(this.camera, this.canvas);
-      Object.assign(this.controls, { staticMoving: true, rotateSpeed: 3, zoomSpeed: 5, panSpeed: 0.6, noRotate: this.flat,
+      Object.assign(this.controls, { staticMoving: true, rotateSpeed: 3, zoomSpeed: 5, noRotate: this.flat,
         keys: ["", "", ""] });
       if (this.flat) this.controls.mouseButtons.LEFT = 2; // moves
       new ResizeObserver(() => this.resize()).observe(container);
@@ -285,6 +286,8 @@
       this.applySize(1);
       this.setFrustum();
       this.controls.handleResize();
+      // Of three's factors those that make the body follow the pointer (TrackballControls, _panCamera).
+      this.controls.panSpeed = this.size.width / (eyeDistance * this.radius());
       this.dirty = true;
     }
 
@@ -308,10 +311,10 @@
 
     /** Looks against axis x, y or z, or from a corner, at the whole body. */
     lookAlong(axis) {
-      const from = { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, 1], iso: [0.62, 0.48, 0.62] }[axis];
+      const from = { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, 1], iso: [0.62, 0.48, 0.6207] }[axis];
       const up = { x: [0, 0, 1], y: [0, 0, 1], z: [0, 1, 0], iso: [0, 1, 0] }[axis];
       this.controls.target.set(0, 0, 0);
-      this.camera.position.set(...from.map((value) => 3 * this.radius() * value));
+      this.camera.position.set(...from.map((value) => eyeDistance * this.radius() * value));
       this.camera.up.set(...up);
       this.camera.zoom = 1;
       this.camera.lookAt(0, 0, 0);
