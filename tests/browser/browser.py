@@ -48,7 +48,7 @@ class Page:
         """What a script returns."""
         return self.driver.execute_script(f"return ({script})", *arguments)
 
-    def wait(self, condition, longest=120):
+    def wait(self, condition, longest=280):
         """Until a condition holds and all updates of the view are drawn."""
         done = self.driver.execute_async_script(
             f"""const done = arguments[0], end = performance.now() + {1000 * longest};

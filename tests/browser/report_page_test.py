@@ -2,6 +2,7 @@
 """What `rubato report` writes, opened in a browser from the disk and held against the files of the run."""
 
 import csv
+import json
 import math
 import os
 import subprocess
@@ -24,9 +25,10 @@ CASES = Path(os.environ["RUBATO_SOURCE_DIR"]) / "cases" / "sdnl140"
 PICTURES = os.environ.get("RUBATO_PICTURES", "")  # a folder: pictures for the documentation go there
 
 
-def rubato(*arguments, code=0):
-    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
-    assert done.returncode == code, done.stderr
+def rubato(*arguments, folder=None):
+    """Runs the program in a folder, to its end."""
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False, cwd=folder)
+    assert done.returncode == 0, done.stderr
     return done
 
 
@@ -244,8 +246,6 @@ def test_curves_are_the_tables(results, opened, kind, file):
 
 
 def test_convergence_is_that_of_the_steps(results, opened):
-    import json
-
     page = opened("plane/evol1/report.html")
     steps = [json.loads(line) for line in (results / "plane/evol1/steps.jsonl").read_text().splitlines()]
     charts = {chart["title"]: chart["data"] for chart in page.run(
@@ -290,20 +290,20 @@ def test_a_run_without_fields_has_a_report_without_a_view(results, driver):
     assert page.run("rubato.charts.find((chart) => chart.kind === 'probes').chart.data[0].length") == 3
 
 
-def test_pictures_for_the_documentation(results, tmp_path):
+def test_pictures_for_the_documentation(tmp_path):
     """docs/pictures/report.png, where RUBATO_PICTURES names a folder."""
     if not PICTURES:
         pytest.skip("RUBATO_PICTURES names no folder for the picture (make picture)")
-    rubato("run", CASES / "c.yaml", "--only", "evol1", "-o", tmp_path, "--set", "mesh.refine=2", "--set", "fields={every: 1}", "--set",
-           "checks=")
-    rubato("report", tmp_path / "evol1")
-    with browser.chromium(1366, 1180) as driver:
-        page = browser.Page(driver, tmp_path / "evol1/report.html")
+    rubato("run", CASES / "c.yaml", "--only", "evol1", "-o", "beams", "--set", "mesh.refine=2", "--set", "fields={every: 1}", "--set", "checks=", folder=tmp_path)
+    rubato("report", "beams/evol1", folder=tmp_path)
+    with browser.chromium(1280, 1080) as driver:
+        page = browser.Page(driver, tmp_path / "beams/evol1/report.html")
         go_to(page, 0.004)
-        page.run("rubato.viewer.panes[0].picture.turn(-0.5, 0.1), rubato.viewer.drawAxes(rubato.viewer.panes[0])")
+        page.run("rubato.viewer.panes[0].picture.turn(0.1, 0), rubato.viewer.panes[0].picture.zoomBy(1.25),"
+                 " rubato.viewer.drawAxes(rubato.viewer.panes[0])")
         page.run("rubato.viewer.set({ range: rubato.viewer.rangeSelect.value = 'one' })")
         page.settle()
-        click_on(page, node_at(page, 1, 0.1, 0))
+        click_on(page, node_at(page, 1, 0.1, 0.1))
         picture = Path(PICTURES) / "report.png"
         driver.save_screenshot(str(picture))
         assert picture.stat().st_size < 300_000

@@ -311,7 +311,7 @@
 
     /** Looks against axis x, y or z, or from a corner, at the whole body. */
     lookAlong(axis) {
-      const from = { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, 1], iso: [0.62, 0.48, 0.6207] }[axis];
+      const from = { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, 1], iso: [0.35, 0.4, 0.847] }[axis];
       const up = { x: [0, 0, 1], y: [0, 0, 1], z: [0, 1, 0], iso: [0, 1, 0] }[axis];
       this.controls.target.set(0, 0, 0);
       this.camera.position.set(...from.map((value) => eyeDistance * this.radius() * value));
