@@ -24,7 +24,7 @@ std::string compressed(const Bytes& bytes) {
 
 /// The bytes of the differences in planes: all lowest bytes first.
 template <class T> Bytes planes(std::span<const T> numbers) {
-  constexpr unsigned bits_of_byte = 8;
+  constexpr unsigned bits_of_plane = 8;
   const auto count = numbers.size();
   Bytes bytes(count * sizeof(T));
   T former = 0;
@@ -32,7 +32,7 @@ template <class T> Bytes planes(std::span<const T> numbers) {
     const auto difference = static_cast<T>(numbers[i] - former);
     former = numbers[i];
     for (std::size_t plane = 0; plane < sizeof(T); ++plane)
-      bytes[plane * count + i] = static_cast<std::byte>(difference >> (bits_of_byte * plane));
+      bytes[plane * count + i] = static_cast<std::byte>(difference >> (bits_of_plane * plane));
   }
   return bytes;
 }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace rubato::report {
@@ -29,7 +30,7 @@ std::vector<std::string> names_of_components(std::vector<std::string> names) {
 
 /// The values of one array of a file, as many components a node as the layout has: vectors in a plane have a
 /// third one of zeros there.
-std::vector<double> values_of(const VtuArray& array, std::size_t components) {
+std::vector<double> array_values(const VtuArray& array, std::size_t components) {
   if (array.component_names.size() == components)
     return array.values;
   const auto stored = array.component_names.size();
@@ -58,7 +59,7 @@ std::vector<std::vector<double>> vtu_values(const fs::path& file, const std::vec
     if (found == arrays.end())
       throw InputError(
           fmt::format("{}: holds no field '{}', other than the files before it", file.string(), field.name));
-    values.push_back(values_of(*found, field.components.size()));
+    values.push_back(array_values(*found, field.components.size()));
   }
   return values;
 }
@@ -108,10 +109,10 @@ std::optional<StoredFields> stored_med_fields(const fs::path& run) {
   const auto instants = common_instants(fields);
   for (const auto& field : fields)
     stored.fields.push_back({field.name, names_of_components(field.component_names)});
-  for (const auto& instant : instants)
-    stored.instants.push_back(instant.time);
+  std::ranges::transform(instants, std::back_inserter(stored.instants), &results::Instant::time);
   stored.values_at = [file, instants, layouts = stored.fields](std::size_t instant) {
     std::vector<std::vector<double>> values;
+    values.reserve(layouts.size());
     for (const auto& field : layouts)
       values.push_back(results::read_med_field(file, field.name, instants.at(instant).number));
     return values;

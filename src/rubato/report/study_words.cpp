@@ -27,7 +27,7 @@ std::string value_text(const Json& value);
 std::string number_text(double value) {
   constexpr double large = 1e5;
   constexpr double small = 1e-4;
-  const auto plain = fmt::format("{}", value);
+  auto plain = fmt::format("{}", value);
   if (value == 0 || (std::abs(value) < large && std::abs(value) >= small) ||
       plain.find('e') != std::string::npos)
     return plain;
@@ -99,7 +99,7 @@ std::string spaced(std::string word) {
   return word;
 }
 
-Sentences physics(const Json& study) {
+Sentences words_on_physics(const Json& study) {
   auto text = spaced(text_of(study, "physics"));
   if (!part(study, "thickness").is_null())
     text += fmt::format(", thickness {}", text_of(study, "thickness"));
@@ -107,7 +107,7 @@ Sentences physics(const Json& study) {
   return {text, units.empty() ? "The deck names no units." : fmt::format("Units: {}", units)};
 }
 
-Sentences mesh(const Json& study) {
+Sentences words_on_mesh(const Json& study) {
   const auto& source = part(study, "mesh");
   Sentences sentences;
   if (!part(source, "file").is_null())
@@ -127,7 +127,7 @@ Sentences mesh(const Json& study) {
   return sentences;
 }
 
-Sentences materials(const Json& study) {
+Sentences words_on_materials(const Json& study) {
   Sentences sentences;
   for (const auto& [name, material] : part(study, "materials").items())
     sentences.push_back(fmt::format(
@@ -155,7 +155,7 @@ Sentences on_groups(const Json& list) {
   return sentences;
 }
 
-Sentences loads(const Json& study) {
+Sentences words_on_loads(const Json& study) {
   Sentences sentences;
   for (const auto& load : part(study, "loads"))
     for (const auto& [kind, values] : load.items()) {
@@ -187,7 +187,7 @@ std::string surfaces_of(const Json& zone) {
   return fmt::format("slave {}, master {}", text_of(zone, "slave"), text_of(zone, "master"));
 }
 
-Sentences contact(const Json& zone) {
+Sentences words_on_contact(const Json& zone) {
   Sentences sentences{fmt::format("{}.", surfaces_of(zone))};
   if (!is_none(part(zone, "tie")))
     sentences.emplace_back("The surfaces are tied.");
@@ -206,7 +206,7 @@ Sentences contact(const Json& zone) {
   return sentences;
 }
 
-Sentences time(const Json& study) {
+Sentences words_on_time(const Json& study) {
   const auto& time = part(study, "time");
   Sentences sentences;
   auto scheme = spaced(text_of(time, "scheme"));
@@ -226,7 +226,7 @@ Sentences time(const Json& study) {
   return sentences;
 }
 
-Sentences solution(const Json& study) {
+Sentences words_on_solution(const Json& study) {
   const auto& newton = part(study, "newton");
   return {fmt::format("At most {} iterations of Newton's method, residual below {}.",
                       text_of(newton, "max_iterations"), text_of(newton, "residual")),
@@ -236,17 +236,17 @@ Sentences solution(const Json& study) {
 } // namespace
 
 std::vector<Topic> study_in_words(const Json& study) {
-  std::vector<Topic> topics{{"Physics", physics(study)},
-                            {"Mesh", mesh(study)},
-                            {"Materials", materials(study)},
+  std::vector<Topic> topics{{"Physics", words_on_physics(study)},
+                            {"Mesh", words_on_mesh(study)},
+                            {"Materials", words_on_materials(study)},
                             {"Supports", on_groups(part(study, "supports"))},
                             {"Springs", on_groups(part(study, "springs"))},
-                            {"Loads", loads(study)},
+                            {"Loads", words_on_loads(study)},
                             {"Motion at the start", on_groups(part(study, "initial"))}};
   for (const auto& [name, zone] : part(study, "contact").items())
-    topics.push_back({"Contact " + name, contact(zone)});
-  topics.push_back({"Time", time(study)});
-  topics.push_back({"Solution", solution(study)});
+    topics.push_back({"Contact " + name, words_on_contact(zone)});
+  topics.push_back({"Time", words_on_time(study)});
+  topics.push_back({"Solution", words_on_solution(study)});
   std::erase_if(topics, [](const Topic& topic) { return topic.sentences.empty(); });
   return topics;
 }

@@ -21,7 +21,7 @@ struct Blob {
   std::string text;
 };
 
-struct ViewData {
+struct ViewData { // NOLINT(bugprone-exception-escape): of the library's values
   /// dimension, bodies, cells by type, box, counts; `fields` with names, components and `levels`; `instants`;
   /// `stored_instants`; `ranges`: of each field, instant and component the least value and the step
   nlohmann::ordered_json description;

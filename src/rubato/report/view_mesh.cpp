@@ -43,6 +43,12 @@ std::span<const Local> triangles_of(CellType type) {
   }
 }
 
+/// Ascending, each once.
+template <class T> void make_unique(std::vector<T>& values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
 using Edges = std::vector<std::pair<NodeIndex, NodeIndex>>;
 
 /// Triangles and edges by nodes of the mesh.
@@ -82,9 +88,7 @@ Faces faces_of(const mesh::Mesh& mesh) {
   else
     for (const auto& face : mesh::skin(mesh))
       faces.add(face.type, face.nodes());
-  std::ranges::sort(faces.edges);
-  const auto repeated = std::ranges::unique(faces.edges);
-  faces.edges.erase(repeated.begin(), repeated.end());
+  make_unique(faces.edges);
   return faces;
 }
 
@@ -105,12 +109,11 @@ std::vector<std::size_t> bodies_of(const mesh::Mesh& mesh) {
 void number_bodies(const mesh::Mesh& mesh, ViewMesh& view) {
   const auto roots = bodies_of(mesh);
   std::vector<std::size_t> found;
+  found.reserve(view.nodes.size());
   for (const auto node : view.nodes)
     found.push_back(roots[static_cast<std::size_t>(node)]);
   auto distinct = found;
-  std::ranges::sort(distinct);
-  const auto repeated = std::ranges::unique(distinct);
-  distinct.erase(repeated.begin(), repeated.end());
+  make_unique(distinct);
   view.body_count = static_cast<int>(distinct.size());
   constexpr std::ptrdiff_t most = std::numeric_limits<std::uint16_t>::max();
   for (const auto root : found)

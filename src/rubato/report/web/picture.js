@@ -88,6 +88,16 @@
   const slowFrame = 70, fastFrame = 25; // ms
   const eyeDistance = 3; // from the middle, in radii of the body: it does not change what is seen
 
+  /** Whether no graphics card draws: then every pixel counts. */
+  function isDrawnInSoftware(gl) {
+    let name = gl.getParameter(gl.RENDERER);
+    if (/webkit/i.test(name)) {
+      const info = gl.getExtension("WEBGL_debug_renderer_info");
+      name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+    }
+    return /swiftshader|llvmpipe|software|basic render/i.test(name);
+  }
+
   class Picture {
     constructor(run, container, shape) {
       this.run = run;
@@ -98,7 +108,6 @@
       this.positions = Float32Array.from(shape.base);
       this.values = new Float32Array(this.count);
       this.hidden = new Set();
-      this.level = 0;
       this.turning = false;
       this.dirty = true;
       this.canvas = R.element("canvas", {
@@ -107,8 +116,10 @@
           "Arrow keys turn, + and - zoom.",
       });
       container.append(this.canvas);
-      this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
+      this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: false, preserveDrawingBuffer: true });
       this.renderer.setClearColor(0xf6f7f8);
+      // Lines are smooth by drawing more pixels than are shown, not by the canvas: that could not be changed later.
+      this.finest = isDrawnInSoftware(this.renderer.getContext()) ? window.devicePixelRatio : Math.max(2, window.devicePixelRatio);
       this.renderer.info.autoReset = true;
       this.scene = new THREE.Scene();
       this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);
@@ -160,6 +171,7 @@
         vertexShader: pointVertexShader, fragmentShader: pointFragmentShader, depthTest: false,
         uniforms: { size: { value: size }, ring: { value: ring } },
       }));
+      points.userData.size = size; // in pixels of the screen
       points.frustumCulled = false;
       points.visible = false;
       this.scene.add(points);
@@ -292,7 +304,9 @@
     }
 
     applySize(pixels) {
-      this.renderer.setPixelRatio(pixels === 1 ? Math.min(window.devicePixelRatio, 2) : pixels);
+      const ratio = pixels === 1 ? this.finest : pixels;
+      this.renderer.setPixelRatio(ratio);
+      for (const points of [this.status, this.picked]) points.material.uniforms.size.value = points.userData.size * ratio;
       this.renderer.setSize(this.size.width, this.size.height, false);
     }
 
@@ -332,7 +346,6 @@
       this.camera.zoom = other.camera.zoom;
       this.camera.quaternion.copy(other.camera.quaternion);
       this.camera.updateProjectionMatrix();
-      this.level = Math.max(this.level, other.level);
       this.dirty = true;
     }
 
@@ -368,6 +381,7 @@
 
     /** The picture moves: it may be simplified until it has stood still for a while. */
     moves() {
+      if (this.level === undefined) this.measure();
       if (!this.turning) this.framesSinceChange = 0;
       this.turning = true;
       this.settledAt = performance.now() + 250;

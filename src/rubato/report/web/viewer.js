@@ -16,6 +16,7 @@
 
     async build() {
       this.shapes = await Promise.all(this.runs.map(R.shapeOf));
+      R.marks.shapes = performance.now();
       const pictures = element("div", { class: "pictures" });
       this.panes = this.runs.map((run, i) => this.pane(pictures, run, i));
       this.nodePanel = element("div", { class: "node-panel" });
@@ -24,9 +25,10 @@
         element("div", { class: "controls" }, this.fieldControls(), this.shapeControls(), this.contactControls(),
           this.bodyControls(), this.lookControls(), this.nodeControls()));
       this.panes.forEach((pane, i) => this.start(pane, i));
+      R.marks.canvas = performance.now();
       this.choose("von_mises", "displacement");
       await this.update();
-      for (const { picture } of this.panes) picture.render(), picture.measure(); // once to make all ready
+      R.marks.drawn = performance.now();
       let before = performance.now();
       const frame = (now) => {
         const elapsed = now - before;
