@@ -4,6 +4,7 @@ JOBS ?= 2
 GMSH ?= 0
 SHELLS ?= 0
 READERS ?= 0
+BROWSER ?= 0
 # The sources of a module compiled as one: half the time from nothing. UNITY=OFF where sources change.
 UNITY ?= ON
 CLANG_TIDY ?= clang-tidy
@@ -20,8 +21,8 @@ TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 help: ## what there is
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | awk '{name = $$1; sub(/^[^ ]* /, ""); printf "make %-12s %s\n", name, $$0}'
 
-deps: ## install what is missing (GMSH=1: libgmsh too; SHELLS=1: zsh, fish and man, READERS=1: VTK, meshio and h5py, for tests)
-	@GMSH=$(GMSH) SHELLS=$(SHELLS) READERS=$(READERS) cmake/install-dependencies
+deps: ## install what is missing (GMSH=1: libgmsh too; SHELLS=1: zsh, fish and man, READERS=1: VTK, meshio and h5py, BROWSER=1: Chromium, for tests)
+	@GMSH=$(GMSH) SHELLS=$(SHELLS) READERS=$(READERS) BROWSER=$(BROWSER) cmake/install-dependencies
 
 configure:
 	@cmake --preset release -DRUBATO_UNITY=$(UNITY) $(LAUNCHER)
@@ -35,10 +36,12 @@ demo: deps configure ## two beams rub: tip history and checks
 	@printf '\nout/demo/evol1/probes.csv, the tip of the upper beam [s, m]:\n'
 	@awk -F, '{for (i = 1; i <= NF; ++i) printf "%-24s", $$i; print ""}' out/demo/evol1/probes.csv
 
-picture: build ## docs/pictures/beams.png from a run (python3-matplotlib)
+picture: build ## docs/pictures/*.png from runs (python3-matplotlib; BROWSER=1 for report.png)
 	build/release/rubato run cases/sdnl140/f.yaml --only evol1 -o out/picture --set mesh.refine=4 --set time.step=2e-4 \
 	  --set time.start=consistent --set fields.at=[0.0032] --set checks=
 	/usr/bin/python3 docs/pictures/draw_beams.py out/picture/evol1 0.0032 docs/pictures/beams.png
+	RUBATO_PICTURES=$(abspath docs/pictures) RUBATO_PROGRAM=$(abspath build/release/rubato) RUBATO_SOURCE_DIR=$(abspath .) \
+	  /usr/bin/python3 -m pytest -q -rs -p no:cacheprovider tests/browser/report_page_test.py -k pictures
 
 test: deps build ## every test, and a program built against the installed package
 	ctest --preset release -j$(JOBS)

@@ -178,6 +178,21 @@ void add_plot(CLI::App& program, Arguments& arguments) {
   command->callback([&arguments] { arguments.work = [&] { return app::plot(arguments.plot); }; });
 }
 
+void add_report(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand(
+      "report", "write a run as one HTML file: view, curves, checks, convergence; or two side by side");
+  constexpr int most_runs = 2;
+  command->add_option("runs", arguments.report.runs, "folder of a run, or of two")
+      ->required()
+      ->expected(1, most_runs)
+      ->type_name(kind::folder);
+  command
+      ->add_option("-o,--output", arguments.report.output,
+                   "file to write (default: report.html in the folder of the first run)")
+      ->type_name(kind::file);
+  command->callback([&arguments] { arguments.work = [&] { return app::report(arguments.report); }; });
+}
+
 void add_info(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand("info", "say what a mesh file holds and what looks wrong");
   command
@@ -276,6 +291,7 @@ void declare(CLI::App& program, Arguments& arguments) {
   add_check(program, arguments);
   add_compare(program, arguments);
   add_plot(program, arguments);
+  add_report(program, arguments);
   add_info(program, arguments);
   add_mesh(program, arguments);
   add_list(program, arguments);

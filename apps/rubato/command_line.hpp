@@ -17,6 +17,7 @@ struct Arguments {
   CheckArguments check;
   CompareArguments compare;
   PlotArguments plot;
+  ReportArguments report;
   InfoArguments info;
   MeshArguments mesh;
   NewArguments new_deck;

@@ -63,6 +63,12 @@ struct PlotArguments {
 };
 int plot(const PlotArguments& arguments);
 
+struct ReportArguments {
+  std::vector<std::filesystem::path> runs; ///< one, or two side by side
+  std::filesystem::path output;
+};
+int report(const ReportArguments& arguments);
+
 struct InfoArguments {
   std::filesystem::path file;
   std::string mesh_name;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/compare.hpp"
 
-#include "rubato/core/naming.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/run_folder.hpp"
@@ -11,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
+#include "require_run.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -19,27 +19,6 @@ namespace {
 
 using mesh::NodeIndex;
 using results::FieldComparison;
-
-/// Throws InputError when the folder is no run's, with the runs that are near.
-void require_run(const std::filesystem::path& folder) {
-  namespace fs = std::filesystem;
-  if (fs::exists(folder / results::summary_file))
-    return;
-  const bool is_folder = fs::is_directory(folder);
-  std::vector<std::string> runs;
-  std::error_code error;
-  const auto around =
-      is_folder || folder.parent_path().empty() ? fs::path(is_folder ? folder : ".") : folder.parent_path();
-  for (const auto& entry : fs::directory_iterator(around, error))
-    if (fs::exists(entry.path() / results::summary_file))
-      runs.push_back(entry.path().lexically_normal().string());
-  std::ranges::sort(runs);
-  auto hint = runs.empty() ? "" : fmt::format("; there are {}", fmt::join(runs, ", "));
-  if (const auto nearest = nearest_word(folder.string(), runs); !is_folder && !nearest.empty())
-    hint = fmt::format("; did you mean '{}'?", nearest);
-  throw InputError(fmt::format("{}: found no {}, expected the folder of a run{}", folder.string(),
-                               results::summary_file, hint));
-}
 
 /// The node of a probe of run A, or nothing when it has no such probe.
 std::optional<NodeIndex> probe_node(const CompareArguments& arguments, const mesh::Mesh& mesh) {

@@ -12,6 +12,7 @@
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/probe_values.hpp"
 #include "rubato/results/run_folder.hpp"
+#include "rubato/results/stored_run.hpp"
 #include "rubato/results/summary_json.hpp"
 #include "rubato/results/vtkhdf.hpp"
 #include "rubato/results/vtu.hpp"
@@ -73,7 +74,7 @@ public:
       : model_(model), folder_(std::move(folder)), probes_(folder_ / probes_file, position.probes),
         steps_(folder_ / steps_file, position.attempts), energy_(folder_ / energy_file, position.energy),
         series_(folder_ / pvd_file, series_of(position)), history_(read_csv(folder_ / probes_file)),
-        unwritten_(position.unwritten), steps_done_(position.steps) {
+        unwritten_(position.unwritten), steps_done_(position.steps), warnings_(stored_warnings(folder_)) {
     place_growing_files(position.med_copy, position.vtkhdf_copy);
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
       resultants_.emplace_back(folder_ / resultants_file(model_.zones[z].settings.name),
@@ -87,6 +88,17 @@ public:
   void needs_memory(std::size_t bytes) {
     factor_bytes_ = bytes;
     write_summary(running, {});
+  }
+
+  void warn(const std::string& text) {
+    if (std::ranges::find(warnings_, text) != warnings_.end())
+      return;
+    warnings_.push_back(text);
+    try {
+      write_summary(running, {});
+    } catch (const WriteError&) {
+      return; // finish() writes it
+    }
   }
 
   /// What needs most room comes first: when the disk is full, no table has begun.
@@ -252,6 +264,7 @@ private:
                       {"unknowns", model_.reduction.unknown_count()},
                       {"factor_bytes", factor_bytes_},
                       {"checks", ordered_json::array()},
+                      {"warnings", warnings_},
                       {"contact_sides", sides_json(model_)},
                       {"tolerances", tolerances_json()},
                       {"study", ordered_json::parse(study::to_json(model_.study))}};
@@ -361,6 +374,7 @@ private:
   std::optional<Mark> mark_; // before the attempt that was written last
   int steps_done_ = 0;
   std::size_t factor_bytes_ = 0;
+  std::vector<std::string> warnings_;
 };
 
 Recorder::Recorder(const model::Model& model, std::filesystem::path folder)
@@ -373,6 +387,9 @@ Recorder& Recorder::operator=(Recorder&&) noexcept = default;
 
 void Recorder::needs_memory(std::size_t bytes) {
   impl_->needs_memory(bytes);
+}
+void Recorder::warn(const std::string& text) {
+  impl_->warn(text);
 }
 void Recorder::start(const step::State& state) {
   impl_->start(state);

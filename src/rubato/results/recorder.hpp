@@ -76,6 +76,9 @@ public:
 
   /// Of the factor of the effective matrix [bytes]; in run.json from now on. 0: there is none.
   void needs_memory(std::size_t bytes);
+  /// Keeps a warning in run.json, each sentence once, also those of a run before it was resumed. A disk that
+  /// is full at this moment is no failure: the end of the run writes it.
+  void warn(const std::string& text);
   void start(const step::State& state);
   /// `last` tells whether this is the run's last instant.
   void step(const step::State& before, const step::State& now, const simulation::Attempt& attempt,

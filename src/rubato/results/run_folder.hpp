@@ -18,6 +18,7 @@ constexpr std::string_view vtu_folder = "fields";
 constexpr std::string_view pvd_file = "fields.pvd";
 constexpr std::string_view med_file = "fields.med";
 constexpr std::string_view vtkhdf_file = "fields.vtkhdf";
+constexpr std::string_view report_file = "report.html"; ///< `rubato report` writes it
 constexpr std::string_view checkpoint_file = "checkpoint.h5";
 constexpr std::string_view former_folder = "former";
 

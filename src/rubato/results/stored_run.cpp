@@ -49,6 +49,17 @@ StoredRun read_stored_run(const std::filesystem::path& folder) {
   }
 }
 
+std::vector<std::string> stored_warnings(const std::filesystem::path& folder) {
+  std::ifstream file(folder / summary_file);
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  std::vector<std::string> warnings;
+  if (json.is_object() && json.contains("warnings"))
+    for (const auto& text : json.at("warnings"))
+      if (text.is_string())
+        warnings.push_back(text.get<std::string>());
+  return warnings;
+}
+
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   if (fs::exists(folder / summary_file))

@@ -22,6 +22,9 @@ struct StoredRun {
 /// Throws InputError when the folder is no run's.
 StoredRun read_stored_run(const std::filesystem::path& folder);
 
+/// The warnings in the summary of a run; none where there is no such file or it has none.
+std::vector<std::string> stored_warnings(const std::filesystem::path& folder);
+
 /// The folder itself when it holds a run, else its subfolders that do, by name. Throws InputError when there
 /// is none.
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path& folder);

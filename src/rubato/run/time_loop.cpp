@@ -36,17 +36,21 @@ void take_folder(RunContext& course, const std::string& run, const Watch& watch)
                           (course.folder / results::former_folder).string()));
 }
 
+std::string warning_of(const model::Model& model, const std::string& note) {
+  return fmt::format("{}: {}", model.study.name, note);
+}
+
 /// A simulation that is recorded.
 class Run {
 public:
   Run(const model::Model& model, RunContext& course, const Watch& watch, const step::State* previous)
-      : model_(model), course_(course), watch_(watch),
+      : model_(model), course_(course), watch_(with_records(watch)),
         simulation_(model, {.previous = previous,
                             .memento = course.from ? &course.from->memento : nullptr,
                             .tell_memory = [this](std::size_t bytes) { tell_memory(bytes); }}),
-        keeper_(model.study, course, watch),
-        energy_(model.study.name, watch, course.from ? course.from->record : step::EnergyRecord()),
-        overlaps_(model, watch) {
+        keeper_(model.study, course, watch_),
+        energy_(model.study.name, watch_, course.from ? course.from->record : step::EnergyRecord()),
+        overlaps_(model, watch_) {
     if (!course.from)
       return;
     records_ = course.from->recorder.steps;
@@ -81,6 +85,19 @@ public:
 private:
   const std::string& name() const { return model_.study.name; }
 
+  /// Warnings are recorded, too.
+  Watch with_records(const Watch& watch) {
+    auto recording = watch;
+    recording.warn = [this, warn = watch.warn](const std::string& text) {
+      warn(text);
+      if (recorder_)
+        recorder_->warn(text);
+      else
+        early_warnings_.push_back(text);
+    };
+    return recording;
+  }
+
   void start_recording() {
     if (course_.from)
       recorder_.emplace(model_, course_.folder, course_.from->recorder);
@@ -88,6 +105,10 @@ private:
       take_folder(course_, name(), watch_);
       recorder_.emplace(model_, course_.folder);
     }
+    for (const auto& note : model_.notes)
+      recorder_->warn(warning_of(model_, note));
+    for (const auto& warning : early_warnings_)
+      recorder_->warn(warning);
     if (factor_bytes_ > 0)
       recorder_->needs_memory(factor_bytes_);
     if (!course_.from) {
@@ -278,7 +299,8 @@ private:
 
   const model::Model& model_;
   RunContext& course_;
-  const Watch& watch_;
+  std::vector<std::string> early_warnings_; ///< from before anything is recorded
+  Watch watch_;
   std::size_t factor_bytes_ = 0; ///< what the factor of the matrix needs; 0: nothing was factored
   simulation::Simulation simulation_;
   std::optional<results::Recorder> recorder_; // once nothing can be refused any more: that leaves no folder
@@ -304,7 +326,7 @@ void tell_model(const model::Model& model, const Watch& watch) {
   for (const auto& choice : model::chosen_sides(model.zones))
     watch.say(fmt::format("{}: {}", name, choice));
   for (const auto& note : model.notes)
-    watch.warn(fmt::format("{}: {}", name, note));
+    watch.warn(warning_of(model, note));
 }
 
 } // namespace

@@ -77,6 +77,21 @@ TEST_F(RunFolder, HoldsHistoriesStepsAndASummary) {
   EXPECT_EQ(json.at("study").at("thickness"), 1.0);
 }
 
+TEST_F(RunFolder, KeepsTheWarningsOfTheRunThroughAResumeToo) {
+  std::vector<std::string> warned;
+  run::Watch watch;
+  watch.warn = [&](const std::string& text) { warned.push_back(text); };
+  auto deck = with(two_blocks, "{scheme: hht, alpha: -0.1", "{scheme: newmark");
+  run(deck, watch);
+  ASSERT_FALSE(warned.empty()) << "newmark gains energy in contact";
+  EXPECT_EQ(summary().at("warnings"), nlohmann::json(warned));
+
+  const auto study = deck::parse_deck(with(deck, "end: 4e-4", "end: 6e-4"), "deck.yaml").runs.front();
+  run::run_study(study, folder_.path(), {}, nullptr, run::Begin::resumed);
+  EXPECT_EQ(summary().at("steps"), 6);
+  EXPECT_EQ(stored_warnings(folder_.path()).front(), warned.front());
+}
+
 /// Whatever makes the steps.
 TEST_F(RunFolder, HasFieldsAtEveryInstantThatIsNamed) {
   const std::string wanted = "fields: {formats: [vtu], at: [1.25e-4, 2e-4, 3.1e-4], last: false}\n";

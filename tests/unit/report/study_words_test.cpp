@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/read.hpp"
+#include "rubato/report/study_words.hpp"
+#include "rubato/study/echo.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace rubato::report {
+namespace {
+
+constexpr auto deck = R"(
+title: two blocks
+mesh:
+  generate:
+    - {name: upper, rectangle: {from: [0, 0], to: [1, 0.1]}, divisions: [4, 2], sides: {left: wall, bottom: under}, points: {right_top: tip}}
+    - {name: lower, rectangle: {from: [0, -0.1], to: [1, 0]}, divisions: [4, 2], sides: {left: wall, top: over}}
+  refine: 3
+physics: plane_strain
+materials: {steel: {young: 200e9, poisson: 0.3, density: 7800}}
+functions: {ramp: {times: [0, 1], values: [0, 1]}}
+supports: [{on: wall, fix: [x, y]}]
+loads: [{nodal_force: {on: tip, y: -1e7, function: ramp}}]
+contact: {joint: {master: under, slave: over, friction: 0.2, exclude_nodes: [wall]}}
+time: {scheme: hht, alpha: -0.1, step: 0.25, end: 1}
+)";
+
+std::map<std::string, std::string> words_of(const std::string& text) {
+  const auto study = deck::parse_deck(text, "deck.yaml").runs.at(0);
+  std::map<std::string, std::string> words;
+  for (const auto& topic : study_in_words(nlohmann::ordered_json::parse(study::to_json(study))))
+    words[topic.name] = fmt::format("{}", fmt::join(topic.sentences, " | "));
+  return words;
+}
+
+TEST(AStudyInWords, HasItsPartsWithTheirNumbers) {
+  const auto words = words_of(deck);
+  EXPECT_EQ(words.at("Physics"), "plane strain, thickness 1 | Units: SI");
+  EXPECT_EQ(words.at("Mesh"),
+            "Generated: upper, a rectangle from (0, 0) to (1, 0.1), 4 × 2 cells of quad4. | "
+            "Generated: lower, a rectangle from (0, -0.1) to (1, 0), 4 × 2 cells of quad4. | "
+            "Every edge is cut into 3 parts.");
+  EXPECT_EQ(words.at("Materials"), "steel: elastic; young 2e+11, poisson 0.3, density 7800; on all cells");
+  EXPECT_EQ(words.at("Supports"), "wall: x = 0, y = 0");
+  EXPECT_EQ(words.at("Loads"), "nodal force on tip: y = -1e+07 × ramp(t)");
+  EXPECT_EQ(words.at("Time"), "Scheme: hht; alpha -0.1. | From t = 0 to 1, step 0.25.");
+  const auto contact = words.at("Contact joint");
+  EXPECT_TRUE(contact.starts_with(
+      "slave over, master under. | Method: augmented lagrangian. | Coulomb friction, coefficient 0.2"))
+      << contact;
+  EXPECT_EQ(words.count("Springs"), 0U);
+  EXPECT_EQ(words.count("Motion at the start"), 0U);
+}
+
+TEST(AStudyInWords, SaysMovingSupportsAndFrictionlessContact) {
+  auto text = std::string(deck);
+  const auto change = [&](const std::string& word, const std::string& other) {
+    text.replace(text.find(word), word.size(), other);
+  };
+  change("fix: [x, y]", "x: 0, y: {value: -0.5, function: ramp}");
+  change("friction: 0.2, ", "");
+  const auto words = words_of(text);
+  EXPECT_EQ(words.at("Supports"), "wall: x = 0, y = -0.5 × ramp(t)");
+  EXPECT_NE(words.at("Contact joint").find("No friction."), std::string::npos);
+}
+
+} // namespace
+} // namespace rubato::report
