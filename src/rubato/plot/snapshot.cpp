@@ -7,9 +7,9 @@
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/plot/instants.hpp"
 #include "rubato/plot/plotted_run.hpp"
-#include "rubato/plot/vtu_file.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/run_folder.hpp"
+#include "rubato/results/vtu_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -47,14 +47,18 @@ Snapshot read_med_snapshot(const fs::path& run, const std::vector<results::MedFi
   return snapshot;
 }
 
-Snapshot read_vtu_snapshot(const fs::path& run, const std::vector<PvdEntry>& entries,
+Snapshot read_vtu_snapshot(const fs::path& run, const std::vector<results::PvdEntry>& entries,
                            std::optional<double> at) {
   std::vector<double> stored(entries.size());
-  std::ranges::transform(entries, stored.begin(), &PvdEntry::t);
+  std::ranges::transform(entries, stored.begin(), &results::PvdEntry::time);
   const double t = chosen_instant(run, stored, at);
-  const auto entry = std::ranges::find(entries, t, &PvdEntry::t);
-  auto content = read_vtu(entry->file);
-  return {t, std::move(content.mesh), std::move(content.arrays)};
+  const auto entry = std::ranges::find(entries, t, &results::PvdEntry::time);
+  auto content = results::read_vtu(entry->file);
+  Snapshot snapshot{.t = t, .mesh = std::move(content.mesh)};
+  for (auto& array : content.arrays)
+    snapshot.arrays.push_back(
+        {std::move(array.name), std::move(array.component_names), std::move(array.values)});
+  return snapshot;
 }
 
 Snapshot read_any(const fs::path& run, std::optional<double> at) {
@@ -62,7 +66,7 @@ Snapshot read_any(const fs::path& run, std::optional<double> at) {
     if (const auto fields = results::med_fields(file); !fields.empty())
       return read_med_snapshot(run, fields, at);
   if (const auto file = run / results::pvd_file; fs::exists(file))
-    if (const auto entries = read_pvd(file); !entries.empty())
+    if (const auto entries = results::read_pvd(file); !entries.empty())
       return read_vtu_snapshot(run, entries, at);
   throw InputError(
       fmt::format("{}: holds no fields to draw, expected a run with 'fields: {{formats: [vtu]}}' "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/report/packing.hpp"
 
-#include "rubato/report/base64.hpp"
+#include "rubato/core/base64.hpp"
 
 #include <bit>
 #include <new>

@@ -3,9 +3,9 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/mesh/io/med.hpp"
-#include "rubato/report/vtu_file.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/run_folder.hpp"
+#include "rubato/results/vtu_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -18,9 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Arrays of files for ParaView that are no fields: the numbers in the mesh.
-constexpr std::string_view node_number_array = "node_number";
-
 /// Scalars come with a component that is called 1, or nothing.
 std::vector<std::string> names_of_components(std::vector<std::string> names) {
   if (names.size() == 1)
@@ -30,7 +27,7 @@ std::vector<std::string> names_of_components(std::vector<std::string> names) {
 
 /// The values of one array of a file, as many components a node as the layout has: vectors in a plane have a
 /// third one of zeros there.
-std::vector<double> array_values(const VtuArray& array, std::size_t components) {
+std::vector<double> array_values(const results::VtuArray& array, std::size_t components) {
   if (array.component_names.size() == components)
     return array.values;
   const auto stored = array.component_names.size();
@@ -43,7 +40,7 @@ std::vector<double> array_values(const VtuArray& array, std::size_t components) 
 }
 
 /// A vector in a plane has two components.
-FieldLayout layout_of(const VtuArray& array, int dimension) {
+FieldLayout layout_of(const results::VtuArray& array, int dimension) {
   constexpr std::size_t vector_size = 3;
   auto names = array.component_names;
   if (dimension == 2 && names.size() == vector_size && names.back() == "z")
@@ -52,10 +49,10 @@ FieldLayout layout_of(const VtuArray& array, int dimension) {
 }
 
 std::vector<std::vector<double>> vtu_values(const fs::path& file, const std::vector<FieldLayout>& fields) {
-  const auto arrays = read_vtu_arrays(file);
+  const auto arrays = results::read_vtu_arrays(file);
   std::vector<std::vector<double>> values;
   for (const auto& field : fields) {
-    const auto found = std::ranges::find(arrays, field.name, &VtuArray::name);
+    const auto found = std::ranges::find(arrays, field.name, &results::VtuArray::name);
     if (found == arrays.end())
       throw InputError(
           fmt::format("{}: holds no field '{}', other than the files before it", file.string(), field.name));
@@ -79,15 +76,14 @@ std::vector<results::Instant> common_instants(const std::vector<results::MedFiel
 } // namespace
 
 std::optional<StoredFields> stored_vtu_fields(const fs::path& run) {
-  auto series = read_pvd(run / results::pvd_file);
+  auto series = results::read_pvd(run / results::pvd_file);
   if (series.empty())
     return std::nullopt;
-  std::ranges::sort(series, {}, &PvdEntry::time);
-  auto first = read_vtu(series.front().file);
+  std::ranges::sort(series, {}, &results::PvdEntry::time);
+  auto first = results::read_vtu(series.front().file);
   StoredFields stored;
   for (const auto& array : first.arrays)
-    if (array.name != node_number_array)
-      stored.fields.push_back(layout_of(array, first.mesh.dimension));
+    stored.fields.push_back(layout_of(array, first.mesh.dimension));
   stored.mesh = std::move(first.mesh);
   for (const auto& entry : series)
     stored.instants.push_back(entry.time);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/report/base64.hpp"
+#include "rubato/core/base64.hpp"
 #include "rubato/report/packing.hpp"
 
 #include <gtest/gtest.h>

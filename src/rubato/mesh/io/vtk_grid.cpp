@@ -72,7 +72,7 @@ bool has_group(const std::vector<VtkGroup>& groups, const std::string& name) {
 }
 
 std::string array_name(const Group& group) {
-  return "group_" + group.name;
+  return std::string(vtk_group_prefix) + group.name;
 }
 
 /// Of the cells that are not written the nodes; whether there are any.

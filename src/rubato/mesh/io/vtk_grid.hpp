@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubato::mesh {
@@ -34,9 +35,12 @@ std::optional<CellType> cell_type_of_vtk(int number);
 /// The nodes of a cell, which stand as VTK orders them, in this project's order.
 std::vector<NodeIndex> from_vtk_order(CellType type, std::span<const NodeIndex> nodes);
 
+/// How names of arrays that stand for groups begin.
+constexpr std::string_view vtk_group_prefix = "group_";
+
 /// Which of the points or of the cells written belong to a group: 1, of others 0.
 struct VtkGroup {
-  std::string name; ///< "group_" and the name of the group
+  std::string name; ///< the prefix and the name of the group
   std::vector<std::uint8_t> members;
 };
 struct VtkGroups {

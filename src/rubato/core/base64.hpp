@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rubato::report {
+namespace rubato {
 
 std::string to_base64(std::span<const std::byte> bytes);
 
@@ -16,4 +16,4 @@ std::string to_base64(std::span<const std::byte> bytes);
 /// std::invalid_argument at any other letter.
 std::vector<std::byte> from_base64(std::string_view text);
 
-} // namespace rubato::report
+} // namespace rubato

@@ -2,13 +2,13 @@
 // Format: VTK file formats, "XML file formats". Binary data begins with its byte count, or, compressed, with
 // the number of blocks, the size of each but the last, that of the last (0: as the others) and the compressed
 // size of each. In base64 the counts of compressed data are encoded apart from the data (vtkXMLDataParser).
-#include "rubato/report/vtu_file.hpp"
+#include "rubato/results/vtu_reader.hpp"
 
+#include "rubato/core/base64.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/mesh/builder.hpp"
 #include "rubato/mesh/io/file_content.hpp"
-#include "rubato/mesh/io/vtu.hpp"
-#include "rubato/report/base64.hpp"
+#include "rubato/mesh/io/vtk_grid.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@
 #include <string_view>
 #include <zlib.h>
 
-namespace rubato::report {
+namespace rubato::results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -298,11 +298,18 @@ pugi::xml_node piece_of(const Document& document) {
   return piece;
 }
 
+/// Numbers and groups of nodes, which meshes have in files for ParaView.
+bool is_of_the_mesh(std::string_view array) {
+  return array == "node_number" || array.starts_with(mesh::vtk_group_prefix);
+}
+
 std::vector<VtuArray> arrays_of(const Document& document) {
   const auto piece = piece_of(document);
   const auto nodes = piece.attribute("NumberOfPoints").as_ullong();
   std::vector<VtuArray> arrays;
   for (const auto node : piece.child("PointData").children("DataArray")) {
+    if (is_of_the_mesh(node.attribute("Name").value()))
+      continue;
     VtuArray array{node.attribute("Name").value(), components_of(node), values_of<double>(document, node)};
     if (array.values.size() != nodes * array.component_names.size())
       throw Damage(fmt::format("'{}' has {} values for {} nodes of {} components", array.name,
@@ -312,7 +319,7 @@ std::vector<VtuArray> arrays_of(const Document& document) {
   return arrays;
 }
 
-Document opened(const fs::path& path) {
+Document opened_document(const fs::path& path) {
   Document document;
   document.content = mesh::file_content(path, path, "a file of fields (.vtu)");
   parse(document, "UnstructuredGrid");
@@ -334,7 +341,7 @@ template <class Read> auto reading(const fs::path& path, Read read) {
 
 VtuContent read_vtu(const fs::path& path) {
   return reading(path, [&] {
-    const auto document = opened(path);
+    const auto document = opened_document(path);
     VtuContent content{mesh_of(document, piece_of(document)), arrays_of(document)};
     if (content.mesh.points.size() != piece_of(document).attribute("NumberOfPoints").as_ullong())
       throw Damage("found other than its number of points");
@@ -343,7 +350,7 @@ VtuContent read_vtu(const fs::path& path) {
 }
 
 std::vector<VtuArray> read_vtu_arrays(const fs::path& path) {
-  return reading(path, [&] { return arrays_of(opened(path)); });
+  return reading(path, [&] { return arrays_of(opened_document(path)); });
 }
 
 std::vector<PvdEntry> read_pvd(const fs::path& path) {
@@ -361,4 +368,4 @@ std::vector<PvdEntry> read_pvd(const fs::path& path) {
   });
 }
 
-} // namespace rubato::report
+} // namespace rubato::results

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Files that this program wrote, and the other forms that the format allows, made here byte by byte.
-#include "rubato/report/base64.hpp"
-#include "rubato/report/vtu_file.hpp"
+#include "rubato/core/base64.hpp"
 #include "rubato/results/vtu.hpp"
+#include "rubato/results/vtu_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +15,7 @@
 #include <fstream>
 #include <zlib.h>
 
-namespace rubato::report {
+namespace rubato::results {
 namespace {
 
 using test::fault_of;
@@ -205,4 +205,4 @@ TEST_F(VtuFile, SeriesAreReadWithTheirTimes) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato::results

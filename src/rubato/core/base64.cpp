@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/report/base64.hpp"
+#include "rubato/core/base64.hpp"
 
 #include <array>
 #include <cstdint>
 #include <stdexcept>
 
-namespace rubato::report {
+namespace rubato {
 namespace {
 
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -69,4 +69,4 @@ std::vector<std::byte> from_base64(std::string_view text) {
   return bytes;
 }
 
-} // namespace rubato::report
+} // namespace rubato

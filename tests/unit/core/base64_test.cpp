@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/report/base64.hpp"
+#include "rubato/core/base64.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <string>
 
-namespace rubato::report {
+namespace rubato {
 namespace {
 
 std::string coded(const std::string& text) {
@@ -41,4 +41,4 @@ TEST(Base64, MayBeBrokenIntoLinesAndRefusesOtherLetters) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato

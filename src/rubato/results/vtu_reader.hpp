@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-namespace rubato::report {
+namespace rubato::results {
 
-/// An array over the nodes.
+/// An array over the nodes; numbers and groups of nodes are not among them.
 struct VtuArray {
   std::string name;
   std::vector<std::string> component_names; ///< as many as components
@@ -37,4 +37,4 @@ struct PvdEntry {
 /// The files of a collection; none when there is no such file. Throws InputError when it cannot be read.
 std::vector<PvdEntry> read_pvd(const std::filesystem::path& path);
 
-} // namespace rubato::report
+} // namespace rubato::results
