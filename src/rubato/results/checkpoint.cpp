@@ -265,6 +265,7 @@ template <class Archive> void exchange(Archive& archive, RecorderPosition& posit
     archive.text(fmt::format("files/field_file_{}", i), position.field_files[i]);
   archive.text("files/med_copy", position.med_copy);
   archive.text("files/vtkhdf_copy", position.vtkhdf_copy);
+  archive.whole("files/vtkhdf_instants", position.vtkhdf_instants);
   archive.whole("files/unwritten", position.unwritten);
 }
 

@@ -76,6 +76,7 @@ public:
         series_(folder_ / pvd_file, series_of(position)), history_(read_csv(folder_ / probes_file)),
         unwritten_(position.unwritten), steps_done_(position.steps), warnings_(stored_warnings(folder_)) {
     place_growing_files(position.med_copy, position.vtkhdf_copy);
+    vtkhdf_instants_ = position.vtkhdf_instants;
     for (std::size_t z = 0; z < model_.zones.size(); ++z) {
       resultants_.emplace_back(folder_ / resultants_file(model_.zones[z].settings.name),
                                position.resultants.at(z));
@@ -170,6 +171,7 @@ public:
       position.med_copy = med_->name_copy(steps_done_);
     if (vtkhdf_)
       position.vtkhdf_copy = vtkhdf_->name_copy(steps_done_);
+    position.vtkhdf_instants = vtkhdf_instants_;
     position.unwritten = unwritten_;
     return position;
   }
@@ -201,7 +203,7 @@ private:
     std::vector<std::uintmax_t> resultants;
     std::vector<std::uintmax_t> contact;
     std::size_t fields = 0;
-    std::int64_t vtkhdf = 0;
+    int vtkhdf = 0;
     std::size_t history = 0;
     int steps_done = 0;
     bool unwritten = false;
@@ -234,12 +236,7 @@ private:
     if (med_)
       med_->restore();
     if (vtkhdf_)
-      restore_vtkhdf();
-  }
-
-  void restore_vtkhdf() {
-    vtkhdf_->restore();
-    vtkhdf_instants_ = instants_in_vtkhdf(vtkhdf_->path());
+      vtkhdf_->restore();
   }
 
   void place_growing_files(const std::string& med_copy, const std::string& vtkhdf_copy) {
@@ -370,7 +367,7 @@ private:
   bool unwritten_ = false; // whether the last step has no fields that it may still get
   std::optional<GrowingFile> med_;
   std::optional<GrowingFile> vtkhdf_;
-  std::int64_t vtkhdf_instants_ = 0;
+  int vtkhdf_instants_ = 0;
   std::optional<Mark> mark_; // before the attempt that was written last
   int steps_done_ = 0;
   std::size_t factor_bytes_ = 0;

@@ -48,6 +48,7 @@ struct Ending {
 /// How far the files of a run have come.
 struct RecorderPosition {
   int steps = 0;
+  int vtkhdf_instants = 0; ///< of fields.vtkhdf; what that has beyond is gone then
   // Bytes:
   std::uintmax_t probes = 0;
   std::uintmax_t attempts = 0;

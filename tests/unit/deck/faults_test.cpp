@@ -101,7 +101,7 @@ const Mistake type_mistakes[] = {
      "generalized_alpha, wbz_alpha, "
      "moreau_jean, static, central_difference; did you mean 'hht'?"},
     {"formats: [vtu, med]", "formats: [vtu, vtk]", "vtk",
-     "fields.formats.1: found 'vtk', expected one of vtu, med; "
+     "fields.formats.1: found 'vtk', expected one of vtu, med, vtkhdf; "
      "did you mean 'vtu'?"},
     {"newton: {max_iterations: 25, residual: 1e-9}", "newton: 25", "25\nprobes",
      "newton: found '25', expected a map"},

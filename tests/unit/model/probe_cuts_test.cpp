@@ -94,7 +94,7 @@ TEST(CutsOfACantilever, TellTensionFromShear) {
 TEST(CutsOfABar, HaveMomentsAboutThreeAxes) {
   const auto row = last_of(block);
   const Eigen::Vector3d force(3, 5, -7);
-  const Eigen::Vector3d moment = Eigen::Vector3d(1, 0.2, -0.1).cross(force);
+  const Eigen::Vector3d moment = Eigen::Vector3d(1, 0.2, 0.1).cross(force);
   const std::array<const char*, 3> axes{"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(row.at(std::string("cut.") + axes[i]), force[static_cast<Eigen::Index>(i)], rounding);

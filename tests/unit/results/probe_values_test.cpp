@@ -28,6 +28,9 @@ probes:
   state: {on: under, take: max, field: contact_status}
   slip: {on: under, take: max, field: contact_slip}
   support: {on: ground, take: sum, field: reaction}
+  ground: {section: {on: ground, cells: plane, point: [0, -1], normal: [0, -1]}}
+  held: {on: ground, field: reaction}
+  rest: {minus: [support, held]}
 checks:
   - {probe: middle.yy, at: 1, reference: -1000, tolerance: 0.3}
   - {probe: work, over: max, reference: 1e-3, tolerance: 1, kind: absolute}
@@ -36,6 +39,9 @@ checks:
   - {resultant: foot.force.y, over: min, reference: 1000, tolerance: 1e-9}
   - {probe: support.y, at: 1, reference: 1000, tolerance: 1e-9}
   - {probe: peak, over: max_magnitude, reference: 1000, tolerance: 9}
+  - {probe: ground.normal, at: 1, reference: -1000, tolerance: 1e-9}
+  - {probe: ground.y, over: max, reference: 1000, tolerance: 1e-9}
+  - {probe: rest.y, over: max_magnitude, reference: 0, tolerance: 1e-12, kind: absolute}
 )";
 
 class ProbesOfABlock : public testing::Test {
@@ -53,9 +59,12 @@ protected:
 
 TEST_F(ProbesOfABlock, HaveAColumnAComponentAndOneForScalars) {
   const auto table = read_csv(folder_ / "probes.csv");
-  EXPECT_EQ(table.columns, (std::vector<std::string>{"t", "middle.xx", "middle.yy", "middle.zz", "middle.xy",
-                                                     "middle.yz", "middle.xz", "equivalent", "peak", "travel",
-                                                     "work", "state", "slip.t", "support.x", "support.y"}));
+  EXPECT_EQ(table.columns,
+            (std::vector<std::string>{"t",         "middle.xx", "middle.yy",  "middle.zz",     "middle.xy",
+                                      "middle.yz", "middle.xz", "equivalent", "peak",          "travel",
+                                      "work",      "state",     "slip.t",     "support.x",     "support.y",
+                                      "ground.x",  "ground.y",  "ground.mz",  "ground.normal", "ground.shear",
+                                      "held.x",    "held.y",    "rest.x",     "rest.y"}));
 }
 
 TEST_F(ProbesOfABlock, AgreeWithTheTablesOfTheRun) {
@@ -74,7 +83,7 @@ TEST_F(ProbesOfABlock, AgreeWithTheTablesOfTheRun) {
 }
 
 TEST_F(ProbesOfABlock, AreCheckedAsAllElse) {
-  ASSERT_EQ(result_.checks.size(), 7U);
+  ASSERT_EQ(result_.checks.size(), 10U);
   for (const auto& check : result_.checks)
     EXPECT_TRUE(check.holds) << check.quantity << ' ' << check.value.value_or(NAN);
 }
