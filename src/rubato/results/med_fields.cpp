@@ -129,7 +129,7 @@ std::vector<double> in_med_order(const CellField::Part& part, int components) {
 void append_part(const med::File& file, const Instant& instant, const CellField& field,
                  const CellField::Part& part) {
   const bool at_nodes = field.place == study::FieldPlace::element_nodes;
-  std::string localisation = MED_NO_LOCALIZATION;
+  std::string localisation; // MED_NO_LOCALIZATION
   std::vector<double> values = at_nodes ? in_med_order(part, field.components) : part.values;
   if (!at_nodes) {
     const auto gauss = med_gauss(part.type);
