@@ -22,7 +22,7 @@ namespace rubato::results {
 namespace {
 
 constexpr std::string_view magic = "rubato checkpoint, format ";
-constexpr std::size_t piece = std::size_t{1} << 20;
+constexpr std::size_t piece_size = std::size_t{1} << 20;
 
 struct Content {
   std::uintmax_t size = 0;
@@ -33,7 +33,7 @@ struct Content {
 /// Of what comes after the head.
 Content content_of(std::istream& file) {
   Content content;
-  std::vector<char> bytes(piece);
+  std::vector<char> bytes(piece_size);
   file.seekg(seal_size);
   while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0) {
     const auto count = static_cast<std::size_t>(file.gcount());

@@ -274,18 +274,18 @@ int highest_dimension(const std::vector<int>& types) {
 }
 
 mesh::Mesh mesh_of(const Document& document, pugi::xml_node piece) {
-  constexpr std::size_t axes = 3;
+  constexpr std::size_t of_a_point = 3;
   const auto points = values_of<double>(document, piece.child("Points").child("DataArray"));
   const auto types = values_of<int>(document, array_named(piece.child("Cells"), "types"));
   const auto numbers_node = piece.child("PointData").find_child_by_attribute("Name", "node_number");
   const auto numbers =
       numbers_node ? values_of<std::int64_t>(document, numbers_node) : std::vector<std::int64_t>();
   mesh::MeshBuilder builder(highest_dimension(types));
-  const auto count = points.size() / axes;
+  const auto count = points.size() / of_a_point;
   if (!numbers.empty() && numbers.size() != count)
     throw Damage(fmt::format("found {} numbers for {} nodes", numbers.size(), count));
   for (std::size_t i = 0; i < count; ++i)
-    builder.add_node({points[axes * i], points[axes * i + 1], points[axes * i + 2]},
+    builder.add_node({points[of_a_point * i], points[of_a_point * i + 1], points[of_a_point * i + 2]},
                      numbers.empty() ? 0 : numbers[i]);
   add_cells(document, piece, static_cast<mesh::NodeIndex>(count), builder);
   return std::move(builder).build();
