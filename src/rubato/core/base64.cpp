@@ -8,7 +8,8 @@
 namespace rubato {
 namespace {
 
-constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::string_view base64_letters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr unsigned bits_of_letter = 6;
 constexpr unsigned bits_of_byte = 8;
 constexpr unsigned letter_mask = (1U << bits_of_letter) - 1;
@@ -17,8 +18,8 @@ constexpr std::int8_t no_letter = -1;
 constexpr auto value_of_letter = [] {
   std::array<std::int8_t, 256> values{};
   values.fill(no_letter);
-  for (std::size_t i = 0; i < letters.size(); ++i)
-    values[static_cast<unsigned char>(letters[i])] = static_cast<std::int8_t>(i);
+  for (std::size_t i = 0; i < base64_letters.size(); ++i)
+    values[static_cast<unsigned char>(base64_letters[i])] = static_cast<std::int8_t>(i);
   return values;
 }();
 
@@ -37,10 +38,10 @@ std::string to_base64(std::span<const std::byte> bytes) {
   for (const auto byte : bytes) {
     held = held << bits_of_byte | std::to_integer<std::uint32_t>(byte);
     for (bits += bits_of_byte; bits >= bits_of_letter; bits -= bits_of_letter)
-      text += letters[held >> (bits - bits_of_letter) & letter_mask];
+      text += base64_letters[held >> (bits - bits_of_letter) & letter_mask];
   }
   if (bits > 0)
-    text += letters[held << (bits_of_letter - bits) & letter_mask];
+    text += base64_letters[held << (bits_of_letter - bits) & letter_mask];
   while (text.size() % (group + 1) != 0)
     text += '=';
   return text;
