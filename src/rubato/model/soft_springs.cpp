@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/soft_springs.hpp"
 
+#include "rubato/contact/springs.hpp"
 #include "rubato/material/stretching.hpp"
 #include "rubato/model/bodies.hpp"
 
@@ -50,7 +51,7 @@ std::vector<double> softest(const Model& model, const Bodies& bodies) {
 } // namespace
 
 void mark_soft_springs(Model& model) {
-  if (model.springs.empty() || model.zones.empty())
+  if (model.springs.empty() || model.zones.empty() || !std::ranges::all_of(model.zones, contact::closes_gaps))
     return;
   const Bodies bodies(model.mesh, model.bulk);
   const auto body_of = [&](const Spring& spring) {

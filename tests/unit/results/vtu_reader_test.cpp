@@ -109,7 +109,7 @@ private:
   std::string appended_;
 };
 
-class VtuFile : public testing::Test {
+class VtuReader : public testing::Test {
 protected:
   VtuContent read(const std::string& text) const {
     std::ofstream(path_, std::ios::binary) << text;
@@ -124,7 +124,7 @@ protected:
   std::filesystem::path path_ = folder_ / "fields.vtu";
 };
 
-TEST_F(VtuFile, OfThisProgramComesBackWithEveryKindOfCell) {
+TEST_F(VtuReader, OfThisProgramComesBackWithEveryKindOfCell) {
   for (const auto& shape : cell::all_topologies()) {
     const auto mesh = test::one_cell(shape.type, 3);
     std::vector<double> values;
@@ -149,7 +149,7 @@ TEST_F(VtuFile, OfThisProgramComesBackWithEveryKindOfCell) {
   }
 }
 
-TEST_F(VtuFile, IsReadInEveryForm) {
+TEST_F(VtuReader, IsReadInEveryForm) {
   for (const auto& form : {Form{"ascii", false, ""}, Form{"binary", false, ""}, Form{"binary", true, ""},
                            Form{"appended", false, "raw"}, Form{"appended", true, "raw"},
                            Form{"appended", false, "base64"}, Form{"appended", true, "base64"}}) {
@@ -164,7 +164,7 @@ TEST_F(VtuFile, IsReadInEveryForm) {
   }
 }
 
-TEST_F(VtuFile, ThatIsCutShortIsRefusedWhereverItEnds) {
+TEST_F(VtuReader, ThatIsCutShortIsRefusedWhereverItEnds) {
   for (const auto& form :
        {Form{"binary", true, ""}, Form{"appended", true, "raw"}, Form{"appended", false, "base64"}}) {
     const auto whole = Triangle(form).text();
@@ -176,7 +176,7 @@ TEST_F(VtuFile, ThatIsCutShortIsRefusedWhereverItEnds) {
   }
 }
 
-TEST_F(VtuFile, SaysWhatIsWrongWithIt) {
+TEST_F(VtuReader, SaysWhatIsWrongWithIt) {
   const auto text = Triangle({"ascii", false, ""}).text();
   const auto with = [&](const std::string& word, const std::string& other) {
     auto changed = text;
@@ -193,7 +193,7 @@ TEST_F(VtuFile, SaysWhatIsWrongWithIt) {
             "compressed by vtkLZMADataCompressor, expected vtkZLibDataCompressor");
 }
 
-TEST_F(VtuFile, SeriesAreReadWithTheirTimes) {
+TEST_F(VtuReader, SeriesAreReadWithTheirTimes) {
   results::PvdSeries series(folder_ / "fields.pvd");
   series.add(0.25, folder_ / "fields/000001.vtu");
   series.add(0.5, folder_ / "fields/a & b.vtu");
