@@ -414,3 +414,15 @@ def test_checks_are_a_table_in_markdown_with_the_same_exit_code(blocks):
     assert rows[1][1].strip() == "energy friction" and rows[1][2].strip() == "max"
     value = float(rows[0][3])
     assert abs(float(rows[0][5]) - (value + 1)) < 1e-2 * abs(value + 1)
+
+
+def test_fields_in_cells_beside_those_at_nodes_do_not_stand_in_the_way(tmp_path):
+    deck = SOLID.replace("formats: [vtu]", "formats: [med], also: [strain, stress_elga, strain_elno]")
+    (tmp_path / "solid.yaml").write_text(deck)
+    assert rubato(tmp_path, "run", "solid.yaml", "-o", "out", "-q").returncode == 0
+    done = rubato(tmp_path, "plot", "out/run", "--field", "strain.zz", "-o", "a.svg")
+    assert done.returncode == 0, done.stderr
+    assert rubato(tmp_path, "plot", "out/run", "--field", "stress_elga.xx", "-o", "b.svg").returncode == 2
+    done = rubato(tmp_path, "report", "out/run")
+    assert done.returncode == 0, done.stderr
+    assert "strain" in (tmp_path / "out/run/report.html").read_text()

@@ -48,33 +48,43 @@ std::vector<double> softest(const Model& model, const Bodies& bodies) {
   return least;
 }
 
+int body_of(const Model& model, const Bodies& bodies, const Spring& spring) {
+  return bodies.of(model.dofs.nodes[static_cast<std::size_t>(spring.dof / model.dofs.components)]);
+}
+
+/// Of the springs of each body, along each axis [force/length].
+std::vector<std::array<double, 3>> sums_of_springs(const Model& model, const Bodies& bodies) {
+  std::vector<std::array<double, 3>> sums(static_cast<std::size_t>(bodies.count()), {0, 0, 0});
+  for (const auto& spring : model.springs)
+    if (const int body = body_of(model, bodies, spring); body >= 0)
+      sums[static_cast<std::size_t>(body)][static_cast<std::size_t>(spring.dof % model.dofs.components)] +=
+          spring.stiffness;
+  return sums;
+}
+
+double shortest_edge(const Model& model) {
+  double edge = INFINITY;
+  for (const auto& zone : model.zones)
+    edge = std::min(edge, zone.edge());
+  return edge;
+}
+
 } // namespace
 
 void mark_soft_springs(Model& model) {
   if (model.springs.empty() || model.zones.empty() || !std::ranges::all_of(model.zones, contact::closes_gaps))
     return;
   const Bodies bodies(model.mesh, model.bulk);
-  const auto body_of = [&](const Spring& spring) {
-    return bodies.of(model.dofs.nodes[static_cast<std::size_t>(spring.dof / model.dofs.components)]);
-  };
-  std::vector<std::array<double, 3>> sums(static_cast<std::size_t>(bodies.count()), {0, 0, 0});
-  for (const auto& spring : model.springs)
-    if (const int body = body_of(spring); body >= 0)
-      sums[static_cast<std::size_t>(body)][static_cast<std::size_t>(spring.dof % model.dofs.components)] +=
-          spring.stiffness;
-  double edge = INFINITY;
-  for (const auto& zone : model.zones)
-    edge = std::min(edge, zone.edge());
+  const auto sums = sums_of_springs(model, bodies);
   const auto resistance = softest(model, bodies);
-  std::vector<char> soft;
-  for (int body = 0; body < bodies.count(); ++body) {
-    const auto b = static_cast<std::size_t>(body);
-    soft.push_back(
-        std::ranges::max(sums[b]) < soft_part * resistance[b] * length_of(model, edge, bodies, body) ? 1 : 0);
-  }
+  const double edge = shortest_edge(model);
+  std::vector<char> is_soft;
+  for (std::size_t body = 0; body < sums.size(); ++body)
+    is_soft.push_back(std::ranges::max(sums[body]) <
+                      soft_part * resistance[body] * length_of(model, edge, bodies, static_cast<int>(body)));
   for (auto& spring : model.springs)
-    if (const int body = body_of(spring); body >= 0)
-      spring.soft = soft[static_cast<std::size_t>(body)] != 0;
+    if (const int body = body_of(model, bodies, spring); body >= 0)
+      spring.soft = is_soft[static_cast<std::size_t>(body)] != 0;
 }
 
 } // namespace rubato::model

@@ -8,8 +8,8 @@
 namespace rubato::model {
 
 /// Marks the springs of each body whose springs together are softer along every axis than a small part of
-/// what the body resists a point of it with. Models without contact, and those with
-/// contact that gives way (by penalty), are left as they are.
+/// what the body resists a point of it with. Models without contact, and those with contact that gives way
+/// (by penalty), are left as they are.
 void mark_soft_springs(Model& model);
 
 } // namespace rubato::model

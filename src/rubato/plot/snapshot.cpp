@@ -3,75 +3,30 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
-#include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/plot/instants.hpp"
 #include "rubato/plot/plotted_run.hpp"
-#include "rubato/results/med_fields.hpp"
-#include "rubato/results/run_folder.hpp"
-#include "rubato/results/vtu_reader.hpp"
+#include "rubato/results/stored_fields.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <utility>
 
 namespace rubato::plot {
 namespace {
 
 namespace fs = std::filesystem;
 
-double chosen_instant(const fs::path& run, const std::vector<double>& stored, std::optional<double> at) {
-  return at ? stored_instant(run, stored, *at) : stored.back();
-}
-
-/// The instants of the first field: all of a run have the same ones.
-std::vector<double> instants_of(const results::MedField& field) {
-  std::vector<double> instants(field.instants.size());
-  std::ranges::transform(field.instants, instants.begin(), &results::Instant::time);
-  std::ranges::sort(instants);
-  return instants;
-}
-
-Snapshot read_med_snapshot(const fs::path& run, const std::vector<results::MedField>& fields,
-                           std::optional<double> at) {
-  const auto file = run / results::med_file;
-  Snapshot snapshot{.t = chosen_instant(run, instants_of(fields.front()), at)};
-  snapshot.mesh = mesh::read_med(file, fields.front().mesh_name);
-  for (const auto& field : fields)
-    for (const auto& instant : field.instants)
-      if (instant.time == snapshot.t)
-        snapshot.arrays.push_back(
-            {field.name, field.component_names, results::read_med_field(file, field.name, instant.number)});
+Snapshot snapshot_of(const fs::path& run, results::StoredFields stored, std::optional<double> at) {
+  const double t = at ? stored_instant(run, stored.instants, *at) : stored.instants.back();
+  const auto place = std::ranges::find(stored.instants, t) - stored.instants.begin();
+  auto values = stored.values_at(static_cast<std::size_t>(place));
+  Snapshot snapshot{.t = t, .mesh = std::move(stored.mesh)};
+  for (std::size_t f = 0; f < values.size(); ++f)
+    snapshot.arrays.push_back({stored.fields[f].name, stored.fields[f].components, std::move(values[f])});
   return snapshot;
-}
-
-Snapshot read_vtu_snapshot(const fs::path& run, const std::vector<results::PvdEntry>& entries,
-                           std::optional<double> at) {
-  std::vector<double> stored(entries.size());
-  std::ranges::transform(entries, stored.begin(), &results::PvdEntry::time);
-  const double t = chosen_instant(run, stored, at);
-  const auto entry = std::ranges::find(entries, t, &results::PvdEntry::time);
-  auto content = results::read_vtu(entry->file);
-  Snapshot snapshot{.t = t, .mesh = std::move(content.mesh)};
-  for (auto& array : content.arrays)
-    snapshot.arrays.push_back(
-        {std::move(array.name), std::move(array.component_names), std::move(array.values)});
-  return snapshot;
-}
-
-Snapshot read_any(const fs::path& run, std::optional<double> at) {
-  if (const auto file = run / results::med_file; fs::exists(file))
-    if (const auto fields = results::med_fields(file); !fields.empty())
-      return read_med_snapshot(run, fields, at);
-  if (const auto file = run / results::pvd_file; fs::exists(file))
-    if (const auto entries = results::read_pvd(file); !entries.empty())
-      return read_vtu_snapshot(run, entries, at);
-  throw InputError(
-      fmt::format("{}: holds no fields to draw, expected a run with 'fields: {{formats: [vtu]}}' "
-                  "in its deck",
-                  run.string()));
 }
 
 bool is_scalar(const NodeArray& array) {
@@ -126,7 +81,13 @@ std::optional<std::vector<double>> values_named(const NodeArray& array, const st
 } // namespace
 
 Snapshot read_snapshot(const fs::path& run, std::optional<double> at, int dimension) {
-  auto snapshot = read_any(run, at);
+  auto stored = results::stored_fields(run);
+  if (!stored || stored->instants.empty())
+    throw InputError(
+        fmt::format("{}: holds no fields to draw, expected a run with 'fields: {{formats: [vtu]}}' "
+                    "in its deck",
+                    run.string()));
+  auto snapshot = snapshot_of(run, std::move(*stored), at);
   snapshot.mesh.dimension = dimension;
   mesh::mend_orientation(snapshot.mesh);
   return snapshot;

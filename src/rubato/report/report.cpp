@@ -6,8 +6,8 @@
 #include "rubato/report/page.hpp"
 #include "rubato/report/quantise.hpp"
 #include "rubato/report/run_record.hpp"
-#include "rubato/report/stored_fields.hpp"
 #include "rubato/report/view_data.hpp"
+#include "rubato/results/stored_fields.hpp"
 #include "rubato/version.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ std::vector<std::string> notes_on(const ViewData& view) {
 }
 
 void add_view(const fs::path& folder, std::size_t room, RunPage& page) {
-  const auto fields = stored_fields(folder);
+  const auto fields = results::stored_fields(folder);
   if (!fields) {
     page.json["no_view"] = how_to_get_fields(page.json.at("study"));
     page.notes.push_back(page.json.at("no_view"));

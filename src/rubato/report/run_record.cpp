@@ -85,19 +85,9 @@ std::vector<std::string> zones_of(const fs::path& folder, const Json& study) {
   if (study.contains("contact"))
     for (const auto& [name, zone] : study.at("contact").items())
       zones.push_back(name);
-  std::vector<std::string> others;
-  constexpr std::string_view prefix = "resultants_";
-  constexpr std::string_view ending = ".csv";
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const auto name = entry.path().filename().string();
-    if (!name.starts_with(prefix) || !name.ends_with(ending))
-      continue;
-    auto zone = name.substr(prefix.size(), name.size() - prefix.size() - ending.size());
+  for (auto& zone : results::contact_zones(folder))
     if (std::ranges::find(zones, zone) == zones.end())
-      others.push_back(std::move(zone));
-  }
-  std::ranges::sort(others);
-  zones.insert(zones.end(), others.begin(), others.end());
+      zones.push_back(std::move(zone));
   return zones;
 }
 

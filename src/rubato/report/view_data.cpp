@@ -59,7 +59,7 @@ PackedField pack(std::span<const double> values, std::size_t components, const V
 /// Packs instants of the fields, and notes which nodes contact has to do with.
 class Packer {
 public:
-  Packer(const StoredFields& fields, const ViewMesh& view)
+  Packer(const results::StoredFields& fields, const ViewMesh& view)
       : fields_(fields), view_(view), touched_(view.nodes.size(), 0) {}
 
   PackedInstant instant(std::size_t index, std::uint16_t levels) {
@@ -100,7 +100,7 @@ private:
           touched_[i] = 1;
   }
 
-  const StoredFields& fields_;
+  const results::StoredFields& fields_;
   const ViewMesh& view_;
   std::vector<char> touched_;
   std::optional<std::size_t> read_;
@@ -154,7 +154,7 @@ Json cells_of(const mesh::Mesh& mesh) {
   return cells;
 }
 
-Json layouts_of(const std::vector<FieldLayout>& fields, std::uint16_t levels) {
+Json layouts_of(const std::vector<results::FieldLayout>& fields, std::uint16_t levels) {
   auto layouts = Json::array();
   for (const auto& field : fields)
     layouts.push_back({{"name", field.name},
@@ -193,7 +193,8 @@ std::vector<Blob> mesh_blobs(const mesh::Mesh& mesh, const ViewMesh& view, const
           {prefix + "numbers", packed(Whole(numbers))}};
 }
 
-Json description_of(const StoredFields& fields, const ViewMesh& view, const Eigen::AlignedBox3d& box) {
+Json description_of(const results::StoredFields& fields, const ViewMesh& view,
+                    const Eigen::AlignedBox3d& box) {
   const auto& mesh = fields.mesh;
   const Eigen::Vector3d centre = box.center();
   Json names = Json::array();
@@ -213,7 +214,7 @@ Json description_of(const StoredFields& fields, const ViewMesh& view, const Eige
 
 } // namespace
 
-ViewData view_data(const StoredFields& fields, const std::string& prefix, std::size_t room) {
+ViewData view_data(const results::StoredFields& fields, const std::string& prefix, std::size_t room) {
   const auto view = view_mesh(fields.mesh);
   Eigen::AlignedBox3d box;
   for (const auto& point : fields.mesh.points)

@@ -3,7 +3,7 @@
 /// where they would not fit.
 #pragma once
 
-#include "rubato/report/stored_fields.hpp"
+#include "rubato/results/stored_fields.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -37,6 +37,6 @@ inline constexpr std::array<std::uint16_t, 9> coarser_levels{0xFFFE, 0x3FFE, 0x1
 /// `prefix` begins the names of the arrays. `room`: bytes that they may take together; where all instants do
 /// not fit even with the coarsest fields, every second one, third one … is kept, and the last. `fields` must
 /// hold an instant at least. Throws InputError when fields cannot be read.
-ViewData view_data(const StoredFields& fields, const std::string& prefix, std::size_t room);
+ViewData view_data(const results::StoredFields& fields, const std::string& prefix, std::size_t room);
 
 } // namespace rubato::report

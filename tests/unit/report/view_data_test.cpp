@@ -13,9 +13,9 @@ namespace rubato::report {
 namespace {
 
 /// A strip of many quadrangles with a displacement and a rough scalar.
-StoredFields strip(std::size_t instants) {
+results::StoredFields strip(std::size_t instants) {
   constexpr int cells = 400;
-  StoredFields stored;
+  results::StoredFields stored;
   stored.mesh.dimension = 2;
   mesh::CellBlock block{CellType::quad4, {}, {}};
   for (int i = 0; i <= cells; ++i) {

@@ -176,9 +176,9 @@ bool Condensed::is_settled(const State& trial, const Frozen& frozen) {
   side_.collect_status_changes(frozen, previous(), now(), report_);
   measure_surface();
   const bool stalled = surface_stall_.stalls(report_.residual);
-  const double negligible = report_.tolerance * surface_scale();
   if (!surface_.consistent ||
-      (report_.status_changes > 0 && side_.has_decisive_changes(frozen, previous(), now(), negligible)) ||
+      (report_.status_changes > 0 &&
+       side_.has_decisive_changes(frozen, previous(), now(), report_.tolerance * surface_scale())) ||
       !side_.settled(frozen, previous(), now()))
     return false;
   const double wanted =

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::report {
+namespace rubato::results {
 
 /// A field at the nodes.
 struct FieldLayout {
@@ -39,4 +39,4 @@ std::optional<StoredFields> stored_med_fields(const std::filesystem::path& run);
 /// Nothing when the run stored no fields.
 std::optional<StoredFields> stored_fields(const std::filesystem::path& run);
 
-} // namespace rubato::report
+} // namespace rubato::results

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The same fields by .vtu files and by fields.med.
 #include "rubato/mesh/io/med.hpp"
-#include "rubato/report/stored_fields.hpp"
 #include "rubato/results/med_fields.hpp"
+#include "rubato/results/stored_fields.hpp"
 #include "rubato/results/vtu.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include "unit/mesh_io/one_cell.hpp"
 #include <filesystem>
 
-namespace rubato::report {
+namespace rubato::results {
 namespace {
 
 class FieldsOfARun : public testing::Test {
@@ -25,7 +25,7 @@ protected:
   std::vector<double> pressure(int instant) const { return values(1, -3.0 * instant); }
 
   void write_vtu(int instants) {
-    results::PvdSeries series(folder_ / "fields.pvd");
+    PvdSeries series(folder_ / "fields.pvd");
     for (int i = 0; i < instants; ++i) {
       const auto file = folder_ / fmt::format("fields/{:06}.vtu", i);
       const auto u = shift(i);
@@ -40,7 +40,7 @@ protected:
     for (int i = 0; i < instants; ++i) {
       const auto u = shift(i);
       const auto p = pressure(i);
-      results::append_med_fields(folder_ / "fields.med", "mesh", {i, 0.25 * i}, fields(u, p));
+      append_med_fields(folder_ / "fields.med", "mesh", {i, 0.25 * i}, fields(u, p));
     }
   }
 
@@ -71,7 +71,7 @@ private:
     std::iota(all.begin(), all.end(), first);
     return all;
   }
-  static std::vector<results::NodalField> fields(const std::vector<double>& u, const std::vector<double>& p) {
+  static std::vector<NodalField> fields(const std::vector<double>& u, const std::vector<double>& p) {
     return {{"displacement", 2, u, {"x", "y"}, ""}, {"contact_pressure", 1, p, {}, ""}};
   }
 };
@@ -108,4 +108,4 @@ TEST_F(FieldsOfARun, OfWhichAFileIsGoneAreRefused) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato::results

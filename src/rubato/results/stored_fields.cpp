@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/report/stored_fields.hpp"
+#include "rubato/results/stored_fields.hpp"
 
 #include "rubato/core/error.hpp"
 #include "rubato/mesh/io/med.hpp"
@@ -13,7 +13,7 @@
 #include <iterator>
 #include <utility>
 
-namespace rubato::report {
+namespace rubato::results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,7 +27,7 @@ std::vector<std::string> names_of_components(std::vector<std::string> names) {
 
 /// The values of one array of a file, as many components a node as the layout has: vectors in a plane have a
 /// third one of zeros there.
-std::vector<double> array_values(const results::VtuArray& array, std::size_t components) {
+std::vector<double> array_values(const VtuArray& array, std::size_t components) {
   if (array.component_names.size() == components)
     return array.values;
   const auto stored = array.component_names.size();
@@ -40,7 +40,7 @@ std::vector<double> array_values(const results::VtuArray& array, std::size_t com
 }
 
 /// A vector in a plane has two components.
-FieldLayout layout_of(const results::VtuArray& array, int dimension) {
+FieldLayout layout_of(const VtuArray& array, int dimension) {
   constexpr std::size_t vector_size = 3;
   auto names = array.component_names;
   if (dimension == 2 && names.size() == vector_size && names.back() == "z")
@@ -49,10 +49,10 @@ FieldLayout layout_of(const results::VtuArray& array, int dimension) {
 }
 
 std::vector<std::vector<double>> vtu_values(const fs::path& file, const std::vector<FieldLayout>& fields) {
-  const auto arrays = results::read_vtu_arrays(file);
+  const auto arrays = read_vtu_arrays(file);
   std::vector<std::vector<double>> values;
   for (const auto& field : fields) {
-    const auto found = std::ranges::find(arrays, field.name, &results::VtuArray::name);
+    const auto found = std::ranges::find(arrays, field.name, &VtuArray::name);
     if (found == arrays.end())
       throw InputError(
           fmt::format("{}: holds no field '{}', other than the files before it", file.string(), field.name));
@@ -62,25 +62,24 @@ std::vector<std::vector<double>> vtu_values(const fs::path& file, const std::vec
 }
 
 /// The instants at which every field of the file is stored.
-std::vector<results::Instant> common_instants(const std::vector<results::MedField>& fields) {
+std::vector<Instant> common_instants(const std::vector<MedField>& fields) {
   auto common = fields.front().instants;
   for (const auto& field : fields)
-    std::erase_if(common, [&](const results::Instant& instant) {
-      return std::ranges::find(field.instants, instant.number, &results::Instant::number) ==
-             field.instants.end();
+    std::erase_if(common, [&](const Instant& instant) {
+      return std::ranges::find(field.instants, instant.number, &Instant::number) == field.instants.end();
     });
-  std::ranges::sort(common, {}, &results::Instant::time);
+  std::ranges::sort(common, {}, &Instant::time);
   return common;
 }
 
 } // namespace
 
 std::optional<StoredFields> stored_vtu_fields(const fs::path& run) {
-  auto series = results::read_pvd(run / results::pvd_file);
+  auto series = read_pvd(run / pvd_file);
   if (series.empty())
     return std::nullopt;
-  std::ranges::sort(series, {}, &results::PvdEntry::time);
-  auto first = results::read_vtu(series.front().file);
+  std::ranges::sort(series, {}, &PvdEntry::time);
+  auto first = read_vtu(series.front().file);
   StoredFields stored;
   for (const auto& array : first.arrays)
     stored.fields.push_back(layout_of(array, first.mesh.dimension));
@@ -94,10 +93,11 @@ std::optional<StoredFields> stored_vtu_fields(const fs::path& run) {
 }
 
 std::optional<StoredFields> stored_med_fields(const fs::path& run) {
-  const auto file = run / results::med_file;
+  const auto file = run / med_file;
   if (!fs::exists(file))
     return std::nullopt;
-  const auto fields = results::med_fields(file);
+  auto fields = med_fields(file);
+  std::erase_if(fields, [](const MedField& field) { return !field.at_nodes; });
   if (fields.empty())
     return std::nullopt;
   StoredFields stored;
@@ -105,12 +105,12 @@ std::optional<StoredFields> stored_med_fields(const fs::path& run) {
   const auto instants = common_instants(fields);
   for (const auto& field : fields)
     stored.fields.push_back({field.name, names_of_components(field.component_names)});
-  std::ranges::transform(instants, std::back_inserter(stored.instants), &results::Instant::time);
+  std::ranges::transform(instants, std::back_inserter(stored.instants), &Instant::time);
   stored.values_at = [file, instants, layouts = stored.fields](std::size_t instant) {
     std::vector<std::vector<double>> values;
     values.reserve(layouts.size());
     for (const auto& field : layouts)
-      values.push_back(results::read_med_field(file, field.name, instants.at(instant).number));
+      values.push_back(read_med_field(file, field.name, instants.at(instant).number));
     return values;
   };
   return stored;
@@ -124,4 +124,4 @@ std::optional<StoredFields> stored_fields(const fs::path& run) {
   return vtu ? std::move(vtu) : std::move(med);
 }
 
-} // namespace rubato::report
+} // namespace rubato::results
