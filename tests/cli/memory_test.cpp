@@ -45,7 +45,7 @@ protected:
 };
 
 TEST_F(SmallMemory, IsFoundOutBeforeAFactorIsComputed) {
-  const auto outcome = run(22, 420 * mebibyte);
+  const auto outcome = run(22, 500 * mebibyte);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
   EXPECT_TRUE(

@@ -8,6 +8,7 @@ extern "C" void openblas_set_num_threads(int count);
 // What OpenBLAS itself calls before a fork; its builds without threads lack it.
 extern "C" [[gnu::weak]] int blas_thread_shutdown_();
 // Of the OpenMP that CHOLMOD may be built with.
+extern "C" [[gnu::weak]] int omp_get_max_active_levels();
 extern "C" [[gnu::weak]] void omp_set_max_active_levels(int count);
 
 namespace rubato::linalg {
@@ -31,8 +32,18 @@ void start_with_one_blas_thread_by_default() {
   use_one_blas_thread_by_default();
   if (!environment_decides() && blas_thread_shutdown_ != nullptr)
     blas_thread_shutdown_();
-  if (!environment_decides() && omp_set_max_active_levels != nullptr)
-    omp_set_max_active_levels(0);
+}
+
+OneOpenMpThread::OneOpenMpThread() {
+  if (environment_decides() || omp_get_max_active_levels == nullptr || omp_set_max_active_levels == nullptr)
+    return;
+  levels_before_ = omp_get_max_active_levels();
+  omp_set_max_active_levels(0);
+}
+
+OneOpenMpThread::~OneOpenMpThread() {
+  if (levels_before_ >= 0)
+    omp_set_max_active_levels(levels_before_);
 }
 
 } // namespace rubato::linalg

@@ -11,8 +11,22 @@ void use_one_blas_thread_by_default();
 
 /// For the first line of a main(): use_one_blas_thread_by_default(), and the threads that OpenBLAS started
 /// when it was loaded end at once; left alone they keep the other cores busy for a tenth of a second each,
-/// waiting for work. Nor does OpenMP, which CHOLMOD may be built with, start any. No other thread may be in
-/// BLAS meanwhile. OpenBLAS starts them again should its number of threads be raised later.
+/// waiting for work. No other thread may be in BLAS meanwhile. OpenBLAS starts them again should its number
+/// of threads be raised later.
 void start_with_one_blas_thread_by_default();
+
+/// While it lives, OpenMP (which CHOLMOD may be built with, for four threads) starts no threads for the
+/// calling thread, unless the environment says otherwise. OpenMP keeps this setting for each thread by
+/// itself.
+class OneOpenMpThread {
+public:
+  OneOpenMpThread();
+  ~OneOpenMpThread();
+  OneOpenMpThread(const OneOpenMpThread&) = delete;
+  OneOpenMpThread& operator=(const OneOpenMpThread&) = delete;
+
+private:
+  int levels_before_ = -1; // of nested parallel regions; -1: was not changed
+};
 
 } // namespace rubato::linalg

@@ -263,6 +263,7 @@ bool CholmodEngine::factorise(LowerTriangle& lower) {
   if (factor_ == nullptr)
     return true;
   auto matrix = lower.view();
+  const OneOpenMpThread one_thread;
   cholmod_l_factorize(&matrix, factor_, &common_);
   if (common_.status < CHOLMOD_OK)
     refuse_status(common_.status);
@@ -321,6 +322,7 @@ Eigen::Map<const Eigen::VectorXd> CholmodEngine::solve(int system,
   if (factor_ == nullptr)
     return {nullptr, 0};
   auto b = view(right_side.data(), right_side.size(), 1);
+  const OneOpenMpThread one_thread;
   if (!cholmod_l_solve2(system, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_, &common_))
     refuse_status(common_.status);
   return {static_cast<const double*>(solution_->x), right_side.size()};
@@ -330,6 +332,7 @@ Eigen::MatrixXd CholmodEngine::solve_many(const Eigen::MatrixXd& right_sides) {
   if (factor_ == nullptr)
     return right_sides;
   auto b = view(right_sides.data(), right_sides.rows(), right_sides.cols());
+  const OneOpenMpThread one_thread;
   auto* x = cholmod_l_solve(CHOLMOD_A, factor_, &b, &common_);
   if (x == nullptr)
     refuse_status(common_.status);

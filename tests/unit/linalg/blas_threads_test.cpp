@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/blas_threads.hpp"
+#include "rubato/linalg/direct_solver.hpp"
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>
@@ -7,6 +8,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
+#include <thread>
+#include <vector>
 
 extern "C" {
 void openblas_set_num_threads(int count);
@@ -60,6 +63,45 @@ TEST_F(BlasThreads, ComeBackWhenMoreAreWanted) {
   EXPECT_GT(threads_of_this_process(), 1);
   use_one_blas_thread_by_default();
   EXPECT_EQ(openblas_get_num_threads(), 2);
+}
+
+/// The Laplacian of a cube with n cells along an edge, of which supernodes take hold.
+SparseMatrix laplacian(int n) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto number = [n](int i, int j, int k) { return (i * n + j) * n + k; };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k) {
+        entries.emplace_back(number(i, j, k), number(i, j, k), 6.1);
+        const auto couple = [&](int other) {
+          entries.emplace_back(number(i, j, k), other, -1.0);
+          entries.emplace_back(other, number(i, j, k), -1.0);
+        };
+        if (i + 1 < n)
+          couple(number(i + 1, j, k));
+        if (j + 1 < n)
+          couple(number(i, j + 1, k));
+        if (k + 1 < n)
+          couple(number(i, j, k + 1));
+      }
+  SparseMatrix matrix(n * n * n, n * n * n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// CHOLMOD may be built with OpenMP, whose settings are those of one thread: programs work in threads of their
+// own, too.
+TEST_F(BlasThreads, AreNotAddedToByAFactorisationInAnyThread) {
+  start_with_one_blas_thread_by_default();
+  std::thread([] {
+    const auto before = threads_of_this_process();
+    const SparseMatrix matrix = laplacian(16);
+    const auto factor = CholeskyFactor::of(matrix);
+    ASSERT_TRUE(factor);
+    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(matrix.rows(), -1.0, 2.0);
+    EXPECT_LT((matrix * factor->solve(load) - load).norm(), 1e-10 * load.norm());
+    EXPECT_EQ(threads_of_this_process(), before);
+  }).join();
 }
 
 } // namespace
