@@ -2,6 +2,7 @@
 #include "rubato/step/interface/condensed.hpp"
 
 #include "rubato/core/tolerances.hpp"
+#include "rubato/step/interface/free_motions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,19 @@ namespace {
 
 using contact::Status;
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using model::Model;
 
 /// Surface residual at which free bodies take a new base, whose full residual decides. Counted from one that
 /// carries the contact forces, the rest of the way loses no digits.
 constexpr double nearly_balanced = 1e-6;
+
+/// Iterations of free bodies without a look at what geometry adds along their rigid motions: most steps need no more.
+constexpr int plain_iterations = 8;
+/// Bounds of the shift along a rigid motion, in parts of the reach.
+constexpr double least_shift = 1e-6;
+constexpr double most_shift = 1e-2;
 
 NormalSolution normal_solution(const Model& model, const EffectiveSystem& system) {
   if (prediction_is_exact(model))
@@ -271,58 +279,132 @@ std::span<const MultiplierShare> Condensed::shares_of(std::size_t z, std::size_t
 }
 
 std::optional<Outcome> Condensed::correct(State& trial, const Frozen& frozen, double part) {
-  linearise(trial, frozen);
-  const auto change =
-      system_.has_free_bodies
-          ? scratch_.points.solve(surface_.free - surface_.moved, surface_.beyond_carried(force()))
-          : scratch_.points.solve(surface_.free - surface_.moved, force());
-  if (!change)
+  auto correction = corrected(trial, frozen, surface_.moved);
+  if (!correction)
     return Outcome::singular_matrix;
-  VectorXd next = force();
-  scratch_.points.add_force(*change, next);
-  VectorXd move = -surface_.moved;
-  std::swap(surface_.applied, next);
-  surface_.move(trial);
-  move += surface_.moved;
+  if (follows_free_motions(frozen))
+    follow_free_motions(trial, frozen, *correction);
   if (system_.has_free_bodies)
-    part *= reach_.part_of(part * move);
+    part *= reach_.part_of(part * (correction->moved - surface_.moved));
   surface_.consistent = part == 1;
-  if (!surface_.consistent) {
-    surface_.applied = next + part * (surface_.applied - next);
-    surface_.moved -= (1 - part) * move;
-    surface_.place(trial);
-  }
-  correct_own_multipliers(*change, move, part, trial);
-  correct_shared_multipliers(*change, part, trial);
+  if (part != 1)
+    shorten(*correction, part, trial);
+  surface_.applied = std::move(correction->applied);
+  surface_.moved = std::move(correction->moved);
+  surface_.place(trial);
+  for (std::size_t z = 0; z < model_.zones.size(); ++z)
+    trial.zones[z].multipliers = std::move(correction->multipliers[z]);
   if (!surface_.moved.allFinite())
     return Outcome::singular_matrix;
   return std::nullopt;
 }
 
-/// `moved`: how far the whole change moves the surface. Open points have no multipliers in the end.
+void Condensed::shorten(Corrected& correction, double part, const State& trial) const {
+  const auto keep = [part](const VectorXd& before, VectorXd& after) {
+    after = before + part * (after - before);
+  };
+  keep(surface_.applied, correction.applied);
+  keep(surface_.moved, correction.moved);
+  for (std::size_t z = 0; z < model_.zones.size(); ++z)
+    keep(trial.zones[z].multipliers, correction.multipliers[z]);
+}
+
+/// Of the iterate that now() is; `at`: where its surface is.
+std::optional<Condensed::Corrected> Condensed::corrected(const State& trial, const Frozen& frozen,
+                                                         const VectorXd& at) {
+  linearise(trial, frozen);
+  const auto change = system_.has_free_bodies
+                          ? scratch_.points.solve(surface_.free - at, surface_.beyond_carried(force()))
+                          : scratch_.points.solve(surface_.free - at, force());
+  if (!change)
+    return std::nullopt;
+  Corrected result;
+  result.applied = force();
+  scratch_.points.add_force(*change, result.applied);
+  result.moved = surface_.moved_by(result.applied);
+  for (const auto& zone : trial.zones)
+    result.multipliers.push_back(zone.multipliers);
+  correct_own_multipliers(*change, result.moved - at, result.multipliers);
+  correct_shared_multipliers(*change, result.multipliers);
+  return result;
+}
+
+/// Not where all geometry is held: nothing is missing in its linearisation.
+bool Condensed::follows_free_motions(const Frozen& frozen) const {
+  return system_.has_free_bodies && report_.iterations >= plain_iterations &&
+         std::ranges::any_of(frozen, [](const FrozenZone& zone) { return zone.frames.empty(); });
+}
+
+/// With the statuses of now().
+std::optional<Condensed::Corrected> Condensed::corrected_at_shift(const State& trial, const Frozen& frozen,
+                                                                  const VectorXd& shift) {
+  State shifted = trial;
+  const auto& dofs = system_.compliance->dof_of_interface_dof();
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    shifted.motion.u[dofs[i]] += shift[static_cast<Index>(i)];
+  for (std::size_t z = 0; z < shifted.zones.size(); ++z)
+    shifted.zones[z].status = now().status[z];
+  side_.measure(shifted, frozen, scratch_.shifted);
+  std::swap(scratch_.now, scratch_.shifted);
+  collect_forces(frozen);
+  auto result = corrected(shifted, frozen, surface_.moved + shift);
+  std::swap(scratch_.now, scratch_.shifted);
+  return result;
+}
+
+void Condensed::follow_free_motions(const State& trial, const Frozen& frozen, Corrected& correction) {
+  if (!scratch_.free_motions)
+    scratch_.free_motions = free_motions(model_, *system_.compliance);
+  const auto& motions = *scratch_.free_motions;
+  const double step = std::clamp((correction.moved - surface_.moved).lpNorm<Eigen::Infinity>(),
+                                 least_shift * reach_.most(), most_shift * reach_.most());
+  std::vector<Corrected> shifted;
+  MatrixXd moved(motions.rows(), motions.cols());
+  for (Index k = 0; k < motions.cols(); ++k) {
+    auto result = corrected_at_shift(trial, frozen, step * motions.col(k));
+    if (!result)
+      return;
+    moved.col(k) = result->moved - surface_.moved - step * motions.col(k);
+    shifted.push_back(std::move(*result));
+  }
+  const auto shares = shares_of_motions(motions, correction.moved - surface_.moved, moved);
+  if (!shares)
+    return;
+  const Corrected plain = correction;
+  for (Index k = 0; k < motions.cols(); ++k) {
+    const double share = (*shares)[k];
+    const auto& other = shifted[static_cast<std::size_t>(k)];
+    correction.applied += share * (other.applied - plain.applied);
+    for (std::size_t z = 0; z < plain.multipliers.size(); ++z)
+      correction.multipliers[z] += share * (other.multipliers[z] - plain.multipliers[z]);
+  }
+  correction.moved = surface_.moved_by(correction.applied);
+}
+
+/// `moved`: how far the change moves the surface. Open points have no multipliers in the end.
 void Condensed::correct_own_multipliers(const InterfaceNewtonSystem::Change& change, const VectorXd& moved,
-                                        double part, State& trial) const {
+                                        std::vector<VectorXd>& multipliers) const {
   const auto of_point = [&](std::size_t z, int count, std::size_t i) {
-    return trial.zones[z].multipliers.segment(model_.zones[z].points[i].node_position * count, count);
+    return multipliers[z].segment(model_.zones[z].points[i].node_position * count, count);
   };
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const int count = model_.zones[z].owns_multipliers() ? model_.zones[z].multipliers_per_node() : 0;
     for (std::size_t i = 0; count > 0 && i < now().status[z].size(); ++i)
       if (now().status[z][i] == Status::open)
-        of_point(z, count, i) *= 1 - part;
+        of_point(z, count, i).setZero();
   }
   const auto& points = scratch_.points;
   for (const auto& point : points.points())
     if (const int count = point.response.multipliers(); count > 0 && point.shares.empty())
-      of_point(point.zone, count, point.index) += part * points.multipliers_of(point, change, moved);
+      of_point(point.zone, count, point.index) += points.multipliers_of(point, change, moved);
 }
 
-void Condensed::correct_shared_multipliers(const InterfaceNewtonSystem::Change& change, double part,
-                                           State& trial) const {
+void Condensed::correct_shared_multipliers(const InterfaceNewtonSystem::Change& change,
+                                           std::vector<VectorXd>& multipliers) const {
   scratch_.points.for_each_shared(change, [&](int multiplier, double by) {
     const auto after = std::ranges::upper_bound(model_.multiplier_offsets, multiplier);
     const auto zone = static_cast<std::size_t>(after - model_.multiplier_offsets.begin()) - 1;
-    trial.zones[zone].multipliers[multiplier - model_.multiplier_offsets[zone]] += part * by;
+    multipliers[zone][multiplier - model_.multiplier_offsets[zone]] += by;
   });
 }
 

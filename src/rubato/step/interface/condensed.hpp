@@ -39,13 +39,14 @@ struct PointInContact {
 
 /// Storage that one attempt leaves to the next.
 struct CondensedScratch {
-  ContactIterate now, previous;
+  ContactIterate now, previous, shifted;
   ActiveInterfaceCompliance surface;
   InterfaceNewtonSystem points;
   PredictorScratch predictor;
   std::vector<PointInContact> in_contact;
   Eigen::VectorXd force;               ///< theirs on the surface, one an interface dof
   std::vector<MultiplierShare> shares; ///< of one point
+  std::optional<Eigen::MatrixXd> free_motions; ///< once they are asked for (free_motions.hpp)
 
   /// The compliance must outlive this.
   CondensedScratch(Compliance& compliance, double force_weight, int components, NormalSolution how_far);
@@ -87,12 +88,24 @@ private:
   double surface_scale() const;
   std::vector<WorstNode> worst_on_surface() const;
   void linearise(const State& trial, const Frozen& frozen);
+  /// What a whole correction makes of an iterate.
+  struct Corrected {
+    Eigen::VectorXd applied;                  ///< as SurfaceMotion::applied
+    Eigen::VectorXd moved;                    ///< as SurfaceMotion::moved
+    std::vector<Eigen::VectorXd> multipliers; ///< of each zone
+  };
+  std::optional<Corrected> corrected(const State& trial, const Frozen& frozen, const Eigen::VectorXd& at);
+  std::optional<Corrected> corrected_at_shift(const State& trial, const Frozen& frozen,
+                                              const Eigen::VectorXd& shift);
+  void shorten(Corrected& correction, double part, const State& trial) const;
+  bool follows_free_motions(const Frozen& frozen) const;
+  void follow_free_motions(const State& trial, const Frozen& frozen, Corrected& correction);
   void add_open_points(const Frozen& frozen);
   std::span<const MultiplierShare> shares_of(std::size_t zone, std::size_t point);
   void correct_own_multipliers(const InterfaceNewtonSystem::Change& change, const Eigen::VectorXd& moved,
-                               double part, State& trial) const;
-  void correct_shared_multipliers(const InterfaceNewtonSystem::Change& change, double part,
-                                  State& trial) const;
+                               std::vector<Eigen::VectorXd>& multipliers) const;
+  void correct_shared_multipliers(const InterfaceNewtonSystem::Change& change,
+                                  std::vector<Eigen::VectorXd>& multipliers) const;
   ContactForce contact_force() const;
   bool in_equilibrium(const State& trial, const Frozen& frozen, const ContactForce& force);
 

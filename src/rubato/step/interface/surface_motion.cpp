@@ -32,12 +32,17 @@ void SurfaceMotion::take_base(const time::Motion& motion, const VectorXd& residu
   consistent = true;
 }
 
-void SurfaceMotion::move(State& trial) {
-  moved = free;
+VectorXd SurfaceMotion::moved_by(const VectorXd& force) const {
+  VectorXd there = free;
   if (carried_.size() == 0)
-    system_.compliance->add(-scheme_.contact_weight(), applied, moved);
+    system_.compliance->add(-scheme_.contact_weight(), force, there);
   else
-    system_.compliance->add(-scheme_.contact_weight(), applied - carried_, moved);
+    system_.compliance->add(-scheme_.contact_weight(), force - carried_, there);
+  return there;
+}
+
+void SurfaceMotion::move(State& trial) {
+  moved = moved_by(applied);
   place(trial);
 }
 

@@ -26,6 +26,8 @@ public:
   void start_from(const time::Motion& base, const Eigen::VectorXd& residual, const Eigen::VectorXd& force);
   /// What the base does not carry of forces on the surface.
   Eigen::VectorXd beyond_carried(const Eigen::VectorXd& force) const;
+  /// d_s as forces on the surface push it.
+  Eigen::VectorXd moved_by(const Eigen::VectorXd& force) const;
   /// As the forces applied push it.
   void move(State& trial);
   /// To where a motion has the surfaces.
