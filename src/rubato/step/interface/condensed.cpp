@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/condensed.hpp"
 
+#include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
 #include "rubato/step/interface/free_motions.hpp"
 
@@ -22,8 +23,11 @@ using model::Model;
 /// carries the contact forces, the rest of the way loses no digits.
 constexpr double nearly_balanced = 1e-6;
 
-/// Iterations of free bodies without a look at what geometry adds along their rigid motions: most steps need no more.
+/// Iterations of free bodies without a look at what geometry adds along their rigid motions. Most steps need
+/// no more; a look costs an iteration for each motion, of which a body in the plane has three.
 constexpr int plain_iterations = 8;
+constexpr int plain_iterations_of_few = 2;
+constexpr Index few_motions = 3;
 /// Bounds of the shift along a rigid motion, in parts of the reach.
 constexpr double least_shift = 1e-6;
 constexpr double most_shift = 1e-2;
@@ -329,10 +333,18 @@ std::optional<Condensed::Corrected> Condensed::corrected(const State& trial, con
   return result;
 }
 
-/// Not where all geometry is held: nothing is missing in its linearisation.
-bool Condensed::follows_free_motions(const Frozen& frozen) const {
-  return system_.has_free_bodies && report_.iterations >= plain_iterations &&
-         std::ranges::any_of(frozen, [](const FrozenZone& zone) { return zone.frames.empty(); });
+/// Not where all geometry is held, which misses nothing in its linearisation, nor with springs, which press
+/// as the gap of an iterate says: they let go where a shift lifts them off.
+bool Condensed::follows_free_motions(const Frozen& frozen) {
+  const bool moves_geometry =
+      std::ranges::any_of(frozen, [](const FrozenZone& zone) { return zone.frames.empty(); });
+  if (!system_.has_free_bodies || !moves_geometry || report_.iterations < plain_iterations_of_few ||
+      report_.residual <= report_.tolerance || !std::ranges::all_of(model_.zones, contact::closes_gaps))
+    return false;
+  if (!scratch_.free_motions)
+    scratch_.free_motions = free_motions(model_, *system_.compliance);
+  const auto count = scratch_.free_motions->cols();
+  return count > 0 && (count <= few_motions || report_.iterations >= plain_iterations);
 }
 
 /// With the statuses of now().
@@ -353,8 +365,6 @@ std::optional<Condensed::Corrected> Condensed::corrected_at_shift(const State& t
 }
 
 void Condensed::follow_free_motions(const State& trial, const Frozen& frozen, Corrected& correction) {
-  if (!scratch_.free_motions)
-    scratch_.free_motions = free_motions(model_, *system_.compliance);
   const auto& motions = *scratch_.free_motions;
   const double step = std::clamp((correction.moved - surface_.moved).lpNorm<Eigen::Infinity>(),
                                  least_shift * reach_.most(), most_shift * reach_.most());

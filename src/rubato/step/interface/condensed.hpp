@@ -44,8 +44,8 @@ struct CondensedScratch {
   InterfaceNewtonSystem points;
   PredictorScratch predictor;
   std::vector<PointInContact> in_contact;
-  Eigen::VectorXd force;               ///< theirs on the surface, one an interface dof
-  std::vector<MultiplierShare> shares; ///< of one point
+  Eigen::VectorXd force;                       ///< theirs on the surface, one an interface dof
+  std::vector<MultiplierShare> shares;         ///< of one point
   std::optional<Eigen::MatrixXd> free_motions; ///< once they are asked for (free_motions.hpp)
 
   /// The compliance must outlive this.
@@ -98,7 +98,7 @@ private:
   std::optional<Corrected> corrected_at_shift(const State& trial, const Frozen& frozen,
                                               const Eigen::VectorXd& shift);
   void shorten(Corrected& correction, double part, const State& trial) const;
-  bool follows_free_motions(const Frozen& frozen) const;
+  bool follows_free_motions(const Frozen& frozen);
   void follow_free_motions(const State& trial, const Frozen& frozen, Corrected& correction);
   void add_open_points(const Frozen& frozen);
   std::span<const MultiplierShare> shares_of(std::size_t zone, std::size_t point);
@@ -119,6 +119,7 @@ private:
   StepReport report_;
   double scale_; ///< of forces, what the residual is measured by
   Reach reach_;
+  double last_surface_residual_ = 0;
 
   StallWatch surface_stall_, bulk_stall_;
   double last_residual_ = std::numeric_limits<double>::infinity(); ///< at the last whole motion

@@ -4,10 +4,10 @@
 /// Contact is linearised with the surfaces' operators held. What these contribute where a body turns or
 /// slides as a whole is small beside the stiffness of a held body. A free body has nothing else there, but
 /// its weak springs: where all its points slide, a turn is resisted by the change of geometry alone. So that
-/// part is measured: Newton's correction c(x) of the surface's motion is computed at x and at x + ε mₖ, mₖ the
-/// rigid motions, and is taken as linear between. The next iterate is x + Σ βₖ ε mₖ + c(x) + Σ βₖ (cₖ − c(x)),
-/// with β such that nothing of the last two terms is a rigid motion. With operators that do not change,
-/// cₖ − c = −ε mₖ, and that is Newton's iterate itself.
+/// part is measured: Newton's correction c(x) of the surface's motion is computed at x and at x + ε mₖ, mₖ
+/// the rigid motions, and is taken as linear between. The next iterate is x + Σ βₖ ε mₖ + c(x) + Σ βₖ (cₖ −
+/// c(x)), with β such that nothing of the last two terms is a rigid motion. With operators that do not
+/// change, cₖ − c = −ε mₖ, and that is Newton's iterate itself.
 #pragma once
 
 #include "rubato/model/model.hpp"
@@ -20,7 +20,8 @@
 namespace rubato::step {
 
 /// The motions that supports and firm springs leave to the bodies of a model, on their surfaces: a row an
-/// interface dof, a column a motion whose largest entry is 1. Motions without a place on a surface are left out.
+/// interface dof, a column a motion whose largest entry is 1. Motions without a place on a surface are left
+/// out.
 Eigen::MatrixXd free_motions(const model::Model& model, const Compliance& compliance);
 
 /// β by motion. `correction`: c(x); `shifted`: a column cₖ each. Nothing comes back where the motions are not
