@@ -18,12 +18,33 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// A node that is excluded keeps its function: its part of the surface touches nothing.
+bool is_clamped(const Zone& zone, std::size_t node) {
+  const auto all = static_cast<HeldComponents>((1U << static_cast<unsigned>(zone.space_dimension)) - 1U);
+  return !zone.held.empty() && (zone.held[node] & all) == all;
+}
+
+/// Whether supports hold a node whole and each of its faces has nodes that they do not: the end of a clamped
+/// beam.
+bool ends_at_a_clamp(const Zone& zone, std::size_t node) {
+  const auto moves = [&](int other) { return !is_clamped(zone, static_cast<std::size_t>(other)); };
+  return is_clamped(zone, node) && std::ranges::all_of(zone.slave.faces_of_node[node], [&](int face) {
+           const auto& of_face = zone.slave.faces[static_cast<std::size_t>(face)];
+           return std::ranges::any_of(
+               std::span(of_face.positions).first(static_cast<std::size_t>(of_face.node_count)), moves);
+         });
+}
+
+/// A node that is excluded keeps its function: its part of the surface touches nothing. One at a clamp gives
+/// it to its neighbours, as a tie's does: only its master could give way to its force, by the little of it
+/// that is not clamped, too, so that points there would press and pull on each other with forces beyond those
+/// of the bodies.
 std::vector<Keep> keep_of(const Zone& zone) {
-  std::vector<Keep> keep;
-  if (std::ranges::any_of(zone.points, &SlavePoint::excluded))
-    for (const auto& point : zone.points)
-      keep.push_back(point.excluded ? Keep::always : Keep::by_cover);
+  std::vector<Keep> keep(zone.points.size(), Keep::by_cover);
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    if (zone.points[i].excluded)
+      keep[i] = Keep::always;
+    else if (ends_at_a_clamp(zone, static_cast<std::size_t>(zone.points[i].node_position)))
+      keep[i] = Keep::never;
   return keep;
 }
 

@@ -6,6 +6,8 @@
 #include "patch/contact_blocks.hpp"
 #include "support/model_of.hpp"
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace rubato {
 namespace {
@@ -70,6 +72,60 @@ TEST_F(SlidingBlock, ForgetsInTheNextStepWhatItAsked) {
   EXPECT_TRUE(keeps_last(0.99 * least_kept_share));
   start_t_ = 0.5;
   expect_border_at(least_kept_share);
+}
+
+/// Two beams on one another, 4 long and 1 wide, the lower one the slave with four faces.
+model::Model beams(const std::string& lower_support) {
+  return test::model_of(R"(
+physics: plane_stress
+mesh:
+  generate:
+    - {name: lower, rectangle: {from: [0, -1], to: [4, 0]}, divisions: [4, 1], cells: quad8, sides: {left: lower_end, bottom: lower_foot, top: slave}}
+    - {name: upper, rectangle: {from: [0, 0], to: [4, 1]}, divisions: [3, 1], cells: quad8, sides: {left: upper_end, bottom: master}}
+materials: {steel: {young: 1000, poisson: 0.3}}
+supports: [{on: upper_end, fix: [x, y]}, )" +
+                        lower_support + R"(]
+contact: {rest: {master: master, slave: slave}}
+time: {scheme: static, step: 1, end: 1}
+)");
+}
+
+struct KeptNodes {
+  std::vector<double> dropped; ///< where [x]
+  double weight = 0;
+  double lost = 0;
+};
+
+KeptNodes kept_of(const model::Model& model) {
+  const VectorXd rest = VectorXd::Zero(model.dofs.dof_count);
+  Points points(model.zones.front());
+  points.update({&model.mesh, &model.dofs, &rest, &rest, 1, 0});
+  KeptNodes found{.lost = points.operators().lost_area};
+  const auto& nodes = model.zones.front().slave.nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    found.weight += points.operators().nodes[i].weight;
+    if (!points.operators().nodes[i].kept())
+      found.dropped.push_back(model.mesh.points[static_cast<std::size_t>(nodes[i])].x());
+  }
+  return found;
+}
+
+TEST(ClampedEnds, LeaveTheirFunctionsToTheirNeighbours) {
+  const auto found = kept_of(beams("{on: lower_end, fix: [x, y]}"));
+  EXPECT_EQ(found.dropped, std::vector{0.0});
+  EXPECT_NEAR(found.weight, 4, 1e-12);
+  EXPECT_EQ(found.lost, 0);
+}
+
+TEST(ClampedEnds, KeepThemWhereASupportHoldsOneComponentOnly) {
+  const auto found = kept_of(beams("{on: lower_end, fix: [x]}, {on: lower_foot, fix: [y]}"));
+  EXPECT_TRUE(found.dropped.empty());
+}
+
+TEST(ClampedEnds, AreNotTheNodesOfASurfaceThatIsClampedWhole) {
+  const auto found = kept_of(beams("{on: lower, fix: [x, y]}"));
+  EXPECT_TRUE(found.dropped.empty());
+  EXPECT_NEAR(found.weight, 4, 1e-12);
 }
 
 } // namespace
