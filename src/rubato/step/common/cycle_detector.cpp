@@ -12,24 +12,34 @@ constexpr double rounding = 1e-9;
 
 constexpr int most_cycles = 3;
 
+/// Of the corrections of the first cycle; of those of the second its square, and so on.
+constexpr double damped = 0.4;
+
 } // namespace
 
-bool CycleDetector::has_met(const ContactIterate& iterate, double size_of_forces) {
-  const bool known = std::ranges::any_of(met_, [&](const Met& met) {
+std::optional<int> CycleDetector::length_of_cycle(const ContactIterate& iterate, double size_of_forces) {
+  const auto same = std::ranges::find_if(met_, [&](const Met& met) {
     return std::abs(met.size - size_of_forces) <= rounding * size_of_forces && met.status == iterate.status;
   });
-  if (!known)
-    met_.push_back({iterate.status, size_of_forces});
-  return known;
+  if (same != met_.end())
+    return static_cast<int>(met_.end() - same);
+  met_.push_back({iterate.status, size_of_forces});
+  return std::nullopt;
 }
 
 std::optional<double> CycleDetector::part_of_next(const ContactIterate& iterate, double size_of_forces) {
-  if (!has_met(iterate, size_of_forces))
+  if (damped_left_ > 0) {
+    --damped_left_;
+    return std::pow(damped, cycles_);
+  }
+  const auto length = length_of_cycle(iterate, size_of_forces);
+  if (!length)
     return 1.0;
   if (++cycles_ > most_cycles)
     return std::nullopt;
+  damped_left_ = *length - 1;
   met_.clear();
-  return 0.5;
+  return std::pow(damped, cycles_);
 }
 
 } // namespace rubato::step

@@ -11,11 +11,12 @@ namespace rubato::step {
 
 class CycleDetector {
 public:
-  /// Whether an earlier iterate had the same statuses and, but for rounding, forces of the same size. The
-  /// same statuses alone are no cycle: on the way to the answer they often come twice.
-  bool has_met(const ContactIterate& iterate, double size_of_forces);
-  /// Part of the next correction to take from an iterate: the whole; half of it where iterates come back, as
-  /// another way may lead on from there; nothing when they came back too often.
+  /// How many iterates ago one had the same statuses and, but for rounding, forces of the same size; nothing
+  /// where none had. The same statuses alone are no cycle: on the way to the answer they often come twice.
+  std::optional<int> length_of_cycle(const ContactIterate& iterate, double size_of_forces);
+  /// Part of the next correction to take from an iterate: the whole; where iterates come back 0.4 for as many
+  /// corrections as the cycle has, the second time 0.16, as another way may lead on from between them;
+  /// nothing when they came back too often.
   std::optional<double> part_of_next(const ContactIterate& iterate, double size_of_forces);
 
 private:
@@ -25,6 +26,7 @@ private:
   };
   std::vector<Met> met_;
   int cycles_ = 0;
+  int damped_left_ = 0; ///< corrections
 };
 
 } // namespace rubato::step

@@ -24,37 +24,43 @@ ContactIterate with(Status first, Status second) {
   return iterate;
 }
 
-TEST(CycleDetector, KnowsStatusesThatComeBackWithTheirForces) {
+TEST(CycleDetector, TellsHowManyIteratesAgoStatusesHadTheSameForces) {
   CycleDetector watch;
-  EXPECT_FALSE(watch.has_met(with(Status::stick, Status::open), 1));
-  EXPECT_FALSE(watch.has_met(with(Status::slip, Status::open), 2));
-  EXPECT_TRUE(watch.has_met(with(Status::stick, Status::open), 1 + 1e-12));
+  EXPECT_FALSE(watch.length_of_cycle(with(Status::stick, Status::open), 1));
+  EXPECT_FALSE(watch.length_of_cycle(with(Status::slip, Status::open), 2));
+  EXPECT_EQ(watch.length_of_cycle(with(Status::stick, Status::open), 1 + 1e-12), 2);
+  EXPECT_EQ(watch.length_of_cycle(with(Status::slip, Status::open), 2), 1);
 }
 
 TEST(CycleDetector, LetsStatusesComeBackWithOtherForces) {
   CycleDetector watch;
-  EXPECT_FALSE(watch.has_met(with(Status::stick, Status::open), 1));
-  EXPECT_FALSE(watch.has_met(with(Status::stick, Status::open), 1.001));
-  EXPECT_FALSE(watch.has_met(with(Status::open, Status::stick), 1));
+  EXPECT_FALSE(watch.length_of_cycle(with(Status::stick, Status::open), 1));
+  EXPECT_FALSE(watch.length_of_cycle(with(Status::stick, Status::open), 1.001));
+  EXPECT_FALSE(watch.length_of_cycle(with(Status::open, Status::stick), 1));
 }
 
-TEST(CycleDetector, TakesHalfOfACorrectionWhereIteratesComeBackUntilTheyDoTooOften) {
+TEST(CycleDetector, ShortensTheCorrectionsOfAWholeCycleEachTimeMoreUntilIteratesComeBackTooOften) {
   CycleDetector watch;
-  const auto part = [&](Status status) { return watch.part_of_next(with(status, Status::open), 1); };
+  const auto part = [&](Status first, Status second) { return watch.part_of_next(with(first, second), 1); };
+  double shortened = 1;
   for (int cycle = 0; cycle < 3; ++cycle) {
-    EXPECT_EQ(part(Status::stick), 1.0);
-    EXPECT_EQ(part(Status::slip), 1.0);
-    EXPECT_EQ(part(Status::stick), 0.5);
+    shortened *= 0.4;
+    EXPECT_EQ(part(Status::stick, Status::open), 1.0);
+    EXPECT_EQ(part(Status::slip, Status::open), 1.0);
+    EXPECT_EQ(part(Status::open, Status::open), 1.0);
+    EXPECT_DOUBLE_EQ(*part(Status::stick, Status::open), shortened);
+    EXPECT_DOUBLE_EQ(*part(Status::slip, Status::slip), shortened);
+    EXPECT_DOUBLE_EQ(*part(Status::slip, Status::slip), shortened);
   }
-  EXPECT_EQ(part(Status::stick), 1.0);
-  EXPECT_EQ(part(Status::stick), std::nullopt);
+  EXPECT_EQ(part(Status::stick, Status::open), 1.0);
+  EXPECT_EQ(part(Status::stick, Status::open), std::nullopt);
 }
 
 /// One node of a square touches a rigid floor, all others are held: two unknowns, so that the iterates can be
 /// told by hand. Its stiffness is K = c [[0.45, −0.1625], [−0.1625, 0.45]], c = E/(1 − ν²), and the load
 /// pulls it to the left and a little up. Where it sticks the floor would have to hold it down: it opens.
 /// Where it is open it moves left and, by ν, down into the floor: it closes, and with a spring as stiff and a
-/// c_t as small as these it sticks. So do halves of these corrections. The answer, it slips, has no status
+/// c_t as small as these it sticks. So do parts of these corrections. The answer, it slips, has no status
 /// that leads to it.
 const std::string pulled_corner = R"(
 mesh:
