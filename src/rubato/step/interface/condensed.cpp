@@ -361,6 +361,7 @@ std::optional<Condensed::Corrected> Condensed::corrected_at_shift(const State& t
   collect_forces(frozen);
   auto result = corrected(shifted, frozen, surface_.moved + shift);
   std::swap(scratch_.now, scratch_.shifted);
+  collect_forces(frozen);
   return result;
 }
 

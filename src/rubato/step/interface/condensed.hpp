@@ -119,7 +119,6 @@ private:
   StepReport report_;
   double scale_; ///< of forces, what the residual is measured by
   Reach reach_;
-  double last_surface_residual_ = 0;
 
   StallWatch surface_stall_, bulk_stall_;
   double last_residual_ = std::numeric_limits<double>::infinity(); ///< at the last whole motion
