@@ -396,7 +396,7 @@ void Condensed::follow_free_motions(const State& trial, const Frozen& frozen, Co
 void Condensed::correct_own_multipliers(const InterfaceNewtonSystem::Change& change, const VectorXd& moved,
                                         std::vector<VectorXd>& multipliers) const {
   const auto of_point = [&](std::size_t z, int count, std::size_t i) {
-    return multipliers[z].segment(model_.zones[z].points[i].node_position * count, count);
+    return multipliers[z].segment(Index{model_.zones[z].points[i].node_position} * count, count);
   };
   for (std::size_t z = 0; z < model_.zones.size(); ++z) {
     const int count = model_.zones[z].owns_multipliers() ? model_.zones[z].multipliers_per_node() : 0;
