@@ -20,8 +20,8 @@
 namespace rubato::step {
 
 /// The motions that supports and firm springs leave to the bodies of a model, on their surfaces: a row an
-/// interface dof, a column a motion whose largest entry is 1. Motions without a place on a surface are left
-/// out.
+/// interface dof, a column a motion whose largest entry is 1. In axisymmetry these bodies also have the turn
+/// of their section. Motions without a place on a surface are left out.
 Eigen::MatrixXd free_motions(const model::Model& model, const Compliance& compliance);
 
 /// β by motion. `correction`: c(x); `shifted`: a column cₖ each. Nothing comes back where the motions are not
