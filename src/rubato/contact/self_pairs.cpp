@@ -116,8 +116,8 @@ std::vector<std::vector<int>> across_edges(const Surface& surface) {
     for (const auto node : surface.faces[f].node_span())
       faces_of_node[node].push_back(static_cast<int>(f));
   const auto are_joined = [&](const Face& one, const Face& other) {
-    const auto positions = std::span(other.positions).first(at(other.node_count));
-    return std::ranges::any_of(std::span(one.positions).first(at(one.node_count)), [&](int position) {
+    const auto positions = other.position_span();
+    return std::ranges::any_of(one.position_span(), [&](int position) {
       return std::ranges::find(positions, position) != positions.end();
     });
   };

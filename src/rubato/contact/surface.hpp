@@ -25,6 +25,9 @@ struct Face {
   std::span<const mesh::NodeIndex> node_span() const {
     return std::span(nodes).first(static_cast<std::size_t>(node_count));
   }
+  std::span<const int> position_span() const {
+    return std::span(positions).first(static_cast<std::size_t>(node_count));
+  }
 };
 
 struct Surface {

@@ -20,11 +20,6 @@ using Eigen::VectorXd;
 /// Distance along the master, in its shortest edges, beyond which a clamped projection is beside it.
 constexpr double beside = 0.05;
 
-bool is_held(const Zone& zone, std::size_t node_position, int component) {
-  return node_position < zone.held.size() &&
-         ((static_cast<unsigned>(zone.held[node_position]) >> static_cast<unsigned>(component)) & 1U) != 0;
-}
-
 /// Turns the frame to the axes and counts gap and slip from where nothing is displaced.
 void hold_components(const Configuration& rest, Kinematics& k) {
   k.facing = k.normal;
@@ -52,7 +47,7 @@ bool stands_before(const Zone& zone, const Kinematics& k, const Configuration& r
 void release_held(const Zone& zone, std::size_t position, Stencil& stencil) {
   stencil.by_component = stencil.weights.replicate<1, 3>();
   for (int c = 0; c < stencil.components; ++c)
-    if (is_held(zone, position, c))
+    if (zone.is_held(position, c))
       stencil.by_component.col(c).setZero();
 }
 
@@ -83,7 +78,7 @@ std::vector<mortar::Keep> keep_of(const Zone& zone, int component) {
   for (std::size_t i = 0; i < keep.size(); ++i)
     if (zone.points[i].excluded)
       keep[i] = mortar::Keep::always;
-    else if (is_held(zone, i, component))
+    else if (zone.is_held(i, component))
       keep[i] = mortar::Keep::never;
   return keep;
 }

@@ -69,7 +69,7 @@ struct Zone {
   bool unit_weights = false;
   /// Of mortar: what the slave is undeformed. Points are the slave's nodes then, in their order.
   std::optional<mortar::SlaveReference> mortar;
-  /// Components of the slave's nodes that supports hold, for the normals of mortar: one a node, or none.
+  /// Components of the slave's nodes that supports hold, of mortar and ties: one a node, or none.
   std::vector<mortar::HeldComponents> held;
 
   double begin = 0; ///< the first instant of the run
@@ -77,6 +77,12 @@ struct Zone {
   /// Whether master and slave are one surface. Which of two of its parts is the slave is told by
   /// self_pairs.hpp.
   bool meets_itself() const { return !settings.self.empty(); }
+
+  /// Whether a support holds that component of a slave node, by its position.
+  bool is_held(std::size_t node_position, int component) const {
+    return node_position < held.size() &&
+           ((static_cast<unsigned>(held[node_position]) >> static_cast<unsigned>(component)) & 1U) != 0;
+  }
 
   /// Whether its geometry is that of the undeformed bodies.
   bool holds_geometry() const { return settings.freeze || settings.tie; }

@@ -19,8 +19,10 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 bool is_clamped(const Zone& zone, std::size_t node) {
-  const auto all = static_cast<HeldComponents>((1U << static_cast<unsigned>(zone.space_dimension)) - 1U);
-  return !zone.held.empty() && (zone.held[node] & all) == all;
+  for (int c = 0; c < zone.space_dimension; ++c)
+    if (!zone.is_held(node, c))
+      return false;
+  return true;
 }
 
 /// Whether supports hold a node whole and each of its faces has nodes that they do not: the end of a clamped
@@ -28,9 +30,8 @@ bool is_clamped(const Zone& zone, std::size_t node) {
 bool ends_at_a_clamp(const Zone& zone, std::size_t node) {
   const auto moves = [&](int other) { return !is_clamped(zone, static_cast<std::size_t>(other)); };
   return is_clamped(zone, node) && std::ranges::all_of(zone.slave.faces_of_node[node], [&](int face) {
-           const auto& of_face = zone.slave.faces[static_cast<std::size_t>(face)];
-           return std::ranges::any_of(
-               std::span(of_face.positions).first(static_cast<std::size_t>(of_face.node_count)), moves);
+           return std::ranges::any_of(zone.slave.faces[static_cast<std::size_t>(face)].position_span(),
+                                      moves);
          });
 }
 

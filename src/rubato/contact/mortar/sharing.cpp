@@ -62,13 +62,10 @@ private:
   }
 
   bool has_kept_node(const Face& face) const {
-    return std::ranges::any_of(positions_of(face), [&](int node) { return is_kept(node); });
-  }
-  static std::span<const int> positions_of(const Face& face) {
-    return std::span(face.positions).first(at(face.node_count));
+    return std::ranges::any_of(face.position_span(), [&](int node) { return is_kept(node); });
   }
   bool has_kept_node_around(const Face& face) const {
-    return std::ranges::any_of(positions_of(face), [&](int node) {
+    return std::ranges::any_of(face.position_span(), [&](int node) {
       return std::ranges::any_of(slave_.faces_of_node[at(node)],
                                  [&](int other) { return has_kept_node(slave_.faces[at(other)]); });
     });
@@ -82,7 +79,7 @@ private:
       if (!has_kept_node_around(face_of(part)))
         work_.takers.push_back(part.face);
     for (const int face : work_.takers)
-      for (const int node : positions_of(slave_.faces[at(face)]))
+      for (const int node : slave_.faces[at(face)].position_span())
         if (can_be_kept(at(node)))
           work_.kept[at(node)] = 1;
   }
@@ -115,7 +112,7 @@ private:
     const auto& part = work_.parts[at(index)];
     collect_kept(face_of(part));
     if (work_.takers.empty())
-      for (const int node : positions_of(face_of(part)))
+      for (const int node : face_of(part).position_span())
         for (const int other : slave_.faces_of_node[at(node)])
           collect_kept(slave_.faces[at(other)]);
     std::ranges::sort(work_.takers);
@@ -129,7 +126,7 @@ private:
   }
 
   void collect_kept(const Face& face) {
-    for (const int node : positions_of(face))
+    for (const int node : face.position_span())
       if (is_kept(node))
         work_.takers.push_back(node);
   }

@@ -3,7 +3,6 @@
 
 #include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
-#include "rubato/step/interface/free_motions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,11 +37,20 @@ NormalSolution normal_solution(const Model& model, const EffectiveSystem& system
   return system.has_free_bodies ? NormalSolution::active_set : NormalSolution::near;
 }
 
+/// Those that are followed: not with springs, which press as the gap of an iterate says, so that they let go
+/// where a shift lifts them off.
+FreeMotions followed_motions(const Model& model, const EffectiveSystem& system) {
+  return FreeMotions(system.has_free_bodies && std::ranges::all_of(model.zones, contact::closes_gaps)
+                         ? free_motions(model, *system.compliance)
+                         : MatrixXd());
+}
+
 /// Nothing of an attempt before is seen but the storage it left.
 CondensedScratch& scratch_of(const Model& model, EffectiveSystem& system, const time::Scheme& scheme) {
   if (!system.scratch)
-    system.scratch = std::make_shared<CondensedScratch>(
-        *system.compliance, scheme.contact_weight(), model.dofs.components, normal_solution(model, system));
+    system.scratch =
+        std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(), model.dofs.components,
+                                           normal_solution(model, system), followed_motions(model, system));
   system.scratch->forget();
   return *system.scratch;
 }
@@ -50,9 +58,9 @@ CondensedScratch& scratch_of(const Model& model, EffectiveSystem& system, const 
 } // namespace
 
 CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components,
-                                   NormalSolution how_far)
+                                   NormalSolution how_far, FreeMotions motions)
     : surface(compliance), points(compliance, surface, force_weight),
-      predictor(compliance, force_weight, components, how_far) {}
+      predictor(compliance, force_weight, components, how_far), free_motions(std::move(motions)) {}
 
 void CondensedScratch::forget() {
   surface.forget();
@@ -317,9 +325,7 @@ void Condensed::shorten(Corrected& correction, double part, const State& trial) 
 std::optional<Condensed::Corrected> Condensed::corrected(const State& trial, const Frozen& frozen,
                                                          const VectorXd& at) {
   linearise(trial, frozen);
-  const auto change = system_.has_free_bodies
-                          ? scratch_.points.solve(surface_.free - at, surface_.beyond_carried(force()))
-                          : scratch_.points.solve(surface_.free - at, force());
+  const auto change = scratch_.points.solve(surface_.free - at, surface_.beyond_carried(force()));
   if (!change)
     return std::nullopt;
   Corrected result;
@@ -333,58 +339,51 @@ std::optional<Condensed::Corrected> Condensed::corrected(const State& trial, con
   return result;
 }
 
-/// Not where all geometry is held, which misses nothing in its linearisation, nor with springs, which press
-/// as the gap of an iterate says: they let go where a shift lifts them off.
-bool Condensed::follows_free_motions(const Frozen& frozen) {
-  const bool moves_geometry =
-      std::ranges::any_of(frozen, [](const FrozenZone& zone) { return zone.frames.empty(); });
-  if (!system_.has_free_bodies || !moves_geometry || report_.iterations < plain_iterations_of_few ||
-      report_.residual <= report_.tolerance || !std::ranges::all_of(model_.zones, contact::closes_gaps))
-    return false;
-  if (!scratch_.free_motions)
-    scratch_.free_motions = free_motions(model_, *system_.compliance);
-  const auto count = scratch_.free_motions->cols();
-  return count > 0 && (count <= few_motions || report_.iterations >= plain_iterations);
+/// Not where all geometry is held: its linearisation misses nothing.
+bool Condensed::follows_free_motions(const Frozen& frozen) const {
+  const auto count = scratch_.free_motions.count();
+  return count > 0 && report_.residual > report_.tolerance &&
+         report_.iterations >= (count <= few_motions ? plain_iterations_of_few : plain_iterations) &&
+         std::ranges::any_of(frozen, [](const FrozenZone& zone) { return zone.frames.empty(); });
 }
 
-/// With the statuses of now().
-std::optional<Condensed::Corrected> Condensed::corrected_at_shift(const State& trial, const Frozen& frozen,
-                                                                  const VectorXd& shift) {
-  State shifted = trial;
-  const auto& dofs = system_.compliance->dof_of_interface_dof();
-  for (std::size_t i = 0; i < dofs.size(); ++i)
-    shifted.motion.u[dofs[i]] += shift[static_cast<Index>(i)];
-  for (std::size_t z = 0; z < shifted.zones.size(); ++z)
-    shifted.zones[z].status = now().status[z];
+/// Of `shifted` with its surfaces at `moved`, and the statuses that it has.
+std::optional<Condensed::Corrected> Condensed::corrected_at(const VectorXd& moved, const Frozen& frozen,
+                                                            State& shifted) {
+  surface_.place(moved, shifted);
   side_.measure(shifted, frozen, scratch_.shifted);
   std::swap(scratch_.now, scratch_.shifted);
   collect_forces(frozen);
-  auto result = corrected(shifted, frozen, surface_.moved + shift);
+  auto result = corrected(shifted, frozen, moved);
   std::swap(scratch_.now, scratch_.shifted);
   collect_forces(frozen);
   return result;
 }
 
 void Condensed::follow_free_motions(const State& trial, const Frozen& frozen, Corrected& correction) {
-  const auto& motions = *scratch_.free_motions;
+  const auto& motions = scratch_.free_motions;
   const double step = std::clamp((correction.moved - surface_.moved).lpNorm<Eigen::Infinity>(),
                                  least_shift * reach_.most(), most_shift * reach_.most());
-  std::vector<Corrected> shifted;
-  MatrixXd moved(motions.rows(), motions.cols());
-  for (Index k = 0; k < motions.cols(); ++k) {
-    auto result = corrected_at_shift(trial, frozen, step * motions.col(k));
+  State shifted = trial;
+  for (std::size_t z = 0; z < shifted.zones.size(); ++z)
+    shifted.zones[z].status = now().status[z];
+  std::vector<Corrected> others;
+  MatrixXd moves(surface_.moved.size(), motions.count());
+  for (Index k = 0; k < motions.count(); ++k) {
+    const VectorXd moved = surface_.moved + step * motions[k];
+    auto result = corrected_at(moved, frozen, shifted);
     if (!result)
       return;
-    moved.col(k) = result->moved - surface_.moved - step * motions.col(k);
-    shifted.push_back(std::move(*result));
+    moves.col(k) = result->moved - moved;
+    others.push_back(std::move(*result));
   }
-  const auto shares = shares_of_motions(motions, correction.moved - surface_.moved, moved);
+  const auto shares = motions.shares(correction.moved - surface_.moved, moves);
   if (!shares)
     return;
   const Corrected plain = correction;
-  for (Index k = 0; k < motions.cols(); ++k) {
+  for (Index k = 0; k < motions.count(); ++k) {
     const double share = (*shares)[k];
-    const auto& other = shifted[static_cast<std::size_t>(k)];
+    const auto& other = others[static_cast<std::size_t>(k)];
     correction.applied += share * (other.applied - plain.applied);
     for (std::size_t z = 0; z < plain.multipliers.size(); ++z)
       correction.multipliers[z] += share * (other.multipliers[z] - plain.multipliers[z]);

@@ -10,6 +10,7 @@
 
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/equilibrium.hpp"
+#include "rubato/step/interface/free_motions.hpp"
 #include "rubato/step/interface/interface_newton_system.hpp"
 #include "rubato/step/interface/predicted_start.hpp"
 #include "rubato/step/interface/surface_motion.hpp"
@@ -44,12 +45,13 @@ struct CondensedScratch {
   InterfaceNewtonSystem points;
   PredictorScratch predictor;
   std::vector<PointInContact> in_contact;
-  Eigen::VectorXd force;                       ///< theirs on the surface, one an interface dof
-  std::vector<MultiplierShare> shares;         ///< of one point
-  std::optional<Eigen::MatrixXd> free_motions; ///< once they are asked for (free_motions.hpp)
+  Eigen::VectorXd force;               ///< theirs on the surface, one an interface dof
+  std::vector<MultiplierShare> shares; ///< of one point
+  FreeMotions free_motions;            ///< none where they are not followed
 
   /// The compliance must outlive this.
-  CondensedScratch(Compliance& compliance, double force_weight, int components, NormalSolution how_far);
+  CondensedScratch(Compliance& compliance, double force_weight, int components, NormalSolution how_far,
+                   FreeMotions motions);
   void forget();
 };
 
@@ -95,10 +97,9 @@ private:
     std::vector<Eigen::VectorXd> multipliers; ///< of each zone
   };
   std::optional<Corrected> corrected(const State& trial, const Frozen& frozen, const Eigen::VectorXd& at);
-  std::optional<Corrected> corrected_at_shift(const State& trial, const Frozen& frozen,
-                                              const Eigen::VectorXd& shift);
+  std::optional<Corrected> corrected_at(const Eigen::VectorXd& moved, const Frozen& frozen, State& shifted);
   void shorten(Corrected& correction, double part, const State& trial) const;
-  bool follows_free_motions(const Frozen& frozen);
+  bool follows_free_motions(const Frozen& frozen) const;
   void follow_free_motions(const State& trial, const Frozen& frozen, Corrected& correction);
   void add_open_points(const Frozen& frozen);
   std::span<const MultiplierShare> shares_of(std::size_t zone, std::size_t point);

@@ -3,12 +3,11 @@
 
 #include "rubato/model/rigid_motions.hpp"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rubato::step {
@@ -82,14 +81,20 @@ MatrixXd free_motions(const model::Model& model, const Compliance& compliance) {
   return motions.leftCols(found);
 }
 
-std::optional<VectorXd> shares_of_motions(const MatrixXd& motions, const VectorXd& correction,
-                                          const MatrixXd& shifted) {
-  const Eigen::ColPivHouseholderQR<MatrixXd> fit(motions);
-  const MatrixXd changes = fit.solve(shifted.colwise() - correction);
+FreeMotions::FreeMotions(MatrixXd motions) : motions_(std::move(motions)) {
+  if (count() == 0)
+    return;
+  fit_.compute(motions_);
+  if (fit_.rank() < count())
+    motions_.resize(motions_.rows(), 0);
+}
+
+std::optional<VectorXd> FreeMotions::shares(const VectorXd& correction, const MatrixXd& shifted) const {
+  const MatrixXd changes = fit_.solve(shifted.colwise() - correction);
   const Eigen::ColPivHouseholderQR<MatrixXd> shares(changes);
-  if (fit.rank() < motions.cols() || shares.rank() < motions.cols())
+  if (shares.rank() < count())
     return std::nullopt;
-  VectorXd found = -shares.solve(fit.solve(correction));
+  VectorXd found = -shares.solve(fit_.solve(correction));
   return found.allFinite() ? std::optional(std::move(found)) : std::nullopt;
 }
 

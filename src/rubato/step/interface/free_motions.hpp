@@ -14,6 +14,7 @@
 #include "rubato/step/interface/compliance.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 
 #include <optional>
 
@@ -24,10 +25,21 @@ namespace rubato::step {
 /// of their section. Motions without a place on a surface are left out.
 Eigen::MatrixXd free_motions(const model::Model& model, const Compliance& compliance);
 
-/// β by motion. `correction`: c(x); `shifted`: a column cₖ each. Nothing comes back where the motions are not
-/// told apart by their corrections.
-std::optional<Eigen::VectorXd> shares_of_motions(const Eigen::MatrixXd& motions,
-                                                 const Eigen::VectorXd& correction,
-                                                 const Eigen::MatrixXd& shifted);
+class FreeMotions {
+public:
+  /// None where the columns depend on one another.
+  explicit FreeMotions(Eigen::MatrixXd motions);
+
+  Eigen::Index count() const { return motions_.cols(); }
+  auto operator[](Eigen::Index k) const { return motions_.col(k); }
+  /// β by motion. `correction`: c(x); `shifted`: a column cₖ each. Nothing comes back where the motions are
+  /// not told apart by their corrections.
+  std::optional<Eigen::VectorXd> shares(const Eigen::VectorXd& correction,
+                                        const Eigen::MatrixXd& shifted) const;
+
+private:
+  Eigen::MatrixXd motions_;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit_; ///< of the motions to others
+};
 
 } // namespace rubato::step

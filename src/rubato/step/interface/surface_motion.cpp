@@ -34,10 +34,7 @@ void SurfaceMotion::take_base(const time::Motion& motion, const VectorXd& residu
 
 VectorXd SurfaceMotion::moved_by(const VectorXd& force) const {
   VectorXd there = free;
-  if (carried_.size() == 0)
-    system_.compliance->add(-scheme_.contact_weight(), force, there);
-  else
-    system_.compliance->add(-scheme_.contact_weight(), force - carried_, there);
+  system_.compliance->add(-scheme_.contact_weight(), beyond_carried(force), there);
   return there;
 }
 
@@ -61,10 +58,10 @@ void SurfaceMotion::shorten(const VectorXd& before, double part, State& trial) {
   place(trial);
 }
 
-void SurfaceMotion::place(State& trial) const {
+void SurfaceMotion::place(const VectorXd& d_s, State& trial) const {
   const auto& dofs = system_.compliance->dof_of_interface_dof();
   for (std::size_t i = 0; i < dofs.size(); ++i)
-    trial.motion.u[dofs[i]] = base.u[dofs[i]] + moved[static_cast<Index>(i)];
+    trial.motion.u[dofs[i]] = base.u[dofs[i]] + d_s[static_cast<Index>(i)];
 }
 
 void SurfaceMotion::move_bulk(State& trial) const {

@@ -34,7 +34,9 @@ public:
   void go_to(const time::Motion& motion, State& trial);
   /// Takes back all but `part` of the move from `before`; the forces stay those of the whole move.
   void shorten(const Eigen::VectorXd& before, double part, State& trial);
-  void place(State& trial) const;
+  void place(State& trial) const { place(moved, trial); }
+  /// To where d_s would have the surfaces.
+  void place(const Eigen::VectorXd& d_s, State& trial) const;
   /// The whole motion that belongs to the forces on the surface.
   void move_bulk(State& trial) const;
 

@@ -31,7 +31,7 @@ VectorXd next_iterate(const MatrixXd& missing) {
   MatrixXd shifted(4, 2);
   for (Index k = 0; k < 2; ++k)
     shifted.col(k) = corrected(x + shift * two_motions.col(k), missing);
-  const auto shares = shares_of_motions(two_motions, plain, shifted);
+  const auto shares = FreeMotions(two_motions).shares(plain, shifted);
   if (!shares)
     return VectorXd::Constant(4, -1);
   VectorXd next = x + plain;
@@ -59,7 +59,7 @@ TEST(SharesOfMotions, AreNotFoundWhereAMotionChangesNothing) {
   MatrixXd shifted(4, 2);
   shifted.col(0) = plain - two_motions.col(0);
   shifted.col(1) = plain;
-  EXPECT_FALSE(shares_of_motions(two_motions, plain, shifted));
+  EXPECT_FALSE(FreeMotions(two_motions).shares(plain, shifted));
 }
 
 TEST(FreeMotions, AreThoseThatSupportsAndFirmSpringsLeave) {
@@ -86,6 +86,40 @@ time: {scheme: static, step: 1, end: 1}
     const bool of_block = std::ranges::find(slaves, node) != slaves.end();
     EXPECT_NEAR(std::abs(motions(static_cast<Index>(i), 0)), upward && of_block ? 1 : 0, 1e-12);
   }
+}
+
+/// A ring of rubber over a plate: it is free along the axis, and its section turns.
+TEST(FreeMotions, OfARingAreItsWayAlongTheAxisAndTheTurnOfItsSection) {
+  const auto model = test::model_of(R"(
+mesh:
+  generate:
+    - {name: plate, rectangle: {from: [5, -1], to: [15, 0]}, divisions: [5, 1], sides: {top: above, bottom: base}}
+    - {name: ring, rectangle: {from: [9, 0], to: [11, 2]}, divisions: [2, 2], sides: {bottom: under, top: crown}}
+physics: axisymmetric
+materials: {rubber: {young: 8, poisson: 0.45}}
+supports: [{on: base, fix: [x, y]}]
+contact: {rest: {master: above, slave: under}}
+time: {scheme: static, step: 1, end: 1}
+)");
+  const auto system = make_effective_system(model, time::make_scheme(model.study.time), 1);
+  const auto motions = free_motions(model, *system.compliance);
+  ASSERT_EQ(motions.cols(), 2);
+  EXPECT_EQ(FreeMotions(motions).count(), 2);
+  const auto& dofs = system.compliance->dof_of_interface_dof();
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    const auto& place = model.mesh.points[static_cast<std::size_t>(model.node_of(dofs[i]))];
+    const auto& slaves = model.zones.front().slave.nodes;
+    const bool of_ring = std::ranges::find(slaves, model.node_of(dofs[i])) != slaves.end();
+    const bool upward = dofs[i] == model.dofs.dof(model.node_of(dofs[i]), 1);
+    EXPECT_NEAR(std::abs(motions(static_cast<Index>(i), 0)), upward && of_ring ? 1 : 0, 1e-12);
+    EXPECT_NEAR(motions(static_cast<Index>(i), 1), upward && of_ring ? place.x() - 10 : 0, 1e-12);
+  }
+}
+
+TEST(FreeMotions, AreNoneWhereTheyDependOnOneAnother) {
+  EXPECT_EQ(FreeMotions(two_motions).count(), 2);
+  EXPECT_EQ(FreeMotions(MatrixXd::Ones(4, 2)).count(), 0);
+  EXPECT_EQ(FreeMotions(MatrixXd()).count(), 0);
 }
 
 } // namespace
