@@ -44,6 +44,9 @@ struct Kinematics {
   Eigen::Vector3d obstacle_displacement = Eigen::Vector3d::Zero();
   /// What gap and slip are counted from: less the zone's offset, and what a held frame adds.
   double gap_origin = 0;
+  /// Where the gap does not move as the stencil says, the weights by which it does; nodes as there. Else
+  /// empty.
+  Eigen::VectorXd gap_weights;
   Eigen::Vector2d slip_origin = Eigen::Vector2d::Zero();
 
   /// Of a tie, whose frame stands along the axes: the normal of the surface; else 0.
@@ -60,6 +63,19 @@ struct Kinematics {
   Eigen::Matrix<double, Eigen::Dynamic, 2> shape_slope;
 
   int unknowns() const { return stencil.unknowns(); }
+
+  double gap_weight(Eigen::Index node, int component) const {
+    return gap_weights.size() > 0 ? gap_weights[node] : stencil.weight(node, component);
+  }
+  /// Of places, value(node): what the gap follows along the normal.
+  template <class Value> Eigen::Vector3d gap_vector(const Value& value) const {
+    if (gap_weights.size() == 0)
+      return stencil.sum(value) - closest_point;
+    Eigen::Vector3d total = -closest_point;
+    for (std::size_t i = 0; i < stencil.nodes.size(); ++i)
+      total += gap_weights[static_cast<Eigen::Index>(i)] * value(stencil.nodes[i]);
+    return total;
+  }
 };
 
 /// Everything about a paired point that a contact law asks for. The pair must be one of find_pairs' for the

@@ -49,15 +49,25 @@ TEST_P(FrozenFrame, MeasuresWhereItWasTakenWhatItWasTakenFrom) {
   }
 }
 
-/// Gap and slip are linear in the motion: derivatives tell any difference, however large.
+/// Gap and slip are linear in the motion: derivatives tell any difference, however large. Also where the gap
+/// has weights of its own.
 TEST_P(FrozenFrame, FollowsTheBodiesAsItsDerivativesSay) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> move(-1, 1);
   const VectorXd away = VectorXd::NullaryExpr(faces_.dofs.dof_count, [&] { return move(random); });
   const VectorXd there = faces_.u + away;
-  for (const auto& k : paired_points()) {
+  auto points = paired_points();
+  for (auto k : paired_points()) {
+    k.gap_weights = k.stencil.weights.unaryExpr([&](double weight) { return weight + move(random); });
+    const auto place = [&](auto node) { return faces_.configuration(faces_.u).position(node); };
+    k.gap_origin = k.normal.dot(k.gap_vector(place)) - k.gap;
+    points.push_back(k);
+  }
+  for (const auto& k : points) {
     const auto held = with_frozen_frame(k);
     auto now = held;
+    measure_in_frozen_frame(now, faces_.configuration(faces_.u));
+    EXPECT_NEAR(now.gap, held.gap, k.gap_weights.size() > 0 ? 1e-13 : 1e-14);
     measure_in_frozen_frame(now, faces_.configuration(there));
     VectorXd local(held.unknowns());
     for (std::size_t node = 0; node < held.stencil.nodes.size(); ++node)
@@ -94,6 +104,13 @@ TEST_P(FrozenFrame, BetweenTwoIsOrthonormalAndMeasuresTheirMean) {
     EXPECT_NEAR(between.stencil.weights.sum(), 0.5 * (a.stencil.weights.sum() + b.stencil.weights.sum()),
                 1e-14);
     EXPECT_EQ(between.d_gap.size(), between.unknowns());
+    EXPECT_EQ(between.gap_weights.size(), 0);
+    auto lifted = b;
+    lifted.gap_weights = 3 * b.stencil.weights;
+    const auto followed = frozen_between(a, lifted).gap_weights;
+    ASSERT_EQ(followed.size(), between.stencil.weights.size());
+    EXPECT_EQ(followed.head(a.stencil.weights.size()), 0.5 * a.stencil.weights);
+    EXPECT_EQ(followed.tail(b.stencil.weights.size()), 0.5 * lifted.gap_weights);
   }
 }
 

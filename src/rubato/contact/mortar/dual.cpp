@@ -88,21 +88,36 @@ constexpr double extrapolated = 0.1;
 
 LeastGaps::LeastGaps(int node_count, const FacetMoments& covered, const Matrix4d& dual,
                      const Vector4d& first_gap) {
-  const Vector4d products = dual * first_gap;
-  const double mean = first_gap.sum() / covered.first.sum();
   for (int i = 0; i < node_count; ++i)
-    fitted_[i] = covered.first[i] > 0 ? products[i] / covered.first[i] : mean;
+    if (covered.first[i] > 0)
+      fit_.row(i) = dual.row(i) / covered.first[i];
+    else
+      fit_.row(i).setConstant(1 / covered.first.sum());
+  fitted_ = fit_ * first_gap;
 }
 
 void LeastGaps::see(const Vector4d& values, double gap) {
-  least_ = std::min(least_, gap);
-  least_fitted_ = std::min(least_fitted_, fitted_.dot(values));
+  if (gap < least_) {
+    least_ = gap;
+    least_seen_ = seen_;
+  }
+  ++seen_;
+  if (const double fitted = fitted_.dot(values); fitted < least_fitted_) {
+    least_fitted_ = fitted;
+    values_at_least_fitted_ = values;
+  }
 }
 
-Vector4d LeastGaps::bounds(double size) const {
-  const double least = least_ + std::min(0., least_);
-  return Vector4d::Constant(least) -
-         (Vector4d::Constant(least_fitted_) - fitted_).cwiseMax(0.).cwiseMin(extrapolated * size);
+LeastGaps::Bound LeastGaps::bound(int node, double size) const {
+  Bound bound;
+  bound.by_least = least_ < 0 ? 2 : 1;
+  bound.value = bound.by_least * least_;
+  const double below = least_fitted_ - fitted_[node];
+  if (below > 0)
+    bound.value -= std::min(below, extrapolated * size);
+  if (below > 0 && below < extrapolated * size)
+    bound.row = fit_.row(node).transpose() - fit_.transpose() * values_at_least_fitted_;
+  return bound;
 }
 
 Vector4d kept_areas(int node_count, const FacetMoments& covered, const std::array<bool, 4>& kept) {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace rubato::contact::mortar {
 
@@ -41,18 +42,29 @@ Eigen::Matrix4d dual_coefficients(int node_count, const FacetMoments& covered, d
 /// tenth of the sub-facet's size: `bounds` is that. Of a linear gap that is not steep ĝ_i is never below.
 class LeastGaps {
 public:
+  /// Of one node, and its change: δ value = by_least δg + row · ∫H δg, with δg of the least gap that was
+  /// seen.
+  struct Bound {
+    double value = -INFINITY;
+    double by_least = 0;
+    Eigen::Vector4d row = Eigen::Vector4d::Zero(); ///< [1/area]
+  };
+
   /// `dual`: C with all nodes kept. `first_gap`: ∫H_j g [area · length].
   LeastGaps(int node_count, const FacetMoments& covered, const Eigen::Matrix4d& dual,
             const Eigen::Vector4d& first_gap);
   /// A gap of the covered part, where functions are `values`.
   void see(const Eigen::Vector4d& values, double gap);
-  Eigen::Vector4d bounds(double size) const;
-  /// Whether a gap that was seen is negative: `bounds` fall by twice as much as all gaps do there.
-  bool overlaps() const { return least_ < 0; }
+  Bound bound(int node, double size) const;
+  /// Which of the gaps that were seen is the least, in their order.
+  std::size_t least_seen() const { return least_seen_; }
 
 private:
+  Eigen::Matrix4d fit_ = Eigen::Matrix4d::Zero();    ///< ĝ = fit · ∫H g
   Eigen::Vector4d fitted_ = Eigen::Vector4d::Zero(); ///< ĝ
+  Eigen::Vector4d values_at_least_fitted_ = Eigen::Vector4d::Zero();
   double least_fitted_ = INFINITY, least_ = INFINITY;
+  std::size_t seen_ = 0, least_seen_ = 0;
 };
 
 /// ∫Φ_j of those functions, by the sum of what each kept node has: ≥ 0.

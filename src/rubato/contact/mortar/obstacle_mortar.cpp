@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/obstacle_mortar.hpp"
 
+#include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/mortar/parts.hpp"
 #include "rubato/core/index.hpp"
 
@@ -57,8 +58,9 @@ void see_corners(const SlaveFace& placed, const SubFacet& facet, const Obstacle&
   for (std::size_t i = 0; i < at(facet.node_count); ++i) {
     const auto node = facet.nodes[i];
     const Vector3d x = placed.x.col(node), undeformed = placed.undeformed.col(node);
+    const Eigen::Vector2d xi = cell::reference_cell(placed.type).nodes[node].head<2>();
     seen.push_back({Eigen::Vector4d::Unit(static_cast<Eigen::Index>(i)),
-                    seen_from(obstacle, offset, x, undeformed)[gap_column]});
+                    seen_from(obstacle, offset, x, undeformed)[gap_column], xi});
   }
 }
 
@@ -86,7 +88,7 @@ void integrate_facet(const SlaveFace& placed, int face, int facet_index, const O
     for (Eigen::Index k = 0; k < placed.x.cols(); ++k)
       part.slave.col(k) += w * shape[static_cast<std::size_t>(k)] * values;
     products += w * values * seen.transpose();
-    work.seen_gaps.push_back({values, seen[gap_column]});
+    work.seen_gaps.push_back({values, seen[gap_column], xi});
   }
   if (!(part.covered.first.sum() > 0))
     return;

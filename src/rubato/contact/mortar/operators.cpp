@@ -116,13 +116,20 @@ private:
       part_.covered.add(point.weight, values);
       work_.weighted.emplace_back(point.weight * values);
       part_.gaps += point.distance * work_.weighted.back();
-      if (point.weight != 0)
-        work_.seen_gaps.push_back({values, point.distance});
     }
     for (const auto& range : work_.ranges)
       if (counts(range))
-        for (const auto& corner : range.of_corners(work_.overlap.corners))
-          work_.seen_gaps.push_back({facet_values(facet(), corner.xi), corner.distance});
+        see_gaps(range);
+  }
+
+  void see_gaps(const PointRange& range) {
+    for (const auto& point : range.of(std::span<const Point>(work_.overlap.points)))
+      if (point.weight != 0)
+        work_.seen_gaps.push_back(
+            {facet_values(facet(), point.xi), point.distance, point.xi, point.eta, range.master_face});
+    for (const auto& corner : range.of_corners(work_.overlap.corners))
+      work_.seen_gaps.push_back(
+          {facet_values(facet(), corner.xi), corner.distance, corner.xi, corner.eta, range.master_face});
   }
 
   bool counts(const PointRange& range) const {

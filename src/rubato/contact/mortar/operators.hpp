@@ -73,6 +73,8 @@ struct Node {
   double lift = 0; ///< how much of it is added to n_j·G_j (dual.hpp, LeastGaps) [length]
   /// ∂lift/∂gap where all gaps around change alike: 0 where nothing overlaps, at most 1.
   double lift_slope = 0;
+  /// Of a gap that is lifted: δg_j = n_j·Σ_i gap_weights_i δx_i, nodes as in the stencil; else empty.
+  Eigen::VectorXd gap_weights;
   std::vector<int> receivers; ///< of a dropped node: positions of the kept nodes that have its function
 
   bool kept() const { return cover == Cover::kept; }

@@ -12,6 +12,7 @@
 #include "rubato/contact/mortar/operators.hpp"
 #include "rubato/contact/mortar/search.hpp"
 
+#include <array>
 #include <vector>
 
 namespace rubato::contact::mortar {
@@ -22,22 +23,25 @@ using Products = Eigen::Matrix<double, 4, 9>;
 /// What points of a sub-facet see of an obstacle, each times H_i: gap, normal, place, tangent.
 using SeenProducts = Eigen::Matrix<double, 4, 10>;
 
+/// A gap somewhere on a sub-facet, its functions there, and the place on both faces.
+struct SeenGap {
+  Eigen::Vector4d values = Eigen::Vector4d::Zero();
+  double gap = 0;
+  Eigen::Vector2d xi = Eigen::Vector2d::Zero();
+  Eigen::Vector2d eta = Eigen::Vector2d::Zero();
+  int master_face = -1; ///< none before an obstacle
+};
+
 struct Part {
   int face = 0;
   int facet = 0; ///< in the face
   FacetMoments covered;
   Products slave = Products::Zero();
-  Eigen::Vector4d gaps = Eigen::Vector4d::Zero();       ///< ∫H_i g [area · length]
-  Eigen::Matrix4d dual = Eigen::Matrix4d::Zero();       ///< C where all nodes are kept
-  Eigen::Vector4d least_gaps = Eigen::Vector4d::Zero(); ///< the least that functions may see (dual.hpp)
-  bool overlaps = false;                                ///< somewhere
+  Eigen::Vector4d gaps = Eigen::Vector4d::Zero();  ///< ∫H_i g [area · length]
+  Eigen::Matrix4d dual = Eigen::Matrix4d::Zero();  ///< C where all nodes are kept
+  std::array<LeastGaps::Bound, 4> bounds;          ///< of what nodes see, by node (dual.hpp)
+  SeenGap least;                                   ///< the least gap that is seen
   std::size_t first_overlap = 0, last_overlap = 0; ///< in Parts::overlaps; of an obstacle: in Parts::seen
-};
-
-/// A gap somewhere on a sub-facet, and its functions there.
-struct SeenGap {
-  Eigen::Vector4d values = Eigen::Vector4d::Zero();
-  double gap = 0;
 };
 
 struct Overlap {
@@ -45,11 +49,26 @@ struct Overlap {
   Products master = Products::Zero();
 };
 
-/// Row j of C on one part: Φ_j = row · H.
+/// Row j of C on one part: Φ_j = row · H. Its part of w_j g_j changes by gap_row · ∫H δg + by_least δg, with
+/// the last δg that of the part's least gap: where the gap is not lifted, gap_row = row and by_least = 0.
 struct Share {
   int node = 0;
   int part = 0;
   Eigen::Vector4d row = Eigen::Vector4d::Zero();
+  Eigen::Vector4d gap_row = Eigen::Vector4d::Zero();
+  double by_least = 0; ///< [area]
+
+  bool is_lifted() const { return by_least != 0; }
+};
+
+/// What the functions of one node sum up at the nodes of one surface; zeros between nodes.
+struct NodeSums {
+  std::vector<double> weights, gap_weights; ///< by position
+  std::vector<char> is_touched;
+  std::vector<int> touched;
+
+  void start(std::size_t count);
+  void add(int node, double weight, double gap_weight);
 };
 
 struct Workspace::Impl {
@@ -73,8 +92,7 @@ struct Workspace::Impl {
   std::vector<int> shares_by_node;
   std::vector<int> takers;
 
-  std::vector<double> slave_values, master_values; ///< of one node, by position; 0 between nodes
-  std::vector<int> slave_touched, master_touched;
+  NodeSums slave_sums, master_sums;
 
   void clear_parts() {
     parts.clear();

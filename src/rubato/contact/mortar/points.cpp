@@ -58,6 +58,8 @@ constexpr std::array asked_shares{least_kept_share, 0.5 * least_kept_share, 0.1,
 
 /// Of the way to a node's neighbour: by how much a lift may change in a step before its gap follows.
 constexpr double free_change = 2e-5;
+/// How often that may be, before its gap follows the least gaps themselves.
+constexpr int most_releases = 3;
 
 /// As PointEvaluation has it.
 double lift_of(const Node& node) {
@@ -115,31 +117,38 @@ void Points::ask_another_share_of(std::size_t node) {
     least_shares_[node] = *next;
 }
 
+void Points::hold_lifts() {
+  measured_lifts_.resize(now_.nodes.size());
+  releases_.resize(now_.nodes.size());
+  for (std::size_t i = 0; i < measured_lifts_.size(); ++i) {
+    measured_lifts_[i] = lift_of(now_.nodes[i]);
+    if (measured_lifts_[i] >= 0 && releases_[i] < most_releases)
+      hold_lift(i);
+  }
+}
+
 /// A lift stays that of the step's start, or of the configuration in which its node was first kept, until it
 /// is off by more than the free change, and then the one at which it was: two ways to the same end differ by
 /// no more than that.
-void Points::hold_lifts() {
+void Points::hold_lift(std::size_t i) {
   const auto& reference = *zone_->mortar;
-  measured_lifts_.resize(now_.nodes.size());
-  for (std::size_t i = 0; i < measured_lifts_.size(); ++i) {
-    auto& node = now_.nodes[i];
-    measured_lifts_[i] = lift_of(node);
-    if (measured_lifts_[i] < 0)
-      continue;
-    const auto neighbour = static_cast<std::size_t>(reference.tangent_neighbour[i]);
-    const double free = free_change * (reference.undeformed[neighbour] - reference.undeformed[i]).norm();
-    if (held_lifts_[i] < 0 || std::abs(node.lift - held_lifts_[i]) > free) {
-      held_lifts_[i] = node.lift;
-      continue;
-    }
-    node.gap += held_lifts_[i] - node.lift;
-    node.lift = held_lifts_[i];
-    node.lift_slope = 0;
+  auto& node = now_.nodes[i];
+  const auto neighbour = static_cast<std::size_t>(reference.tangent_neighbour[i]);
+  const double free = free_change * (reference.undeformed[neighbour] - reference.undeformed[i]).norm();
+  node.gap_weights.resize(0);
+  if (held_lifts_[i] < 0 || std::abs(node.lift - held_lifts_[i]) > free) {
+    held_lifts_[i] = node.lift;
+    ++releases_[i];
+    return;
   }
+  node.gap += held_lifts_[i] - node.lift;
+  node.lift = held_lifts_[i];
+  node.lift_slope = 0;
 }
 
 void Points::begin(std::span<const double> lifts) {
   held_lifts_.assign(lifts.begin(), lifts.end());
+  releases_.assign(lifts.size(), 0);
 }
 
 /// Before the first step.
@@ -248,11 +257,14 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
   const double offset = zone_->offset.at(point.place, configuration.t);
   const double gap = node.gap + offset;
+  k.gap_weights = node.gap_weights;
   // Springs press by the gap as it is; of one that a multiplier closes it only matters where it is 0.
-  const bool scales =
-      node.lift_slope > 0 && closes_gaps(*zone_) && variables_of(*zone_, point, multipliers, {}).pressure > 0;
+  const bool scales = k.gap_weights.size() == 0 && node.lift_slope > 0 && closes_gaps(*zone_) &&
+                      variables_of(*zone_, point, multipliers, {}).pressure > 0;
   k.gap = scales ? gap / (1 + node.lift_slope) : gap; // moves as the stencil says
   k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : -node.lift) - offset + gap - k.gap;
+  if (k.gap_weights.size() > 0)
+    k.gap_origin = node.normal.dot(k.gap_vector([&](auto at) { return configuration.position(at); })) - k.gap;
   if (zone_->space_dimension == 2)
     k.slip[1] = k.slip_origin[1] = 0;
   into.variables = variables_of(*zone_, point, multipliers, into.kinematics);

@@ -7,7 +7,8 @@
 /// keep and drop in turn is kept from another share of its weight on for the rest of the step.
 /// The lift of a gap stays that of the step's start until it is off by more than 2e-5 of the way to the next
 /// node: what the bending of faces adds is less than their error, but followed it would take as many
-/// iterations as all the rest.
+/// iterations as all the rest. Where it is off for the third time within a step, the gap is followed as its
+/// least gaps move (Kinematics::gap_weights): a point that presses alone dents its face.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
@@ -51,6 +52,7 @@ private:
   void hold_those_that_return();
   void ask_another_share_of(std::size_t node);
   void hold_lifts();
+  void hold_lift(std::size_t node);
   void take_lifts();
   Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
 
@@ -64,6 +66,7 @@ private:
   std::vector<double> least_shares_;
   std::vector<double> held_lifts_;     ///< in this step, as PointEvaluation::lift
   std::vector<double> measured_lifts_; ///< at the last update
+  std::vector<int> releases_;          ///< of each lift in this attempt
   Workspace workspace_;
   Operators now_;
   Positions slave_, master_;

@@ -42,8 +42,9 @@ struct Point {
 /// An end or a corner of an overlap: nothing is integrated there, but no place of the overlap is nearer than
 /// the nearest of its corners where both faces are flat.
 struct Corner {
-  Eigen::Vector2d xi = Eigen::Vector2d::Zero(); ///< on the slave face
-  double distance = 0;                          ///< as of a point [length]
+  Eigen::Vector2d xi = Eigen::Vector2d::Zero();  ///< on the slave face
+  Eigen::Vector2d eta = Eigen::Vector2d::Zero(); ///< on the master face
+  double distance = 0;                           ///< as of a point [length]
 };
 
 /// What overlaps of a slave sub-facet with master faces add to.

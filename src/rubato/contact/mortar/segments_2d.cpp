@@ -130,11 +130,16 @@ double distance_to(const MasterFace& master, double eta, const Vector3d& x, cons
   return normal.dot(along(master.type, master.x, eta).value - x) / normal.norm();
 }
 
+/// The master's place before ξ of the slave, and how far away it is along the slave's normal.
+struct MetMaster {
+  double eta = 0, distance = 0;
+};
+
 /// A piece of the slave's reference line and the ends of the master's there.
 struct Piece {
   double low = 0, high = 0;
   std::array<double, 2> ends{};
-  std::array<double, 2> distances{}; ///< of the master, before low and high
+  std::array<MetMaster, 2> met{}; ///< before low and high
 
   bool has_length() const { return high - low >= least_piece; }
 
@@ -153,11 +158,6 @@ bool face_each_other(const SlaveFace& slave, const MasterFace& master, const Pie
   const Vector3d slope = along(master.type, master.x, eta).slope;
   return slope.cross(Vector3d::UnitZ()).dot(normal) < 0;
 }
-
-/// The master's place before ξ of the slave, and how far away it is along the slave's normal.
-struct MetMaster {
-  double eta = 0, distance = 0;
-};
 
 MetMaster met_at(const SlaveFace& slave, const MasterFace& master, const Piece& piece, double xi) {
   const Vector3d x = along(slave.type, slave.x, xi).value;
@@ -188,8 +188,8 @@ void append_piece(const SlaveFace& slave, const Measure& measure, const MasterFa
     into.points.resize(first);
     return;
   }
-  into.corners.push_back({Vector2d(piece.low, 0), piece.distances[0]});
-  into.corners.push_back({Vector2d(piece.high, 0), piece.distances[1]});
+  into.corners.push_back({Vector2d(piece.low, 0), Vector2d(piece.met[0].eta, 0), piece.met[0].distance});
+  into.corners.push_back({Vector2d(piece.high, 0), Vector2d(piece.met[1].eta, 0), piece.met[1].distance});
 }
 
 /// Whether lines along the normals go that far before they cross.
@@ -212,10 +212,9 @@ std::optional<Piece> piece_before(const SlaveFace& slave, const SubFacet& facet,
   piece.high = std::min(facet.middle[0] + half_facet, std::max(piece.ends[0], piece.ends[1]));
   if (!piece.has_length())
     return piece;
-  piece.distances = {met_at(slave, master, piece, piece.low).distance,
-                     met_at(slave, master, piece, piece.high).distance};
-  const bool in_order = is_before_crossing(slave, piece.low, piece.distances[0]) &&
-                        is_before_crossing(slave, piece.high, piece.distances[1]);
+  piece.met = {met_at(slave, master, piece, piece.low), met_at(slave, master, piece, piece.high)};
+  const bool in_order = is_before_crossing(slave, piece.low, piece.met[0].distance) &&
+                        is_before_crossing(slave, piece.high, piece.met[1].distance);
   return in_order ? std::optional(piece) : std::nullopt;
 }
 

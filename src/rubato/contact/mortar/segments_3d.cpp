@@ -203,7 +203,7 @@ void append_corners(const CornerPlaces& on_slave, const CornerPlaces& on_master,
                     std::vector<Corner>& corners) {
   for (std::size_t i = 0; i < on_slave.corner_count(); ++i)
     if (on_slave.found(i) && on_master.found(i))
-      corners.push_back({on_slave.xi(i), on_master.height(i) - on_slave.height(i)});
+      corners.push_back({on_slave.xi(i), on_master.xi(i), on_master.height(i) - on_slave.height(i)});
 }
 
 } // namespace

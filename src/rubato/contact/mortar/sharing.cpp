@@ -103,7 +103,7 @@ private:
     const auto areas = kept_areas(count, part.covered, kept);
     for (int i = 0; i < count; ++i)
       if (kept[at(i)])
-        add(node_of(part, i), index, rows.row(i), areas[i], part.least_gaps[i]);
+        add(node_of(part, i), index, rows.row(i), areas[i], part.bounds[at(i)]);
     return true;
   }
 
@@ -122,7 +122,7 @@ private:
       into_.lost_area += area;
     const double share = 1. / static_cast<double>(std::max<std::size_t>(1, work_.takers.size()));
     for (const int node : work_.takers)
-      add(node, index, Vector4d::Constant(share), share * area, -INFINITY);
+      add(node, index, Vector4d::Constant(share), share * area, {});
   }
 
   void collect_kept(const Face& face) {
@@ -132,14 +132,16 @@ private:
   }
 
   /// The lift is ∫ of what a node's function sees too little.
-  void add(int node, int part, const Vector4d& row, double area, double least_gap) {
-    work_.shares.push_back({node, part, row});
+  void add(int node, int part, const Vector4d& row, double area, const LeastGaps::Bound& bound) {
+    auto& share = work_.shares.emplace_back(Share{node, part, row, row});
     into_.nodes[at(node)].weight += area;
-    const double lift = area > 0 ? area * least_gap - row.dot(work_.parts[at(part)].gaps) : 0;
+    const double lift = area > 0 ? area * bound.value - row.dot(work_.parts[at(part)].gaps) : 0;
     if (!(lift > 0))
       return;
     into_.nodes[at(node)].lift += lift;
-    into_.nodes[at(node)].lift_slope += work_.parts[at(part)].overlaps ? area : 0;
+    into_.nodes[at(node)].lift_slope += bound.by_least > 1 ? area : 0;
+    share.gap_row = area * bound.row;
+    share.by_least = area * bound.by_least;
   }
 
   void name_heirs(int node) {
@@ -178,49 +180,72 @@ void start_nodes(const Surface& slave, const SlaveReference& reference,
   }
 }
 
-/// Σ of a share's row times products of a part.
-void add_products(const Vector4d& row, const Products& products, const Face& face,
-                  std::vector<double>& values, std::vector<int>& touched) {
+/// Adds what a share has of products of a part.
+void add_products(const Share& share, const Products& products, const Face& face, double sign,
+                  NodeSums& sums) {
   for (int k = 0; k < face.node_count; ++k) {
-    const double product = row.dot(products.col(k));
-    if (product == 0)
-      continue;
-    const int node = face.positions[at(k)];
-    if (values[at(node)] == 0)
-      touched.push_back(node);
-    values[at(node)] += product;
+    const double weight = sign * share.row.dot(products.col(k));
+    sums.add(face.positions[at(k)], weight,
+             share.is_lifted() ? sign * share.gap_row.dot(products.col(k)) : weight);
   }
 }
 
-/// Moves the values of a node into its stencil and leaves zeros behind.
-void take_values(const Surface& surface, double scale, std::vector<double>& values, std::vector<int>& touched,
-                 Stencil& stencil, std::size_t first) {
-  for (std::size_t i = 0; i < touched.size(); ++i) {
-    stencil.nodes[first + i] = surface.nodes[at(touched[i])];
-    stencil.weights[static_cast<Eigen::Index>(first + i)] = scale * values[at(touched[i])];
-    values[at(touched[i])] = 0;
+/// Adds what the gap of a share follows at one place of a face.
+void add_place(double by, const Face& face, const Eigen::Vector2d& xi, NodeSums& sums) {
+  const auto values = face_values(face.type, xi);
+  for (int k = 0; k < face.node_count; ++k)
+    sums.add(face.positions[at(k)], 0, by * values[at(k)]);
+}
+
+void add_least_gap(const Share& share, const SeenGap& least, const Face& slave, const Surface* master,
+                   Workspace::Impl& work) {
+  add_place(share.by_least, slave, least.xi, work.slave_sums);
+  if (master != nullptr)
+    add_place(-share.by_least, master->faces[at(least.master_face)], least.eta, work.master_sums);
+}
+
+/// Moves the sums of a node into its stencil and leaves zeros behind.
+void take_sums(const Surface& surface, double scale, NodeSums& sums, Node& node, std::size_t first) {
+  for (std::size_t i = 0; i < sums.touched.size(); ++i) {
+    const auto position = at(sums.touched[i]);
+    const auto entry = static_cast<Eigen::Index>(first + i);
+    node.stencil.nodes[first + i] = surface.nodes[position];
+    node.stencil.weights[entry] = scale * sums.weights[position];
+    if (node.gap_weights.size() > 0)
+      node.gap_weights[entry] = scale * sums.gap_weights[position];
+    sums.weights[position] = sums.gap_weights[position] = 0;
+    sums.is_touched[position] = 0;
   }
-  touched.clear();
+  sums.touched.clear();
 }
 
 /// Of a surface that touches itself: a node may be in the stencil on both sides, and for several sides of an
 /// edge. It stands there once, with the sum of its weights.
-int merge_repeats(std::size_t slave_nodes, Stencil& stencil) {
+int merge_repeats(std::size_t slave_nodes, Node& node) {
+  auto& stencil = node.stencil;
+  const bool lifted = node.gap_weights.size() > 0;
   std::size_t count = 0, of_slave = 0;
   for (std::size_t i = 0; i < stencil.nodes.size(); ++i) {
     const auto end = stencil.nodes.begin() + static_cast<std::ptrdiff_t>(count);
     const auto found = std::find(stencil.nodes.begin(), end, stencil.nodes[i]);
-    const double weight = stencil.weights[static_cast<Eigen::Index>(i)];
+    const auto from = static_cast<Eigen::Index>(i);
     if (found != end) {
-      stencil.weights[found - stencil.nodes.begin()] += weight;
+      stencil.weights[found - stencil.nodes.begin()] += stencil.weights[from];
+      if (lifted)
+        node.gap_weights[found - stencil.nodes.begin()] += node.gap_weights[from];
       continue;
     }
-    stencil.nodes[count] = stencil.nodes[i];
-    stencil.weights[static_cast<Eigen::Index>(count++)] = weight;
+    const auto to = static_cast<Eigen::Index>(count);
+    stencil.nodes[count++] = stencil.nodes[i];
+    stencil.weights[to] = stencil.weights[from];
+    if (lifted)
+      node.gap_weights[to] = node.gap_weights[from];
     of_slave += i < slave_nodes ? 1U : 0U;
   }
   stencil.nodes.resize(count);
   stencil.weights.conservativeResize(static_cast<Eigen::Index>(count));
+  if (lifted)
+    node.gap_weights.conservativeResize(static_cast<Eigen::Index>(count));
   return static_cast<int>(of_slave);
 }
 
@@ -249,8 +274,10 @@ void make_dual(const SlaveFace& placed, const SlaveReference& reference, const W
   LeastGaps least(facet.node_count, part.covered, part.dual, part.gaps);
   for (const auto& seen : work.seen_gaps)
     least.see(seen.values, seen.gap);
-  part.least_gaps = least.bounds(size_of(placed, facet));
-  part.overlaps = least.overlaps();
+  const double size = size_of(placed, facet);
+  for (int i = 0; i < facet.node_count; ++i)
+    part.bounds[at(i)] = least.bound(i, size);
+  part.least = work.seen_gaps[least.least_seen()];
 }
 
 void share_functions(const Surface& slave, const SlaveReference& reference,
@@ -270,37 +297,69 @@ void share_functions(const Surface& slave, const SlaveReference& reference,
   }
 }
 
+void NodeSums::start(std::size_t count) {
+  weights.assign(count, 0);
+  gap_weights.assign(count, 0);
+  is_touched.assign(count, 0);
+  touched.clear();
+}
+
+void NodeSums::add(int node, double weight, double gap_weight) {
+  if (weight == 0 && gap_weight == 0)
+    return;
+  if (is_touched[at(node)] == 0)
+    touched.push_back(node);
+  is_touched[at(node)] = 1;
+  weights[at(node)] += weight;
+  gap_weights[at(node)] += gap_weight;
+}
+
+namespace {
+
+/// Sums up the shares of one node; whether its gap is lifted.
+bool sum_up(std::span<const int> shares, const Surface& slave, const Surface* master, Workspace::Impl& work) {
+  bool lifted = false;
+  for (const int s : shares) {
+    const auto& share = work.shares[at(s)];
+    const auto& part = work.parts[at(share.part)];
+    const auto& face = slave.faces[at(part.face)];
+    add_products(share, part.slave, face, 1, work.slave_sums);
+    for (std::size_t o = part.first_overlap; master != nullptr && o < part.last_overlap; ++o) {
+      const auto& overlap = work.overlaps[o];
+      add_products(share, overlap.master, master->faces[at(overlap.master_face)], -1, work.master_sums);
+    }
+    if (share.is_lifted())
+      add_least_gap(share, part.least, face, master, work);
+    lifted = lifted || share.is_lifted();
+  }
+  return lifted;
+}
+
+} // namespace
+
 void fill_stencils(const Surface& slave, const Surface* master, int components, Workspace::Impl& work,
                    Operators& into) {
   sort_shares(slave.nodes.size(), work);
-  work.slave_values.assign(slave.nodes.size(), 0);
-  work.master_values.assign(master != nullptr ? master->nodes.size() : 0, 0);
+  work.slave_sums.start(slave.nodes.size());
+  work.master_sums.start(master != nullptr ? master->nodes.size() : 0);
   for (std::size_t j = 0; j < into.nodes.size(); ++j) {
-    for (std::size_t s = work.first_share[j]; s < work.first_share[j + 1]; ++s) {
-      const auto& share = work.shares[at(work.shares_by_node[s])];
-      const auto& part = work.parts[at(share.part)];
-      add_products(share.row, part.slave, slave.faces[at(part.face)], work.slave_values, work.slave_touched);
-      if (master == nullptr)
-        continue;
-      for (std::size_t o = part.first_overlap; o < part.last_overlap; ++o) {
-        const auto& overlap = work.overlaps[o];
-        add_products(share.row, overlap.master, master->faces[at(overlap.master_face)], work.master_values,
-                     work.master_touched);
-      }
-    }
+    const auto first = work.first_share[j];
+    const bool lifted = sum_up(std::span(work.shares_by_node).subspan(first, work.first_share[j + 1] - first),
+                               slave, master, work);
     auto& node = into.nodes[j];
-    auto& stencil = node.stencil;
-    const auto count = work.slave_touched.size() + work.master_touched.size();
-    stencil.components = components;
-    stencil.nodes.resize(count);
-    stencil.weights.resize(static_cast<Eigen::Index>(count));
-    node.slave_nodes = static_cast<int>(work.slave_touched.size());
+    const auto of_slave = work.slave_sums.touched.size();
+    const auto count = of_slave + work.master_sums.touched.size();
+    node.stencil.components = components;
+    node.stencil.nodes.resize(count);
+    node.stencil.weights.resize(static_cast<Eigen::Index>(count));
+    node.gap_weights.resize(lifted ? static_cast<Eigen::Index>(count) : 0);
+    node.slave_nodes = static_cast<int>(of_slave);
     const double scale = node.weight > 0 ? 1 / node.weight : 0;
-    take_values(slave, scale, work.slave_values, work.slave_touched, stencil, 0);
+    take_sums(slave, scale, work.slave_sums, node, 0);
     if (master != nullptr)
-      take_values(*master, -scale, work.master_values, work.master_touched, stencil, at(node.slave_nodes));
+      take_sums(*master, scale, work.master_sums, node, of_slave);
     if (master == &slave)
-      node.slave_nodes = merge_repeats(at(node.slave_nodes), stencil);
+      node.slave_nodes = merge_repeats(of_slave, node);
   }
 }
 

@@ -34,9 +34,14 @@ struct Loop {
   double tolerance = 1;
   double last_tolerance = 1; ///< of the last round
   int max_rounds = 1;
+  bool sums_up = false; ///< whether in the last round all changes to come count
 
   bool settles(double change, int round) const {
     return change <= (round == max_rounds ? last_tolerance : tolerance);
+  }
+  /// What is compared with the tolerance of a round.
+  double measure(double change, double change_before, int round) const {
+    return round == max_rounds && sums_up ? std::max(change, further_changes(change, change_before)) : change;
   }
 };
 
@@ -66,6 +71,7 @@ Loop loop_of(const Model& model, LevelOfZone level, const RetrySettings& variant
     const auto& settings = zone.settings.*level;
     const bool instead = loops_instead(zone, level, variant);
     loop.exists = true;
+    loop.sums_up = loop.sums_up || instead;
     loop.tolerance = std::min(loop.tolerance, instead ? newton_like : settings.tolerance);
     loop.last_tolerance = std::min(loop.last_tolerance, settings.tolerance);
     loop.max_rounds = std::max(loop.max_rounds, instead ? newton_like_rounds : settings.max_loops);
@@ -98,6 +104,7 @@ private:
 
   void settle_geometry() {
     const auto loop = loop_of(model_, &study::ContactZone::geometry, side_.variant());
+    double change_before = 0;
     for (int round = 1; round <= loop.max_rounds; ++round) {
       const VectorXd before = trial_.motion.u;
       const int spent = iterations_;
@@ -105,7 +112,8 @@ private:
       settle_friction();
       if (!report_.converged() || !loop.exists)
         return;
-      const double change = round > 1 ? relative_move(before) : 0.0;
+      const double moved = round > 1 ? relative_move(before) : 0.0;
+      const double change = loop.measure(moved, std::exchange(change_before, moved), round);
       const bool settled = round > 1 && loop.settles(change, round);
       rounds_.push_back({LoopLevel::geometry, round, iterations_ - spent, change, settled});
       if (settled)
@@ -323,6 +331,13 @@ private:
 };
 
 } // namespace
+
+double further_changes(double change, double change_before) {
+  if (change == 0)
+    return 0;
+  const double ratio = change / change_before;
+  return ratio < 1 ? change * ratio / (1 - ratio) : std::numeric_limits<double>::infinity();
+}
 
 StepReport solve_levels(const Model& model, const ContactEvaluator& side, const Solve& solve,
                         const State& committed, State& trial) {

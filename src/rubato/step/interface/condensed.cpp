@@ -27,6 +27,8 @@ constexpr double nearly_balanced = 1e-6;
 constexpr int plain_iterations = 8;
 constexpr int plain_iterations_of_few = 2;
 constexpr Index few_motions = 3;
+/// Iterations before the history of others counts: most steps end without one.
+constexpr int first_remembered = 2;
 /// Bounds of the shift along a rigid motion, in parts of the reach.
 constexpr double least_shift = 1e-6;
 constexpr double most_shift = 1e-2;
@@ -66,6 +68,7 @@ void CondensedScratch::forget() {
   surface.forget();
   points.forget();
   predictor.predictor.forget();
+  history.forget();
 }
 
 bool can_condense(const Model& model, const EffectiveSystem& system) {
@@ -128,6 +131,7 @@ std::optional<Outcome> Condensed::close(State& trial, const Frozen& frozen) {
     surface_.start_from(trial.motion, equilibrium_.residual(), Condensed::force());
   else
     start_from(trial);
+  scratch_.history.forget();
   return std::nullopt;
 }
 
@@ -296,6 +300,7 @@ std::optional<Outcome> Condensed::correct(State& trial, const Frozen& frozen, do
     return Outcome::singular_matrix;
   if (follows_free_motions(frozen))
     follow_free_motions(trial, frozen, *correction);
+  accelerate(*correction);
   if (system_.has_free_bodies)
     part *= reach_.part_of(part * (correction->moved - surface_.moved));
   surface_.consistent = part == 1;
@@ -322,8 +327,7 @@ void Condensed::shorten(Corrected& correction, double part, const State& trial) 
 }
 
 /// Of the iterate that now() is; `at`: where its surface is.
-std::optional<Condensed::Corrected> Condensed::corrected(const State& trial, const Frozen& frozen,
-                                                         const VectorXd& at) {
+std::optional<Corrected> Condensed::corrected(const State& trial, const Frozen& frozen, const VectorXd& at) {
   linearise(trial, frozen);
   const auto change = scratch_.points.solve(surface_.free - at, surface_.beyond_carried(force()));
   if (!change)
@@ -339,6 +343,27 @@ std::optional<Condensed::Corrected> Condensed::corrected(const State& trial, con
   return result;
 }
 
+/// By iterates with the same statuses, whose gaps are followed alike. Nodes on faces are linearised whole: where they go slowly, they go
+/// from face to face.
+void Condensed::accelerate(Corrected& correction) {
+  auto& history = scratch_.history;
+  if (std::ranges::none_of(model_.zones, [](const contact::Zone& zone) { return zone.mortar.has_value(); }))
+    return;
+  const auto followed = std::ranges::count_if(scratch_.in_contact, [this](const PointInContact& point) {
+    return now().points[point.zone][point.index].kinematics->gap_weights.size() > 0;
+  });
+  const bool as_before = std::exchange(scratch_.followed_gaps, followed) == followed;
+  if (report_.iterations < first_remembered || report_.status_changes > 0 || !as_before)
+    history.forget();
+  if (report_.iterations < first_remembered)
+    return;
+  history.add(correction.moved - surface_.moved, correction);
+  if (!history.is_slow())
+    return;
+  history.accelerate(correction);
+  correction.moved = surface_.moved_by(correction.applied);
+}
+
 /// Not where all geometry is held: its linearisation misses nothing.
 bool Condensed::follows_free_motions(const Frozen& frozen) const {
   const auto count = scratch_.free_motions.count();
@@ -348,8 +373,8 @@ bool Condensed::follows_free_motions(const Frozen& frozen) const {
 }
 
 /// Of `shifted` with its surfaces at `moved`, and the statuses that it has.
-std::optional<Condensed::Corrected> Condensed::corrected_at(const VectorXd& moved, const Frozen& frozen,
-                                                            State& shifted) {
+std::optional<Corrected> Condensed::corrected_at(const VectorXd& moved, const Frozen& frozen,
+                                                 State& shifted) {
   surface_.place(moved, shifted);
   side_.measure(shifted, frozen, scratch_.shifted);
   std::swap(scratch_.now, scratch_.shifted);
@@ -381,13 +406,8 @@ void Condensed::follow_free_motions(const State& trial, const Frozen& frozen, Co
   if (!shares)
     return;
   const Corrected plain = correction;
-  for (Index k = 0; k < motions.count(); ++k) {
-    const double share = (*shares)[k];
-    const auto& other = others[static_cast<std::size_t>(k)];
-    correction.applied += share * (other.applied - plain.applied);
-    for (std::size_t z = 0; z < plain.multipliers.size(); ++z)
-      correction.multipliers[z] += share * (other.multipliers[z] - plain.multipliers[z]);
-  }
+  for (Index k = 0; k < motions.count(); ++k)
+    correction.add((*shares)[k], others[static_cast<std::size_t>(k)], plain);
   correction.moved = surface_.moved_by(correction.applied);
 }
 

@@ -12,11 +12,13 @@
 #include "rubato/step/common/equilibrium.hpp"
 #include "rubato/step/interface/free_motions.hpp"
 #include "rubato/step/interface/interface_newton_system.hpp"
+#include "rubato/step/interface/newton_history.hpp"
 #include "rubato/step/interface/predicted_start.hpp"
 #include "rubato/step/interface/surface_motion.hpp"
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -48,6 +50,8 @@ struct CondensedScratch {
   Eigen::VectorXd force;               ///< theirs on the surface, one an interface dof
   std::vector<MultiplierShare> shares; ///< of one point
   FreeMotions free_motions;            ///< none where they are not followed
+  NewtonHistory history;
+  std::ptrdiff_t followed_gaps = 0; ///< points in contact whose gaps have weights of their own
 
   /// The compliance must outlive this.
   CondensedScratch(Compliance& compliance, double force_weight, int components, NormalSolution how_far,
@@ -90,16 +94,11 @@ private:
   double surface_scale() const;
   std::vector<WorstNode> worst_on_surface() const;
   void linearise(const State& trial, const Frozen& frozen);
-  /// What a whole correction makes of an iterate.
-  struct Corrected {
-    Eigen::VectorXd applied;                  ///< as SurfaceMotion::applied
-    Eigen::VectorXd moved;                    ///< as SurfaceMotion::moved
-    std::vector<Eigen::VectorXd> multipliers; ///< of each zone
-  };
   std::optional<Corrected> corrected(const State& trial, const Frozen& frozen, const Eigen::VectorXd& at);
   std::optional<Corrected> corrected_at(const Eigen::VectorXd& moved, const Frozen& frozen, State& shifted);
   void shorten(Corrected& correction, double part, const State& trial) const;
   bool follows_free_motions(const Frozen& frozen) const;
+  void accelerate(Corrected& correction);
   void follow_free_motions(const State& trial, const Frozen& frozen, Corrected& correction);
   void add_open_points(const Frozen& frozen);
   std::span<const MultiplierShare> shares_of(std::size_t zone, std::size_t point);

@@ -18,7 +18,7 @@ constexpr double at_rest = 1e-5;
 /// Cosine between moves that go one way.
 constexpr double same_way = 0.99;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
-constexpr double settled = 3e-3;
+constexpr double fitting = 3e-3;
 /// How far an iteration may move the surfaces of bodies that only contact holds, in edges.
 constexpr double reach_in_edges = 0.5;
 
@@ -52,7 +52,7 @@ public:
       take_prediction(site_.model, points_, trial_);
       move(round);
       follow_frames();
-      if (!surface_.consistent || predictor_.misfit(points_, surface_.moved) > settled)
+      if (!surface_.consistent || predictor_.misfit(points_, surface_.moved) > fitting)
         continue;
       if (!takes_bases_ || surface_.moved.lpNorm<Eigen::Infinity>() <= at_rest * reach_.most())
         return;

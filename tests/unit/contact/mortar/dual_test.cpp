@@ -163,7 +163,12 @@ TEST(DualFunctions, OfASingularPartAreTheLinearOnes) {
 
 /// LeastGaps and the fitted values of a gap over a part of the reference line [−1, 1].
 struct Fitted {
-  Vector4d bounds, values;
+  std::array<double, 2> bounds;
+  Vector4d values;
+  std::array<LeastGaps::Bound, 2> changes;
+  std::vector<double> places; ///< where gaps were seen
+  std::size_t least_seen;
+  Vector4d first_gap;
 };
 
 Fitted fitted(double low, double high, const std::function<double(double)>& gap) {
@@ -171,6 +176,7 @@ Fitted fitted(double low, double high, const std::function<double(double)>& gap)
   FacetMoments covered;
   Vector4d first_gap = Vector4d::Zero();
   std::vector<std::pair<Vector4d, double>> seen;
+  std::vector<double> places;
   constexpr int pieces = 400;
   for (int q = 0; q < pieces; ++q) {
     const double xi = low + (high - low) * (q + 0.5) / pieces, weight = (high - low) / pieces;
@@ -178,9 +184,12 @@ Fitted fitted(double low, double high, const std::function<double(double)>& gap)
     covered.add(weight, values);
     first_gap += weight * gap(xi) * values;
     seen.emplace_back(values, gap(xi));
+    places.push_back(xi);
   }
-  for (const double xi : {low, high})
+  for (const double xi : {low, high}) {
     seen.emplace_back(facet_values(facet, Vector2d(xi, 0)), gap(xi));
+    places.push_back(xi);
+  }
   const auto rows = dual_coefficients(2, covered, 2, all_kept);
   LeastGaps least(2, covered, rows, first_gap);
   for (const auto& [values, value] : seen)
@@ -188,7 +197,8 @@ Fitted fitted(double low, double high, const std::function<double(double)>& gap)
   Vector4d means = Vector4d::Zero();
   for (int i = 0; i < 2; ++i)
     means[i] = rows.row(i).dot(first_gap) / covered.first[i];
-  return {least.bounds(1), means};
+  const std::array changes{least.bound(0, 1), least.bound(1, 1)};
+  return {{changes[0].value, changes[1].value}, means, changes, places, least.least_seen(), first_gap};
 }
 
 TEST(LeastGaps, AreAboveTheMeanOfAGapThatGrowsWithTheSquare) {
@@ -228,6 +238,31 @@ TEST(LeastGaps, FallToANodeThatIsNotCoveredByATenthOfTheSize) {
   const auto of = fitted(-1, 0.5, [](double xi) { return 2 - 2 * xi; });
   EXPECT_NEAR(of.values[1], 0, 1e-12);
   EXPECT_NEAR(of.bounds[1], 1 - 0.1, 1e-12);
+}
+
+/// Open, overlapping, with a node beyond the covered part that may fall freely, and one that may not.
+TEST(LeastGaps, ChangeAsTheyAreLinearised) {
+  struct Case {
+    double high;
+    std::function<double(double)> gap;
+  };
+  const std::vector<Case> cases{{1, [](double xi) { return 0.3 + 0.25 * (0.903 + xi) * (0.903 + xi); }},
+                                {1, [](double xi) { return 0.25 * (0.903 + xi) * (0.903 + xi) - 0.01; }},
+                                {0.7, [](double xi) { return 0.2 - 0.06 * xi + 0.03 * xi * xi; }},
+                                {0.5, [](double xi) { return 2 - 2 * xi; }}};
+  const auto change = [](double xi) { return 0.7 + 0.4 * xi - 0.3 * xi * xi; };
+  constexpr double step = 1e-6;
+  for (const auto& [high, gap] : cases) {
+    const auto of = fitted(-1, high, gap);
+    const auto more = fitted(-1, high, [&](double xi) { return gap(xi) + step * change(xi); });
+    const auto less = fitted(-1, high, [&](double xi) { return gap(xi) - step * change(xi); });
+    const Vector4d integral = (more.first_gap - less.first_gap) / (2 * step);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto& by = of.changes[i];
+      const double expected = by.by_least * change(of.places[of.least_seen]) + by.row.dot(integral);
+      EXPECT_NEAR((more.bounds[i] - less.bounds[i]) / (2 * step), expected, 1e-8) << high << ' ' << i;
+    }
+  }
 }
 
 } // namespace

@@ -111,6 +111,42 @@ TEST_P(EveryPairing, HandsOnAUniformPressureWhereTheSlaveIsPartlyCovered) {
   EXPECT_NEAR(sum, 0, 1e-13);
 }
 
+/// A slave that bulges towards the master touches it in one place, where its mean gap is below every gap.
+/// Gaps are measured along normals, which are off the master's by at most 0.04.
+TEST_P(EveryPairing, MovesLiftedGapsAsTheirWeightsSay) {
+  const auto up = dimension();
+  for (const double height : {0.02, -0.0002}) {
+    const auto two = surfaces(
+        [&, plain = flat(dimension(), -0.53, 0.47, 0)](double s, double t) {
+          Vector3d x = plain(s, t);
+          x[up] = height + 0.04 * x[0] * x[0] + (up == 2 ? 0.03 * x[1] * x[1] : 0.);
+          return x;
+        },
+        flat(dimension(), -1.1, 1.3, 0));
+    const auto operators = two.operators();
+    constexpr double step = 1e-7;
+    auto places = two.mesh.points;
+    for (const auto node : two.slave.nodes)
+      places[static_cast<std::size_t>(node)][up] += step;
+    const auto moved = two.operators_at(places);
+    int lifted = 0;
+    for (std::size_t j = 0; j < operators.nodes.size(); ++j) {
+      const auto& node = operators.nodes[j];
+      if (node.gap_weights.size() == 0)
+        continue;
+      ++lifted;
+      double expected = 0;
+      for (int i = 0; i < node.slave_nodes; ++i)
+        expected += node.gap_weights[i] * node.normal[up];
+      EXPECT_NEAR((moved.nodes[j].gap - node.gap) / step, expected, 4e-3);
+      if (height > 0) { // nothing overlaps: all gaps change alike
+        EXPECT_NEAR(node.gap_weights.sum(), 0, 1e-12);
+      }
+    }
+    EXPECT_GT(lifted, 0);
+  }
+}
+
 TEST_P(EveryPairing, GivesNoForceInSumOnCurvedSurfaces) {
   const auto bent = [&](double low, double high, double height) -> Map {
     return [=, this, plain = flat(dimension(), low, high, 0)](double s, double t) {

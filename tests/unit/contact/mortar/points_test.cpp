@@ -100,7 +100,8 @@ KeptNodes kept_of(const model::Model& model) {
   const VectorXd rest = VectorXd::Zero(model.dofs.dof_count);
   Points points(model.zones.front());
   points.update({&model.mesh, &model.dofs, &rest, &rest, 1, 0});
-  KeptNodes found{.lost = points.operators().lost_area};
+  KeptNodes found;
+  found.lost = points.operators().lost_area;
   const auto& nodes = model.zones.front().slave.nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     found.weight += points.operators().nodes[i].weight;

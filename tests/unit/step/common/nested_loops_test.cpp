@@ -9,6 +9,7 @@
 #include "support/decks.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace rubato::step {
@@ -142,6 +143,13 @@ TEST(ALoopOfTheStatusThatDoesNotSettle, IsLeftToNewton) {
 
 /// A slave node that stands on the corner of two curved master faces belongs to neither while all moves: it
 /// hops from one to the other in every iteration, unless it is held on one of them.
+TEST(FurtherChanges, AreThoseOfAGeometricSeries) {
+  EXPECT_EQ(further_changes(0, 1), 0);
+  EXPECT_NEAR(further_changes(0.5, 1), 0.5, 1e-15);
+  EXPECT_NEAR(further_changes(1e-3, 1e-3 / 0.996), 0.249, 1e-12);
+  EXPECT_EQ(further_changes(1, 1), std::numeric_limits<double>::infinity());
+}
+
 TEST(ANodeBetweenTwoCurvedFaces, IsSettledByNewton) {
   Walk walk(R"(
 mesh:
