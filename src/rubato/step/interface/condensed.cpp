@@ -343,8 +343,8 @@ std::optional<Corrected> Condensed::corrected(const State& trial, const Frozen& 
   return result;
 }
 
-/// By iterates with the same statuses, whose gaps are followed alike. Nodes on faces are linearised whole: where they go slowly, they go
-/// from face to face.
+/// By iterates with the same statuses, whose gaps are followed alike. Nodes on faces are linearised whole:
+/// where they go slowly, they go from face to face.
 void Condensed::accelerate(Corrected& correction) {
   auto& history = scratch_.history;
   if (std::ranges::none_of(model_.zones, [](const contact::Zone& zone) { return zone.mortar.has_value(); }))
