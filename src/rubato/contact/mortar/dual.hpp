@@ -39,7 +39,7 @@ Eigen::Matrix4d dual_coefficients(int node_count, const FacetMoments& covered, d
 /// below every one of them (2 − 3s of s², 0 ≤ s ≤ 1: −1/12 where all is open). What they do see, ∫Φ_i g /
 /// De_i, are the nodal values ĝ_i of the linear field nearest to g. It may fall below the least gap of the
 /// covered part by as much as that part truly overlaps, and from there to a node that is not covered by a
-/// tenth of the sub-facet's size: `bounds` is that. Of a linear gap that is not steep ĝ_i is never below.
+/// tenth of the sub-facet's size: `bound` is that. Of a linear gap that is not steep ĝ_i is never below.
 class LeastGaps {
 public:
   /// Of one node, and its change: δ value = by_least δg + row · ∫H δg, with δg of the least gap that was
