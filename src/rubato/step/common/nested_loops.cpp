@@ -115,7 +115,7 @@ private:
       const double moved = round > 1 ? relative_move(before) : 0.0;
       const double change = loop.measure(moved, std::exchange(change_before, moved), round);
       const bool settled = round > 1 && loop.settles(change, round);
-      rounds_.push_back({LoopLevel::geometry, round, iterations_ - spent, change, settled});
+      rounds_.push_back({LoopLevel::geometry, round, iterations_ - spent, moved, settled});
       if (settled)
         return;
       report_.unmet = {{Criterion::geometry_loop, -1, moved_most(before),

@@ -47,12 +47,17 @@ FreeMotions followed_motions(const Model& model, const EffectiveSystem& system) 
                          : MatrixXd());
 }
 
+/// Nodes on faces are linearised whole: where they go slowly, they go from face to face.
+bool remembers(const Model& model) {
+  return std::ranges::any_of(model.zones, [](const contact::Zone& zone) { return zone.mortar.has_value(); });
+}
+
 /// Nothing of an attempt before is seen but the storage it left.
 CondensedScratch& scratch_of(const Model& model, EffectiveSystem& system, const time::Scheme& scheme) {
   if (!system.scratch)
-    system.scratch =
-        std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(), model.dofs.components,
-                                           normal_solution(model, system), followed_motions(model, system));
+    system.scratch = std::make_shared<CondensedScratch>(*system.compliance, scheme.contact_weight(),
+                                                        model.dofs.components, normal_solution(model, system),
+                                                        followed_motions(model, system), remembers(model));
   system.scratch->forget();
   return *system.scratch;
 }
@@ -60,9 +65,10 @@ CondensedScratch& scratch_of(const Model& model, EffectiveSystem& system, const 
 } // namespace
 
 CondensedScratch::CondensedScratch(Compliance& compliance, double force_weight, int components,
-                                   NormalSolution how_far, FreeMotions motions)
+                                   NormalSolution how_far, FreeMotions motions, bool remembers_)
     : surface(compliance), points(compliance, surface, force_weight),
-      predictor(compliance, force_weight, components, how_far), free_motions(std::move(motions)) {}
+      predictor(compliance, force_weight, components, how_far), free_motions(std::move(motions)),
+      remembers(remembers_) {}
 
 void CondensedScratch::forget() {
   surface.forget();
@@ -94,6 +100,7 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
+  scratch_.history.forget();
   // A method that predicts whatever the start does so in every round of loops.
   if (!started_ || starts_from_prediction(model_, Start::last_step))
     if (const auto outcome = begin(trial, frozen))
@@ -300,7 +307,7 @@ std::optional<Outcome> Condensed::correct(State& trial, const Frozen& frozen, do
     return Outcome::singular_matrix;
   if (follows_free_motions(frozen))
     follow_free_motions(trial, frozen, *correction);
-  accelerate(*correction);
+  accelerate(*correction, part);
   if (system_.has_free_bodies)
     part *= reach_.part_of(part * (correction->moved - surface_.moved));
   surface_.consistent = part == 1;
@@ -343,19 +350,25 @@ std::optional<Corrected> Condensed::corrected(const State& trial, const Frozen& 
   return result;
 }
 
-/// By iterates with the same statuses, whose gaps are followed alike. Nodes on faces are linearised whole:
-/// where they go slowly, they go from face to face.
-void Condensed::accelerate(Corrected& correction) {
-  auto& history = scratch_.history;
-  if (std::ranges::none_of(model_.zones, [](const contact::Zone& zone) { return zone.mortar.has_value(); }))
-    return;
-  const auto followed = std::ranges::count_if(scratch_.in_contact, [this](const PointInContact& point) {
-    return now().points[point.zone][point.index].kinematics->gap_weights.size() > 0;
+bool Condensed::gaps_are_followed_as_before() const {
+  const auto has_weights = [](const ContactIterate& iterate, const PointInContact& point) {
+    const auto& kinematics = iterate.points[point.zone][point.index].kinematics;
+    return kinematics && kinematics->gap_weights.size() > 0;
+  };
+  return std::ranges::all_of(scratch_.in_contact, [&](const PointInContact& point) {
+    return has_weights(now(), point) == has_weights(previous(), point);
   });
-  const bool as_before = std::exchange(scratch_.followed_gaps, followed) == followed;
-  if (report_.iterations < first_remembered || report_.status_changes > 0 || !as_before)
+}
+
+/// By iterates with the same statuses, whose gaps are followed alike. Not where corrections are shortened to
+/// `part` to leave a cycle: by what is remembered of those the next ones would lead back to it.
+void Condensed::accelerate(Corrected& correction, double part) {
+  auto& history = scratch_.history;
+  if (!scratch_.remembers || report_.iterations < first_remembered)
+    return;
+  if (part != 1 || report_.status_changes > 0 || !gaps_are_followed_as_before())
     history.forget();
-  if (report_.iterations < first_remembered)
+  if (part != 1)
     return;
   history.add(correction.moved - surface_.moved, correction);
   if (!history.is_slow())

@@ -18,7 +18,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -50,12 +49,12 @@ struct CondensedScratch {
   Eigen::VectorXd force;               ///< theirs on the surface, one an interface dof
   std::vector<MultiplierShare> shares; ///< of one point
   FreeMotions free_motions;            ///< none where they are not followed
+  bool remembers;                      ///< whether Newton's iterations have a history
   NewtonHistory history;
-  std::ptrdiff_t followed_gaps = 0; ///< points in contact whose gaps have weights of their own
 
   /// The compliance must outlive this.
   CondensedScratch(Compliance& compliance, double force_weight, int components, NormalSolution how_far,
-                   FreeMotions motions);
+                   FreeMotions motions, bool remembers);
   void forget();
 };
 
@@ -82,6 +81,7 @@ private:
   ContactIterate& now() { return scratch_.now; }
   ContactIterate& previous() { return scratch_.previous; }
   const ContactIterate& now() const { return scratch_.now; }
+  const ContactIterate& previous() const { return scratch_.previous; }
   const Eigen::VectorXd& force() const { return scratch_.force; }
 
   std::optional<Outcome> begin(State& trial, const Frozen& frozen);
@@ -98,7 +98,8 @@ private:
   std::optional<Corrected> corrected_at(const Eigen::VectorXd& moved, const Frozen& frozen, State& shifted);
   void shorten(Corrected& correction, double part, const State& trial) const;
   bool follows_free_motions(const Frozen& frozen) const;
-  void accelerate(Corrected& correction);
+  bool gaps_are_followed_as_before() const;
+  void accelerate(Corrected& correction, double part);
   void follow_free_motions(const State& trial, const Frozen& frozen, Corrected& correction);
   void add_open_points(const Frozen& frozen);
   std::span<const MultiplierShare> shares_of(std::size_t zone, std::size_t point);

@@ -141,8 +141,6 @@ TEST(ALoopOfTheStatusThatDoesNotSettle, IsLeftToNewton) {
   EXPECT_LT(apart(end_of(single_status_round), end_of({})), 1e-9);
 }
 
-/// A slave node that stands on the corner of two curved master faces belongs to neither while all moves: it
-/// hops from one to the other in every iteration, unless it is held on one of them.
 TEST(FurtherChanges, AreThoseOfAGeometricSeries) {
   EXPECT_EQ(further_changes(0, 1), 0);
   EXPECT_NEAR(further_changes(0.5, 1), 0.5, 1e-15);
@@ -150,6 +148,8 @@ TEST(FurtherChanges, AreThoseOfAGeometricSeries) {
   EXPECT_EQ(further_changes(1, 1), std::numeric_limits<double>::infinity());
 }
 
+/// A slave node that stands on the corner of two curved master faces belongs to neither while all moves: it
+/// hops from one to the other in every iteration, unless it is held on one of them.
 TEST(ANodeBetweenTwoCurvedFaces, IsSettledByNewton) {
   Walk walk(R"(
 mesh:
