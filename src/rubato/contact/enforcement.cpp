@@ -301,6 +301,10 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
     law.frozen_friction_pressure = frozen_friction_pressures[index];
   law.tied = zone->settings.tie;
   law.stays_closed = !stays_closed.empty() && stays_closed[index] != 0;
+  if (!directions.empty() && directions[index].count == 0)
+    law.friction = 0;
+  if (!directions.empty() && directions[index].count == 1)
+    law.rubs_along = directions[index].only;
   if (!coefficients->resistance.empty())
     law.resistance = coefficients->resistance[index];
   return law;

@@ -7,6 +7,7 @@
 #include "rubato/contact/law.hpp"
 #include "rubato/contact/neighbours.hpp"
 #include "rubato/contact/pairing.hpp"
+#include "rubato/contact/shared_nodes.hpp"
 #include "rubato/contact/zone.hpp"
 
 #include <Eigen/Core>
@@ -154,6 +155,8 @@ struct ZoneLaw {
   std::span<const double> frozen_friction_pressures = {};
   /// Of a bilateral zone: whether a point has touched before this step; else empty.
   std::span<const std::uint8_t> stays_closed = {};
+  /// Of every point, where nodes have several; empty: all.
+  std::span<const FrictionDirections> directions = {};
 
   PointLaw of_point(std::size_t index) const;
 };

@@ -355,6 +355,27 @@ constexpr std::array<FrictionLaw, 3> friction_laws{{
      &no_stiffness, true, true},
 }};
 
+/// What friction that acts along one direction sees of a point.
+PointState along(const Vector2d& direction, PointState point) {
+  point.slip = direction.dot(point.slip) * direction;
+  point.semi = direction.dot(point.semi) * direction;
+  return point;
+}
+
+/// The answer along one direction; across it Λ = 0.
+PointResponse respond_along(const Vector2d& direction, const PointState& point, Status status, PointLaw law) {
+  law.rubs_along.reset();
+  auto response = respond(along(direction, point), status, law);
+  const Matrix2d projector = direction * direction.transpose();
+  for (const int variable : {slip, semi})
+    for (auto* derivative : {&response.d_traction, &response.d_equations})
+      derivative->middleCols<2>(variable) = (derivative->middleCols<2>(variable) * projector).eval();
+  const Matrix2d across = Matrix2d::Identity() - projector;
+  response.equations.tail<2>() += across * point.semi;
+  response.d_equations.block<2, 2>(1, semi) += across;
+  return response;
+}
+
 } // namespace
 
 std::string_view to_string(Status status) {
@@ -377,9 +398,10 @@ const FrictionLaw& friction_law(FrictionMethod method) {
   return friction_laws[static_cast<std::size_t>(method)];
 }
 
-Status wanted_status(const PointState& point, const PointLaw& law) {
+Status wanted_status(const PointState& at, const PointLaw& law) {
   if (law.tied)
     return Status::stick;
+  const PointState point = law.rubs_along ? along(*law.rubs_along, at) : at;
   if (!law.stays_closed && !normal_law(law.method).touches(point, law))
     return Status::open;
   const bool sticks = law.friction > 0 && friction_pressure_of(point, law).value > 0 &&
@@ -391,6 +413,8 @@ Status wanted_status(const PointState& point, const PointLaw& law) {
 PointResponse respond(const PointState& point, Status status, const PointLaw& law) {
   if (law.tied && status != Status::open)
     return hold(point);
+  if (law.rubs_along)
+    return respond_along(*law.rubs_along, point, status, law);
   PointResponse response;
   if (status == Status::open)
     open_contact(point, law, response);

@@ -48,6 +48,8 @@ struct PointLaw {
   exponential::Numbers exponential{}; ///< of that method
   bool stays_closed = false;          ///< it has touched, and is bilateral
   bool tied = false;                  ///< λ, Λ₁, Λ₂ are tractions that hold gap and slips at 0
+  /// A unit vector among τ₁, τ₂, where friction acts along it alone (shared_nodes.hpp).
+  std::optional<Eigen::Vector2d> rubs_along = std::nullopt;
   double resistance = 0; ///< of the body against a slip of the point [pressure/length]; 0: not known
 };
 

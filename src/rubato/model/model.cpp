@@ -14,6 +14,7 @@
 #include "rubato/model/contact_mass.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/mortar_edges.hpp"
+#include "rubato/model/shared_nodes_note.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/model/soft_springs.hpp"
 #include "rubato/study/validate.hpp"
@@ -146,6 +147,9 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   model.probe_cuts = make_probe_cuts(study, model.mesh, model.dofs, model.bulk, faults);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
+  model.shared_nodes = contact::points_of_shared_nodes(model.zones);
+  if (const auto note = note_on_shared_nodes(model))
+    model.notes.push_back(*note);
   std::ranges::move(edges_in_mortar_zones(model.zones, model.mesh), std::back_inserter(model.notes));
   if (study.time.scheme == study::SchemeKind::static_steps) {
     mark_soft_springs(model);

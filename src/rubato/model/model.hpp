@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/constraint/reduction.hpp"
+#include "rubato/contact/shared_nodes.hpp"
 #include "rubato/contact/zone.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/cut.hpp"
@@ -73,6 +74,8 @@ struct Model {
   /// Nodes of bodies that in a static run only contact holds, ascending.
   std::vector<mesh::NodeIndex> free_body_nodes;
   std::vector<contact::Zone> zones;
+  /// The points of each slave node that has several.
+  std::vector<std::vector<contact::PointOfZone>> shared_nodes;
   /// Of each probe of the study, at least one; none of cuts and differences.
   std::vector<std::vector<mesh::NodeIndex>> probe_nodes;
   std::vector<domain::CutForces> probe_cuts; ///< of each probe of the study; empty where it is no cut

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace rubato::step {
 namespace {
@@ -82,6 +83,7 @@ ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& schem
   for (std::size_t z = 0; z < coefficients_.size(); ++z)
     contact::scale_augmentations(model.zones[z], variant.normal_multiple, variant.tangential_multiple,
                                  coefficients_[z]);
+  system.friction_directions.assign(model.zones.size(), {});
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     touched_.push_back(contact::touched_points(model.zones[z], committed.zones[z]));
     contact::begin_step(system.discretisations[z], committed.zones[z]);
@@ -102,7 +104,7 @@ ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& schem
 contact::ZoneLaw ContactEvaluator::law_of(std::size_t zone, const Frozen& frozen) const {
   return {&model_.zones[zone], &coefficients_[zone],
           variant_.friction_part * model_.zones[zone].settings.friction, frozen[zone].thresholds,
-          touched_[zone]};
+          touched_[zone], system_.friction_directions[zone]};
 }
 
 ContactIterate ContactEvaluator::at(const State& trial, const Frozen& frozen) const {
@@ -196,6 +198,33 @@ bool ContactEvaluator::most_are_lost(const ContactIterate& now) const {
 void ContactEvaluator::start_iterations() const {
   for (auto& discretisation : system_.discretisations)
     contact::forget_visits(discretisation);
+}
+
+bool ContactEvaluator::presses(const Frozen& frozen, const ContactIterate& now,
+                               const contact::PointOfZone& at) const {
+  const auto& point = now.points[at.zone][at.point];
+  return point.kinematics && now.status[at.zone][at.point] != Status::open &&
+         contact::wanted_status(point.variables, law_of(at.zone, frozen).of_point(at.point)) != Status::open;
+}
+
+void ContactEvaluator::restrict_friction(const Frozen& frozen, const ContactIterate& now) const {
+  for (const auto& group : model_.shared_nodes) {
+    std::vector<contact::PointOfZone> pressing;
+    std::ranges::copy_if(group, std::back_inserter(pressing),
+                         [&](const auto& point) { return presses(frozen, now, point); });
+    for (const auto& [zone, point] : pressing) {
+      std::vector<Eigen::Vector3d> others;
+      for (const auto& other : pressing)
+        if (other.zone != zone || other.point != point)
+          others.push_back(now.points[other.zone][other.point].kinematics->normal);
+      const auto found = contact::common_directions(*now.points[zone][point].kinematics, others);
+      auto& of_zone = system_.friction_directions[zone];
+      if (of_zone.empty() && found.count < 2)
+        of_zone.resize(now.points[zone].size());
+      if (!of_zone.empty() && found.count < of_zone[point].count)
+        of_zone[point] = found;
+    }
+  }
 }
 
 bool ContactEvaluator::release_beyond_borders() const {

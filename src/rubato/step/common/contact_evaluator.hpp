@@ -80,6 +80,9 @@ public:
 
   /// To be told when Newton's iterations begin: which faces points hop between is counted from there.
   void start_iterations() const;
+  /// Friction of nodes with several points that press in `now` acts along directions tangential to all of
+  /// their surfaces for the rest of the attempt (contact/shared_nodes.hpp).
+  void restrict_friction(const Frozen& frozen, const ContactIterate& now) const;
   /// Lets points go that stay on a face they stand beyond (contact/neighbours.hpp). Whether there were any.
   bool release_beyond_borders() const;
 
@@ -106,6 +109,7 @@ public:
   void finish(const Frozen& frozen, const ContactIterate& iterate, State& trial) const;
 
 private:
+  bool presses(const Frozen& frozen, const ContactIterate& now, const contact::PointOfZone& at) const;
   bool most_are_lost(const ContactIterate& now) const;
   contact::Configuration at_end(const State& trial) const;
   template <class Measure>

@@ -62,6 +62,8 @@ void WholeSystem::evaluate_contact(const State& trial, const Frozen& frozen, int
   side_.evaluate(trial, frozen, now_);
   if (iteration > 0)
     side_.renew_status(frozen, previous_, now_);
+  else
+    side_.restrict_friction(frozen, now_);
   contact_ = contact::ContactSystem(trial.motion.u.size(), model_.multiplier_count);
   force_ = ContactForce(trial.motion.u.size());
   for (std::size_t z = 0; z < model_.zones.size(); ++z)

@@ -182,6 +182,8 @@ void Condensed::evaluate(const State& trial, const Frozen& frozen, int iteration
   measured_ = false;
   if (iteration > 0)
     side_.renew_status(frozen, previous(), now());
+  else
+    side_.restrict_friction(frozen, now());
   collect_forces(frozen);
 }
 

@@ -71,6 +71,7 @@ private:
       surface_.go_to(site_.side.committed().motion, trial_);
       site_.side.measure(trial_, site_.frozen, now_);
     }
+    site_.side.restrict_friction(site_.frozen, now_);
     take_points(site_.model, site_.side, site_.frozen, compliance(), now_, surface_.moved, trial_, points_);
     reach_.start();
   }

@@ -135,7 +135,7 @@ void take_points(const Model& model, const ContactEvaluator& side, const Frozen&
       auto& predicted = points[count++];
       predicted.zone = z;
       predicted.index = i;
-      predicted.friction = law.friction;
+      predicted.friction = law.of_point(i).friction;
       if (averaged || side.system().has_free_bodies)
         predicted.point_compliance =
             1 / contact::resistance(zone.points[i], model.dofs, side.system().diagonal);
