@@ -25,8 +25,8 @@ struct PointOfZone {
 
 /// Along which tangential directions friction of a point acts.
 struct FrictionDirections {
-  int count = 2;                                       ///< 2 all, 1 along `only`, 0 none
-  Eigen::Vector2d only = Eigen::Vector2d::Zero();      ///< a unit vector among τ₁, τ₂
+  int count = 2;                                  ///< 2 all, 1 along `only`, 0 none
+  Eigen::Vector2d only = Eigen::Vector2d::Zero(); ///< a unit vector among τ₁, τ₂
 };
 
 /// The points of each slave node that has several, where one of their zones has friction. Points of ties,

@@ -14,8 +14,8 @@
 #include "rubato/model/contact_mass.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/mortar_edges.hpp"
-#include "rubato/model/shared_nodes_note.hpp"
 #include "rubato/model/rigid_motions.hpp"
+#include "rubato/model/shared_nodes_note.hpp"
 #include "rubato/model/soft_springs.hpp"
 #include "rubato/study/validate.hpp"
 

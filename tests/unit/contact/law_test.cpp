@@ -162,32 +162,49 @@ void PrintTo(const LawVariant& variant, std::ostream* out) {
   *out << variant.name;
 }
 
-class LawTangent : public testing::TestWithParam<std::tuple<LawVariant, Status, bool>> {};
+class LawTangent : public testing::TestWithParam<std::tuple<LawVariant, Status, bool>> {
+protected:
+  static PointLaw law() {
+    const auto& [variant, status, held] = GetParam();
+    auto law = law_of(variant.method, variant.friction);
+    if (held)
+      law.frozen_friction_pressure = 1.5;
+    return law;
+  }
 
-TEST_P(LawTangent, IsTheDerivativeOfTheLaw) {
-  const auto& [variant, status, held] = GetParam();
-  auto law = law_of(variant.method, variant.friction);
-  if (held)
-    law.frozen_friction_pressure = 1.5;
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> number(-1, 1);
-  for (int trial = 0; trial < 50; ++trial) {
-    Eigen::Matrix<double, 6, 1> v = Eigen::Matrix<double, 6, 1>::NullaryExpr([&] { return number(random); });
-    v[0] = study::entry_of(law.method).exact ? v[0] : -0.5 + 0.4 * v[0];
-    v[3] = 2 + number(random);
-    const auto at = respond(from(v), status, law);
-    for (int i = 0; i < 6; ++i) {
-      constexpr double h = 1e-6;
-      auto forward = v;
-      auto backward = v;
-      forward[i] += h;
-      backward[i] -= h;
-      const auto plus = respond(from(forward), status, law);
-      const auto minus = respond(from(backward), status, law);
-      EXPECT_LT(((plus.traction - minus.traction) / (2 * h) - at.d_traction.col(i)).norm(), 1e-6);
-      EXPECT_LT(((plus.equations - minus.equations) / (2 * h) - at.d_equations.col(i)).norm(), 1e-6);
+  static void expect_derivatives(const PointLaw& law) {
+    const auto status = std::get<Status>(GetParam());
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> number(-1, 1);
+    for (int trial = 0; trial < 50; ++trial) {
+      Eigen::Matrix<double, 6, 1> v =
+          Eigen::Matrix<double, 6, 1>::NullaryExpr([&] { return number(random); });
+      v[0] = study::entry_of(law.method).exact ? v[0] : -0.5 + 0.4 * v[0];
+      v[3] = 2 + number(random);
+      const auto at = respond(from(v), status, law);
+      for (int i = 0; i < 6; ++i) {
+        constexpr double h = 1e-6;
+        auto forward = v;
+        auto backward = v;
+        forward[i] += h;
+        backward[i] -= h;
+        const auto plus = respond(from(forward), status, law);
+        const auto minus = respond(from(backward), status, law);
+        EXPECT_LT(((plus.traction - minus.traction) / (2 * h) - at.d_traction.col(i)).norm(), 1e-6);
+        EXPECT_LT(((plus.equations - minus.equations) / (2 * h) - at.d_equations.col(i)).norm(), 1e-6);
+      }
     }
   }
+};
+
+TEST_P(LawTangent, IsTheDerivativeOfTheLaw) {
+  expect_derivatives(law());
+}
+
+TEST_P(LawTangent, IsTheDerivativeOfFrictionAlongOneDirection) {
+  auto along = law();
+  along.rubs_along = Eigen::Vector2d(0.6, -0.8);
+  expect_derivatives(along);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -283,6 +300,25 @@ TEST_P(SpringLaw, PressesWithinItsReachOnly) {
 INSTANTIATE_TEST_SUITE_P(Methods, SpringLaw,
                          testing::Values(ContactMethod::penalty, ContactMethod::exponential),
                          [](const auto& method) { return std::string(study::entry_of(method.param).name); });
+
+TEST(FrictionAlongOneDirection, IsThatOfOneTangent) {
+  const Eigen::Vector2d only(0.6, -0.8);
+  const Eigen::Vector2d across(0.8, 0.6);
+  auto along = steel;
+  along.rubs_along = only;
+  for (const double relative : {0.3, 0.9, 1.2}) {
+    const PointState one{0, {0, 0}, 3, {relative, 0}};
+    const PointState turned{0, 0.4 * across, 3, relative * only + 2 * across};
+    const auto status = wanted_status(one, steel);
+    EXPECT_EQ(wanted_status(turned, along), status);
+    const auto expected = respond(one, status, steel);
+    const auto found = respond(turned, status, along);
+    EXPECT_NEAR(found.traction.tail<2>().dot(only), expected.traction[1], 1e-14);
+    EXPECT_NEAR(found.traction.tail<2>().dot(across), 0, 1e-14);
+    EXPECT_NEAR(found.equations.tail<2>().dot(only), expected.equations[1], 1e-14);
+    EXPECT_NEAR(found.equations.tail<2>().dot(across), 2, 1e-14) << "no multiplier across";
+  }
+}
 
 TEST(PointVariables, KeepTheirOrder) {
   const PointState p{1, {2, 3}, 4, {5, 6}};

@@ -102,9 +102,12 @@ ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& schem
 }
 
 contact::ZoneLaw ContactEvaluator::law_of(std::size_t zone, const Frozen& frozen) const {
-  return {&model_.zones[zone], &coefficients_[zone],
-          variant_.friction_part * model_.zones[zone].settings.friction, frozen[zone].thresholds,
-          touched_[zone], system_.friction_directions[zone]};
+  return {&model_.zones[zone],
+          &coefficients_[zone],
+          variant_.friction_part * model_.zones[zone].settings.friction,
+          frozen[zone].thresholds,
+          touched_[zone],
+          system_.friction_directions[zone]};
 }
 
 ContactIterate ContactEvaluator::at(const State& trial, const Frozen& frozen) const {
@@ -283,8 +286,17 @@ bool ContactEvaluator::has_decisive_changes(const Frozen& frozen, const ContactI
       return iterate.status[z][i] != Status::open &&
              contact::force_of(law, i, iterate.points[z][i], iterate.status[z][i]).norm() > negligible;
     };
+    const auto force = [&](std::size_t i, Status status) -> Eigen::Vector3d {
+      if (status == Status::open)
+        return Eigen::Vector3d::Zero();
+      return contact::force_of(law, i, now.points[z][i], status);
+    };
+    const auto differs = [&](std::size_t i) {
+      return (force(i, now.status[z][i]) - force(i, before.status[z][i])).norm() > negligible;
+    };
     for (std::size_t i = 0; frozen[z].status.empty() && i < now.status[z].size(); ++i)
-      if (now.status[z][i] != before.status[z][i] && (presses(before, i) || presses(now, i)))
+      if (now.status[z][i] != before.status[z][i] && (presses(before, i) || presses(now, i)) &&
+          (!now.points[z][i].kinematics || differs(i)))
         return true;
   }
   return false;

@@ -94,8 +94,9 @@ public:
   /// Counts and names the points whose status changed between two iterates.
   void collect_status_changes(const Frozen& frozen, const ContactIterate& before, const ContactIterate& now,
                               StepReport& report) const;
-  /// Whether a point whose status changed between two iterates had or has a force of more than `negligible`:
-  /// where none has, as when all loads are gone, statuses are rounding.
+  /// Whether a point whose status changed between two iterates had or has a force of more than `negligible`,
+  /// and would have another, by more than that, with the status before. Else statuses are rounding: when all
+  /// loads are gone, or where points that slipped up to their limit are held there in steps that follow.
   bool has_decisive_changes(const Frozen& frozen, const ContactIterate& before, const ContactIterate& now,
                             double negligible) const;
   /// Whether no projection of a point in contact moved between two iterates, and exact gaps are closed.

@@ -7,8 +7,8 @@
 namespace rubato::step {
 namespace {
 
-/// Relative difference of forces that are the same.
-constexpr double rounding = 1e-9;
+/// Relative difference of forces that are the same: iterations may close in on a cycle.
+constexpr double rounding = 1e-6;
 
 constexpr int most_cycles = 3;
 
