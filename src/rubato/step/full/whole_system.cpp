@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/full/whole_system.hpp"
 
-#include "rubato/step/full/linear_step.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -99,17 +97,22 @@ bool WholeSystem::within_rounding(const State& trial, const Frozen& frozen) cons
   return equilibrium_.within_rounding(trial.motion, stiffness, 0, report_.tolerance);
 }
 
+/// Without contact zones the factored matrix is that of the whole system.
+std::optional<LinearSolution> WholeSystem::solution() const {
+  if (system_.compliance && model_.zones.empty())
+    return LinearSolution{system_.compliance->solve(-equilibrium_.residual()), {}};
+  return solve_full({model_, system_.matrix, scheme_.contact_weight(), contact_, equilibrium_.residual()});
+}
+
 std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen&, double part) {
-  const LinearProblem problem{model_, system_.matrix, scheme_.contact_weight(), contact_,
-                              equilibrium_.residual()};
-  const auto solution = solve_full(problem);
-  if (!solution || !solution->displacement.allFinite() || !solution->multipliers.allFinite())
+  const auto found = solution();
+  if (!found || !found->displacement.allFinite() || !found->multipliers.allFinite())
     return Outcome::singular_matrix;
-  const VectorXd d = model_.reduction.scatter(part * solution->displacement);
+  const VectorXd d = model_.reduction.scatter(part * found->displacement);
   time::correct(system_.coefficients, d, trial.motion);
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
-    trial.zones[z].multipliers += part * solution->multipliers.segment(model_.multiplier_offsets[z],
-                                                                       model_.zones[z].multiplier_count());
+    trial.zones[z].multipliers +=
+        part * found->multipliers.segment(model_.multiplier_offsets[z], model_.zones[z].multiplier_count());
   return std::nullopt;
 }
 

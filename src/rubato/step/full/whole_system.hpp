@@ -10,6 +10,7 @@
 
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/equilibrium.hpp"
+#include "rubato/step/full/linear_step.hpp"
 #include "rubato/step/progress.hpp"
 
 #include <optional>
@@ -38,6 +39,7 @@ public:
 private:
   void evaluate_contact(const State& trial, const Frozen& frozen, int iteration);
   void add_zone(std::size_t zone, const Frozen& frozen);
+  std::optional<LinearSolution> solution() const;
   bool within_rounding(const State& trial, const Frozen& frozen) const;
 
   const model::Model& model_;

@@ -57,6 +57,18 @@ TEST(AWholeSystemWithoutContact, IsSolvedByOneCorrection) {
   EXPECT_GT(attempt.trial.reaction.norm(), 0.01);
 }
 
+/// Which is done once for all steps.
+TEST(AWholeSystemWithoutContact, IsSolvedByTheFactoredMatrix) {
+  Attempt attempt(test::pulled_block, {{"time.scheme", "static"}});
+  ASSERT_TRUE(attempt.walk.model.zones.empty());
+  attempt.system.matrix.setZero();
+  EXPECT_FALSE(attempt.whole.start(attempt.trial, attempt.frozen));
+  attempt.evaluate(0);
+  EXPECT_FALSE(attempt.correct());
+  attempt.evaluate(1);
+  EXPECT_LT(attempt.whole.report().residual, 1e-12);
+}
+
 TEST(AWholeSystem, MovesByThePartOfTheCorrectionThatItIsTold) {
   Attempt all(test::block_on_plane), half(test::block_on_plane);
   const State before = all.trial;
