@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rubato::deck {
 namespace {
@@ -47,16 +50,33 @@ Function read_function(const Value& value) {
   return function;
 }
 
-/// The axis a word of `fix` means.
-std::optional<std::size_t> read_axis(const Value& value, const Context& context) {
+std::vector<std::string> axes_of(const Context& context) {
   const auto dimension = context.physics ? study::dimension_of(*context.physics) : 3;
-  return read_choice(value, {study::axis_words.begin(), study::axis_words.begin() + dimension});
+  return {study::axis_words.begin(), study::axis_words.begin() + dimension};
+}
+
+/// Axes that are written as one word, "xy" or "all".
+std::vector<std::string> axes_in(std::string_view word, const std::vector<std::string>& axes) {
+  if (word == "all")
+    return axes;
+  std::vector<std::string> found;
+  for (const char letter : word)
+    found.emplace_back(1, letter);
+  const bool known = std::ranges::all_of(
+      found, [&](const std::string& axis) { return std::ranges::find(axes, axis) != axes.end(); });
+  return known && found.size() > 1 ? found : std::vector<std::string>{};
 }
 
 void read_fixed(const Value& fix, const Context& context, study::Support& support) {
+  const auto axes = axes_of(context);
   const bool is_list = fix.tree().is(Tree::Kind::list);
+  if (const auto meant = axes_in(fix.tree().text, axes); fix.tree().is(Tree::Kind::word) && !meant.empty()) {
+    fix.fault(fmt::format("found '{}', expected one of {} or a list of them; did you mean [{}]?",
+                          fix.tree().text, fmt::join(axes, ", "), fmt::join(meant, ", ")));
+    return fix.spoil();
+  }
   for (const auto& word : is_list ? items(fix) : std::vector<Value>{fix}) {
-    const auto axis = read_axis(word, context);
+    const auto axis = read_choice(word, axes);
     if (!axis) {
       fix.spoil();
       continue;
