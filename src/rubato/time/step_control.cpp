@@ -13,8 +13,13 @@
 namespace rubato::time {
 namespace {
 
-/// A last step shorter than this part of the others is rounding of (end − begin)/step.
+/// Instants that differ by less than this part of a step are the same but for rounding.
 constexpr double sliver = 1e-6;
+
+/// A rest shorter than this part of a step is taken by the last one: in a step of its own, as where a step of
+/// 1/3 was written as 0.333, bodies have next to nothing but their inertia, and what meets then meets too
+/// hard.
+constexpr double short_rest = 1e-2;
 
 /// Steps whose lengths differ by less than this part are the same but for rounding.
 constexpr double same_length = 1e-9;
@@ -43,6 +48,19 @@ std::vector<double> with_stops(std::vector<double> instants, std::span<const dou
 
 namespace {
 
+/// Ends of even steps that a stop nearly meets move to it: what would be left between is no step.
+void move_to_stops(std::vector<double>& ends, double step, std::span<const double> stops) {
+  if (ends.size() < 3)
+    return;
+  const auto between = std::span(ends).subspan(1, ends.size() - 2);
+  for (const double stop : stops) {
+    const auto near = std::ranges::lower_bound(between, stop - short_rest * step);
+    if (near != between.end() && std::abs(*near - stop) <= short_rest * step &&
+        std::abs(*near - stop) > sliver * step)
+      *near = stop;
+  }
+}
+
 std::vector<double> listed_or_even(const study::TimeStepping& settings) {
   std::vector<double> instants{settings.begin};
   if (!settings.instants.empty()) {
@@ -52,10 +70,11 @@ std::vector<double> listed_or_even(const study::TimeStepping& settings) {
   }
   // Multiples of the step, not sums: a thousand additions of 1e-3 are not 1.
   const double span = settings.end - settings.begin;
-  const auto steps = static_cast<std::int64_t>(std::ceil(span / settings.step - sliver));
+  const auto steps = static_cast<std::int64_t>(std::ceil(span / settings.step - short_rest));
   for (std::int64_t i = 1; i < steps; ++i)
     instants.push_back(as_meant(settings.begin + static_cast<double>(i) * settings.step, settings.begin));
   instants.push_back(settings.end);
+  move_to_stops(instants, settings.step, settings.stops);
   return instants;
 }
 

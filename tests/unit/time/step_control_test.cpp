@@ -61,6 +61,26 @@ TEST(Instants, HaveNoSliverAtTheEnd) {
   EXPECT_EQ(instants_of(even(0.1, 0.3 - 1e-9)).size(), 4u);
 }
 
+TEST(Instants, LeaveAShortRestToTheLastStep) {
+  EXPECT_EQ(instants_of(even(0.1, 0.3009)), (Instants{0, 0.1, 0.2, 0.3009}));
+  EXPECT_EQ(instants_of(even(0.1, 0.302)), (Instants{0, 0.1, 0.2, 0.3, 0.302}));
+  EXPECT_EQ(instants_of(even(0.333, 1)), (Instants{0, 0.333, 0.666, 1}));
+  EXPECT_EQ(instants_of(even(0.334, 1)), (Instants{0, 0.334, 0.668, 1}));
+  EXPECT_EQ(instants_of(even(1000, 1)), (Instants{0, 1}));
+}
+
+TEST(Instants, MoveToStopsThatTheyNearlyMeet) {
+  auto settings = even(0.333, 1.5);
+  settings.stops = {0.3325, 1, 1.2};
+  EXPECT_EQ(instants_of(settings), (Instants{0, 0.3325, 0.666, 1, 1.2, 1.332, 1.5}));
+  settings.stops = {0.34, 0.665, 0.667};
+  EXPECT_EQ(instants_of(settings), (Instants{0, 0.333, 0.34, 0.665, 0.667, 0.999, 1.332, 1.5}))
+      << "two near one end";
+  settings = listed({0.1, 0.15, 0.7});
+  settings.stops = {0.1001};
+  EXPECT_EQ(instants_of(settings), (Instants{0, 0.1, 0.1001, 0.15, 0.7})) << "listed ones stay";
+}
+
 TEST(Instants, ListedOnesAreTakenAsTheyAre) {
   EXPECT_EQ(instants_of(listed({0.1, 0.15, 0.7})), (Instants{0, 0.1, 0.15, 0.7}));
 }
