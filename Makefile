@@ -84,7 +84,8 @@ verify: build ## the slow studies of docs/verification, their figures, and 50 ru
 	@RUBATO_KILLS=50 build/release/tests/restart/restart --gtest_brief=1 --gtest_filter='*KilledRun*'
 	@$(MAKE) --no-print-directory figures
 
-figures: ## docs/verification/*.svg from the runs that verify left (python3-matplotlib)
+figures: ## docs/verification/*.svg from the runs that verify left
+	@cmake/install-dependencies python3-matplotlib
 	/usr/bin/python3 docs/verification/draw_histories.py build/release/verification/sdnl140 docs/verification \
 	  $(wildcard $(or $(RUBATO_SHARED),../shared)/sdnl140/code_aster)
 
