@@ -7,12 +7,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace rubato::deck {
 namespace {
 
 std::vector<std::string> names_of_written(const std::vector<WrittenRun>& runs) {
   std::vector<std::string> names;
+  names.reserve(runs.size());
   for (const auto& run : runs)
     names.push_back(run.name.text);
   return names;
@@ -62,15 +64,16 @@ std::vector<ChosenRun> choose_runs(const Tree& deck, const std::vector<WrittenRu
   check_names(only, names_of_written(runs), faults);
   std::vector<std::string> sources;
   std::vector<ChosenRun> chosen;
-  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
-    const auto& name = run->name.text;
+  for (std::size_t left = runs.size(); left-- > 0;) {
+    const auto& run = runs[left];
+    const auto& name = run.name.text;
     const bool asked = only.empty() || std::ranges::find(only, name) != only.end();
     if (!asked && std::ranges::find(sources, name) == sources.end())
       continue;
-    ChosenRun one{&*run, asked};
+    ChosenRun one{&run, asked};
     Faults told_later;
     const auto tree = tree_of(deck, one, changes, told_later);
-    one.left = !asked && !same(tree, tree_of(deck, {&*run, true}, changes, told_later));
+    one.left = !asked && !same(tree, tree_of(deck, {&run, true}, changes, told_later));
     sources.push_back(source_of(tree));
     chosen.push_back(one);
   }

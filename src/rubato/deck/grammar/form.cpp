@@ -25,17 +25,17 @@ study::Range hull(const study::Range& one, const study::Range& other) {
 }
 
 Forms plain(Kind kind) {
-  return {Form{.kind = kind, .words = {}, .title = {}}};
+  return {Form{.kind = kind, .words = {}, .title = {}, .keys = {}}};
 }
 
 } // namespace
 
 Forms number(const study::Range& range) {
-  return {Form{.kind = Kind::number, .range = range, .words = {}, .title = {}}};
+  return {Form{.kind = Kind::number, .range = range, .words = {}, .title = {}, .keys = {}}};
 }
 
 Forms whole_number(const study::Range& range) {
-  return {Form{.kind = Kind::whole_number, .range = range, .words = {}, .title = {}}};
+  return {Form{.kind = Kind::whole_number, .range = range, .words = {}, .title = {}, .keys = {}}};
 }
 
 Forms truth() {
@@ -43,7 +43,7 @@ Forms truth() {
 }
 
 Forms word(std::vector<std::string> words) {
-  return {Form{.kind = Kind::word, .words = std::move(words), .title = {}}};
+  return {Form{.kind = Kind::word, .words = std::move(words), .title = {}, .keys = {}}};
 }
 
 Forms name() {
@@ -63,8 +63,13 @@ Forms expression() {
 }
 
 Forms list(Forms items, std::size_t least, std::size_t most) {
-  return {Form{
-      .kind = Kind::list, .words = {}, .of = std::move(items), .least = least, .most = most, .title = {}}};
+  return {Form{.kind = Kind::list,
+               .words = {},
+               .of = std::move(items),
+               .least = least,
+               .most = most,
+               .title = {},
+               .keys = {}}};
 }
 
 Forms map(std::string title, std::vector<Key> keys) {
@@ -72,7 +77,7 @@ Forms map(std::string title, std::vector<Key> keys) {
 }
 
 Forms named(Forms entries) {
-  return {Form{.kind = Kind::named, .words = {}, .of = std::move(entries), .title = {}}};
+  return {Form{.kind = Kind::named, .words = {}, .of = std::move(entries), .title = {}, .keys = {}}};
 }
 
 Forms either(Forms one, Forms other) {
@@ -90,6 +95,7 @@ Forms varying(Forms value) {
 
 std::vector<Key> components(const std::string& meaning, const Forms& forms) {
   std::vector<Key> keys;
+  keys.reserve(study::axis_words.size());
   for (const auto axis : study::axis_words)
     keys.push_back({std::string(axis), meaning + " along " + std::string(axis), forms});
   return keys;

@@ -42,7 +42,7 @@ struct Form {
   std::size_t least = 0;          ///< items of a list
   std::size_t most = any_count;   ///< items of a list, keys of a map in a list
   std::string title;              ///< of a map: what it describes
-  std::vector<Key> keys{};        ///< of a map
+  std::vector<Key> keys;          ///< of a map
 };
 
 struct Key {

@@ -24,6 +24,7 @@ template <class Words> std::vector<std::string> of_both(const Words& words_of_di
 /// A name of a group for each place of the grid.
 Forms groups(const std::string& title, const std::vector<std::string>& words) {
   std::vector<Key> keys;
+  keys.reserve(words.size());
   for (const auto& word : words)
     keys.push_back({word, "name of the group there", name()});
   return map(title, std::move(keys));

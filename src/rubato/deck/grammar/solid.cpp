@@ -69,6 +69,7 @@ Forms supports() {
 
 Forms loads() {
   std::vector<Key> kinds;
+  kinds.reserve(study::load_words.size());
   for (const auto& kind : study::load_words)
     kinds.push_back({std::string(kind.text), meaning_of(kind.value), load(kind.value)});
   auto entry = map("one load", std::move(kinds));
