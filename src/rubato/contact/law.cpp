@@ -362,10 +362,15 @@ PointState along(const Vector2d& direction, PointState point) {
   return point;
 }
 
-/// The answer along one direction; across it Λ = 0.
-PointResponse respond_along(const Vector2d& direction, const PointState& point, Status status, PointLaw law) {
+PointLaw in_all_directions(PointLaw law) {
   law.rubs_along.reset();
-  auto response = respond(along(direction, point), status, law);
+  return law;
+}
+
+/// The answer along one direction; across it Λ = 0.
+PointResponse respond_along(const Vector2d& direction, const PointState& point, Status status,
+                            const PointLaw& law) {
+  auto response = respond(along(direction, point), status, in_all_directions(law));
   const Matrix2d projector = direction * direction.transpose();
   for (const int variable : {slip, semi})
     for (auto* derivative : {&response.d_traction, &response.d_equations})
@@ -398,10 +403,11 @@ const FrictionLaw& friction_law(FrictionMethod method) {
   return friction_laws[static_cast<std::size_t>(method)];
 }
 
-Status wanted_status(const PointState& at, const PointLaw& law) {
+Status wanted_status(const PointState& point, const PointLaw& law) {
   if (law.tied)
     return Status::stick;
-  const PointState point = law.rubs_along ? along(*law.rubs_along, at) : at;
+  if (law.rubs_along)
+    return wanted_status(along(*law.rubs_along, point), in_all_directions(law));
   if (!law.stays_closed && !normal_law(law.method).touches(point, law))
     return Status::open;
   const bool sticks = law.friction > 0 && friction_pressure_of(point, law).value > 0 &&

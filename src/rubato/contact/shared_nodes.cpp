@@ -31,10 +31,10 @@ std::vector<std::vector<PointOfZone>> points_of_shared_nodes(std::span<const Zon
   return groups;
 }
 
-FrictionDirections common_directions(const Kinematics& of, std::span<const Eigen::Vector3d> other_normals) {
+FrictionDirections common_directions(const Kinematics& of, std::span<const Eigen::Vector3d> normals) {
   const bool in_plane = of.stencil.components == 2;
   FrictionDirections left;
-  for (const auto& normal : other_normals) {
+  for (const auto& normal : normals) {
     const Eigen::Vector2d across = of.tangents.transpose() * normal;
     const double size = in_plane ? std::abs(across[0]) : across.norm();
     if (size <= same_surface)

@@ -33,8 +33,8 @@ struct FrictionDirections {
 /// excluded ones and those that share multipliers with others are in none.
 std::vector<std::vector<PointOfZone>> points_of_shared_nodes(std::span<const Zone> zones);
 
-/// What is tangential to the surface of a point and to those with the other normals, unit vectors. Normals
-/// within 10 degrees of the point's count as the same surface.
-FrictionDirections common_directions(const Kinematics& of, std::span<const Eigen::Vector3d> other_normals);
+/// What is tangential to the surface of a point and to those with these normals, unit vectors. Normals within
+/// 10 degrees of the point's, its own too, count as the same surface.
+FrictionDirections common_directions(const Kinematics& of, std::span<const Eigen::Vector3d> normals);
 
 } // namespace rubato::contact

@@ -103,7 +103,7 @@ private:
 
   /// Also counts what earlier attempts have cost.
   StepReport solve(const RetrySettings& variant, State& trial) {
-    const ContactEvaluator side(model_, scheme_, system_, committed_, variant);
+    ContactEvaluator side(model_, scheme_, system_, committed_, variant);
     auto report =
         can_condense(model_, system_) ? solve_by<Condensed>(side, trial) : solve_by<WholeSystem>(side, trial);
     report.iterations = spent_ += report.iterations;
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  template <NewtonSystem Solver> StepReport solve_by(const ContactEvaluator& side, State& trial) {
+  template <NewtonSystem Solver> StepReport solve_by(ContactEvaluator& side, State& trial) {
     Solver solver(model_, scheme_, system_, committed_, t_, side, progress_);
     return solve_levels(
         model_, side,

@@ -24,30 +24,38 @@ study::Range hull(const study::Range& one, const study::Range& other) {
   return range;
 }
 
-Forms plain(Kind kind) {
-  return {Form{.kind = kind, .words = {}, .title = {}, .keys = {}}};
+Form of(Kind kind) {
+  return {.kind = kind, .words = {}, .title = {}, .keys = {}};
+}
+
+Forms of_numbers(Kind kind, const study::Range& range) {
+  auto form = of(kind);
+  form.range = range;
+  return {std::move(form)};
 }
 
 } // namespace
 
 Forms number(const study::Range& range) {
-  return {Form{.kind = Kind::number, .range = range, .words = {}, .title = {}, .keys = {}}};
+  return of_numbers(Kind::number, range);
 }
 
 Forms whole_number(const study::Range& range) {
-  return {Form{.kind = Kind::whole_number, .range = range, .words = {}, .title = {}, .keys = {}}};
+  return of_numbers(Kind::whole_number, range);
 }
 
 Forms truth() {
-  return plain(Kind::truth);
+  return {of(Kind::truth)};
 }
 
 Forms word(std::vector<std::string> words) {
-  return {Form{.kind = Kind::word, .words = std::move(words), .title = {}, .keys = {}}};
+  auto form = of(Kind::word);
+  form.words = std::move(words);
+  return {std::move(form)};
 }
 
 Forms name() {
-  return plain(Kind::name);
+  return {of(Kind::name)};
 }
 
 Forms names() {
@@ -55,29 +63,32 @@ Forms names() {
 }
 
 Forms text() {
-  return plain(Kind::text);
+  return {of(Kind::text)};
 }
 
 Forms expression() {
-  return plain(Kind::expression);
+  return {of(Kind::expression)};
 }
 
 Forms list(Forms items, std::size_t least, std::size_t most) {
-  return {Form{.kind = Kind::list,
-               .words = {},
-               .of = std::move(items),
-               .least = least,
-               .most = most,
-               .title = {},
-               .keys = {}}};
+  auto form = of(Kind::list);
+  form.of = std::move(items);
+  form.least = least;
+  form.most = most;
+  return {std::move(form)};
 }
 
 Forms map(std::string title, std::vector<Key> keys) {
-  return {Form{.kind = Kind::map, .words = {}, .title = std::move(title), .keys = std::move(keys)}};
+  auto form = of(Kind::map);
+  form.title = std::move(title);
+  form.keys = std::move(keys);
+  return {std::move(form)};
 }
 
 Forms named(Forms entries) {
-  return {Form{.kind = Kind::named, .words = {}, .of = std::move(entries), .title = {}, .keys = {}}};
+  auto form = of(Kind::named);
+  form.of = std::move(entries);
+  return {std::move(form)};
 }
 
 Forms either(Forms one, Forms other) {

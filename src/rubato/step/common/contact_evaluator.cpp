@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace rubato::step {
 namespace {
@@ -75,15 +74,47 @@ std::vector<double> activation_gaps(const contact::ZoneState& zone) {
   return gaps;
 }
 
+struct PointWithStatus {
+  const PointEvaluation& point;
+  Status status;
+};
+
+/// Zero of a point that is open.
+Eigen::Vector3d force_of(const contact::ZoneLaw& law, std::size_t index, const PointWithStatus& at) {
+  return at.status == Status::open ? Eigen::Vector3d::Zero()
+                                   : contact::force_of(law, index, at.point, at.status);
+}
+
+/// Whether the change of a point's status makes a force of more than `negligible` another one. A point that
+/// pressed and faces nothing now has no force to compare with.
+bool is_decisive(const contact::ZoneLaw& law, std::size_t index, const PointWithStatus& before,
+                 const PointWithStatus& now, double negligible) {
+  const Eigen::Vector3d force = force_of(law, index, now);
+  if (force_of(law, index, before).norm() <= negligible && force.norm() <= negligible)
+    return false;
+  return !now.point.kinematics ||
+         (force - force_of(law, index, {now.point, before.status})).norm() > negligible;
+}
+
+/// Directions that friction of a point has lost are not given back in the same attempt.
+void keep_fewer(const contact::FrictionDirections& found, std::size_t point, std::size_t points,
+                std::vector<contact::FrictionDirections>& of_zone) {
+  if (found.count == contact::FrictionDirections{}.count)
+    return;
+  of_zone.resize(points);
+  if (found.count < of_zone[point].count)
+    of_zone[point] = found;
+}
+
 } // namespace
 
 ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                                    const State& committed, const RetrySettings& variant)
-    : model_(model), system_(system), committed_(committed), variant_(variant), coefficients_(system.zones) {
+    : model_(model), system_(system), committed_(committed), variant_(variant), coefficients_(system.zones),
+      directions_(model.zones.size()) {
   for (std::size_t z = 0; z < coefficients_.size(); ++z)
     contact::scale_augmentations(model.zones[z], variant.normal_multiple, variant.tangential_multiple,
                                  coefficients_[z]);
-  system.friction_directions.assign(model.zones.size(), {});
   for (std::size_t z = 0; z < model.zones.size(); ++z) {
     touched_.push_back(contact::touched_points(model.zones[z], committed.zones[z]));
     contact::begin_step(system.discretisations[z], committed.zones[z]);
@@ -107,7 +138,7 @@ contact::ZoneLaw ContactEvaluator::law_of(std::size_t zone, const Frozen& frozen
           variant_.friction_part * model_.zones[zone].settings.friction,
           frozen[zone].thresholds,
           touched_[zone],
-          system_.friction_directions[zone]};
+          directions_[zone]};
 }
 
 ContactIterate ContactEvaluator::at(const State& trial, const Frozen& frozen) const {
@@ -210,23 +241,18 @@ bool ContactEvaluator::presses(const Frozen& frozen, const ContactIterate& now,
          contact::wanted_status(point.variables, law_of(at.zone, frozen).of_point(at.point)) != Status::open;
 }
 
-void ContactEvaluator::restrict_friction(const Frozen& frozen, const ContactIterate& now) const {
+void ContactEvaluator::restrict_friction(const Frozen& frozen, const ContactIterate& now) {
   for (const auto& group : model_.shared_nodes) {
     std::vector<contact::PointOfZone> pressing;
-    std::ranges::copy_if(group, std::back_inserter(pressing),
-                         [&](const auto& point) { return presses(frozen, now, point); });
-    for (const auto& [zone, point] : pressing) {
-      std::vector<Eigen::Vector3d> others;
-      for (const auto& other : pressing)
-        if (other.zone != zone || other.point != point)
-          others.push_back(now.points[other.zone][other.point].kinematics->normal);
-      const auto found = contact::common_directions(*now.points[zone][point].kinematics, others);
-      auto& of_zone = system_.friction_directions[zone];
-      if (of_zone.empty() && found.count < 2)
-        of_zone.resize(now.points[zone].size());
-      if (!of_zone.empty() && found.count < of_zone[point].count)
-        of_zone[point] = found;
-    }
+    std::vector<Eigen::Vector3d> normals;
+    for (const auto& at : group)
+      if (presses(frozen, now, at)) {
+        pressing.push_back(at);
+        normals.push_back(now.points[at.zone][at.point].kinematics->normal);
+      }
+    for (const auto& [zone, point] : pressing)
+      keep_fewer(contact::common_directions(*now.points[zone][point].kinematics, normals), point,
+                 now.points[zone].size(), directions_[zone]);
   }
 }
 
@@ -281,22 +307,13 @@ void ContactEvaluator::collect_status_changes(const Frozen& frozen, const Contac
 bool ContactEvaluator::has_decisive_changes(const Frozen& frozen, const ContactIterate& before,
                                             const ContactIterate& now, double negligible) const {
   for (std::size_t z = 0; z < now.status.size(); ++z) {
+    if (!frozen[z].status.empty())
+      continue;
     const auto law = law_of(z, frozen);
-    const auto presses = [&](const ContactIterate& iterate, std::size_t i) {
-      return iterate.status[z][i] != Status::open &&
-             contact::force_of(law, i, iterate.points[z][i], iterate.status[z][i]).norm() > negligible;
-    };
-    const auto force = [&](std::size_t i, Status status) -> Eigen::Vector3d {
-      if (status == Status::open)
-        return Eigen::Vector3d::Zero();
-      return contact::force_of(law, i, now.points[z][i], status);
-    };
-    const auto differs = [&](std::size_t i) {
-      return (force(i, now.status[z][i]) - force(i, before.status[z][i])).norm() > negligible;
-    };
-    for (std::size_t i = 0; frozen[z].status.empty() && i < now.status[z].size(); ++i)
-      if (now.status[z][i] != before.status[z][i] && (presses(before, i) || presses(now, i)) &&
-          (!now.points[z][i].kinematics || differs(i)))
+    for (std::size_t i = 0; i < now.status[z].size(); ++i)
+      if (now.status[z][i] != before.status[z][i] &&
+          is_decisive(law, i, {before.points[z][i], before.status[z][i]},
+                      {now.points[z][i], now.status[z][i]}, negligible))
         return true;
   }
   return false;

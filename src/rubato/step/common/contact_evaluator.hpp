@@ -82,7 +82,7 @@ public:
   void start_iterations() const;
   /// Friction of nodes with several points that press in `now` acts along directions tangential to all of
   /// their surfaces for the rest of the attempt (contact/shared_nodes.hpp).
-  void restrict_friction(const Frozen& frozen, const ContactIterate& now) const;
+  void restrict_friction(const Frozen& frozen, const ContactIterate& now);
   /// Lets points go that stay on a face they stand beyond (contact/neighbours.hpp). Whether there were any.
   bool release_beyond_borders() const;
 
@@ -137,6 +137,8 @@ private:
   RetrySettings variant_;
   std::vector<contact::ZoneCoefficients> coefficients_;
   std::vector<std::vector<std::uint8_t>> touched_; ///< of each zone, where it is bilateral
+  /// Of every zone's points in this attempt; none of a zone: all.
+  std::vector<std::vector<contact::FrictionDirections>> directions_;
   std::vector<std::vector<contact::PointEvaluation>>
       frames_; ///< of every zone, where contact is a law of velocities; else none
   std::vector<std::vector<double>> activation_gaps_; ///< theirs

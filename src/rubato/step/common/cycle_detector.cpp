@@ -8,7 +8,7 @@ namespace rubato::step {
 namespace {
 
 /// Relative difference of forces that are the same: iterations may close in on a cycle.
-constexpr double rounding = 1e-6;
+constexpr double same_forces = 1e-6;
 
 constexpr int most_cycles = 3;
 
@@ -19,7 +19,8 @@ constexpr double damped = 0.4;
 
 std::optional<int> CycleDetector::length_of_cycle(const ContactIterate& iterate, double size_of_forces) {
   const auto same = std::ranges::find_if(met_, [&](const Met& met) {
-    return std::abs(met.size - size_of_forces) <= rounding * size_of_forces && met.status == iterate.status;
+    return std::abs(met.size - size_of_forces) <= same_forces * size_of_forces &&
+           met.status == iterate.status;
   });
   if (same != met_.end())
     return static_cast<int>(met_.end() - same);

@@ -31,8 +31,6 @@ struct EffectiveSystem {
   Eigen::VectorXd diagonal;     ///< of every dof, constrained ones included
   std::vector<contact::ZoneCoefficients> zones;
   std::vector<contact::Discretisation> discretisations; ///< of every zone, kept from one iterate to the next
-  /// Of every zone's points in the attempt at hand, where nodes have several; none of a zone: all.
-  std::vector<std::vector<contact::FrictionDirections>> friction_directions;
   /// The factored matrix; nothing when every iteration solves the whole system.
   std::unique_ptr<Compliance> compliance;
   std::shared_ptr<CondensedScratch> scratch; ///< of condensed steps with this matrix

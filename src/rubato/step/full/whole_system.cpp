@@ -13,7 +13,7 @@ using model::Model;
 } // namespace
 
 WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                         const State& committed, double t, const ContactEvaluator& side, Progress&)
+                         const State& committed, double t, ContactEvaluator& side, Progress&)
     : model_(model), scheme_(scheme), system_(system), side_(side),
       equilibrium_(model, scheme, system, committed, t),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {}

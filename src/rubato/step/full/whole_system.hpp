@@ -21,7 +21,7 @@ class WholeSystem {
 public:
   /// Everything must outlive this. It has no loop of its own that would need the progress.
   WholeSystem(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-              const State& committed, double t, const ContactEvaluator& side, Progress& progress);
+              const State& committed, double t, ContactEvaluator& side, Progress& progress);
 
   // As NewtonSystem asks (common/newton.hpp).
   std::optional<Outcome> start(State& trial, const Frozen& frozen);
@@ -45,7 +45,7 @@ private:
   const model::Model& model_;
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
-  const ContactEvaluator& side_;
+  ContactEvaluator& side_;
   Equilibrium equilibrium_;
   contact::ContactSystem contact_;
   ContactForce force_;

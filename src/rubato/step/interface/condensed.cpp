@@ -92,7 +92,7 @@ std::optional<Start> other_start(const Model& model, const EffectiveSystem& syst
 }
 
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                     const State& committed, double t, const ContactEvaluator& side, Progress& progress)
+                     const State& committed, double t, ContactEvaluator& side, Progress& progress)
     : model_(model), scheme_(scheme), system_(system), side_(side), progress_(progress),
       equilibrium_(model, scheme, system, committed, t), scratch_(scratch_of(model, system, scheme)),
       scale_(committed.force_scale), reach_(reach_of(model, system)), surface_(model, scheme, system) {}

@@ -62,7 +62,7 @@ class Condensed {
 public:
   /// Everything must outlive this.
   Condensed(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-            const State& committed, double t, const ContactEvaluator& side, Progress& progress);
+            const State& committed, double t, ContactEvaluator& side, Progress& progress);
 
   // As NewtonSystem asks (common/newton.hpp).
   std::optional<Outcome> start(State& trial, const Frozen& frozen);
@@ -113,7 +113,7 @@ private:
   const model::Model& model_;
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
-  const ContactEvaluator& side_;
+  ContactEvaluator& side_;
   Progress& progress_;
   Equilibrium equilibrium_;
   CondensedScratch& scratch_;

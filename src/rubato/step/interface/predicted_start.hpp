@@ -30,7 +30,7 @@ Reach reach_of(const model::Model& model, const EffectiveSystem& system);
 struct PredictorSite {
   const model::Model& model;
   EffectiveSystem& system;
-  const ContactEvaluator& side;
+  ContactEvaluator& side;
   const Frozen& frozen;
   Equilibrium& equilibrium;
   Progress& progress;

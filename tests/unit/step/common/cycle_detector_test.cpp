@@ -90,7 +90,7 @@ constexpr double coupling = -0.1625e6; ///< of x and y
 
 template <class Solver> StepReport attempt(test::Walk& walk, Start start) {
   auto system = make_effective_system(walk.model, walk.scheme, 1);
-  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {.start = start});
+  ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {.start = start});
   Progress progress;
   Solver solver(walk.model, walk.scheme, system, walk.state(), 1, side, progress);
   auto trial = predict(walk.model, walk.scheme, system, walk.state(), 1);

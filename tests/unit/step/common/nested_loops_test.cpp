@@ -125,7 +125,7 @@ TEST(ALoopOfTheStatusThatDoesNotSettle, SaysSo) {
   auto system = make_effective_system(walk.model, walk.scheme, walk.length());
   const double t = walk.target();
   State trial = predict(walk.model, walk.scheme, system, walk.state(), t);
-  const ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {});
+  ContactEvaluator side(walk.model, walk.scheme, system, walk.state(), {});
   Progress progress;
   WholeSystem whole(walk.model, walk.scheme, system, walk.state(), t, side, progress);
   const auto report = solve_levels(

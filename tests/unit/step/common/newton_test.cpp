@@ -72,7 +72,7 @@ Iterates iterates_of(Changes changes) {
     auto system = make_effective_system(model, walk.scheme, walk.length());
     const double t = walk.target();
     found.end = predict(model, walk.scheme, system, walk.state(), t);
-    const ContactEvaluator side(model, walk.scheme, system, walk.state(), {.start = Start::last_step});
+    ContactEvaluator side(model, walk.scheme, system, walk.state(), {.start = Start::last_step});
     Progress progress;
     WholeSystem whole(model, walk.scheme, system, walk.state(), t, side, progress);
     const auto report = run_newton(whole, iterations, progress, found.end, Frozen(model.zones.size()));
