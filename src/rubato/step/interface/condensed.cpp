@@ -27,8 +27,8 @@ constexpr double nearly_balanced = 1e-6;
 constexpr int plain_iterations = 8;
 constexpr int plain_iterations_of_few = 2;
 constexpr Index few_motions = 3;
-/// Iterations before the history of others counts: most steps end without one.
-constexpr int first_remembered = 2;
+/// Iterations before the history of others counts.
+constexpr int first_remembered = 1;
 /// Bounds of the shift along a rigid motion, in parts of the reach.
 constexpr double least_shift = 1e-6;
 constexpr double most_shift = 1e-2;
