@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/constraint/reduction.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -9,42 +11,149 @@ namespace rubato::constraint {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-bool operator==(const PrescribedDof& a, const PrescribedDof& b) {
+bool operator==(const ImposedValue& a, const ImposedValue& b) {
   const bool same_field = a.field && b.field
                               ? *a.field->field == *b.field->field && a.field->place == b.field->place
                               : !a.field && !b.field;
-  return same_field && a.dof == b.dof && a.value == b.value && a.function == b.function;
+  return same_field && a.value == b.value && a.function == b.function;
+}
+
+double value_at(const ImposedValue& imposed, double t) {
+  if (imposed.field)
+    return imposed.field->field->at(imposed.field->place, t);
+  return imposed.value * (imposed.function ? rubato::value_at(*imposed.function, t) : 1.0);
 }
 
 double displacement_of(const PrescribedDof& prescribed, double t) {
-  if (prescribed.field)
-    return prescribed.field->field->at(prescribed.field->place, t);
-  return prescribed.value * (prescribed.function ? value_at(*prescribed.function, t) : 1.0);
+  return value_at(prescribed.imposed, t);
 }
 
 Reduction::Reduction(int dof_count, std::vector<PrescribedDof> prescribed)
-    : prescribed_(std::move(prescribed)), unknown_of_(static_cast<std::size_t>(dof_count), 0) {
+    : Reduction(dof_count, std::move(prescribed), {}, {}) {}
+
+Reduction::Reduction(int dof_count, std::vector<PrescribedDof> prescribed,
+                     std::vector<DependentDof> dependents, std::vector<ImposedValue> right_sides)
+    : prescribed_(std::move(prescribed)), dependents_(std::move(dependents)),
+      right_sides_(std::move(right_sides)), unknown_of_(static_cast<std::size_t>(dof_count), 0) {
+  mark_prescribed();
+  mark_dependents();
+  number_free();
+  check_dependents();
+  collect_reacting();
+}
+
+void Reduction::mark_prescribed() {
   int last = -1;
   for (const auto& entry : prescribed_) {
-    if (entry.dof <= last || entry.dof >= dof_count)
+    if (entry.dof <= last || entry.dof >= dof_count())
       throw std::invalid_argument("prescribed dofs must ascend and be dofs of the domain");
     last = entry.dof;
-    unknown_of_[static_cast<std::size_t>(entry.dof)] = -1;
+    unknown_of_[static_cast<std::size_t>(entry.dof)] = prescribed_mark;
   }
-  for (int dof = 0; dof < dof_count; ++dof)
+}
+
+void Reduction::mark_dependents() {
+  int last = -1;
+  int mark = first_dependent_mark;
+  for (const auto& entry : dependents_) {
+    if (entry.dof <= last || entry.dof >= dof_count() || is_prescribed(entry.dof))
+      throw std::invalid_argument("dependent dofs must ascend and be dofs of the domain without a support");
+    last = entry.dof;
+    unknown_of_[static_cast<std::size_t>(entry.dof)] = entry.of.empty() ? prescribed_mark : mark;
+    --mark;
+  }
+}
+
+void Reduction::number_free() {
+  for (int dof = 0; dof < dof_count(); ++dof)
     if (auto& unknown = unknown_of_[static_cast<std::size_t>(dof)]; unknown == 0) {
       unknown = static_cast<int>(free_dofs_.size());
       free_dofs_.push_back(dof);
     }
 }
 
+void Reduction::check_dependents() const {
+  for (const auto& dependent : dependents_)
+    for (const auto& term : dependent.of)
+      if (term.dof < 0 || term.dof >= dof_count() || unknown_of(term.dof) < 0)
+        throw std::invalid_argument("dependent dofs must depend on free ones");
+}
+
+void Reduction::collect_reacting() {
+  for (const auto& entry : prescribed_)
+    reacting_.push_back(entry.dof);
+  for (const auto& entry : dependents_) {
+    reacting_.push_back(entry.dof);
+    for (const auto& term : entry.of)
+      reacting_.push_back(term.dof);
+  }
+  std::ranges::sort(reacting_);
+  reacting_.erase(std::unique(reacting_.begin(), reacting_.end()), reacting_.end());
+}
+
+double Reduction::given_part(const DependentDof& dependent, double t) const {
+  double sum = 0;
+  for (const auto& term : dependent.prescribed) {
+    const auto at = std::ranges::lower_bound(prescribed_, term.dof, {}, &PrescribedDof::dof);
+    sum += term.coefficient * displacement_of(*at, t);
+  }
+  for (const auto& term : dependent.given)
+    sum += term.coefficient * value_at(right_sides_[static_cast<std::size_t>(term.dof)], t);
+  return sum;
+}
+
+VectorXd Reduction::gather(const VectorXd& full) const {
+  VectorXd unknowns = full(free_dofs_);
+  for (const auto& dependent : dependents_)
+    for (const auto& term : dependent.of)
+      unknowns[unknown_of(term.dof)] += term.coefficient * full[dependent.dof];
+  return unknowns;
+}
+
+VectorXd Reduction::gather_magnitudes(const VectorXd& full) const {
+  VectorXd unknowns = full(free_dofs_);
+  for (const auto& dependent : dependents_)
+    for (const auto& term : dependent.of)
+      unknowns[unknown_of(term.dof)] += std::abs(term.coefficient) * full[dependent.dof];
+  return unknowns;
+}
+
 VectorXd Reduction::scatter(const VectorXd& unknowns) const {
   VectorXd full = VectorXd::Zero(dof_count());
   full(free_dofs_) = unknowns;
+  relate(full);
   return full;
 }
 
+void Reduction::relate(VectorXd& rates) const {
+  for (const auto& dependent : dependents_) {
+    double sum = 0;
+    for (const auto& term : dependent.of)
+      sum += term.coefficient * rates[term.dof];
+    rates[dependent.dof] = sum;
+  }
+}
+
 SparseMatrix Reduction::reduced(const SparseMatrix& matrix) const {
+  if (dependents_.empty())
+    return selected(matrix);
+  const SparseMatrix t = this->t();
+  const SparseMatrix right = matrix * t;
+  return SparseMatrix(t.transpose()) * right;
+}
+
+SparseMatrix Reduction::t() const {
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (int dof = 0; dof < dof_count(); ++dof)
+    for_each_unknown(
+        dof, [&](int unknown, double coefficient) { entries.emplace_back(dof, unknown, coefficient); });
+  SparseMatrix t(dof_count(), unknown_count());
+  t.setFromTriplets(entries.begin(), entries.end());
+  return t;
+}
+
+/// Tᵀ A T where T only selects.
+SparseMatrix Reduction::selected(const SparseMatrix& matrix) const {
   const Index size = unknown_count();
   SparseMatrix part(size, size);
   part.resizeNonZeros(matrix.nonZeros());
@@ -73,19 +182,28 @@ VectorXd Reduction::imposed(double t) const {
 void Reduction::impose(double t, VectorXd& u) const {
   for (const auto& entry : prescribed_)
     u[entry.dof] = displacement_of(entry, t);
+  relate(u);
+  for (const auto& dependent : dependents_)
+    u[dependent.dof] += given_part(dependent, t);
 }
 
 VectorXd Reduction::correction(double t, const VectorXd& u) const {
   VectorXd d = VectorXd::Zero(dof_count());
   for (const auto& entry : prescribed_)
     d[entry.dof] = displacement_of(entry, t) - u[entry.dof];
+  for (const auto& dependent : dependents_) {
+    double sum = given_part(dependent, t);
+    for (const auto& term : dependent.of)
+      sum += term.coefficient * u[term.dof];
+    d[dependent.dof] = sum - u[dependent.dof];
+  }
   return d;
 }
 
 VectorXd Reduction::reaction(const VectorXd& residual) const {
   VectorXd forces = VectorXd::Zero(dof_count());
-  for (const auto& entry : prescribed_)
-    forces[entry.dof] = residual[entry.dof];
+  for (const int dof : reacting_)
+    forces[dof] = residual[dof];
   return forces;
 }
 

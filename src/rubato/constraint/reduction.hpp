@@ -24,47 +24,93 @@ struct FieldAtPlace {
   std::array<double, 3> place{};
 };
 
-/// A displacement that is prescribed: value times function (1 when there is none), or a field.
-struct PrescribedDof {
-  int dof = 0;
-  double value = 0; ///< [length]
+/// A value times function (1 when there is none), or a field.
+struct ImposedValue {
+  double value = 0; ///< of a dof [length], of an equation what its left side has
   std::optional<Function> function;
   std::shared_ptr<const FieldAtPlace> field = {}; ///< instead of value and function; few have one
+
+  bool varies_in_time() const { return function.has_value() || field != nullptr; }
 };
 
-/// Whether they prescribe the same of the same dof.
-bool operator==(const PrescribedDof& a, const PrescribedDof& b);
+/// Whether they are the same value of time.
+bool operator==(const ImposedValue& a, const ImposedValue& b);
 
-/// What it is at instant t [length]. Throws InputError when a field is no finite number there.
+/// What it is at instant t. Throws InputError when a field is no finite number there.
+double value_at(const ImposedValue& imposed, double t);
+
+/// A displacement that is prescribed.
+struct PrescribedDof {
+  int dof = 0;
+  ImposedValue imposed;
+  bool operator==(const PrescribedDof&) const = default;
+};
+
+/// What it is at instant t [length].
 double displacement_of(const PrescribedDof& prescribed, double t);
+
+/// coefficient · u_dof
+struct Term {
+  int dof = 0;
+  double coefficient = 0;
+  bool operator==(const Term&) const = default;
+};
+
+/// A dof that relations give: Σ of.coefficient u_of.dof + g(t), the g of the Reduction it belongs to.
+struct DependentDof {
+  int dof = 0;
+  std::vector<Term> of;         ///< free dofs, ascending; none where nothing unknown moves it
+  std::vector<Term> prescribed; ///< part of g: prescribed dofs
+  std::vector<Term> given;      ///< part of g: right sides of equations, their numbers in place of dofs
+};
 
 /// The displacements u of all dofs as functions of the unknowns q and of time, u = T q + g(t). Forces on
 /// the unknowns are Tᵀ f, matrices Tᵀ A T.
 ///
-/// There are supports only: an unknown is a free dof, T selects them and g is what supports prescribe, 0 on
-/// free dofs. Everything works by index, T is never stored. free_dofs(), unknown_of() and is_prescribed()
-/// rest on that; the rest is meant for any T.
+/// Each unknown is the displacement of a free dof. Supports prescribe dofs, relations (constraint/
+/// elimination.hpp) make dofs depend on free and prescribed ones: T has a row of one 1 for a free dof, none
+/// for a prescribed one, the coefficients of the relation for a dependent one.
 class Reduction {
 public:
   /// No dofs.
   Reduction() = default;
-  /// `prescribed`: ascending by dof, one each at most, below `dof_count`; throws std::invalid_argument
-  /// otherwise.
+  /// Supports only. `prescribed`: ascending by dof, one each at most, below `dof_count`; throws
+  /// std::invalid_argument otherwise.
   Reduction(int dof_count, std::vector<PrescribedDof> prescribed);
+  /// With relations. `dependents`: ascending by dof, none of them prescribed; `right_sides`: those that they
+  /// count. Throws std::invalid_argument where a dependent dof depends on one that is not free.
+  Reduction(int dof_count, std::vector<PrescribedDof> prescribed, std::vector<DependentDof> dependents,
+            std::vector<ImposedValue> right_sides);
 
   Eigen::Index dof_count() const { return static_cast<Eigen::Index>(unknown_of_.size()); }
   Eigen::Index unknown_count() const { return static_cast<Eigen::Index>(free_dofs_.size()); }
 
   /// The dof of each unknown, ascending.
   const std::vector<int>& free_dofs() const { return free_dofs_; }
-  /// The unknown that a dof is; −1 when it is prescribed.
+  /// The unknown that a dof is; below 0 when it is prescribed or dependent.
   int unknown_of(int dof) const { return unknown_of_[static_cast<std::size_t>(dof)]; }
-  bool is_prescribed(int dof) const { return unknown_of(dof) < 0; }
-  /// Ascending by dof.
+  /// Whether nothing unknown moves it.
+  bool is_prescribed(int dof) const { return unknown_of(dof) == prescribed_mark; }
+  /// Ascending by dof: those of supports.
   std::span<const PrescribedDof> prescribed() const { return prescribed_; }
+  /// Ascending by dof.
+  std::span<const DependentDof> dependents() const { return dependents_; }
+  /// Of one of dependents(): what no unknown gives of it, g(t) [length].
+  double given_part(const DependentDof& dependent, double t) const;
+  /// Calls take(unknown, coefficient) for every entry of a dof's row of T.
+  template <class Take> void for_each_unknown(int dof, const Take& take) const {
+    const int unknown = unknown_of(dof);
+    if (unknown >= 0)
+      take(unknown, 1.0);
+    else if (unknown < prescribed_mark)
+      for (const auto& term : dependents_[static_cast<std::size_t>(first_dependent_mark - unknown)].of)
+        take(unknown_of(term.dof), term.coefficient);
+  }
 
   /// Tᵀ f: `full` has an entry a dof, the answer one an unknown.
-  Eigen::VectorXd gather(const Eigen::VectorXd& full) const { return full(free_dofs_); }
+  Eigen::VectorXd gather(const Eigen::VectorXd& full) const;
+  /// The same with the magnitudes of the coefficients: a bound of rounding.
+  Eigen::VectorXd gather_magnitudes(const Eigen::VectorXd& full) const;
   /// T q: `unknowns` has an entry an unknown, the answer one a dof, 0 on prescribed ones.
   Eigen::VectorXd scatter(const Eigen::VectorXd& unknowns) const;
   /// Tᵀ A T of a square matrix with a row a dof.
@@ -72,19 +118,37 @@ public:
 
   /// g(t), an entry a dof [length].
   Eigen::VectorXd imposed(double t) const;
-  /// Puts the prescribed displacements of instant t into u, an entry a dof [length].
+  /// Puts the displacements of instant t that are not free into u, an entry a dof [length].
   void impose(double t, Eigen::VectorXd& u) const;
-  /// d with which u + d has the prescribed displacements of instant t and u's own elsewhere [length].
+  /// The same of rates of displacements, whose g is 0: of dependent dofs only.
+  void relate(Eigen::VectorXd& rates) const;
+  /// d with which u + d has the displacements of instant t that are not free, and u's own elsewhere [length].
   Eigen::VectorXd correction(double t, const Eigen::VectorXd& u) const;
 
-  /// What holds the prescribed dofs where `residual`, an entry a dof, is left of all other forces: its
-  /// entries there, 0 on free dofs [force].
+  /// Where supports and relations act: prescribed dofs, dependent ones and what these depend on, ascending.
+  const std::vector<int>& reacting_dofs() const { return reacting_; }
+  /// What holds and ties the dofs where `residual`, an entry a dof, is left of all other forces: its entries
+  /// on reacting_dofs(), 0 on the others [force].
   Eigen::VectorXd reaction(const Eigen::VectorXd& residual) const;
 
 private:
+  static constexpr int prescribed_mark = -1;
+  static constexpr int first_dependent_mark = -2; ///< dependents count down from here
+
+  void mark_prescribed();
+  void mark_dependents();
+  void number_free();
+  void collect_reacting();
+  void check_dependents() const;
+  SparseMatrix selected(const SparseMatrix& matrix) const;
+  SparseMatrix t() const;
+
   std::vector<PrescribedDof> prescribed_;
+  std::vector<DependentDof> dependents_;
+  std::vector<ImposedValue> right_sides_;
   std::vector<int> free_dofs_;
   std::vector<int> unknown_of_; ///< by dof
+  std::vector<int> reacting_;
 };
 
 } // namespace rubato::constraint

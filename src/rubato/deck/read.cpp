@@ -93,6 +93,7 @@ study::Study read_study(const Tree& tree, const std::filesystem::path& folder, F
   read_materials(map.require("materials"), study.materials);
   read_functions(map.find("functions"), study.functions);
   read_supports(map.find("supports"), context, study.supports);
+  read_relations(map.find("relations"), context, study.relations);
   read_springs(map.find("springs"), study.springs);
   read_loads(map.find("loads"), context, study.loads);
   read_initial(map.find("initial"), study.initial);

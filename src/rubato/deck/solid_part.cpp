@@ -88,6 +88,27 @@ void read_fixed(const Value& fix, const Context& context, study::Support& suppor
   }
 }
 
+/// A direction and the displacement along it.
+std::optional<study::ObliqueSupport> read_along(MapReader& map, const Context& context) {
+  const auto direction = map.find("along");
+  const auto value = map.find("value");
+  if (!direction) {
+    if (value)
+      value->fault("goes with 'along' only, expected x, y or z beside it, or 'along'");
+    return std::nullopt;
+  }
+  study::ObliqueSupport along;
+  if (direction->tree().is(Tree::Kind::list))
+    read_point(direction, context, along.direction);
+  else if (read_choice(direction, {std::string(study::normal_word)}))
+    along.normal = true;
+  else
+    direction->spoil();
+  if (value)
+    along.value = read_field(*value);
+  return along;
+}
+
 study::Support read_support(const Value& value, const Context& context) {
   study::Support support;
   MapReader map(value);
@@ -97,6 +118,14 @@ study::Support read_support(const Value& value, const Context& context) {
       support.components[axis] = read_field(*given);
   if (const auto fix = map.find("fix"))
     read_fixed(*fix, context, support);
+  support.along = read_along(map, context);
+  if (const auto turn = map.find("turn")) {
+    MapReader axes(*turn);
+    for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
+      if (const auto given = axes.find(study::axis_words[axis]))
+        support.turns[axis] = read_field(*given);
+    axes.finish();
+  }
   map.finish();
   return support;
 }
@@ -108,7 +137,8 @@ void read_components(MapReader& map, const Context& context, study::Load& load) 
       read(component, load.components[axis]);
       given = true;
       // 0 stands for no component in the study
-      if (context.physics && axis >= static_cast<std::size_t>(study::dimension_of(*context.physics)))
+      if (load.kind != study::LoadKind::moment && context.physics &&
+          axis >= static_cast<std::size_t>(study::dimension_of(*context.physics)))
         component->fault(fmt::format("{} has no {}, expected x or y",
                                      study::word_of(study::physics_words, *context.physics),
                                      study::axis_words[axis]));

@@ -19,10 +19,11 @@ domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::v
 void check_shapes(const study::Study& study, const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,
                   std::vector<Fault>& faults);
 
-/// What supports prescribe of the displacements, and which ones are left unknown; a fault where two of them
-/// say different things of one dof.
+/// What supports and relations say of the displacements, and which ones are left unknown; faults where they
+/// contradict one another, a note where some of a relation's equations follow from others.
 constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
-                                     const domain::DofMap& dofs, std::vector<Fault>& faults);
+                                     const domain::DofMap& dofs, std::span<const Reference> references,
+                                     std::vector<Fault>& faults, std::vector<std::string>& notes);
 
 /// Springs to the ground.
 std::vector<Spring> make_springs(const study::Study& study, const mesh::Mesh& mesh,
@@ -35,7 +36,8 @@ InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& m
 
 /// Loads as nodal forces.
 std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-                               const domain::Bulk& bulk, std::vector<Fault>& faults);
+                               const domain::Bulk& bulk, std::span<const Reference> references,
+                               std::vector<Fault>& faults);
 
 /// Contact zones on oriented surfaces.
 std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,
@@ -46,9 +48,10 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
 std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh);
 
 /// The nodes of each probe: those of its group when something is taken of them, else one. A note for each
-/// point that several nodes are equally near to.
+/// point that several nodes are equally near to. None of references.
 std::vector<std::vector<mesh::NodeIndex>> make_probe_nodes(const study::Study& study, const mesh::Mesh& mesh,
                                                            const domain::DofMap& dofs,
+                                                           std::span<const Reference> references,
                                                            std::vector<Fault>& faults,
                                                            std::vector<std::string>& notes);
 

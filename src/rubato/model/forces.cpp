@@ -22,20 +22,52 @@ using Eigen::VectorXd;
 class LoadBuilder {
 public:
   LoadBuilder(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-              const domain::Bulk& bulk, std::vector<Fault>& faults)
-      : study_(study), mesh_(mesh), dofs_(dofs), bulk_(bulk), faults_(faults) {}
+              const domain::Bulk& bulk, std::span<const Reference> references, std::vector<Fault>& faults)
+      : study_(study), mesh_(mesh), dofs_(dofs), bulk_(bulk), references_(references), faults_(faults) {}
 
   Force force_of(const study::Load& load, const std::string& path) {
     Force force{VectorXd::Zero(dofs_.dof_count), function_named(study_, load.function)};
     const Mention on{load.on, path + ".on"};
     if (load.kind == study::LoadKind::pressure)
       add_pressure(load, on, path, force);
+    else if (const auto* reference = reference_of(load))
+      add_on_reference(load, *reference, path, force);
     else
       add_vector(load, on, path, force);
     return force;
   }
 
 private:
+  /// The reference that a force or moment acts on; null when it acts on something else.
+  const Reference* reference_of(const study::Load& load) const {
+    const bool may_act = load.kind == study::LoadKind::nodal_force || load.kind == study::LoadKind::moment;
+    return may_act ? reference_named(references_, load.on) : nullptr;
+  }
+
+  void add_on_reference(const study::Load& load, const Reference& reference, const std::string& path,
+                        Force& force) {
+    const bool turns = load.kind == study::LoadKind::moment;
+    if (turns && !reference.turns)
+      return faults_.push_back(
+          fault_at(path + ".on",
+                   fmt::format("{}.on: the nodes of '{}' lie on a line or in a point, which take no moment",
+                               path, reference.name)));
+    for (int i = 0; i < (turns ? 3 : dofs_.components); ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      const int row = !turns ? i : dofs_.components == 3 ? 3 + i : 2;
+      if (load.components[axis] == 0.0)
+        continue;
+      const load::LoadedPlace at{{reference.place[0], reference.place[1], reference.place[2]},
+                                 reference.dofs,
+                                 {reference.motion.row(row).begin(), reference.motion.row(row).end()}};
+      if (const auto* number = load.components[axis].number())
+        load::add_at(at, *number, force.pattern);
+      else
+        add_field(load, load.components[axis], fmt::format("{}.{}", path, "xyz"[axis]), force,
+                  [&](const load::VisitPlace& visit) { visit(at); });
+    }
+  }
+
   void add_pressure(const study::Load& load, const Mention& on, const std::string& path, Force& force) {
     add_on_faces(on, [&](const auto& faces) {
       const auto& pressure = load.components[0];
@@ -87,6 +119,7 @@ private:
       add_fields([&](int i, const auto& visit) { load::visit_gravity(mesh_, dofs_, part, i, visit); });
       break;
     }
+    case study::LoadKind::moment: // acts on references
     case study::LoadKind::pressure:
       break;
     }
@@ -166,14 +199,16 @@ private:
   const mesh::Mesh& mesh_;
   const domain::DofMap& dofs_;
   const domain::Bulk& bulk_;
+  std::span<const Reference> references_;
   std::vector<Fault>& faults_;
 };
 
 } // namespace
 
 std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-                               const domain::Bulk& bulk, std::vector<Fault>& faults) {
-  LoadBuilder builder(study, mesh, dofs, bulk, faults);
+                               const domain::Bulk& bulk, std::span<const Reference> references,
+                               std::vector<Fault>& faults) {
+  LoadBuilder builder(study, mesh, dofs, bulk, references, faults);
   std::vector<Force> forces;
   for (std::size_t i = 0; i < study.loads.size(); ++i) {
     const auto& load = study.loads[i];

@@ -44,6 +44,20 @@ public:
       }
   }
 
+  /// What entries say of dofs that relations give must be what these give.
+  void check_relations(const constraint::Reduction& reduction) {
+    for (const auto& dependent : reduction.dependents()) {
+      const auto give = [&](const VectorXd& values, double given) {
+        for (const auto& term : dependent.of)
+          given += term.coefficient * values[term.dof];
+        return given;
+      };
+      check_dependent(dependent.dof, "displacement", displaced_,
+                      give(motion_.displacement, reduction.given_part(dependent, time_.begin)));
+      check_dependent(dependent.dof, "velocity", moved_, give(motion_.velocity, 0));
+    }
+  }
+
   InitialMotion take() { return std::move(motion_); }
 
 private:
@@ -83,6 +97,15 @@ private:
     values[dof] = value;
   }
 
+  void check_dependent(int dof, std::string_view what, const std::map<int, double>& known, double related) {
+    const auto set = known.find(dof);
+    if (set == known.end() || same(set->second, related))
+      return;
+    told_ = false;
+    tell("initial", dofs_.nodes[static_cast<std::size_t>(dof / dofs_.components)], dof % dofs_.components,
+         what, set->second, fmt::format("a relation gives {:g}", related));
+  }
+
   /// One node of an entry is enough.
   void tell(const std::string& path, mesh::NodeIndex node, int component, std::string_view what, double value,
             const std::string& contradiction) {
@@ -118,6 +141,8 @@ InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& m
   MotionCollector collector(study, mesh, dofs, reduction, faults);
   for (std::size_t i = 0; i < study.initial.size(); ++i)
     collector.add(study.initial[i], fmt::format("initial.{}", i));
+  if (faults.empty())
+    collector.check_relations(reduction);
   return collector.take();
 }
 

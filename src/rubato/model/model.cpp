@@ -138,12 +138,13 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   auto numbered = rigid_faces(study, model.mesh);
   numbered.insert(numbered.end(), model.bulk.cells.begin(), model.bulk.cells.end());
   model.dofs = domain::number_dofs(model.mesh, numbered, element::component_count(study.physics));
-  model.reduction = make_reduction(study, model.mesh, model.dofs, faults);
+  model.references = make_references(study, model.mesh, model.dofs, faults);
+  model.reduction = make_reduction(study, model.mesh, model.dofs, model.references, faults, model.notes);
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
   model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
-  model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, faults);
+  model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, model.references, faults);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
-  model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, faults, model.notes);
+  model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, model.references, faults, model.notes);
   model.probe_cuts = make_probe_cuts(study, model.mesh, model.dofs, model.bulk, faults);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);

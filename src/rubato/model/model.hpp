@@ -12,6 +12,7 @@
 #include "rubato/load/field_forces.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/products.hpp"
+#include "rubato/model/references.hpp"
 #include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
@@ -68,6 +69,7 @@ struct Model {
   Products products;           ///< with the mass, in an implicit run
   std::vector<Force> forces;
   constraint::Reduction reduction; ///< which displacements are unknown, and what supports prescribe
+  std::vector<Reference> references;
   std::vector<Spring> springs;
   std::vector<Gauge> gauges; ///< of bodies that in a static run only contact holds
   InitialMotion initial;
@@ -76,7 +78,7 @@ struct Model {
   std::vector<contact::Zone> zones;
   /// The points of each slave node that has several.
   std::vector<std::vector<contact::PointOfZone>> shared_nodes;
-  /// Of each probe of the study, at least one; none of cuts and differences.
+  /// Of each probe of the study, at least one; none of cuts, differences and references.
   std::vector<std::vector<mesh::NodeIndex>> probe_nodes;
   std::vector<domain::CutForces> probe_cuts; ///< of each probe of the study; empty where it is no cut
   std::vector<std::string> notes;            ///< sentences that whoever runs the model should read

@@ -104,11 +104,11 @@ Nodes named_nodes_of(const study::Probe& probe, const mesh::Mesh& mesh, const do
 } // namespace
 
 std::vector<Nodes> make_probe_nodes(const study::Study& study, const mesh::Mesh& mesh,
-                                    const domain::DofMap& dofs, std::vector<Fault>& faults,
-                                    std::vector<std::string>& notes) {
+                                    const domain::DofMap& dofs, std::span<const Reference> references,
+                                    std::vector<Fault>& faults, std::vector<std::string>& notes) {
   std::vector<Nodes> nodes;
   for (const auto& probe : study.probes)
-    if (probe.section || !probe.minus.empty())
+    if (probe.section || !probe.minus.empty() || reference_named(references, probe.node) != nullptr)
       nodes.emplace_back();
     else
       nodes.push_back(probe.point ? node_at(probe, mesh, dofs, notes)

@@ -21,6 +21,8 @@ using mesh::NodeIndex;
 
 /// Eigenvalues below this part of the largest belong to motions nothing holds.
 constexpr double rank_tolerance = 1e-9;
+/// What is left of a relation below this part of its terms is rounding.
+constexpr double relation_rounding = 1e-9;
 /// Parts of a motion below this part of its largest are rounding.
 constexpr double negligible = 1e-6;
 
@@ -103,6 +105,8 @@ void RigidMotions::add_supports() {
 void RigidMotions::add_firm_supports() {
   for (const auto& support : model_.reduction.prescribed())
     add_dof(support.dof);
+  for (const auto& dependent : model_.reduction.dependents())
+    add_relation(dependent);
   for (const auto& spring : model_.springs)
     if (!spring.soft)
       add_dof(spring.dof);
@@ -126,7 +130,7 @@ std::vector<char> RigidMotions::held() const {
   std::vector<char> held;
   held.reserve(static_cast<std::size_t>(bodies_.count()));
   for (int body = 0; body < bodies_.count(); ++body)
-    held.push_back(rank_of(block_of(body)) == modes_ ? 1 : 0);
+    held.push_back(motions_left(body).cols() == 0 ? 1 : 0);
   return held;
 }
 
@@ -134,15 +138,27 @@ MatrixXd RigidMotions::block_of(int body) const {
   return gram_.block(body * modes_, body * modes_, modes_, modes_);
 }
 
+/// Columns that span the motions that a body has left: alone, or together with those that relations tie to
+/// it.
+MatrixXd RigidMotions::motions_left(int body) const {
+  if (!ties_bodies_) {
+    const auto block = block_of(body);
+    return linalg::symmetric_eigen(block).vectors.leftCols(modes_ - rank_of(block));
+  }
+  const auto [values, vectors] = linalg::symmetric_eigen(gram_);
+  const Index count = (values.array() <= rank_tolerance * values[columns() - 1]).count();
+  const MatrixXd of_body = vectors.middleRows(body * modes_, modes_).leftCols(count);
+  const MatrixXd spanned = of_body * of_body.transpose();
+  const auto eigen = linalg::symmetric_eigen(spanned);
+  return eigen.vectors.rightCols((eigen.values.array() > rank_tolerance).count());
+}
+
 std::vector<RigidMotion> RigidMotions::loose_alone() const {
   std::vector<RigidMotion> loose;
-  for (int body = 0; body < bodies_.count(); ++body) {
-    const auto count = modes_ - rank_of(block_of(body));
-    if (count > 0)
-      for (const auto& motion :
-           columns_told_apart(linalg::symmetric_eigen(block_of(body)).vectors.leftCols(count)))
+  for (int body = 0; body < bodies_.count(); ++body)
+    if (const auto left = motions_left(body); left.cols() > 0)
+      for (const auto& motion : columns_told_apart(left))
         loose.push_back(motion_of(body, motion));
-  }
   return loose;
 }
 
@@ -189,10 +205,32 @@ Vector3d RigidMotions::at(const RigidMotion& motion, const Vector3d& place) cons
   return motion.shift + motion.turn.cross(place - centre_) / size_;
 }
 
-void RigidMotions::add_dof(int dof) {
+RowVectorXd RigidMotions::row_of_dof(int dof) const {
   Vector3d direction = Vector3d::Zero();
   direction[dof % model_.dofs.components] = 1;
-  add_row(row(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)], direction));
+  return row(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)], direction);
+}
+
+void RigidMotions::add_dof(int dof) {
+  add_row(row_of_dof(dof));
+}
+
+/// Relations of a body that is rigid by them say nothing of its rigid motions: their rows are rounding.
+void RigidMotions::add_relation(const constraint::DependentDof& dependent) {
+  const auto body_of = [&](int dof) {
+    return bodies_.of(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)]);
+  };
+  RowVectorXd sum = row_of_dof(dependent.dof);
+  double summed = sum.lpNorm<Eigen::Infinity>();
+  for (const auto* terms : {&dependent.of, &dependent.prescribed})
+    for (const auto& term : *terms) {
+      const RowVectorXd part = term.coefficient * row_of_dof(term.dof);
+      summed = std::max(summed, part.lpNorm<Eigen::Infinity>());
+      sum -= part;
+      ties_bodies_ = ties_bodies_ || body_of(term.dof) != body_of(dependent.dof);
+    }
+  if (sum.lpNorm<Eigen::Infinity>() > relation_rounding * summed)
+    add_row(sum);
 }
 
 void RigidMotions::add_gauge(const Gauge& gauge) {

@@ -26,14 +26,15 @@ class RigidMotions {
 public:
   explicit RigidMotions(const Model& model);
 
-  /// Supports, springs and gauges.
+  /// Supports, relations, springs and gauges.
   void add_supports();
   /// The same without soft springs.
   void add_firm_supports();
   /// Contact where surfaces face one another before the first step: across, with friction also along.
   void add_contact();
 
-  /// By body: whether what was added leaves it no rigid motion, each body looked at alone.
+  /// By body: whether what was added leaves it no rigid motion, each body looked at alone, but for bodies
+  /// that relations tie.
   std::vector<char> held() const;
   /// How each body that is not held can move, looked at alone.
   std::vector<RigidMotion> loose_alone() const;
@@ -53,12 +54,15 @@ public:
 private:
   Eigen::Index columns() const { return static_cast<Eigen::Index>(bodies_.count()) * modes_; }
   void add_dof(int dof);
+  void add_relation(const constraint::DependentDof& dependent);
   void add_gauge(const Gauge& gauge);
   void add_row(const Eigen::RowVectorXd& row);
   Eigen::RowVectorXd row(mesh::NodeIndex node, const Eigen::Vector3d& direction) const;
   void add_point(const contact::Zone& zone, const contact::SlavePoint& point, const contact::Pair& pair,
                  const contact::Configuration& configuration);
+  Eigen::RowVectorXd row_of_dof(int dof) const;
   Eigen::MatrixXd block_of(int body) const;
+  Eigen::MatrixXd motions_left(int body) const;
   RigidMotion motion_of(int body, const Eigen::VectorXd& values) const;
 
   const Model& model_;
@@ -66,7 +70,8 @@ private:
   Eigen::Index modes_;
   Eigen::Vector3d centre_;
   double size_ = 1;
-  Eigen::MatrixXd gram_; ///< Σ rowᵀ row over all that resists, columns the motions of all bodies
+  bool ties_bodies_ = false; ///< whether a relation concerns several bodies
+  Eigen::MatrixXd gram_;     ///< Σ rowᵀ row over all that resists, columns the motions of all bodies
 };
 
 /// "along x", "along (0.6, 0.8, 0)", "by turning about z": how messages name a motion.

@@ -1,66 +1,97 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/model/build.hpp"
+#include "rubato/model/relations.hpp"
 #include "rubato/study/fields.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <iterator>
 #include <map>
-#include <memory>
+#include <set>
 #include <span>
 
 namespace rubato::model {
 namespace {
 
+using constraint::Contradiction;
 using constraint::PrescribedDof;
+
+/// Sources that a contradiction names.
+constexpr std::size_t named_sources = 4;
 
 class SupportCollector {
 public:
-  SupportCollector(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-                   std::vector<Fault>& faults)
-      : study_(study), mesh_(mesh), dofs_(dofs), faults_(faults) {}
+  SupportCollector(const Parts& parts, std::vector<Fault>& faults) : parts_(parts), faults_(faults) {}
 
   void add(const study::Support& support, const std::string& path) {
-    const auto nodes = body_nodes_or_fault(mesh_, dofs_, {support.on, path + ".on"}, "to hold", faults_);
-    for (int i = 0; i < dofs_.components; ++i)
+    try {
+      if (reference_named(parts_.references, support.on) != nullptr)
+        return hold_reference(support, path);
+      if (support.along)
+        add_oblique(parts_, support, path, equations_, faults_);
+      if (has_components(support))
+        prescribe(support, path);
+    } catch (const InputError& error) {
+      std::ranges::copy(error.faults(), std::back_inserter(faults_));
+    }
+  }
+
+  void add(const study::Relation& relation) {
+    try {
+      add_relation(parts_, relation, equations_, faults_);
+    } catch (const InputError& error) {
+      std::ranges::copy(error.faults(), std::back_inserter(faults_));
+    }
+  }
+
+  constraint::Reduction reduction(std::vector<std::string>& notes) {
+    std::vector<PrescribedDof> list;
+    for (const auto& [dof, prescribed] : by_dof_)
+      list.push_back(prescribed);
+    const std::array instants = sample_instants();
+    auto found = constraint::eliminate(list, equations_.list, instants);
+    tell(found.contradictions);
+    note_redundant(found.redundant, notes);
+    return number_right_sides(std::move(list), std::move(found.dependents));
+  }
+
+private:
+  static bool has_components(const study::Support& support) {
+    return std::ranges::any_of(support.components,
+                               [](const auto& component) { return component.has_value(); });
+  }
+
+  void hold_reference(const study::Support& support, const std::string& path) {
+    const auto& reference = *reference_named(parts_.references, support.on);
+    const bool turned = std::ranges::any_of(support.turns, [](const auto& turn) { return turn.has_value(); });
+    if (turned && !reference.turns)
+      return faults_.push_back(
+          fault_at(path + ".turn", fmt::format("{}.turn: the nodes of '{}' lie on a line or in a point and "
+                                               "tell no rotation, expected a displacement",
+                                               path, reference.name)));
+    if (support.along && support.along->normal)
+      return faults_.push_back(fault_at(
+          path + ".along", fmt::format("{}.along: the reference '{}' has no faces, expected a direction",
+                                       path, reference.name)));
+    add_held_reference(parts_, support, path, equations_);
+  }
+
+  void prescribe(const study::Support& support, const std::string& path) {
+    const auto nodes =
+        body_nodes_or_fault(parts_.mesh, parts_.dofs, {support.on, path + ".on"}, "to hold", faults_);
+    for (int i = 0; i < parts_.dofs.components; ++i)
       if (const auto& displacement = support.components[static_cast<std::size_t>(i)])
         prescribe(path, nodes, i, *displacement);
   }
 
-  std::vector<PrescribedDof> prescribed() const {
-    std::vector<PrescribedDof> list;
-    for (const auto& [dof, prescribed] : by_dof_)
-      list.push_back(prescribed);
-    return list;
-  }
-
-private:
   void prescribe(const std::string& path, std::span<const mesh::NodeIndex> nodes, int component,
                  const study::Field& displacement) {
     const auto at = fmt::format("{}.{}", path, "xyz"[static_cast<std::size_t>(component)]);
-    const auto field =
-        std::make_shared<const FieldFunction>(study::field_function(displacement, study_.functions, at));
-    try {
-      for (const auto node : nodes)
-        prescribe(path, node, component, prescribed_at(node, dofs_.dof(node, component), field));
-    } catch (const InputError& error) {
-      faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
-    }
-  }
-
-  /// An expression that does not change with time is a number at each node.
-  PrescribedDof prescribed_at(mesh::NodeIndex node, int dof,
-                              const std::shared_ptr<const FieldFunction>& field) const {
-    if (!field->expression)
-      return {dof, field->number, field->function};
-    const auto& x = mesh_.points[static_cast<std::size_t>(node)];
-    const std::array place{x[0], x[1], x[2]};
-    for (const double t : {study_.time.begin, study_.time.end})
-      field->at(place, t); // throws now rather than in a step
-    if (field->expression->has('t'))
-      return {dof, 0, std::nullopt,
-              std::make_shared<const constraint::FieldAtPlace>(constraint::FieldAtPlace{field, place})};
-    return {dof, field->number * field->expression->at(place, study_.time.begin), field->function};
+    const auto field = std::make_shared<const FieldFunction>(
+        study::field_function(displacement, parts_.study.functions, at));
+    for (const auto node : nodes)
+      prescribe(path, node, component,
+                PrescribedDof{parts_.dofs.dof(node, component), imposed_at(parts_, node, field)});
   }
 
   void prescribe(const std::string& path, mesh::NodeIndex node, int component, const PrescribedDof& wanted) {
@@ -68,27 +99,100 @@ private:
     if (fresh || entry->second == wanted || told_)
       return;
     told_ = true;
-    faults_.push_back(
-        fault_at(path, fmt::format("node {} has two different displacements prescribed in {}",
-                                   node_label(mesh_, node), "xyz"[static_cast<std::size_t>(component)])));
+    faults_.push_back(fault_at(path, fmt::format("node {} has two different displacements prescribed in {}",
+                                                 node_label(parts_.mesh, node),
+                                                 "xyz"[static_cast<std::size_t>(component)])));
   }
 
-  const study::Study& study_;
-  const mesh::Mesh& mesh_;
-  const domain::DofMap& dofs_;
+  /// Where right sides of equations are compared: the ends of the run and three instants without a pattern.
+  std::array<double, 5> sample_instants() const {
+    const auto& time = parts_.study.time;
+    const auto at = [&](double part) { return time.begin + part * (time.end - time.begin); };
+    return {time.begin, at(0.2137), at(0.5411), at(0.8093), time.end};
+  }
+
+  const std::string& path_of(int equation) const {
+    const auto source = equations_.list[static_cast<std::size_t>(equation)].source;
+    return equations_.paths[static_cast<std::size_t>(source)];
+  }
+
+  std::string place_of(int dof) const {
+    const int components = parts_.dofs.components;
+    return fmt::format("{} in {}",
+                       node_label(parts_.mesh, parts_.dofs.nodes[static_cast<std::size_t>(dof / components)]),
+                       "xyz"[static_cast<std::size_t>(dof % components)]);
+  }
+
+  /// One for each source.
+  void tell(const std::vector<Contradiction>& contradictions) {
+    std::set<std::string> told;
+    for (const auto& found : contradictions) {
+      const auto& path = path_of(found.equation);
+      if (!told.insert(path).second)
+        continue;
+      std::set<std::string> others;
+      for (const int other : found.others)
+        others.insert(path_of(other));
+      others.erase(path);
+      if (!found.dofs.empty())
+        others.insert(fmt::format("the support of node {}", place_of(found.dofs.front())));
+      std::vector<std::string> named(others.begin(), others.end());
+      if (named.size() > named_sources)
+        named.resize(named_sources);
+      const auto dof = equations_.list[static_cast<std::size_t>(found.equation)].terms.front().dof;
+      faults_.push_back(fault_at(
+          path,
+          fmt::format("{}: contradicts {} at node {}: {:.3g} is left at t = {}; expected relations that "
+                      "can hold together",
+                      path, named.empty() ? std::string("itself") : fmt::format("{}", fmt::join(named, ", ")),
+                      place_of(dof), found.excess, found.at)));
+    }
+  }
+
+  void note_redundant(const std::vector<int>& redundant, std::vector<std::string>& notes) const {
+    std::map<std::string, int> count;
+    for (const int equation : redundant)
+      ++count[path_of(equation)];
+    for (const auto& [path, number] : count)
+      notes.push_back(fmt::format("{}: {} of its equations {} from supports and relations before and {} left "
+                                  "out",
+                                  path, number, number == 1 ? "follows" : "follow",
+                                  number == 1 ? "is" : "are"));
+  }
+
+  constraint::Reduction number_right_sides(std::vector<PrescribedDof> list,
+                                           std::vector<constraint::DependentDof> dependents) {
+    std::map<int, int> numbers;
+    std::vector<constraint::ImposedValue> right_sides;
+    for (auto& dependent : dependents)
+      for (auto& term : dependent.given) {
+        const auto [entry, fresh] = numbers.emplace(term.dof, static_cast<int>(right_sides.size()));
+        if (fresh)
+          right_sides.push_back(equations_.list[static_cast<std::size_t>(term.dof)].value);
+        term.dof = entry->second;
+      }
+    return {parts_.dofs.dof_count, std::move(list), std::move(dependents), std::move(right_sides)};
+  }
+
+  const Parts& parts_;
   std::vector<Fault>& faults_;
   std::map<int, PrescribedDof> by_dof_;
+  Equations equations_;
   bool told_ = false;
 };
 
 } // namespace
 
 constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
-                                     const domain::DofMap& dofs, std::vector<Fault>& faults) {
-  SupportCollector collector(study, mesh, dofs, faults);
+                                     const domain::DofMap& dofs, std::span<const Reference> references,
+                                     std::vector<Fault>& faults, std::vector<std::string>& notes) {
+  const Parts parts{study, mesh, dofs, references};
+  SupportCollector collector(parts, faults);
   for (std::size_t i = 0; i < study.supports.size(); ++i)
     collector.add(study.supports[i], fmt::format("supports.{}", i));
-  return {dofs.dof_count, collector.prescribed()};
+  for (const auto& relation : study.relations)
+    collector.add(relation);
+  return collector.reduction(notes);
 }
 
 } // namespace rubato::model

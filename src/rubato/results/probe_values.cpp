@@ -109,6 +109,17 @@ std::vector<double> section_values(const model::Model& model, const step::State&
   return values;
 }
 
+/// Displacement, velocity, acceleration or rotation.
+std::vector<double> reference_values(const model::Model& model, const model::Reference& reference,
+                                     const step::State& state, ProbeField field) {
+  const bool turn = field == ProbeField::rotation;
+  const auto& values = turn ? state.motion.u : *kept_field(state, field);
+  const Eigen::VectorXd motion = reference.motion * values(reference.dofs);
+  const auto d = static_cast<Eigen::Index>(model.dofs.components);
+  return turn ? std::vector<double>(motion.begin() + d, motion.end())
+              : std::vector<double>(motion.begin(), motion.begin() + d);
+}
+
 std::vector<double> difference_of_rows(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> result(a.size());
   std::ranges::transform(a, b, result.begin(), std::minus());
@@ -136,6 +147,8 @@ void add_probe_values(const model::Model& model, const step::State& state, std::
   for (std::size_t p = 0; p < probes.size(); ++p)
     if (probes[p].section)
       values[p] = section_values(model, state, p);
+    else if (const auto* reference = model::reference_named(model.references, probes[p].node))
+      values[p] = reference_values(model, *reference, state, probes[p].field);
     else if (probes[p].minus.empty())
       values[p] = node_values(model, state, p, made);
   const auto of = [&](const std::string& name) {

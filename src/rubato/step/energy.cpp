@@ -129,7 +129,7 @@ EnergyAccount::Obstacles EnergyAccount::work_of_obstacles(const State& committed
   return work;
 }
 
-/// [u]·{r} on the dofs that are held, r = M a + C v + F, and [u]·R with the step's own R.
+/// [g]·{r}, r = M a + C v + F, and [g]·R with the step's own R: g is what supports and relations give of u.
 EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, const State& committed,
                                                       const State& trial) const {
   const auto reaction = [&](const State& state, int dof) {
@@ -141,15 +141,22 @@ EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, con
     return sum;
   };
   Supports supports;
-  for (const auto& support : model_->reduction.prescribed()) {
-    const int dof = support.dof;
-    if (moved[dof] == 0)
-      continue;
+  const auto enter = [&](int dof, double way) {
+    if (way == 0)
+      return;
     const double mean =
         scheme_->nonsmooth ? trial.reaction[dof] : 0.5 * (reaction(committed, dof) + reaction(trial, dof));
-    supports.work += moved[dof] * mean;
-    supports.with_step += moved[dof] * trial.reaction[dof];
-  }
+    supports.work += way * mean;
+    supports.with_step += way * trial.reaction[dof];
+  };
+  const auto& reduction = model_->reduction;
+  for (const auto& support : reduction.prescribed())
+    enter(support.dof, moved[support.dof]);
+  // Forces of relations do no work on what unknowns move: Tᵀ R = 0.
+  for (const auto& dependent : reduction.dependents())
+    if (!dependent.prescribed.empty() || !dependent.given.empty())
+      enter(dependent.dof, reduction.given_part(dependent, trial.t) -
+                               reduction.given_part(dependent, committed.t));
   return supports;
 }
 

@@ -44,13 +44,14 @@ VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_forc
     for (int i = 0; i < model.dofs.components; ++i) {
       const int dof = model.dofs.dof(node, i);
       force[dof] = 0;
-      if (const int row = model.reduction.unknown_of(dof); row >= 0)
+      if (const int row = model.reduction.unknown_of(dof); row >= 0 && mass.coeff(row, row) == 0)
         mass.coeffRef(row, row) = 1;
     }
   // There before the temporaries of the solution: among them it would keep their memory from being given
   // back.
   VectorXd a = VectorXd::Zero(residual_force.size());
   a(model.reduction.free_dofs()) = solve_mass(mass, model.reduction.gather(force));
+  model.reduction.relate(a);
   return a;
 }
 
@@ -97,6 +98,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   state.t = t;
   state.motion = {model.initial.displacement, model.initial.velocity, VectorXd::Zero(size)};
   model.reduction.impose(t, state.motion.u);
+  model.reduction.relate(state.motion.v);
   deform(model, state);
   state.residual_force = model.domain.initial_tangent() * state.motion.u - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);

@@ -106,10 +106,55 @@ void put_components(Json& map, const std::array<std::optional<Varying>, 3>& comp
       map[std::string(axis_words[axis])] = echo_varying(*components[axis]);
 }
 
-Json echo(const Support& support) {
+Json echo(const Support& support, int dimension) {
   Json map{{"on", support.on}};
   put_components(map, support.components);
+  if (const auto& along = support.along) {
+    map["along"] = along->normal
+                       ? Json(normal_word)
+                       : Json(std::vector(along->direction.begin(), along->direction.begin() + dimension));
+    map["value"] = echo_varying(along->value);
+  }
+  if (auto turns = Json::object(); put_components(turns, support.turns), !turns.empty())
+    map["turn"] = turns;
   return map;
+}
+
+Json echo(const RelationTerm& term, int dimension) {
+  Json map{{"on", term.on}};
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
+    if (term.coefficients[axis] != 0)
+      map[std::string(axis_words[axis])] = term.coefficients[axis];
+  return map;
+}
+
+/// Axes that are chosen, of those that there are; none where all are.
+Json echo_axes(const std::array<bool, 3>& components, int dimension) {
+  auto axes = Json::array();
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
+    if (components[axis])
+      axes.push_back(axis_words[axis]);
+  return axes.size() == static_cast<std::size_t>(dimension) ? Json() : axes;
+}
+
+Json echo(const Relation& relation, int dimension) {
+  auto map = Json::object();
+  if (relation.kind == RelationKind::equation) {
+    map["terms"] = Json::array();
+    for (const auto& term : relation.terms)
+      map["terms"].push_back(echo(term, dimension));
+    map["value"] = echo_varying(relation.value);
+  }
+  put_name(map, "on", relation.on);
+  put_name(map, "with", relation.with);
+  if (const auto axes = echo_axes(relation.components, dimension); !axes.is_null())
+    map["in"] = axes;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
+    if (relation.difference[axis] != Field())
+      map["difference"][std::string(axis_words[axis])] = echo_varying(relation.difference[axis]);
+  if (relation.at)
+    map["at"] = std::vector(relation.at->begin(), relation.at->begin() + dimension);
+  return {{word(relation_words, relation.kind), map}};
 }
 
 Json echo(const Load& load, int dimension) {
@@ -118,8 +163,10 @@ Json echo(const Load& load, int dimension) {
   if (load.kind == LoadKind::pressure)
     map["value"] = echo(load.components[0]);
   else
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
-      map[std::string(axis_words[axis])] = echo(load.components[axis]);
+    for (std::size_t axis = 0;
+         axis < (load.kind == LoadKind::moment ? 3 : static_cast<std::size_t>(dimension)); ++axis)
+      if (load.kind != LoadKind::moment || load.components[axis] != 0.0)
+        map[std::string(axis_words[axis])] = echo(load.components[axis]);
   put_name(map, "function", load.function);
   return {{word(load_words, load.kind), map}};
 }
@@ -350,7 +397,8 @@ std::string to_json(const Study& study) {
   deck["functions"] = Json::object();
   for (const auto& [name, function] : study.functions)
     deck["functions"][name] = echo(function);
-  deck["supports"] = echo_list(study.supports);
+  deck["supports"] = echo_list(study.supports, dimension);
+  deck["relations"] = echo_by_name(study.relations, dimension);
   deck["springs"] = echo_list(study.springs, dimension);
   deck["loads"] = echo_list(study.loads, dimension);
   deck["initial"] = echo_list(study.initial);

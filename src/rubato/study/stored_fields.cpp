@@ -51,6 +51,8 @@ bool is_written(const FieldOutput& output, const StoredField& field) {
 }
 
 std::vector<std::string> components_of(ProbeField field, int dimension) {
+  if (field == ProbeField::rotation)
+    return dimension == 3 ? axes_of(dimension) : std::vector<std::string>{"z"};
   const auto fields = stored_fields(dimension);
   const auto found = std::ranges::find(fields, word_of(probe_field_words, field), &StoredField::name);
   return found == fields.end() ? axes_of(dimension) : found->components; // reactions are not stored
@@ -72,6 +74,11 @@ std::vector<std::string> cut_quantities(int dimension) {
     quantities.push_back("m" + axis);
   quantities.insert(quantities.end(), {"normal", "shear"});
   return quantities;
+}
+
+bool is_of_reference(ProbeField field) {
+  return field == ProbeField::displacement || field == ProbeField::velocity ||
+         field == ProbeField::acceleration || field == ProbeField::rotation;
 }
 
 bool is_of_contact(ProbeField field) {

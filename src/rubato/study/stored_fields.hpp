@@ -39,6 +39,8 @@ std::vector<std::string> components_of(ProbeField field, int dimension);
 std::vector<std::string> components_of(const Probe& probe, const Study& study);
 /// Of a cut: force along the axes, moment about them, force along the normal, magnitude of the rest of it.
 std::vector<std::string> cut_quantities(int dimension);
+/// Whether references have it.
+bool is_of_reference(ProbeField field);
 /// Whether it is known in runs with contact only.
 bool is_of_contact(ProbeField field);
 

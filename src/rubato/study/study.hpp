@@ -5,6 +5,8 @@
 
 #include "rubato/core/cell_type.hpp"
 #include "rubato/core/function.hpp"
+#include "rubato/study/relations.hpp"
+#include "rubato/study/values.hpp"
 
 #include <array>
 #include <map>
@@ -87,54 +89,27 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-/// A number, times a named function of time when `function` is not empty.
-struct Amplitude {
-  double value = 0;
-  std::string function;
-  bool operator==(const Amplitude&) const = default;
+/// A direction across the axes along which a displacement is held or imposed.
+struct ObliqueSupport {
+  bool normal = false;               ///< along the outward normal of the faces of the group
+  std::array<double, 3> direction{}; ///< else along this one, of any length > 0
+  Field value;                       ///< [length]
+  bool operator==(const ObliqueSupport&) const = default;
 };
 
-/// The text of an expression (core/expression.hpp) of x, y, z, the undeformed place, and t, the instant.
-struct Formula {
-  std::string text;
-  bool operator==(const Formula&) const = default;
-};
-
-/// A number, or an expression: a number at each place and instant.
-struct FieldValue {
-  FieldValue(double number = 0) : is(number) {}
-  FieldValue(Formula formula) : is(std::move(formula)) {}
-
-  std::variant<double, Formula> is;
-
-  /// The number or the expression; null when it is the other one.
-  const double* number() const { return std::get_if<double>(&is); }
-  const Formula* formula() const { return std::get_if<Formula>(&is); }
-  bool operator==(const FieldValue&) const = default;
-};
-
-/// A number or an expression, times a named function of time when `function` is not empty.
-struct Field {
-  Field() = default;
-  Field(double number, std::string of_time = {}) : value(number), function(std::move(of_time)) {}
-  Field(Formula formula, std::string of_time = {})
-      : value(std::move(formula)), function(std::move(of_time)) {}
-  Field(Amplitude amplitude) : value(amplitude.value), function(std::move(amplitude.function)) {}
-
-  FieldValue value;
-  std::string function;
-  bool operator==(const Field&) const = default;
-};
-
-/// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`).
+/// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`),
+/// also along a direction across the axes, and rotations of a reference.
 struct Support {
   std::string on;
   std::array<std::optional<Field>, 3> components;
+  std::optional<ObliqueSupport> along;
+  std::array<std::optional<Field>, 3> turns; ///< of a reference about the axes [radians]
   bool operator==(const Support&) const = default;
 };
 
 enum class LoadKind {
-  nodal_force,   ///< [force] on each node of the group
+  nodal_force,   ///< [force] on each node of the group, or on a reference
+  moment,        ///< [force · length] on a reference
   line_force,    ///< [force/length] on edges
   surface_force, ///< [force/area] on faces (2D: on edges, the thickness multiplies it)
   pressure,      ///< [force/area] on faces, positive pushes into the body
@@ -332,6 +307,7 @@ enum class ProbeField {
   displacement,
   velocity,
   acceleration,
+  rotation, ///< of a reference [radians]
   reaction,
   stress,
   von_mises,
@@ -442,6 +418,7 @@ struct Study {
   double thickness = 1; ///< plane stress and plane strain
   std::vector<Material> materials;
   std::vector<Support> supports;
+  std::vector<Relation> relations;
   std::vector<Springs> springs;
   std::vector<Load> loads;
   std::vector<InitialMotion> initial;

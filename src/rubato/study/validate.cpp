@@ -16,6 +16,7 @@ Judgement judge(const Study& study) {
   check_materials(rules);
   check_functions(rules);
   check_supports(rules);
+  check_relations(rules);
   check_springs(rules);
   check_loads(rules);
   check_initial(rules);

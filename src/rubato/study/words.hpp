@@ -35,7 +35,8 @@ inline constexpr std::array<Word<Function::Outside>, 3> outside_words{
      {"linear", Function::Outside::linear},
      {"zero", Function::Outside::zero}}};
 
-inline constexpr std::array<Word<LoadKind>, 5> load_words{{{"nodal_force", LoadKind::nodal_force},
+inline constexpr std::array<Word<LoadKind>, 6> load_words{{{"nodal_force", LoadKind::nodal_force},
+                                                           {"moment", LoadKind::moment},
                                                            {"line_force", LoadKind::line_force},
                                                            {"surface_force", LoadKind::surface_force},
                                                            {"pressure", LoadKind::pressure},
@@ -53,6 +54,16 @@ inline constexpr auto contact_method_words = words_of(contact_methods, &ContactM
 inline constexpr auto friction_method_words = words_of(friction_methods, &FrictionMethodEntry::method);
 
 inline constexpr auto law_words = words_of(material_laws, &LawEntry::law);
+
+inline constexpr std::array<Word<RelationKind>, 5> relation_words{
+    {{"equation", RelationKind::equation},
+     {"equal", RelationKind::equal},
+     {"pairs", RelationKind::pairs},
+     {"rigid", RelationKind::rigid},
+     {"distributed", RelationKind::distributed}}};
+
+/// `along: normal`.
+inline constexpr std::string_view normal_word = "normal";
 
 inline constexpr std::array<Word<ContactNormal>, 3> contact_normal_words{
     {{"master", ContactNormal::master},
@@ -86,10 +97,11 @@ inline constexpr std::string_view automatic_step = "auto";
 inline constexpr std::array<Word<StartKind>, 2> start_words{
     {{"consistent", StartKind::consistent}, {"at_rest_unloaded", StartKind::at_rest_unloaded}}};
 
-inline constexpr std::array<Word<ProbeField>, 13> probe_field_words{
+inline constexpr std::array<Word<ProbeField>, 14> probe_field_words{
     {{"displacement", ProbeField::displacement},
      {"velocity", ProbeField::velocity},
      {"acceleration", ProbeField::acceleration},
+     {"rotation", ProbeField::rotation},
      {"reaction", ProbeField::reaction},
      {"stress", ProbeField::stress},
      {"von_mises", ProbeField::von_mises},

@@ -17,6 +17,7 @@ Forms whole() {
               {"materials", "materials by name", materials(), true},
               {"functions", "functions of time by name", functions()},
               {"supports", "displacements that are held or imposed", supports()},
+              {"relations", "displacements that depend on one another, by name", relations()},
               {"springs", "springs between nodes and the ground", springs()},
               {"loads", "forces, pressures and gravity", loads()},
               {"initial", "displacement and velocity at the first instant", initial()},

@@ -10,6 +10,7 @@ Forms mesh();
 Forms materials();
 Forms functions();
 Forms supports();
+Forms relations();
 Forms loads();
 Forms springs();
 Forms initial();

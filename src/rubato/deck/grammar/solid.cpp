@@ -11,7 +11,9 @@ namespace {
 std::string meaning_of(study::LoadKind kind) {
   switch (kind) {
   case study::LoadKind::nodal_force:
-    return "force on each node of the group [force]";
+    return "force on each node of the group, or on a reference [force]";
+  case study::LoadKind::moment:
+    return "moment on the reference of a rigid or distributed relation [force · length]";
   case study::LoadKind::line_force:
     return "force on edges [force/length]";
   case study::LoadKind::surface_force:
@@ -62,9 +64,18 @@ Forms functions() {
 Forms supports() {
   std::vector<std::string> axes(study::axis_words.begin(), study::axis_words.end());
   const auto axis = word(std::move(axes));
-  return list(map("a support", joined({{"on", "group of nodes or cells", name(), true},
-                                       {"fix", "axes held at 0", either(axis, list(axis))}},
-                                      components("imposed displacement [length]", varying(expression())))));
+  auto keys = joined({{"on", "group of nodes or cells, or a reference", name(), true},
+                      {"fix", "axes held at 0", either(axis, list(axis))}},
+                     components("imposed displacement [length]", varying(expression())));
+  keys.push_back({"along", "a direction across the axes, or normal: that of the group's faces",
+                  either(word({std::string(study::normal_word)}), coordinates())});
+  keys.push_back(
+      {"value", "with along: the displacement along it; 0 when not given [length]", varying(expression())});
+  keys.push_back(
+      {"turn", "rotations of a reference, small [radians]",
+       map("rotations of a reference",
+           components("rotation of a reference [radians], about the axis", varying(expression())))});
+  return list(map("a support", std::move(keys)));
 }
 
 Forms loads() {

@@ -110,8 +110,8 @@ void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& conta
 void Equilibrium::measure(const time::Motion& motion, const ContactForce& contact, StepReport& report) {
   VectorXd reference =
       scheme_.forces.now * external_ - scheme_.contact_weight() * contact.nodal - inertia_ - history_;
-  for (const auto& support : model_.reduction.prescribed())
-    reference[support.dof] -= full_residual_[support.dof];
+  for (const int dof : model_.reduction.reacting_dofs())
+    reference[dof] -= full_residual_[dof];
   scale_ = reference.lpNorm<Eigen::Infinity>();
   if (scheme_.dynamic)
     scale_ = std::max(scale_, bulk_.momentum.lpNorm<Eigen::Infinity>() * system_.coefficients.acceleration *
@@ -143,7 +143,7 @@ bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiff
   if (scheme_.dynamic)
     add_magnitudes(system_.coefficients.acceleration * scheme_.inertia.now, model_.mass, moved, summed);
   add_contact(stiffness, far, moved.lpNorm<Eigen::Infinity>(), summed);
-  const VectorXd level = tolerances.rounding() * model_.reduction.gather(summed);
+  const VectorXd level = tolerances.rounding() * model_.reduction.gather_magnitudes(summed);
   return (residual_.array().abs() <= level.array().max(tolerance * scale_)).all();
 }
 

@@ -96,7 +96,7 @@ Spectrum ExplicitMotion::spectrum() const {
 void ExplicitMotion::place_supports() {
   model_->reduction.impose(t_, u_);
   for (const auto& prescribed : model_->reduction.prescribed())
-    if (prescribed.function)
+    if (prescribed.imposed.varies_in_time())
       supports_.push_back({&prescribed});
 }
 

@@ -45,19 +45,24 @@ void fix_unconstrained_multipliers(ContactBlocks& blocks) {
 
 ContactBlocks blocks_of(const LinearProblem& problem) {
   const auto& system = problem.contact;
-  const auto free = [&](int dof) { return problem.model.reduction.unknown_of(dof); };
+  const auto& reduction = problem.model.reduction;
   ContactBlocks blocks;
   for (const auto& entry : system.force_by_dof)
-    if (free(entry.row()) >= 0 && free(entry.col()) >= 0)
-      blocks.force_by_dof.emplace_back(free(entry.row()), free(entry.col()),
-                                       problem.force_weight * entry.value());
+    reduction.for_each_unknown(entry.row(), [&](int row, double by_row) {
+      reduction.for_each_unknown(entry.col(), [&](int column, double by_column) {
+        blocks.force_by_dof.emplace_back(row, column,
+                                         problem.force_weight * by_row * by_column * entry.value());
+      });
+    });
   for (const auto& entry : system.force_by_multiplier)
-    if (free(entry.row()) >= 0)
-      blocks.force_by_multiplier.emplace_back(free(entry.row()), entry.col(),
-                                              problem.force_weight * entry.value());
+    reduction.for_each_unknown(entry.row(), [&](int row, double by_row) {
+      blocks.force_by_multiplier.emplace_back(row, entry.col(),
+                                              problem.force_weight * by_row * entry.value());
+    });
   for (const auto& entry : system.equation_by_dof)
-    if (free(entry.col()) >= 0)
-      blocks.equation_by_dof.emplace_back(entry.row(), free(entry.col()), entry.value());
+    reduction.for_each_unknown(entry.col(), [&](int column, double by_column) {
+      blocks.equation_by_dof.emplace_back(entry.row(), column, by_column * entry.value());
+    });
   blocks.equation_by_multiplier = system.equation_by_multiplier;
   blocks.equations = system.equations;
   fix_unconstrained_multipliers(blocks);
@@ -98,11 +103,24 @@ std::vector<int> surface_unknowns(const model::Model& model) {
     for (const auto* surface : {&zone.master, &zone.slave})
       for (const auto node : surface->nodes)
         for (int i = 0; i < model.dofs.components; ++i)
-          if (const int free = model.reduction.unknown_of(model.dofs.dof(node, i)); free >= 0)
-            unknowns.push_back(free);
+          model.reduction.for_each_unknown(model.dofs.dof(node, i),
+                                           [&](int unknown, double) { unknowns.push_back(unknown); });
   std::ranges::sort(unknowns);
   unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
   return unknowns;
+}
+
+std::vector<int> related_surface_dofs(const model::Model& model) {
+  std::vector<int> on_surface;
+  for (const auto& zone : model.zones)
+    for (const auto* surface : {&zone.master, &zone.slave})
+      on_surface.insert(on_surface.end(), surface->nodes.begin(), surface->nodes.end());
+  std::ranges::sort(on_surface);
+  std::vector<int> related;
+  for (const auto& dependent : model.reduction.dependents())
+    if (!dependent.of.empty() && std::ranges::binary_search(on_surface, model.node_of(dependent.dof)))
+      related.push_back(dependent.dof);
+  return related;
 }
 
 } // namespace rubato::step

@@ -31,7 +31,10 @@ struct LinearProblem {
 /// Nothing comes back when the system is singular.
 std::optional<LinearSolution> solve_full(const LinearProblem& problem);
 
-/// The free unknowns of every contact surface of the model, ascending.
+/// The dependent dofs of the contact surfaces, without those that nothing unknown moves.
+std::vector<int> related_surface_dofs(const model::Model& model);
+
+/// The unknowns that move the contact surfaces of the model, ascending.
 std::vector<int> surface_unknowns(const model::Model& model);
 
 } // namespace rubato::step

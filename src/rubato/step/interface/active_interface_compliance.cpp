@@ -75,7 +75,7 @@ void ActiveInterfaceCompliance::forget() {
 }
 
 void ActiveInterfaceCompliance::add(std::span<const int> interface_dofs) {
-  active_dof_of_.resize(compliance_->surface().size(), -1);
+  active_dof_of_.resize(static_cast<std::size_t>(compliance_->size()), -1);
   for (const int interface_dof : interface_dofs)
     if (auto& active_dof = active_dof_of_[static_cast<std::size_t>(interface_dof)]; active_dof < 0) {
       active_dof = 0;
@@ -92,7 +92,7 @@ void ActiveInterfaceCompliance::touch_added() {
     active_dof_of_[static_cast<std::size_t>(interface_dofs_[active_dof])] = static_cast<int>(active_dof);
   body_of_.clear();
   std::size_t count = 0;
-  const auto& starts = compliance_->factor().body_starts();
+  const auto& starts = compliance_->body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
     const auto begin = std::ranges::lower_bound(interface_dofs_, starts[b]);
     const auto end = std::ranges::lower_bound(interface_dofs_, starts[b + 1]);

@@ -1,176 +1,172 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/compliance.hpp"
 
-#include "rubato/linalg/column_sum.hpp"
-#include "rubato/linalg/symmetric_product.hpp"
+#include "rubato/core/disjoint_sets.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace rubato::step {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-/// Where more of a force than this is not zero, half of the whole matrix is read sooner than its columns.
-constexpr double dense = 0.35;
-/// Columns of smaller surfaces are near anyway.
-constexpr Index smallest_dense = 64;
+std::vector<int> positions_of_unknowns(const std::vector<int>& surface, Index unknowns) {
+  std::vector<int> positions(static_cast<std::size_t>(unknowns), -1);
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    positions[static_cast<std::size_t>(surface[i])] = static_cast<int>(i);
+  return positions;
+}
 
 } // namespace
 
-Compliance::Compliance(linalg::SplitFactor factor, std::span<const int> free_dofs, Index dofs,
-                       Index largest_whole)
-    : factor_(std::move(factor)), largest_whole_(largest_whole),
-      interface_dofs_(static_cast<std::size_t>(dofs), -1), known_(factor_.surface().size(), 0) {
-  for (const int unknown : factor_.surface()) {
-    const int dof = free_dofs[static_cast<std::size_t>(unknown)];
-    interface_dofs_[static_cast<std::size_t>(dof)] = static_cast<int>(dofs_.size());
+Compliance::Compliance(linalg::SplitFactor factor, const constraint::Reduction& reduction,
+                       std::span<const int> related_dofs, Index largest_whole)
+    : unknowns_(std::move(factor), largest_whole) {
+  for (const int unknown : unknowns_.factor().surface())
+    dofs_.push_back(reduction.free_dofs()[static_cast<std::size_t>(unknown)]);
+  if (!related_dofs.empty())
+    relate(reduction, related_dofs);
+  number(reduction);
+}
+
+void Compliance::number(const constraint::Reduction& reduction) {
+  interface_dofs_.assign(static_cast<std::size_t>(reduction.dof_count()), -1);
+  for (std::size_t i = 0; i < dofs_.size(); ++i)
+    interface_dofs_[static_cast<std::size_t>(dofs_[i])] = static_cast<int>(i);
+}
+
+/// By position: the first body of those that relations of the surface tie to its own.
+std::vector<std::size_t> Compliance::bodies_of(const constraint::Reduction& reduction,
+                                               std::span<const int> related_dofs) const {
+  const auto& starts = unknowns_.factor().body_starts();
+  const auto positions = positions_of_unknowns(unknowns_.factor().surface(), reduction.unknown_count());
+  const auto body_of = [&](int position) {
+    return static_cast<std::size_t>(std::ranges::upper_bound(starts, position) - starts.begin() - 1);
+  };
+  DisjointSets tied(starts.size());
+  for (const int dof : related_dofs) {
+    int first = -1;
+    reduction.for_each_unknown(dof, [&](int unknown, double) {
+      const int position = positions[static_cast<std::size_t>(unknown)];
+      if (first >= 0)
+        tied.join(body_of(first), body_of(position));
+      first = position;
+    });
+  }
+  std::vector<std::size_t> bodies(dofs_.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    bodies[i] = tied.root(body_of(static_cast<int>(i)));
+  return bodies;
+}
+
+void Compliance::relate(const constraint::Reduction& reduction, std::span<const int> related_dofs) {
+  const auto bodies = bodies_of(reduction, related_dofs);
+  const auto positions = positions_of_unknowns(unknowns_.factor().surface(), reduction.unknown_count());
+  struct Placed {
+    std::size_t body;
+    int dof;
+  };
+  std::vector<Placed> placed;
+  for (std::size_t i = 0; i < dofs_.size(); ++i)
+    placed.push_back({bodies[i], dofs_[i]});
+  for (const int dof : related_dofs) {
+    std::size_t body = 0;
+    reduction.for_each_unknown(dof, [&](int unknown, double) {
+      body = bodies[static_cast<std::size_t>(positions[static_cast<std::size_t>(unknown)])];
+    });
+    placed.push_back({body, dof});
+  }
+  std::ranges::stable_sort(placed, {}, &Placed::body);
+  Related related{Rows(static_cast<Index>(placed.size()), unknowns_.size()), {}};
+  std::vector<Eigen::Triplet<double, int>> entries;
+  dofs_.clear();
+  for (const auto& [body, dof] : placed) {
+    const auto row = static_cast<int>(dofs_.size());
+    if (row == 0 || body != placed[static_cast<std::size_t>(row) - 1].body)
+      related.starts.push_back(row);
     dofs_.push_back(dof);
+    reduction.for_each_unknown(dof, [&, row](int unknown, double coefficient) {
+      entries.emplace_back(row, positions[static_cast<std::size_t>(unknown)], coefficient);
+    });
   }
-  const auto& starts = factor_.body_starts();
-  for (std::size_t b = 0; b + 1 < starts.size(); ++b)
-    body_of_.insert(body_of_.end(), static_cast<std::size_t>(starts[b + 1] - starts[b]), static_cast<int>(b));
-  s_.resize(starts.size() - 1);
-  blocks_.resize(starts.size() - 1);
-  for (std::size_t b = 0; b + 1 < starts.size(); ++b)
-    if (const auto* surface = factor_.surface_within(b)) {
-      blocks_[b].emplace(*surface);
-      has_blocks_ = true;
-    }
+  related.starts.push_back(static_cast<int>(dofs_.size()));
+  related.rows.setFromTriplets(entries.begin(), entries.end());
+  related_ = std::move(related);
 }
 
-Eigen::MatrixXd Compliance::between(std::span<const int> interface_dofs) {
-  const auto size = static_cast<Index>(interface_dofs.size());
-  Eigen::MatrixXd s = Eigen::MatrixXd::Zero(size, size);
-  Eigen::MatrixXd s_of_body;
-  for (std::size_t b = 0; b < s_.size(); ++b) {
-    std::vector<Index> chosen;
-    std::vector<int> of_body;
-    for (Index i = 0; i < size; ++i)
-      if (const int at = interface_dofs[static_cast<std::size_t>(i)]; body_of(at) == static_cast<int>(b)) {
-        chosen.push_back(i);
-        of_body.push_back(at);
-      }
-    if (of_body.empty())
-      continue;
-    within_body(of_body, s_of_body);
-    s(chosen, chosen) = s_of_body;
-  }
+VectorXd Compliance::surface_of(const VectorXd& half_way) const {
+  VectorXd moved = unknowns_.factor().surface_of(half_way);
+  return related_ ? VectorXd(related_->rows * moved) : moved;
+}
+
+void Compliance::load_surface(const VectorXd& force, VectorXd& half_way) const {
+  unknowns_.factor().load_surface(related_ ? VectorXd(related_->rows.transpose() * force) : force, half_way);
+}
+
+MatrixXd Compliance::between(std::span<const int> interface_dofs) {
+  if (!related_)
+    return unknowns_.between(interface_dofs);
+  MatrixXd s;
+  within_body(interface_dofs, s);
   return s;
 }
 
-void Compliance::within_body(std::span<const int> interface_dofs, Eigen::MatrixXd& s) {
-  const int body = body_of(interface_dofs.front());
-  const int first = first_of_body(body);
-  if (in_blocks(body)) {
-    std::vector<int> positions(interface_dofs.begin(), interface_dofs.end());
-    for (int& position : positions)
-      position -= first;
-    blocks_[static_cast<std::size_t>(body)]->between(positions, s);
-    return;
-  }
-  const auto size = static_cast<Index>(interface_dofs.size());
-  s.resize(size, size);
-  double* entry = s.data();
-  for (const int from : interface_dofs) {
-    const double* values = column(from);
-    for (const int to : interface_dofs)
-      *entry++ = values[to - first];
-  }
+/// B_d S_u B_dᵀ with the positions that the rows of B have.
+void Compliance::within_body(std::span<const int> interface_dofs, MatrixXd& s) {
+  if (!related_)
+    return unknowns_.within_body(interface_dofs, s);
+  std::vector<int> positions;
+  for (const int i : interface_dofs)
+    for (Rows::InnerIterator entry(related_->rows, i); entry; ++entry)
+      positions.push_back(entry.col());
+  std::ranges::sort(positions);
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (std::size_t k = 0; k < interface_dofs.size(); ++k)
+    for (Rows::InnerIterator entry(related_->rows, interface_dofs[k]); entry; ++entry)
+      entries.emplace_back(
+          static_cast<int>(k),
+          static_cast<int>(std::ranges::lower_bound(positions, entry.col()) - positions.begin()),
+          entry.value());
+  Rows rows(static_cast<Index>(interface_dofs.size()), static_cast<Index>(positions.size()));
+  rows.setFromTriplets(entries.begin(), entries.end());
+  const MatrixXd right = rows * unknowns_.between(positions);
+  s = right * rows.transpose();
 }
 
-bool Compliance::takes_forces_together() const {
-  const auto& starts = factor_.body_starts();
-  for (std::size_t b = 0; b + 1 < starts.size(); ++b)
-    if (starts[b + 1] > starts[b] && !blocks_[b])
-      return false;
-  return true;
+MatrixXd Compliance::between_forces(const linalg::SparseMatrix& forces) const {
+  if (!related_)
+    return unknowns_.between_forces(forces);
+  return unknowns_.between_forces(linalg::SparseMatrix(related_->rows.transpose() * forces));
 }
 
-Eigen::MatrixXd Compliance::between_forces(const linalg::SparseMatrix& forces) const {
-  Eigen::MatrixXd s = Eigen::MatrixXd::Zero(forces.cols(), forces.cols());
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    if (blocks_[b])
-      s += factor_.surface_within(b)->between(forces, factor_.body_starts()[b]);
-  return s;
+void Compliance::add(double factor, const VectorXd& force, VectorXd& d) {
+  if (!related_)
+    return unknowns_.add(factor, force, d);
+  VectorXd moved = VectorXd::Zero(unknowns_.size());
+  unknowns_.add(factor, VectorXd(related_->rows.transpose() * force), moved);
+  d += related_->rows * moved;
 }
 
-void Compliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
-  const auto& starts = factor_.body_starts();
-  for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
-    const Index size = starts[b + 1] - starts[b];
-    const auto of_body = force.segment(starts[b], size);
-    if (in_blocks(static_cast<int>(b))) {
-      blocks_[b]->add(factor, of_body, d.segment(starts[b], size));
-      continue;
-    }
-    const bool may_be_dense = size >= smallest_dense && size <= largest_whole_;
-    if (may_be_dense &&
-        static_cast<double>((of_body.array() != 0).count()) > dense * static_cast<double>(size)) {
-      linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
-      continue;
-    }
-    linalg::ColumnSum sum(d.data() + starts[b], size);
-    for (int i = starts[b]; i < starts[b + 1]; ++i)
-      if (force[i] != 0)
-        sum.add(factor * force[i], column(i));
-    sum.add_rest();
-  }
-}
-
-/// What a unit force at an interface dof moves of its body, computed when first asked for.
-const double* Compliance::column(int interface_dof) {
-  const int body = body_of(interface_dof);
-  const Index place = interface_dof - first_of_body(body);
-  if (known_[static_cast<std::size_t>(interface_dof)] == 0)
-    compute(body, place);
-  return s_[static_cast<std::size_t>(body)].col(place).data();
-}
-
-/// S of a body that has it computed whole.
-const Eigen::MatrixXd& Compliance::whole(std::size_t body) {
-  column(first_of_body(static_cast<int>(body)));
-  return s_[body];
-}
-
-/// By the force of all dofs: blocks take no single entries.
-void Compliance::add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {
-  Eigen::VectorXd of_all = Eigen::VectorXd::Zero(d.size());
+void Compliance::add(double factor, std::span<const ForceAt> force, VectorXd& d) {
+  if (!related_)
+    return unknowns_.add(factor, force, d);
+  VectorXd of_all = VectorXd::Zero(size());
   for (const auto& at : force)
     of_all[at.interface_dof] += at.force;
   add(factor, of_all, d);
 }
 
-void Compliance::add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {
-  if (has_blocks_)
-    return add_gathered(factor, force, d);
-  const auto& starts = factor_.body_starts();
-  for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
-    linalg::ColumnSum sum(d.data() + starts[b], starts[b + 1] - starts[b]);
-    for (const auto& at : force)
-      if (at.force != 0 && at.interface_dof >= starts[b] && at.interface_dof < starts[b + 1])
-        sum.add(factor * at.force, column(at.interface_dof));
-    sum.add_rest();
-  }
-}
-
-/// The column at a place and those that are computed with it.
-void Compliance::compute(int body, Index place) {
-  const auto b = static_cast<std::size_t>(body);
-  auto& s = s_[b];
-  const auto start = known_.begin() + first_of_body(body);
-  const Index size = factor_.body_starts()[b + 1] - first_of_body(body);
-  if (size <= largest_whole_) {
-    s = factor_.compliance(b);
-    std::fill_n(start, size, 1);
-    return;
-  }
-  if (s.size() == 0)
-    s.resize(size, size);
-  const Index first = place / block_size * block_size;
-  const Index count = std::min(block_size, size - first);
-  s.middleCols(first, count) = factor_.compliance(b, first, count);
-  std::fill_n(start + first, count, 1);
+double Compliance::own(int interface_dof) {
+  if (!related_)
+    return unknowns_.own(interface_dof);
+  MatrixXd s;
+  within_body(std::array{interface_dof}, s);
+  return s(0, 0);
 }
 
 } // namespace rubato::step

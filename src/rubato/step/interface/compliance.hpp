@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// What a bulk that keeps its effective matrix A answers to forces on its contact surfaces: A factored once,
-/// and the surface compliance S = B A⁻¹ Bᵀ, B picking the contact unknowns. S of a body is computed when
-/// first asked for: whole, or of large surfaces some columns or blocks only, as few contact points are ever
-/// active.
+/// and the surface compliance S = B A⁻¹ Bᵀ, B giving the displacements of the surface by the unknowns.
 #pragma once
 
-#include "rubato/linalg/split_factor.hpp"
-#include "rubato/step/interface/block_compliance.hpp"
+#include "rubato/constraint/reduction.hpp"
+#include "rubato/step/interface/surface_compliance.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <optional>
 #include <span>
@@ -16,43 +15,49 @@
 
 namespace rubato::step {
 
-/// A force on one displacement of the surface.
-struct ForceAt {
-  int interface_dof = 0;
-  double force = 0;
-};
-
+/// Works on interface dofs: displacements of the surfaces that something unknown moves, counted body after
+/// body. Without relations each is an unknown of its own. Dofs that relations give are interface dofs too:
+/// their rows of B have the coefficients of the relation, and S is that of the unknowns between these rows.
 class Compliance {
 public:
-  /// Surfaces of bodies up to this size have S computed whole: three seconds at most.
-  static constexpr Eigen::Index usual_largest_whole = 5000;
-  /// Neighbouring columns of larger surfaces that are always computed together: enough for matrix–matrix
-  /// products, few that are never asked for. In space they belong to a patch of 4 by 4 nodes. The last digits
-  /// of a column depend on which columns are computed with it; as these are always the same, they don't
-  /// depend on what was asked for before, and a resumed run has the same ones.
-  static constexpr Eigen::Index block_size = 48;
+  static constexpr Eigen::Index usual_largest_whole = SurfaceCompliance::usual_largest_whole;
+  static constexpr Eigen::Index block_size = SurfaceCompliance::block_size;
 
-  /// `free_dofs`: the dof of every unknown; `dofs`: how many there are. Surfaces that the factor eliminates
-  /// within their bodies are large ones.
-  Compliance(linalg::SplitFactor factor, std::span<const int> free_dofs, Eigen::Index dofs,
-             Eigen::Index largest_whole = usual_largest_whole);
+  /// `reduction`: that of the factored matrix; `related_dofs`: dependent dofs of the surfaces, whose unknowns
+  /// are all on the factor's surface.
+  Compliance(linalg::SplitFactor factor, const constraint::Reduction& reduction,
+             std::span<const int> related_dofs = {}, Eigen::Index largest_whole = usual_largest_whole);
 
-  const linalg::SplitFactor& factor() const { return factor_; }
-  /// A⁻¹ force
-  Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return factor_.solve(force); }
+  /// A⁻¹ force, an entry an unknown each.
+  Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return unknowns_.factor().solve(force); }
+  /// Half way through a solve: L⁻¹ force.
+  Eigen::VectorXd forward(const Eigen::VectorXd& force) const { return unknowns_.factor().forward(force); }
+  /// The surface's displacements, one an interface dof.
+  Eigen::VectorXd surface_of(const Eigen::VectorXd& half_way) const;
+  /// Adds forces on the surface, one an interface dof, to what `forward` gave.
+  void load_surface(const Eigen::VectorXd& force, Eigen::VectorXd& half_way) const;
+  /// All unknowns from there.
+  Eigen::VectorXd backward(const Eigen::VectorXd& half_way) const {
+    return unknowns_.factor().backward(half_way);
+  }
 
-  /// The unknowns of the surfaces; an index in this list is called an interface dof.
-  const std::vector<int>& surface() const { return factor_.surface(); }
+  /// How many interface dofs there are.
+  Eigen::Index size() const { return static_cast<Eigen::Index>(dofs_.size()); }
   const std::vector<int>& dof_of_interface_dof() const { return dofs_; }
   /// −1 for dofs that are held or not on a surface.
   const std::vector<int>& interface_dof_of_dof() const { return interface_dofs_; }
+  /// Interface dofs at which one body's end and the next one's begin, 0 first. Bodies that relations tie
+  /// count as one.
+  const std::vector<int>& body_starts() const {
+    return related_ ? related_->starts : unknowns_.factor().body_starts();
+  }
 
   /// S for these interface dofs.
   Eigen::MatrixXd between(std::span<const int> interface_dofs);
   /// The same for interface dofs that all lie on the body of the first, of which there is one; into `s`.
   void within_body(std::span<const int> interface_dofs, Eigen::MatrixXd& s);
   /// Whether forces can be taken together by `between_forces`.
-  bool takes_forces_together() const;
+  bool takes_forces_together() const { return unknowns_.takes_forces_together(); }
   /// Fᵀ S F, with F one row an interface dof: of some hundreds of forces on thin bodies this is less work
   /// than S between all dofs that they act on.
   Eigen::MatrixXd between_forces(const linalg::SparseMatrix& forces) const;
@@ -60,35 +65,25 @@ public:
   void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
   /// The same with the force given by its entries.
   void add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
-
   /// How far a unit force at an interface dof moves it.
-  double own(int interface_dof) {
-    const int body = body_of(interface_dof);
-    const int position = interface_dof - first_of_body(body);
-    return in_blocks(body) ? blocks_[static_cast<std::size_t>(body)]->own(position)
-                           : column(interface_dof)[position];
-  }
+  double own(int interface_dof);
 
 private:
-  int body_of(int interface_dof) const { return body_of_[static_cast<std::size_t>(interface_dof)]; }
-  int first_of_body(int body) const { return factor_.body_starts()[static_cast<std::size_t>(body)]; }
-  bool in_blocks(int body) const {
-    return has_blocks_ && blocks_[static_cast<std::size_t>(body)].has_value();
-  }
-  const double* column(int interface_dof);
-  const Eigen::MatrixXd& whole(std::size_t body);
-  void add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
-  void compute(int body, Eigen::Index place);
+  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+  /// Where relations give dofs of the surface.
+  struct Related {
+    Rows rows; ///< B: interface dofs by positions
+    std::vector<int> starts;
+  };
+  void relate(const constraint::Reduction& reduction, std::span<const int> related_dofs);
+  std::vector<std::size_t> bodies_of(const constraint::Reduction& reduction,
+                                     std::span<const int> related_dofs) const;
+  void number(const constraint::Reduction& reduction);
 
-  linalg::SplitFactor factor_;
-  Eigen::Index largest_whole_;
+  SurfaceCompliance unknowns_;
   std::vector<int> dofs_;
   std::vector<int> interface_dofs_;
-  std::vector<int> body_of_;                           ///< by interface dof
-  std::vector<Eigen::MatrixXd> s_;                     ///< by body: empty until used
-  std::vector<char> known_;                            ///< by interface dof: whether its column is computed
-  std::vector<std::optional<BlockCompliance>> blocks_; ///< by body, of surfaces eliminated within theirs
-  bool has_blocks_ = false;
+  std::optional<Related> related_;
 };
 
 } // namespace rubato::step

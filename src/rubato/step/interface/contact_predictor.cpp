@@ -238,7 +238,7 @@ bool ContactPredictor::choose_more(std::span<PredictorPoint> points, const Vecto
 
 /// Of a large surface, takes the parts that points stand on to those that push moves.
 void ContactPredictor::watch(std::span<PredictorPoint* const> points) {
-  if (compliance_.surface().size() < least_watched_)
+  if (static_cast<std::size_t>(compliance_.size()) < least_watched_)
     return;
   for (const auto* point : points)
     for (const auto& node : point->stencil.nodes)
@@ -255,7 +255,7 @@ void ContactPredictor::push(const PredictorPoint& point, int axis) {
     for (std::size_t c = 0; c < 3; ++c)
       if (const int at = node.at[c]; at >= 0)
         pushing_.push_back({at, node.weight * point.frame(static_cast<Index>(c), axis)});
-  const auto size = static_cast<Index>(compliance_.surface().size());
+  const auto size = compliance_.size();
   if (watched_.size() > 0) {
     moved_.resize(size);
     push_watched();
@@ -292,7 +292,7 @@ void ContactPredictor::find_normal_compliance() {
         if (node.at[c] >= 0)
           entries.emplace_back(node.at[c], static_cast<int>(j),
                                node.weight * chosen_[j]->frame(static_cast<Index>(c), 0));
-  linalg::SparseMatrix forces(static_cast<Index>(compliance_.surface().size()),
+  linalg::SparseMatrix forces(compliance_.size(),
                               static_cast<Index>(chosen_.size()));
   forces.setFromTriplets(entries.begin(), entries.end());
   normal_compliance_ = factor_ * compliance_.between_forces(forces);

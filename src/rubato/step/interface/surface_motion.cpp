@@ -26,8 +26,8 @@ VectorXd SurfaceMotion::beyond_carried(const VectorXd& force) const {
 
 void SurfaceMotion::take_base(const time::Motion& motion, const VectorXd& residual) {
   base = motion;
-  half_way_ = system_.compliance->factor().forward(-residual);
-  free = system_.compliance->factor().surface_of(half_way_);
+  half_way_ = system_.compliance->forward(-residual);
+  free = system_.compliance->surface_of(half_way_);
   moved = applied = VectorXd::Zero(free.size());
   consistent = true;
 }
@@ -65,10 +65,9 @@ void SurfaceMotion::place(const VectorXd& d_s, State& trial) const {
 }
 
 void SurfaceMotion::move_bulk(State& trial) const {
-  const auto& factor = system_.compliance->factor();
   VectorXd half_way = half_way_;
-  factor.load_surface(-scheme_.contact_weight() * beyond_carried(applied), half_way);
-  const VectorXd d = model_.reduction.scatter(factor.backward(half_way));
+  system_.compliance->load_surface(-scheme_.contact_weight() * beyond_carried(applied), half_way);
+  const VectorXd d = model_.reduction.scatter(system_.compliance->backward(half_way));
   trial.motion = base;
   time::correct(system_.coefficients, d, trial.motion);
 }

@@ -86,6 +86,17 @@ void check_probe(Rules& rules, const Probe& probe, const std::string& path) {
   if (is_of_contact(probe.field) && rules.study.contact.empty())
     rules.broken({path + ".field", "contact"}, fmt::format("found {}, but the study has no contact",
                                                            word_of(probe_field_words, probe.field)));
+  const bool of_reference = is_reference(rules.study, probe.node);
+  const auto at = path + (probe.take == ProbeTake::node ? ".node" : ".on");
+  if (probe.field == ProbeField::rotation && !of_reference)
+    rules.broken({at, path + ".node", path + ".field", "relations"},
+                 expected_reference(rules.study, probe.node));
+  if (of_reference && !is_of_reference(probe.field))
+    rules.broken(
+        {path + ".field", at},
+        fmt::format("found {}, but '{}' is a reference, which has displacement, velocity, acceleration "
+                    "and rotation; its group has the others",
+                    word_of(probe_field_words, probe.field), probe.node));
 }
 
 void check_instants(Rules& rules, const std::string& path, const std::vector<double>& instants) {

@@ -70,11 +70,17 @@ constexpr bool predicts_exactly(const ContactZone& zone) {
   return entry_of(zone.method).exact_prediction;
 }
 
+/// Whether a name is that of a relation with a reference.
+bool is_reference(const Study& study, const std::string& name);
+/// What a name that is none is told.
+std::string expected_reference(const Study& study, const std::string& name);
+
 void check_mesh(Rules& rules);
 void check_physics(Rules& rules);
 void check_materials(Rules& rules);
 void check_functions(Rules& rules);
 void check_supports(Rules& rules);
+void check_relations(Rules& rules);
 void check_springs(Rules& rules);
 void check_loads(Rules& rules);
 void check_initial(Rules& rules);

@@ -92,14 +92,51 @@ template <class Component> bool is_empty(const std::array<std::optional<Componen
   return std::ranges::none_of(components, [](const auto& component) { return component.has_value(); });
 }
 
+/// In the plane things turn about z.
+void check_turn_axis(Rules& rules, const std::string& path, std::size_t axis) {
+  if (dimension_of(rules.study.physics) == 2 && axis != 2)
+    rules.broken({path, "physics"}, fmt::format("{} turns about z only, expected z",
+                                                word_of(physics_words, rules.study.physics)));
+}
+
+void check_turns(Rules& rules, const Support& support, const std::string& path) {
+  if (is_empty(support.turns))
+    return;
+  if (!is_reference(rules.study, support.on))
+    rules.broken({path + ".turn", path + ".on", "relations"}, expected_reference(rules.study, support.on));
+  for (std::size_t axis = 0; axis < support.turns.size(); ++axis)
+    if (const auto& turn = support.turns.at(axis)) {
+      const auto at = fmt::format("{}.turn.{}", path, axis_words.at(axis));
+      check_turn_axis(rules, at, axis);
+      rules.field(at, *turn);
+    }
+}
+
+void check_along(Rules& rules, const Support& support, const std::string& path) {
+  const auto& along = *support.along;
+  rules.field(path + ".value", along.value);
+  if (along.normal)
+    return;
+  for (std::size_t axis = 0; axis < along.direction.size(); ++axis)
+    rules.number(fmt::format("{}.along.{}", path, axis), along.direction.at(axis));
+  if (std::ranges::all_of(along.direction, [](double number) { return number == 0; }))
+    rules.broken({path + ".along"}, "found a direction without length");
+}
+
 void check_load(Rules& rules, const Load& load, const std::string& path) {
   if (load.kind != LoadKind::gravity)
     rules.name(path + ".on", load.on);
+  if (load.kind == LoadKind::moment && !is_reference(rules.study, load.on))
+    rules.broken({path + ".on", "relations"}, expected_reference(rules.study, load.on));
   for (std::size_t axis = 0; axis < load.components.size(); ++axis) {
     const bool is_pressure = load.kind == LoadKind::pressure;
     const auto at = is_pressure ? path + ".value" : fmt::format("{}.{}", path, axis_words.at(axis));
     rules.field_value(at, load.components[axis]);
-    if (!is_pressure && load.components[axis] != 0.0)
+    if (is_pressure || load.components[axis] == 0.0)
+      continue;
+    if (load.kind == LoadKind::moment)
+      check_turn_axis(rules, at, axis);
+    else
       rules.axis(at, axis);
   }
   rules.function(path + ".function", load.function);
@@ -142,9 +179,12 @@ void check_supports(Rules& rules) {
     const auto path = fmt::format("supports.{}", i);
     rules.name(path + ".on", support.on);
     check_components(rules, support.components, path);
-    if (is_empty(support.components))
+    check_turns(rules, support, path);
+    if (support.along)
+      check_along(rules, support, path);
+    if (is_empty(support.components) && !support.along && is_empty(support.turns))
       rules.broken({path, path + ".fix", path + ".x", path + ".y", path + ".z"},
-                   "holds nothing, expected 'fix' or a displacement x, y or z");
+                   "holds nothing, expected 'fix', a displacement x, y or z, or 'along'");
   }
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Supports and relations as prescribed dofs and linear equations.
+#pragma once
+
+#include "rubato/constraint/elimination.hpp"
+#include "rubato/model/build.hpp"
+#include "rubato/model/references.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rubato::model {
+
+/// Equations and what in the study says each: the source of an equation is the place of its path.
+struct Equations {
+  std::vector<constraint::Equation> list;
+  std::vector<std::string> paths;
+};
+
+/// What the functions below need of a model that is being made.
+struct Parts {
+  const study::Study& study;
+  const mesh::Mesh& mesh;
+  const domain::DofMap& dofs;
+  std::span<const Reference> references;
+};
+
+/// A field's value at a node. An expression that does not change with time is a number there. Throws
+/// InputError when it is no finite number.
+constraint::ImposedValue imposed_at(const Parts& parts, mesh::NodeIndex node,
+                                    const std::shared_ptr<const FieldFunction>& field);
+/// The same at any place.
+constraint::ImposedValue imposed_at(const Parts& parts, const Eigen::Vector3d& place,
+                                    const std::shared_ptr<const FieldFunction>& field);
+
+/// Adds what a support says along a direction across the axes.
+void add_oblique(const Parts& parts, const study::Support& support, const std::string& path,
+                 Equations& equations, std::vector<Fault>& faults);
+/// Adds what a support says of a reference.
+void add_held_reference(const Parts& parts, const study::Support& support, const std::string& path,
+                        Equations& equations);
+/// Adds a relation.
+void add_relation(const Parts& parts, const study::Relation& relation, Equations& equations,
+                  std::vector<Fault>& faults);
+
+} // namespace rubato::model

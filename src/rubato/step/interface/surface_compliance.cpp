@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/interface/surface_compliance.hpp"
+
+#include "rubato/linalg/column_sum.hpp"
+#include "rubato/linalg/symmetric_product.hpp"
+
+#include <algorithm>
+
+namespace rubato::step {
+namespace {
+
+using Eigen::Index;
+
+/// Where more of a force than this is not zero, half of the whole matrix is read sooner than its columns.
+constexpr double dense = 0.35;
+/// Columns of smaller surfaces are near anyway.
+constexpr Index smallest_dense = 64;
+
+} // namespace
+
+SurfaceCompliance::SurfaceCompliance(linalg::SplitFactor factor, Index largest_whole)
+    : factor_(std::move(factor)), largest_whole_(largest_whole), known_(factor_.surface().size(), 0) {
+  const auto& starts = factor_.body_starts();
+  for (std::size_t b = 0; b + 1 < starts.size(); ++b)
+    body_of_.insert(body_of_.end(), static_cast<std::size_t>(starts[b + 1] - starts[b]), static_cast<int>(b));
+  s_.resize(starts.size() - 1);
+  blocks_.resize(starts.size() - 1);
+  for (std::size_t b = 0; b + 1 < starts.size(); ++b)
+    if (const auto* surface = factor_.surface_within(b)) {
+      blocks_[b].emplace(*surface);
+      has_blocks_ = true;
+    }
+}
+
+Eigen::MatrixXd SurfaceCompliance::between(std::span<const int> positions) {
+  const auto size = static_cast<Index>(positions.size());
+  Eigen::MatrixXd s = Eigen::MatrixXd::Zero(size, size);
+  Eigen::MatrixXd s_of_body;
+  for (std::size_t b = 0; b < s_.size(); ++b) {
+    std::vector<Index> chosen;
+    std::vector<int> of_body;
+    for (Index i = 0; i < size; ++i)
+      if (const int at = positions[static_cast<std::size_t>(i)]; body_of(at) == static_cast<int>(b)) {
+        chosen.push_back(i);
+        of_body.push_back(at);
+      }
+    if (of_body.empty())
+      continue;
+    within_body(of_body, s_of_body);
+    s(chosen, chosen) = s_of_body;
+  }
+  return s;
+}
+
+void SurfaceCompliance::within_body(std::span<const int> positions, Eigen::MatrixXd& s) {
+  const int body = body_of(positions.front());
+  const int first = first_of_body(body);
+  if (in_blocks(body)) {
+    std::vector<int> within(positions.begin(), positions.end());
+    for (int& position : within)
+      position -= first;
+    blocks_[static_cast<std::size_t>(body)]->between(within, s);
+    return;
+  }
+  const auto size = static_cast<Index>(positions.size());
+  s.resize(size, size);
+  double* entry = s.data();
+  for (const int from : positions) {
+    const double* values = column(from);
+    for (const int to : positions)
+      *entry++ = values[to - first];
+  }
+}
+
+bool SurfaceCompliance::takes_forces_together() const {
+  const auto& starts = factor_.body_starts();
+  for (std::size_t b = 0; b + 1 < starts.size(); ++b)
+    if (starts[b + 1] > starts[b] && !blocks_[b])
+      return false;
+  return true;
+}
+
+Eigen::MatrixXd SurfaceCompliance::between_forces(const linalg::SparseMatrix& forces) const {
+  Eigen::MatrixXd s = Eigen::MatrixXd::Zero(forces.cols(), forces.cols());
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (blocks_[b])
+      s += factor_.surface_within(b)->between(forces, factor_.body_starts()[b]);
+  return s;
+}
+
+void SurfaceCompliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
+  const auto& starts = factor_.body_starts();
+  for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
+    const Index size = starts[b + 1] - starts[b];
+    const auto of_body = force.segment(starts[b], size);
+    if (in_blocks(static_cast<int>(b))) {
+      blocks_[b]->add(factor, of_body, d.segment(starts[b], size));
+      continue;
+    }
+    const bool may_be_dense = size >= smallest_dense && size <= largest_whole_;
+    if (may_be_dense &&
+        static_cast<double>((of_body.array() != 0).count()) > dense * static_cast<double>(size)) {
+      linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
+      continue;
+    }
+    linalg::ColumnSum sum(d.data() + starts[b], size);
+    for (int i = starts[b]; i < starts[b + 1]; ++i)
+      if (force[i] != 0)
+        sum.add(factor * force[i], column(i));
+    sum.add_rest();
+  }
+}
+
+/// What a unit force at a position moves of its body, computed when first asked for.
+const double* SurfaceCompliance::column(int position) {
+  const int body = body_of(position);
+  const Index place = position - first_of_body(body);
+  if (known_[static_cast<std::size_t>(position)] == 0)
+    compute(body, place);
+  return s_[static_cast<std::size_t>(body)].col(place).data();
+}
+
+/// S of a body that has it computed whole.
+const Eigen::MatrixXd& SurfaceCompliance::whole(std::size_t body) {
+  column(first_of_body(static_cast<int>(body)));
+  return s_[body];
+}
+
+/// By the force of all positions: blocks take no single entries.
+void SurfaceCompliance::add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {
+  Eigen::VectorXd of_all = Eigen::VectorXd::Zero(d.size());
+  for (const auto& at : force)
+    of_all[at.interface_dof] += at.force;
+  add(factor, of_all, d);
+}
+
+void SurfaceCompliance::add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {
+  if (has_blocks_)
+    return add_gathered(factor, force, d);
+  const auto& starts = factor_.body_starts();
+  for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
+    linalg::ColumnSum sum(d.data() + starts[b], starts[b + 1] - starts[b]);
+    for (const auto& at : force)
+      if (at.force != 0 && at.interface_dof >= starts[b] && at.interface_dof < starts[b + 1])
+        sum.add(factor * at.force, column(at.interface_dof));
+    sum.add_rest();
+  }
+}
+
+/// The column at a place and those that are computed with it.
+void SurfaceCompliance::compute(int body, Index place) {
+  const auto b = static_cast<std::size_t>(body);
+  auto& s = s_[b];
+  const auto start = known_.begin() + first_of_body(body);
+  const Index size = factor_.body_starts()[b + 1] - first_of_body(body);
+  if (size <= largest_whole_) {
+    s = factor_.compliance(b);
+    std::fill_n(start, size, 1);
+    return;
+  }
+  if (s.size() == 0)
+    s.resize(size, size);
+  const Index first = place / block_size * block_size;
+  const Index count = std::min(block_size, size - first);
+  s.middleCols(first, count) = factor_.compliance(b, first, count);
+  std::fill_n(start + first, count, 1);
+}
+
+} // namespace rubato::step

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The compliance S = B A⁻¹ Bᵀ of the surface unknowns of a factored matrix A, B picking them. S of a body is
+/// computed when first asked for: whole, or of large surfaces some columns or blocks only, as few contact
+/// points are ever active. Only this folder's compliance.hpp includes this.
+#pragma once
+
+#include "rubato/linalg/split_factor.hpp"
+#include "rubato/step/interface/block_compliance.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rubato::step {
+
+/// A force on one of the surface's unknowns.
+struct ForceAt {
+  int interface_dof = 0;
+  double force = 0;
+};
+
+/// Surface unknowns are counted by their positions in the factor: SplitFactor::surface().
+class SurfaceCompliance {
+public:
+  /// Surfaces of bodies up to this size have S computed whole: three seconds at most.
+  static constexpr Eigen::Index usual_largest_whole = 5000;
+  /// Neighbouring columns of larger surfaces that are always computed together: enough for matrix–matrix
+  /// products, few that are never asked for. In space they belong to a patch of 4 by 4 nodes. The last digits
+  /// of a column depend on which columns are computed with it; as these are always the same, they don't
+  /// depend on what was asked for before, and a resumed run has the same ones.
+  static constexpr Eigen::Index block_size = 48;
+
+  /// Surfaces that the factor eliminates within their bodies are large ones.
+  explicit SurfaceCompliance(linalg::SplitFactor factor, Eigen::Index largest_whole = usual_largest_whole);
+
+  const linalg::SplitFactor& factor() const { return factor_; }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(factor_.surface().size()); }
+
+  /// S for these positions.
+  Eigen::MatrixXd between(std::span<const int> positions);
+  /// The same for positions that all lie on the body of the first, of which there is one; into `s`.
+  void within_body(std::span<const int> positions, Eigen::MatrixXd& s);
+  /// Whether forces can be taken together by `between_forces`.
+  bool takes_forces_together() const;
+  /// Fᵀ S F, with F one row a position: of some hundreds of forces on thin bodies this is less work
+  /// than S between all dofs that they act on.
+  Eigen::MatrixXd between_forces(const linalg::SparseMatrix& forces) const;
+  /// d += factor S force, one a position each; cheap where most of the force is zero.
+  void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
+  /// The same with the force given by its entries.
+  void add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
+
+  /// How far a unit force at a position moves it.
+  double own(int position) {
+    const int body = body_of(position);
+    const int within = position - first_of_body(body);
+    return in_blocks(body) ? blocks_[static_cast<std::size_t>(body)]->own(within) : column(position)[within];
+  }
+
+private:
+  int body_of(int position) const { return body_of_[static_cast<std::size_t>(position)]; }
+  int first_of_body(int body) const { return factor_.body_starts()[static_cast<std::size_t>(body)]; }
+  bool in_blocks(int body) const {
+    return has_blocks_ && blocks_[static_cast<std::size_t>(body)].has_value();
+  }
+  const double* column(int position);
+  const Eigen::MatrixXd& whole(std::size_t body);
+  void add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
+  void compute(int body, Eigen::Index place);
+
+  linalg::SplitFactor factor_;
+  Eigen::Index largest_whole_;
+  std::vector<int> body_of_;                           ///< by position
+  std::vector<Eigen::MatrixXd> s_;                     ///< by body: empty until used
+  std::vector<char> known_;                            ///< by position: whether its column is computed
+  std::vector<std::optional<BlockCompliance>> blocks_; ///< by body, of surfaces eliminated within theirs
+  bool has_blocks_ = false;
+};
+
+} // namespace rubato::step

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Values of a study that may change with place and time.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace rubato::study {
+
+/// A number, times a named function of time when `function` is not empty.
+struct Amplitude {
+  double value = 0;
+  std::string function;
+  bool operator==(const Amplitude&) const = default;
+};
+
+/// The text of an expression (core/expression.hpp) of x, y, z, the undeformed place, and t, the instant.
+struct Formula {
+  std::string text;
+  bool operator==(const Formula&) const = default;
+};
+
+/// A number, or an expression: a number at each place and instant.
+struct FieldValue {
+  FieldValue(double number = 0) : is(number) {}
+  FieldValue(Formula formula) : is(std::move(formula)) {}
+
+  std::variant<double, Formula> is;
+
+  /// The number or the expression; null when it is the other one.
+  const double* number() const { return std::get_if<double>(&is); }
+  const Formula* formula() const { return std::get_if<Formula>(&is); }
+  bool operator==(const FieldValue&) const = default;
+};
+
+/// A number or an expression, times a named function of time when `function` is not empty.
+struct Field {
+  Field() = default;
+  Field(double number, std::string of_time = {}) : value(number), function(std::move(of_time)) {}
+  Field(Formula formula, std::string of_time = {})
+      : value(std::move(formula)), function(std::move(of_time)) {}
+  Field(Amplitude amplitude) : value(amplitude.value), function(std::move(amplitude.function)) {}
+
+  FieldValue value;
+  std::string function;
+  bool operator==(const Field&) const = default;
+};
+
+} // namespace rubato::study
