@@ -13,6 +13,8 @@ namespace {
 
 /// What is left of a coefficient below this part of what was summed is rounding.
 constexpr double rounding = 1e-11;
+/// The first dof of an equation is solved for where it has at least this part of the largest coefficient.
+constexpr double large_enough = 0.1;
 /// Right sides that differ by less than this part of what was summed are the same.
 constexpr double same = 1e-9;
 
@@ -57,7 +59,7 @@ public:
 
   void take(int number) {
     const auto row = row_of(number);
-    if (const auto pivot = pivot_of(row); pivot >= 0)
+    if (const auto pivot = pivot_of(row, first_dof(number)); pivot >= 0)
       solve_for(pivot, row);
     else
       judge(number, row);
@@ -100,16 +102,24 @@ private:
     return row;
   }
 
-  /// The dof with the largest coefficient, of equal ones the last; −1 where none is left.
-  static int pivot_of(const Row& row) {
+  int first_dof(int number) const {
+    const auto& terms = equations_[static_cast<std::size_t>(number)].terms;
+    return terms.empty() ? -1 : terms.front().dof;
+  }
+
+  /// −1 where none is left.
+  static int pivot_of(const Row& row, int wanted) {
     int pivot = -1;
     double largest = 0;
     for (const auto& [dof, sum] : row.free)
-      if (!sum.is_zero() && std::abs(sum.value) >= largest) {
+      if (!sum.is_zero() && std::abs(sum.value) > largest) {
         pivot = dof;
         largest = std::abs(sum.value);
       }
-    return pivot;
+    const auto first = row.free.find(wanted);
+    const bool serves = first != row.free.end() && !first->second.is_zero() &&
+                        std::abs(first->second.value) >= large_enough * largest;
+    return serves ? wanted : pivot;
   }
 
   void solve_for(int pivot, const Row& row) {

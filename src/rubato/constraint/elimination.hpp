@@ -31,8 +31,9 @@ struct Elimination {
   std::vector<Contradiction> contradictions;
 };
 
-/// Gauss–Jordan elimination on sparse rows: every equation is solved for the dof with the largest coefficient
-/// that is left when prescribed and dependent dofs have been replaced. An equation of which nothing is left
+/// Gauss–Jordan elimination on sparse rows: when prescribed and dependent dofs have been replaced, every
+/// equation is solved for its first dof where that has a coefficient of the size of the largest, else for the
+/// dof with the largest. An equation of which nothing is left
 /// is redundant when its right side follows, too, at all `instants`, else contradicting. `prescribed`:
 /// ascending by dof.
 Elimination eliminate(std::span<const PrescribedDof> prescribed, std::span<const Equation> equations,

@@ -32,6 +32,8 @@ void read_supports(const Found& value, const Context& context, std::vector<study
 void read_relations(const Found& value, const Context& context, std::vector<study::Relation>& relations);
 void read_loads(const Found& value, const Context& context, std::vector<study::Load>& loads);
 void read_springs(const Found& value, std::vector<study::Springs>& springs);
+void read_connectors(const Found& value, const Context& context, std::vector<study::Connector>& connectors);
+void read_masses(const Found& value, std::vector<study::PointMasses>& masses);
 void read_initial(const Found& value, std::vector<study::InitialMotion>& initial);
 
 /// Coordinates in as many directions as the physics has, at most three.

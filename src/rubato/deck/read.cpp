@@ -95,6 +95,8 @@ study::Study read_study(const Tree& tree, const std::filesystem::path& folder, F
   read_supports(map.find("supports"), context, study.supports);
   read_relations(map.find("relations"), context, study.relations);
   read_springs(map.find("springs"), study.springs);
+  read_connectors(map.find("connectors"), context, study.connectors);
+  read_masses(map.find("masses"), study.masses);
   read_loads(map.find("loads"), context, study.loads);
   read_initial(map.find("initial"), study.initial);
   read_contact(map.find("contact"), context, study.contact);

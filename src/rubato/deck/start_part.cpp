@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Springs to the ground, and how the bodies move when the run begins.
+// Springs, dashpots and masses, and how the bodies move when the run begins.
 #include "rubato/deck/parts.hpp"
 #include "rubato/study/bounds.hpp"
 
@@ -15,6 +15,28 @@ study::Springs read_springs_of(const Value& value) {
          study::bounds::spring); // 0 stands for none
   map.finish();
   return springs;
+}
+
+study::Connector read_connector(const Value& value, const Context& context) {
+  study::Connector connector;
+  MapReader map(value);
+  read_name(map.require("on"), connector.on);
+  read_name(map.find("to"), connector.to);
+  if (std::array<double, 3> along{}; read_point(map.find("along"), context, along))
+    connector.along = along;
+  read(map.find("stiffness"), connector.stiffness, study::bounds::connector);
+  read(map.find("damping"), connector.damping, study::bounds::connector);
+  map.finish();
+  return connector;
+}
+
+study::PointMasses read_masses_of(const Value& value) {
+  study::PointMasses masses;
+  MapReader map(value);
+  read_name(map.require("on"), masses.on);
+  read(map.require("mass"), masses.mass, study::bounds::point_mass);
+  map.finish();
+  return masses;
 }
 
 /// A map of components, at least one of them.
@@ -48,6 +70,16 @@ study::InitialMotion read_motion(const Value& value) {
 void read_springs(const Found& value, std::vector<study::Springs>& springs) {
   for (const auto& item : items(value))
     springs.push_back(read_springs_of(item));
+}
+
+void read_connectors(const Found& value, const Context& context, std::vector<study::Connector>& connectors) {
+  for (const auto& item : items(value))
+    connectors.push_back(read_connector(item, context));
+}
+
+void read_masses(const Found& value, std::vector<study::PointMasses>& masses) {
+  for (const auto& item : items(value))
+    masses.push_back(read_masses_of(item));
 }
 
 void read_initial(const Found& value, std::vector<study::InitialMotion>& initial) {

@@ -29,6 +29,20 @@ constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh
 std::vector<Spring> make_springs(const study::Study& study, const mesh::Mesh& mesh,
                                  const domain::DofMap& dofs, std::vector<Fault>& faults);
 
+/// Springs and dashpots between places.
+std::vector<Connector> make_connectors(const study::Study& study, const mesh::Mesh& mesh,
+                                       const domain::DofMap& dofs, std::span<const Reference> references,
+                                       std::vector<Fault>& faults);
+/// Adds their stiffness.
+void add_connectors(const Model& model, SparseMatrix& stiffness);
+/// Adds their damping.
+void add_dashpots(const Model& model, SparseMatrix& damping);
+
+std::vector<PointMass> make_point_masses(const study::Study& study, const mesh::Mesh& mesh,
+                                         const domain::DofMap& dofs, std::vector<Fault>& faults);
+/// A fault where a mass is put on a surface that has none.
+void check_point_masses(const Model& model, std::vector<Fault>& faults);
+
 /// How the run begins; faults where two entries, or an entry and a support, say different things of one dof.
 InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& mesh,
                                   const domain::DofMap& dofs, const constraint::Reduction& reduction,

@@ -48,10 +48,9 @@ private:
                         Force& force) {
     const bool turns = load.kind == study::LoadKind::moment;
     if (turns && !reference.turns)
-      return faults_.push_back(
-          fault_at(path + ".on",
-                   fmt::format("{}.on: the nodes of '{}' lie on a line or in a point, which take no moment",
-                               path, reference.name)));
+      return faults_.push_back(fault_at(
+          path + ".on", fmt::format("the nodes of '{}' lie on a line or in a point, which take no moment",
+                                    reference.name)));
     for (int i = 0; i < (turns ? 3 : dofs_.components); ++i) {
       const auto axis = static_cast<std::size_t>(i);
       const int row = !turns ? i : dofs_.components == 3 ? 3 + i : 2;

@@ -61,9 +61,31 @@ domain::Domain make_domain(const Model& model, const domain::BlockPattern& patte
   auto stiffness = domain::assemble_stiffness(model.mesh, model.bulk, pattern);
   for (const auto& spring : model.springs)
     stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
+  add_connectors(model, stiffness);
   add_gauges(model, stiffness);
   return {domain::LinearDomain(std::move(stiffness), model.dofs.components),
           domain::initial_states(model.mesh, model.bulk)};
+}
+
+void assemble_rayleigh(Model& model, const domain::BlockPattern& pattern,
+                       const std::vector<double>& by_stiffness, const std::vector<double>& by_mass) {
+  const auto& bulk = model.bulk;
+  take(model.damping, domain::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness));
+  if (study::is_explicit(model.study.time.scheme))
+    model.damping.diagonal() += domain::lumped_mass(model.mesh, bulk, model.dofs, by_mass);
+  else
+    linalg::add_scaled(1, domain::assemble_mass(model.mesh, bulk, pattern, by_mass), model.damping);
+}
+
+void add_point_masses(Model& model) {
+  for (const auto& [node, mass] : model.point_masses)
+    for (int i = 0; i < model.dofs.components; ++i) {
+      const int dof = model.dofs.dof(node, i);
+      if (model.lumped_mass.size() > 0)
+        model.lumped_mass[dof] += mass;
+      else
+        model.mass.coeffRef(dof, dof) += mass;
+    }
 }
 
 void assemble_matrices(Model& model, const std::vector<study::Material>& materials) {
@@ -80,6 +102,7 @@ void assemble_matrices(Model& model, const std::vector<study::Material>& materia
     take(model.mass, domain::assemble_mass(model.mesh, bulk, pattern));
   if (model.study.time.contact_mass == study::ContactMass::redistributed)
     free_contact_of_mass(model);
+  add_point_masses(model);
   std::vector<double> by_stiffness;
   std::vector<double> by_mass;
   bool damped = false;
@@ -88,13 +111,9 @@ void assemble_matrices(Model& model, const std::vector<study::Material>& materia
     by_mass.push_back(material.rayleigh_mass);
     damped = damped || material.rayleigh_stiffness != 0 || material.rayleigh_mass != 0;
   }
-  if (!damped)
-    return;
-  take(model.damping, domain::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness));
-  if (lumped)
-    model.damping.diagonal() += domain::lumped_mass(model.mesh, bulk, model.dofs, by_mass);
-  else
-    linalg::add_scaled(1, domain::assemble_mass(model.mesh, bulk, pattern, by_mass), model.damping);
+  if (damped)
+    assemble_rayleigh(model, pattern, by_stiffness, by_mass);
+  add_dashpots(model, model.damping);
 }
 
 void stop_on(const std::vector<Fault>& faults) {
@@ -141,6 +160,8 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   model.references = make_references(study, model.mesh, model.dofs, faults);
   model.reduction = make_reduction(study, model.mesh, model.dofs, model.references, faults, model.notes);
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
+  model.connectors = make_connectors(study, model.mesh, model.dofs, model.references, faults);
+  model.point_masses = make_point_masses(study, model.mesh, model.dofs, faults);
   model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, model.references, faults);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
@@ -159,6 +180,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
     model.free_body_nodes = free_body_nodes(model);
   } else {
     check_masses(model, faults);
+    check_point_masses(model, faults);
   }
   stop_on(faults);
   number_unknowns(model);

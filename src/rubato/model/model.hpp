@@ -41,6 +41,18 @@ struct Spring {
   bool soft = false;    ///< too soft to say where a body in contact is (model/soft_springs.hpp)
 };
 
+/// A spring and a dashpot side by side on the displacement Σ row · u.
+struct Connector {
+  std::vector<constraint::Term> row;
+  double stiffness = 0; ///< [force/length]
+  double damping = 0;   ///< [force · time/length]
+};
+
+struct PointMass {
+  mesh::NodeIndex node = -1;
+  double mass = 0;
+};
+
 /// Holds a motion of a body that nothing resists, and neither the body's other rigid motions nor, but for
 /// places near its nodes, deformations: a spring on g·u, slack at 0.
 struct Gauge {
@@ -60,7 +72,7 @@ struct Model {
   mesh::Mesh mesh;
   domain::Bulk bulk; ///< the cells that deform and their materials
   domain::DofMap dofs;
-  domain::Domain domain; ///< the cells, the springs and the gauges
+  domain::Domain domain; ///< the cells, the springs, the connectors and the gauges
   SparseMatrix mass;     ///< empty (no entries) in a static or explicit run
   /// Ascending; on contact surfaces when their mass is redistributed.
   std::vector<mesh::NodeIndex> massless_nodes;
@@ -71,6 +83,8 @@ struct Model {
   constraint::Reduction reduction; ///< which displacements are unknown, and what supports prescribe
   std::vector<Reference> references;
   std::vector<Spring> springs;
+  std::vector<Connector> connectors;
+  std::vector<PointMass> point_masses;
   std::vector<Gauge> gauges; ///< of bodies that in a static run only contact holds
   InitialMotion initial;
   /// Nodes of bodies that in a static run only contact holds, ascending.

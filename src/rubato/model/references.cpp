@@ -88,10 +88,10 @@ std::vector<Reference> make_references(const study::Study& study, const mesh::Me
     const auto path =
         fmt::format("relations.{}.{}", relation.name, study::word_of(study::relation_words, relation.kind));
     if (!mesh::find_nodes(mesh, relation.name).nodes.empty())
-      faults.push_back(fault_at("relations." + relation.name,
-                                fmt::format("relations.{0}: '{0}' is a name of the mesh already, expected "
-                                            "another name for the reference",
-                                            relation.name)));
+      faults.push_back(
+          fault_at("relations." + relation.name,
+                   fmt::format("'{}' is a name of the mesh already, expected another name for the reference",
+                               relation.name)));
     Reference reference;
     reference.name = relation.name;
     reference.nodes = body_nodes_or_fault(mesh, dofs, Mention{relation.on, path + ".on"}, "to move", faults);
@@ -103,11 +103,11 @@ std::vector<Reference> make_references(const study::Study& study, const mesh::Me
     reference.size = size_of(mesh, reference);
     fit(mesh, dofs.components, reference);
     if (!reference.turns && relation.at)
-      faults.push_back(fault_at(
-          path + ".at", fmt::format("{}.at: the nodes of '{}' lie on a line or in a point, which tells "
-                                    "no motion of a place beside it; expected no 'at', or a group of "
-                                    "nodes that span more",
-                                    path, relation.on)));
+      faults.push_back(fault_at(path + ".at",
+                                fmt::format("the nodes of '{}' lie on a line or in a point, which tells "
+                                            "no motion of a place beside it; expected no 'at', or a group of "
+                                            "nodes that span more",
+                                            relation.on)));
     references.push_back(std::move(reference));
   }
   return references;

@@ -171,8 +171,8 @@ private:
         return;
       if (nodes.size() > 1)
         return faults_.push_back(fault_at(
-            at, fmt::format("{}: group '{}' has {} nodes, expected one; 'equal' and 'pairs' relate groups",
-                            at, term.on, nodes.size())));
+            at, fmt::format("group '{}' has {} nodes, expected one; 'equal' and 'pairs' relate groups",
+                            term.on, nodes.size())));
       first = first < 0 ? nodes.front() : first;
       for (int i = 0; i < parts_.dofs.components; ++i)
         if (const double c = term.coefficients.at(static_cast<std::size_t>(i)); c != 0)
@@ -207,9 +207,9 @@ private:
     if (nodes.empty() || others.empty())
       return;
     if (nodes.size() != others.size())
-      return faults_.push_back(fault_at(
-          path_ + ".with", fmt::format("{}.with: '{}' has {} nodes and '{}' {}, expected as many", path_,
-                                       relation_.with, others.size(), relation_.on, nodes.size())));
+      return faults_.push_back(
+          fault_at(path_ + ".with", fmt::format("'{}' has {} nodes and '{}' {}, expected as many",
+                                                relation_.with, others.size(), relation_.on, nodes.size())));
     const auto from = source(path_);
     const Vector3d shift = mean(others) - mean(nodes);
     double size = 0;
@@ -221,11 +221,10 @@ private:
       if (distance(partner) > partner_tolerance * size)
         return faults_.push_back(fault_at(
             path_ + ".with",
-            fmt::format(
-                "{}.with: node {} of '{}' has no partner in '{}': shifted by ({:.6g}, {:.6g}, {:.6g}), "
-                "from the mean of one group to that of the other, it is {:.3g} from the nearest, {}",
-                path_, node_label(parts_.mesh, node), relation_.on, relation_.with, shift[0], shift[1],
-                shift[2], distance(partner), node_label(parts_.mesh, partner))));
+            fmt::format("node {} of '{}' has no partner in '{}': shifted by ({:.6g}, {:.6g}, {:.6g}), "
+                        "from the mean of one group to that of the other, it is {:.3g} from the nearest, {}",
+                        node_label(parts_.mesh, node), relation_.on, relation_.with, shift[0], shift[1],
+                        shift[2], distance(partner), node_label(parts_.mesh, partner))));
       relate(node, partner, from);
     }
   }

@@ -110,6 +110,9 @@ void RigidMotions::add_firm_supports() {
   for (const auto& spring : model_.springs)
     if (!spring.soft)
       add_dof(spring.dof);
+  for (const auto& connector : model_.connectors)
+    if (connector.stiffness > 0)
+      add_connector(connector);
   for (const auto& gauge : model_.gauges)
     add_gauge(gauge);
 }
@@ -205,10 +208,23 @@ Vector3d RigidMotions::at(const RigidMotion& motion, const Vector3d& place) cons
   return motion.shift + motion.turn.cross(place - centre_) / size_;
 }
 
+int RigidMotions::body_of_dof(int dof) const {
+  return bodies_.of(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)]);
+}
+
 RowVectorXd RigidMotions::row_of_dof(int dof) const {
   Vector3d direction = Vector3d::Zero();
   direction[dof % model_.dofs.components] = 1;
   return row(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)], direction);
+}
+
+void RigidMotions::add_connector(const Connector& connector) {
+  RowVectorXd sum = RowVectorXd::Zero(columns());
+  for (const auto& term : connector.row) {
+    sum += term.coefficient * row_of_dof(term.dof);
+    ties_bodies_ = ties_bodies_ || body_of_dof(term.dof) != body_of_dof(connector.row.front().dof);
+  }
+  add_row(sum);
 }
 
 void RigidMotions::add_dof(int dof) {
@@ -217,9 +233,6 @@ void RigidMotions::add_dof(int dof) {
 
 /// Relations of a body that is rigid by them say nothing of its rigid motions: their rows are rounding.
 void RigidMotions::add_relation(const constraint::DependentDof& dependent) {
-  const auto body_of = [&](int dof) {
-    return bodies_.of(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)]);
-  };
   RowVectorXd sum = row_of_dof(dependent.dof);
   double summed = sum.lpNorm<Eigen::Infinity>();
   for (const auto* terms : {&dependent.of, &dependent.prescribed})
@@ -227,7 +240,7 @@ void RigidMotions::add_relation(const constraint::DependentDof& dependent) {
       const RowVectorXd part = term.coefficient * row_of_dof(term.dof);
       summed = std::max(summed, part.lpNorm<Eigen::Infinity>());
       sum -= part;
-      ties_bodies_ = ties_bodies_ || body_of(term.dof) != body_of(dependent.dof);
+      ties_bodies_ = ties_bodies_ || body_of_dof(term.dof) != body_of_dof(dependent.dof);
     }
   if (sum.lpNorm<Eigen::Infinity>() > relation_rounding * summed)
     add_row(sum);

@@ -26,7 +26,7 @@ class RigidMotions {
 public:
   explicit RigidMotions(const Model& model);
 
-  /// Supports, relations, springs and gauges.
+  /// Supports, relations, springs, connectors and gauges.
   void add_supports();
   /// The same without soft springs.
   void add_firm_supports();
@@ -54,12 +54,14 @@ public:
 private:
   Eigen::Index columns() const { return static_cast<Eigen::Index>(bodies_.count()) * modes_; }
   void add_dof(int dof);
+  void add_connector(const Connector& connector);
   void add_relation(const constraint::DependentDof& dependent);
   void add_gauge(const Gauge& gauge);
   void add_row(const Eigen::RowVectorXd& row);
   Eigen::RowVectorXd row(mesh::NodeIndex node, const Eigen::Vector3d& direction) const;
   void add_point(const contact::Zone& zone, const contact::SlavePoint& point, const contact::Pair& pair,
                  const contact::Configuration& configuration);
+  int body_of_dof(int dof) const;
   Eigen::RowVectorXd row_of_dof(int dof) const;
   Eigen::MatrixXd block_of(int body) const;
   Eigen::MatrixXd motions_left(int body) const;

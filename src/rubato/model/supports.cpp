@@ -66,13 +66,13 @@ private:
     const bool turned = std::ranges::any_of(support.turns, [](const auto& turn) { return turn.has_value(); });
     if (turned && !reference.turns)
       return faults_.push_back(
-          fault_at(path + ".turn", fmt::format("{}.turn: the nodes of '{}' lie on a line or in a point and "
+          fault_at(path + ".turn", fmt::format("the nodes of '{}' lie on a line or in a point and "
                                                "tell no rotation, expected a displacement",
-                                               path, reference.name)));
+                                               reference.name)));
     if (support.along && support.along->normal)
-      return faults_.push_back(fault_at(
-          path + ".along", fmt::format("{}.along: the reference '{}' has no faces, expected a direction",
-                                       path, reference.name)));
+      return faults_.push_back(
+          fault_at(path + ".along",
+                   fmt::format("the reference '{}' has no faces, expected a direction", reference.name)));
     add_held_reference(parts_, support, path, equations_);
   }
 
@@ -142,7 +142,7 @@ private:
       const auto dof = equations_.list[static_cast<std::size_t>(found.equation)].terms.front().dof;
       faults_.push_back(fault_at(
           path,
-          fmt::format("{}: contradicts {} at node {}: {:.3g} is left at t = {}; expected relations that "
+          fmt::format("{} contradicts {} at node {}: {:.3g} is left at t = {}; expected relations that "
                       "can hold together",
                       path, named.empty() ? std::string("itself") : fmt::format("{}", fmt::join(named, ", ")),
                       place_of(dof), found.excess, found.at)));

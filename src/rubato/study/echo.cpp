@@ -171,6 +171,20 @@ Json echo(const Load& load, int dimension) {
   return {{word(load_words, load.kind), map}};
 }
 
+Json echo(const Connector& connector, int dimension) {
+  Json map{{"on", connector.on}};
+  put_name(map, "to", connector.to);
+  if (connector.along)
+    map["along"] = std::vector(connector.along->begin(), connector.along->begin() + dimension);
+  map["stiffness"] = connector.stiffness;
+  map["damping"] = connector.damping;
+  return map;
+}
+
+Json echo(const PointMasses& masses) {
+  return {{"on", masses.on}, {"mass", masses.mass}};
+}
+
 Json echo(const Springs& springs, int dimension) {
   Json map{{"on", springs.on}};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
@@ -400,6 +414,8 @@ std::string to_json(const Study& study) {
   deck["supports"] = echo_list(study.supports, dimension);
   deck["relations"] = echo_by_name(study.relations, dimension);
   deck["springs"] = echo_list(study.springs, dimension);
+  deck["connectors"] = echo_list(study.connectors, dimension);
+  deck["masses"] = echo_list(study.masses);
   deck["loads"] = echo_list(study.loads, dimension);
   deck["initial"] = echo_list(study.initial);
   deck["contact"] = echo_by_name(study.contact, study.physics);

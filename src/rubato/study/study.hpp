@@ -5,6 +5,7 @@
 
 #include "rubato/core/cell_type.hpp"
 #include "rubato/core/function.hpp"
+#include "rubato/study/discrete.hpp"
 #include "rubato/study/relations.hpp"
 #include "rubato/study/values.hpp"
 
@@ -102,8 +103,8 @@ struct ObliqueSupport {
 struct Support {
   std::string on;
   std::array<std::optional<Field>, 3> components;
-  std::optional<ObliqueSupport> along;
-  std::array<std::optional<Field>, 3> turns; ///< of a reference about the axes [radians]
+  std::optional<ObliqueSupport> along = {};
+  std::array<std::optional<Field>, 3> turns = {}; ///< of a reference about the axes [radians]
   bool operator==(const Support&) const = default;
 };
 
@@ -420,6 +421,8 @@ struct Study {
   std::vector<Support> supports;
   std::vector<Relation> relations;
   std::vector<Springs> springs;
+  std::vector<Connector> connectors;
+  std::vector<PointMasses> masses;
   std::vector<Load> loads;
   std::vector<InitialMotion> initial;
   std::map<std::string, Function> functions;

@@ -18,6 +18,8 @@ Judgement judge(const Study& study) {
   check_supports(rules);
   check_relations(rules);
   check_springs(rules);
+  check_connectors(rules);
+  check_point_masses(rules);
   check_loads(rules);
   check_initial(rules);
   check_contact(rules);

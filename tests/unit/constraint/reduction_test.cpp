@@ -117,6 +117,92 @@ TEST(Reduction, LeavesToReactionsWhatNoUnknownBalances) {
   EXPECT_TRUE(reduction.gather(reduction.reaction(residual)).isZero(0));
 }
 
+/// The same with dofs that depend on others: u₂ = 0.5 u₁ − 2 u₅ + 3 u₄ + 4 r, u₆ = −u₇; r is the ramp.
+Reduction related_reduction() {
+  return {dof_count,
+          {{0, 0, {}}, {3, -0.25, {}}, {4, 0.5, ramp}, {8, 0, {}}},
+          {{2, {{1, 0.5}, {5, -2}}, {{4, 3}}, {{0, 4}}}, {6, {{7, -1}}, {}, {}}},
+          {{1, ramp}}};
+}
+
+MatrixXd related_t() {
+  MatrixXd t = MatrixXd::Zero(dof_count, 3);
+  t(1, 0) = t(5, 1) = t(7, 2) = 1;
+  t.row(2) << 0.5, -2, 0;
+  t(6, 2) = -1;
+  return t;
+}
+
+VectorXd related_g() {
+  VectorXd g = dense_g();
+  g[2] = 3 * g[4] + 4 * 6;
+  return g;
+}
+
+TEST(RelatedReduction, WorksAsItsMatrixDoes) {
+  const auto reduction = related_reduction();
+  ASSERT_EQ(reduction.unknown_count(), 3);
+  const MatrixXd t = related_t();
+  const VectorXd full = numbers(dof_count);
+  const VectorXd unknowns = numbers(3);
+  const auto near = [](const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); };
+  EXPECT_LE(near(reduction.gather(full), t.transpose() * full), 1e-15);
+  EXPECT_LE(near(reduction.gather_magnitudes(full.cwiseAbs()), t.cwiseAbs().transpose() * full.cwiseAbs()),
+            1e-15);
+  EXPECT_EQ(reduction.scatter(unknowns), VectorXd(t * unknowns));
+  for (const bool sparse : {false, true})
+    EXPECT_LE(near(reduction.reduced(some_matrix(sparse)), t.transpose() * MatrixXd(some_matrix(sparse)) * t),
+              1e-14);
+  MatrixXd rows = MatrixXd::Zero(dof_count, 3);
+  for (int dof = 0; dof < dof_count; ++dof)
+    reduction.for_each_unknown(dof, [&](int unknown, double c) { rows(dof, unknown) += c; });
+  EXPECT_EQ(rows, t);
+}
+
+TEST(RelatedReduction, ImposesSupportsAndRelations) {
+  const auto reduction = related_reduction();
+  EXPECT_EQ(reduction.imposed(now), related_g());
+  VectorXd u = reduction.scatter(numbers(3));
+  reduction.impose(now, u);
+  EXPECT_LE((u - related_t() * numbers(3) - related_g()).lpNorm<Eigen::Infinity>(), 1e-14);
+  const VectorXd other = numbers(dof_count);
+  const VectorXd corrected = other + reduction.correction(now, other);
+  VectorXd wanted = other;
+  reduction.impose(now, wanted);
+  EXPECT_LE((corrected - wanted).lpNorm<Eigen::Infinity>(), 1e-14);
+  EXPECT_EQ(corrected[1], other[1]) << "free dofs stay";
+  VectorXd rates = other;
+  reduction.relate(rates);
+  EXPECT_EQ(rates[6], -other[7]);
+  EXPECT_EQ(rates[0], other[0]) << "supports say nothing of rates";
+}
+
+/// Forces that no unknown feels, Tᵀ R = 0, are on dofs that react.
+TEST(RelatedReduction, HasReactionsOnAllDofsOfARelation) {
+  const auto reduction = related_reduction();
+  EXPECT_EQ(reduction.reacting_dofs(), (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
+  VectorXd force = VectorXd::Zero(dof_count);
+  force[2] = 1;
+  force[1] = -0.5;
+  force[5] = 2;
+  EXPECT_TRUE(reduction.gather(force).isZero(0));
+  EXPECT_EQ(reduction.reaction(force), force);
+}
+
+TEST(RelatedReduction, MayHoldADofByARelationAlone) {
+  const Reduction held(2, {{0, 2, {}}}, {{1, {}, {{0, 3}}, {}}}, {});
+  EXPECT_TRUE(held.is_prescribed(1));
+  EXPECT_EQ(held.unknown_count(), 0);
+  EXPECT_EQ(held.imposed(0), Eigen::Vector2d(2, 6));
+}
+
+TEST(RelatedReduction, RefusesDofsThatDependOnOnesThatAreNotFree) {
+  EXPECT_THROW(Reduction(3, {{0, 0, {}}}, {{1, {{0, 1}}, {}, {}}}, {}), std::invalid_argument);
+  EXPECT_THROW(Reduction(3, {}, {{0, {{1, 1}}, {}, {}}, {1, {{2, 1}}, {}, {}}}, {}), std::invalid_argument);
+  EXPECT_THROW(Reduction(3, {{1, 0, {}}}, {{1, {{0, 1}}, {}, {}}}, {}), std::invalid_argument);
+  EXPECT_THROW(Reduction(3, {}, {{2, {}, {}, {}}, {1, {}, {}, {}}}, {}), std::invalid_argument);
+}
+
 TEST(Reduction, MayPrescribeAllOrNothing) {
   const Reduction nothing(2, {});
   EXPECT_EQ(nothing.unknown_count(), 2);

@@ -31,7 +31,7 @@ protected:
     auto numbered = part();
     EXPECT_TRUE(numbered.faults.empty());
     numbered.study.loads = loads;
-    return make_forces(numbered.study, numbered.mesh, numbered.dofs, numbered.bulk, faults_);
+    return make_forces(numbered.study, numbered.mesh, numbered.dofs, numbered.bulk, {}, faults_);
   }
   /// x then y of every node: the lower row from left to right, then the upper one.
   VectorXd pattern_of(const study::Load& load) { return forces_of({load}).at(0).pattern; }
@@ -106,7 +106,7 @@ TEST_F(Loaded, SurfacesWithABodyOnBothSidesAreRefused) {
   const test::Numbered with_inside{numbered.study, std::move(builder).build()};
   auto study = with_inside.study;
   study.loads = {{LoadKind::pressure, "inside", {1, 0, 0}, ""}};
-  make_forces(study, with_inside.mesh, with_inside.dofs, with_inside.bulk, faults_);
+  make_forces(study, with_inside.mesh, with_inside.dofs, with_inside.bulk, {}, faults_);
   ASSERT_EQ(faults_.size(), 1U);
   EXPECT_EQ(faults_[0].path, "loads.0.pressure.on");
   EXPECT_EQ(faults_[0].text.rfind("loaded surface 'inside': ", 0), 0U) << faults_[0].text;

@@ -40,7 +40,7 @@ protected:
     auto study = test::plane_study({test::elastic("any")});
     study.probes = {probe};
     const test::Numbered part{study, mesh()};
-    return make_probe_nodes(part.study, part.mesh, part.dofs, faults_, notes_).at(0);
+    return make_probe_nodes(part.study, part.mesh, part.dofs, {}, faults_, notes_).at(0);
   }
 
   std::vector<Fault> faults_;
@@ -76,7 +76,7 @@ TEST_F(Probed, PointThatManyNodesAreNearToNamesAFew) {
   builder.add_cell(CellType::quad4, std::array{0, 1, 2, 3});
   builder.add_cell(CellType::quad4, std::array{4, 5, 6, 7});
   const test::Numbered part{study, std::move(builder).build()};
-  make_probe_nodes(part.study, part.mesh, part.dofs, faults_, notes_);
+  make_probe_nodes(part.study, part.mesh, part.dofs, {}, faults_, notes_);
   ASSERT_EQ(notes_.size(), 1U);
   EXPECT_NE(notes_[0].find("8 nodes are equally near"), std::string::npos) << notes_[0];
   EXPECT_NE(notes_[0].find("N5 (-1, -1) and 3 more; N1 is taken"), std::string::npos) << notes_[0];

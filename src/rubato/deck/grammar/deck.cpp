@@ -19,6 +19,8 @@ Forms whole() {
               {"supports", "displacements that are held or imposed", supports()},
               {"relations", "displacements that depend on one another, by name", relations()},
               {"springs", "springs between nodes and the ground", springs()},
+              {"connectors", "springs and dashpots between places, or to the ground", connectors()},
+              {"masses", "masses at nodes", masses()},
               {"loads", "forces, pressures and gravity", loads()},
               {"initial", "displacement and velocity at the first instant", initial()},
               {"contact", "contact zones by name", contact()},

@@ -13,6 +13,8 @@ Forms supports();
 Forms relations();
 Forms loads();
 Forms springs();
+Forms connectors();
+Forms masses();
 Forms initial();
 Forms contact();
 Forms obstacle();

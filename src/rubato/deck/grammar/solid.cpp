@@ -96,6 +96,23 @@ Forms springs() {
              components("stiffness of each node's spring [force/length]", number(study::bounds::spring)))));
 }
 
+Forms connectors() {
+  return list(
+      map("a linear spring and a dashpot side by side",
+          {{"on", "a node or a reference; without 'to' also a group, node by node", name(), true},
+           {"to", "a node or a reference; the ground when not given", name()},
+           {"along", "direction; from 'on' to 'to' when not given", coordinates()},
+           {"stiffness", "of the spring [force/length]; 0 when not given", number(study::bounds::connector)},
+           {"damping", "of the dashpot [force · time/length]; 0 when not given",
+            number(study::bounds::connector)}}));
+}
+
+Forms masses() {
+  return list(
+      map("masses at nodes", {{"on", "group of nodes or cells, or a node", name(), true},
+                              {"mass", "of each node [mass]", number(study::bounds::point_mass), true}}));
+}
+
 Forms initial() {
   return list(map("how a part of the bodies begins",
                   {{"on", "group of nodes or cells, a node, or all", name(), true},

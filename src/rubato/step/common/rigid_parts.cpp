@@ -127,6 +127,11 @@ std::vector<MatrixXd> RigidParts::unresisted() const {
   for (const auto& spring : model_->springs)
     if (const auto node = model_->node_of(spring.dof); number_.of(node) >= 0)
       resist(node, modes_at(node).row(spring.dof % components).transpose());
+  for (const auto& connector : model_->connectors)
+    if (connector.stiffness > 0)
+      for (const auto& term : connector.row)
+        if (const auto node = model_->node_of(term.dof); number_.of(node) >= 0)
+          resist(node, modes_at(node).row(term.dof % components).transpose());
   for (const auto& gauge : model_->gauges) {
     VectorXd row = VectorXd::Zero(modes);
     for (std::size_t i = 0; i < gauge.nodes.size(); ++i)

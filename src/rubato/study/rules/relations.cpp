@@ -89,8 +89,13 @@ std::string expected_reference(const Study& study, const std::string& name) {
   for (const auto& relation : study.relations)
     if (has_reference(relation.kind))
       names.push_back(relation.name);
-  return fmt::format("found {}, expected the name of a rigid or distributed relation{}", shown(name),
-                     suggestion(name, names));
+  return names.empty()
+             ? fmt::format(
+                   "found {}, expected a reference: the name of a rigid or distributed relation, of which "
+                   "there is none",
+                   shown(name))
+             : fmt::format("found {}, which is no reference of a rigid or distributed relation{}",
+                           shown(name), suggestion(name, names));
 }
 
 void check_relations(Rules& rules) {

@@ -82,6 +82,8 @@ void check_functions(Rules& rules);
 void check_supports(Rules& rules);
 void check_relations(Rules& rules);
 void check_springs(Rules& rules);
+void check_connectors(Rules& rules);
+void check_point_masses(Rules& rules);
 void check_loads(Rules& rules);
 void check_initial(Rules& rules);
 void check_contact(Rules& rules);

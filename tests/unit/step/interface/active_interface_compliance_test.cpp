@@ -50,7 +50,7 @@ protected:
   Compliance compliance_ = compliance_of_two_blocks(5000);
   Compliance whole_ = compliance_of_two_blocks(5000);
   ActiveInterfaceCompliance surface_{compliance_};
-  int body_ = static_cast<int>(compliance_.surface().size()) / 2; ///< where the second one begins
+  int body_ = static_cast<int>(compliance_.size()) / 2; ///< where the second one begins
 
 private:
   std::mt19937 random_{29};

@@ -2,6 +2,7 @@
 // A resumed run asks for columns in another order than one that was never stopped.
 #include "rubato/step/interface/compliance.hpp"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "unit/step/interface/two_blocks_compliance.hpp"
@@ -125,6 +126,83 @@ TEST_P(ComplianceComputed, MovesTheSurfaceByForcesEverywhereOnOneBody) {
   const Eigen::VectorXd expected = start - 0.7 * compliance.between(all) * force;
   EXPECT_LE((d - expected).norm(), 1e-12 * expected.norm());
   EXPECT_EQ(d.tail(size / 2), start.tail(size / 2));
+}
+
+/// Two blocks of 2 and 3 unknowns that nothing couples but relations: dofs 5 and 6 depend on both, 7 on the
+/// first block alone, 8 on a dof that is not on the surface of its own.
+class RelatedCompliance : public testing::Test {
+protected:
+  static constexpr int dofs = 9;
+
+  static Eigen::MatrixXd matrix() {
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(5, 5);
+    a.topLeftCorner(2, 2) << 4, 1, 1, 3;
+    a.bottomRightCorner(3, 3) << 5, 1, 0, 1, 6, 2, 0, 2, 7;
+    return a;
+  }
+  static constraint::Reduction reduction() {
+    return {dofs,
+            {},
+            {{5, {{0, 0.5}, {2, -2}}, {}, {}},
+             {6, {{1, 1}, {3, 1}}, {}, {}},
+             {7, {{0, 3}, {1, -1}}, {}, {}},
+             {8, {{4, 2}}, {}, {}}},
+            {}};
+  }
+  static Compliance compliance() {
+    const linalg::SparseMatrix a = matrix().sparseView();
+    auto factor = linalg::SplitFactor::of(a, std::vector{0, 1, 2, 3, 4}, std::size_t{1} << 30U);
+    return {std::move(*factor), reduction(), std::vector{5, 6, 7, 8}};
+  }
+  /// B S Bᵀ of these dofs.
+  static Eigen::MatrixXd expected(const std::vector<int>& chosen) {
+    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(chosen.size()), 5);
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      reduction().for_each_unknown(
+          chosen[i], [&](int unknown, double c) { b(static_cast<Eigen::Index>(i), unknown) = c; });
+    return b * matrix().inverse() * b.transpose();
+  }
+};
+
+TEST_F(RelatedCompliance, IsThatOfTheUnknownsBetweenTheRowsOfTheRelations) {
+  auto c = compliance();
+  ASSERT_EQ(c.size(), dofs);
+  EXPECT_EQ(c.body_starts(), (std::vector<int>{0, dofs})) << "tied bodies are one";
+  const auto s = c.between(interface_dofs_of(c));
+  EXPECT_LE((s - expected(c.dof_of_interface_dof())).cwiseAbs().maxCoeff(), 1e-15);
+  const std::vector<int> some{c.interface_dof_of_dof()[6], c.interface_dof_of_dof()[2]};
+  EXPECT_LE((c.between(some) - expected({6, 2})).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_NEAR(c.own(c.interface_dof_of_dof()[7]), expected({7})(0, 0), 1e-15);
+}
+
+TEST_F(RelatedCompliance, MovesAllDofsByForcesOnAny) {
+  auto c = compliance();
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(dofs);
+  std::vector<ForceAt> entries;
+  for (const int dof : {5, 7, 3}) {
+    const int at = c.interface_dof_of_dof()[static_cast<std::size_t>(dof)];
+    force[at] = dof;
+    entries.push_back({at, static_cast<double>(dof)});
+  }
+  const Eigen::VectorXd wanted = 0.5 * expected(c.dof_of_interface_dof()) * force;
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(dofs);
+  c.add(0.5, force, d);
+  EXPECT_LE((d - wanted).cwiseAbs().maxCoeff(), 1e-14);
+  Eigen::VectorXd by_entries = Eigen::VectorXd::Zero(dofs);
+  c.add(0.5, entries, by_entries);
+  EXPECT_EQ(by_entries, d);
+  Eigen::VectorXd half_way = c.forward(Eigen::VectorXd::Zero(5));
+  c.load_surface(0.5 * force, half_way);
+  EXPECT_LE((c.surface_of(half_way) - wanted).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST_F(RelatedCompliance, LeavesBodiesApartThatNoRelationTies) {
+  const linalg::SparseMatrix a = matrix().sparseView();
+  auto factor = linalg::SplitFactor::of(a, std::vector{0, 1, 2, 3, 4}, std::size_t{1} << 30U);
+  Compliance c(std::move(*factor), reduction(), std::vector{7});
+  EXPECT_EQ(c.size(), 6);
+  EXPECT_EQ(c.body_starts().size(), 3U);
+  EXPECT_EQ(c.interface_dof_of_dof()[5], -1);
 }
 
 } // namespace

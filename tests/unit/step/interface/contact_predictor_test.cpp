@@ -77,7 +77,7 @@ TEST(RubbingSweeps, TurnAgainstTheSlipInThePlane) {
 /// Points that press a block of elastic cells, each on a node of its own, all pushed in along z.
 class PushedBlock : public testing::Test {
 protected:
-  PushedBlock() : compliance_(factored(), numbers(), matrix_.rows()) {
+  PushedBlock() : compliance_(factored(), constraint::Reduction(static_cast<int>(matrix_.rows()), {})) {
     for (int i = 0; i < 8; ++i) {
       PredictorPoint point;
       point.index = static_cast<std::size_t>(i);
@@ -147,7 +147,7 @@ TEST_F(PushedBlock, HasTheSameForcesWherePointsAreTakenTogether) {
   constexpr auto no_limit = std::numeric_limits<std::size_t>::max();
   auto factor = linalg::SplitFactor::of(
       matrix_, numbers(), no_limit, [](std::size_t) {}, 0);
-  Compliance within(std::move(*factor), numbers(), matrix_.rows());
+  Compliance within(std::move(*factor), constraint::Reduction(static_cast<int>(matrix_.rows()), {}));
   ASSERT_TRUE(within.takes_forces_together());
   const auto& at = within.interface_dof_of_dof();
   const VectorXd free = VectorXd::Zero(matrix_.rows());

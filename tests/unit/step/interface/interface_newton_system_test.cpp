@@ -57,7 +57,9 @@ struct Bulk {
   Compliance compliance;
 
   /// All but a few unknowns are on the surface; every unknown is its own dof.
-  Bulk() : s(MatrixXd(matrix).inverse()), compliance(factored(), numbers(), matrix.rows()) {}
+  Bulk()
+      : s(MatrixXd(matrix).inverse()),
+        compliance(factored(), constraint::Reduction(static_cast<int>(matrix.rows()), {})) {}
   std::vector<int> numbers() const {
     std::vector<int> all(static_cast<std::size_t>(matrix.rows()));
     std::iota(all.begin(), all.end(), 0);
@@ -72,7 +74,7 @@ struct Bulk {
 
 /// Of all points, one a position.
 VectorXd force_of(std::span<const ActivePoint> points, const Compliance& compliance) {
-  VectorXd force = VectorXd::Zero(static_cast<Index>(compliance.surface().size()));
+  VectorXd force = VectorXd::Zero(compliance.size());
   for (const auto& point : points)
     for (std::size_t q = 0; q < point.response.dofs.size(); ++q)
       force[compliance.interface_dof_of_dof()[static_cast<std::size_t>(point.response.dofs[q])]] +=
@@ -125,7 +127,7 @@ protected:
     }
     return all;
   }
-  VectorXd way() { return random.matrix(static_cast<Index>(bulk.compliance.surface().size()), 1); }
+  VectorXd way() { return random.matrix(bulk.compliance.size(), 1); }
   void take(const std::vector<FactoredResponse>& points) {
     for (std::size_t i = 0; i < points.size(); ++i)
       system.add(0, i) = points[i];
@@ -184,7 +186,7 @@ TEST(InterfaceNewtonSystem, SharesAForceAmongPointsThatSayTheSame) {
   InterfaceNewtonSystem system(bulk.compliance, surface, force_weight);
   system.add(0, 0) = held;
   system.add(0, 1) = held;
-  const VectorXd none = VectorXd::Zero(static_cast<Index>(bulk.compliance.surface().size()));
+  const VectorXd none = VectorXd::Zero(bulk.compliance.size());
   const auto change = system.solve(none, none);
   ASSERT_TRUE(change);
   EXPECT_NEAR(change->force[0], change->force[1], 1e-9 * std::abs(change->force[0]));
@@ -279,7 +281,7 @@ protected:
 
 TEST_P(SharedBy, TheSumsOfPointsEquationsAreSolved) {
   auto some = points();
-  const VectorXd d0 = random.matrix(static_cast<Index>(bulk.compliance.surface().size()), 1);
+  const VectorXd d0 = random.matrix(bulk.compliance.size(), 1);
   take(some);
   expect_solved(some, d0);
   for (const double change : {1e-6, 1e-2}) {
@@ -293,7 +295,7 @@ TEST_P(SharedBy, TheSumsOfPointsEquationsAreSolved) {
 
 TEST_P(SharedBy, PointsThatOpenLeaveTheirMultipliersToTheOthers) {
   auto some = points();
-  const VectorXd d0 = random.matrix(static_cast<Index>(bulk.compliance.surface().size()), 1);
+  const VectorXd d0 = random.matrix(bulk.compliance.size(), 1);
   take(some);
   expect_solved(some, d0);
   for (auto& point : some) {
@@ -339,7 +341,7 @@ TEST(InterfaceNewtonSystem, WithoutPointsChangesNothing) {
   Bulk bulk;
   ActiveInterfaceCompliance surface(bulk.compliance);
   InterfaceNewtonSystem system(bulk.compliance, surface, force_weight);
-  const auto size = static_cast<Index>(bulk.compliance.surface().size());
+  const auto size = bulk.compliance.size();
   VectorXd force = VectorXd::Zero(size);
   const auto change = system.solve(VectorXd::Ones(size), force);
   ASSERT_TRUE(change);

@@ -52,7 +52,7 @@ protected:
   ContactEvaluator side_{model_, walk_.scheme, system_, walk_.state(), {}};
   Frozen held_ = Frozen(1);
   ContactIterate contact_;
-  VectorXd at_rest_ = VectorXd::Zero(static_cast<Eigen::Index>(system_.compliance->surface().size()));
+  VectorXd at_rest_ = VectorXd::Zero(system_.compliance->size());
   std::vector<PredictorPoint> points_;
 };
 

@@ -28,11 +28,11 @@ compliance_of_two_blocks(Eigen::Index largest_whole,
   const auto no_limit = std::numeric_limits<std::size_t>::max();
   auto factor = linalg::SplitFactor::of(
       both, all, no_limit, [](std::size_t) {}, largest_last);
-  return {std::move(*factor), all, 2 * size, largest_whole};
+  return {std::move(*factor), constraint::Reduction(2 * size, {}), {}, largest_whole};
 }
 
 inline std::vector<int> interface_dofs_of(const step::Compliance& compliance) {
-  std::vector<int> all(compliance.surface().size());
+  std::vector<int> all(static_cast<std::size_t>(compliance.size()));
   std::iota(all.begin(), all.end(), 0);
   return all;
 }

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/sparse_sum.hpp"
+#include "rubato/model/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace rubato::model {
+namespace {
+
+using constraint::Term;
+using Eigen::Index;
+using Eigen::Vector3d;
+
+/// A place whose displacement along a direction is a sum over dofs.
+struct End {
+  Vector3d place = Vector3d::Zero();
+  std::vector<int> dofs;
+  Eigen::MatrixXd motion; ///< a row a direction
+};
+
+class ConnectorMaker {
+public:
+  ConnectorMaker(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
+                 std::span<const Reference> references, std::vector<Fault>& faults)
+      : mesh_(mesh), dofs_(dofs), references_(references), faults_(faults) {
+    for (std::size_t i = 0; i < study.connectors.size(); ++i)
+      add(study.connectors[i], fmt::format("connectors.{}", i));
+  }
+  std::vector<Connector> take() { return std::move(connectors_); }
+
+private:
+  void add(const study::Connector& connector, const std::string& path) {
+    const auto ends = ends_of({connector.on, path + ".on"});
+    if (ends.empty())
+      return;
+    if (connector.to.empty()) {
+      for (const auto& end : ends)
+        add(connector, end, nullptr, direction_of(*connector.along));
+      return;
+    }
+    const auto others = ends_of({connector.to, path + ".to"});
+    if (others.empty() || !is_one(ends, connector.on, path + ".on") ||
+        !is_one(others, connector.to, path + ".to"))
+      return;
+    const Vector3d way = others.front().place - ends.front().place;
+    if (!connector.along && way.norm() == 0)
+      return faults_.push_back(fault_at(
+          path,
+          fmt::format("'{}' and '{}' are at the same place, expected 'along', the direction of the connector",
+                      connector.on, connector.to)));
+    add(connector, ends.front(), &others.front(),
+        connector.along ? direction_of(*connector.along) : Vector3d(way.normalized()));
+  }
+
+  static Vector3d direction_of(const std::array<double, 3>& along) {
+    return Vector3d(along[0], along[1], along[2]).normalized();
+  }
+
+  bool is_one(const std::vector<End>& ends, const std::string& name, const std::string& path) {
+    if (ends.size() == 1)
+      return true;
+    faults_.push_back(
+        fault_at(path, fmt::format("group '{}' has {} nodes, expected one node, or a reference that "
+                                   "stands for the group",
+                                   name, ends.size())));
+    return false;
+  }
+
+  std::vector<End> ends_of(const Mention& name) {
+    std::vector<End> ends;
+    if (const auto* reference = reference_named(references_, name.name)) {
+      ends.push_back({reference->place, reference->dofs, reference->motion.topRows(dofs_.components)});
+      return ends;
+    }
+    for (const auto node : body_nodes_or_fault(mesh_, dofs_, name, "to pull at", faults_)) {
+      End end{mesh_.points[static_cast<std::size_t>(node)],
+              {},
+              Eigen::MatrixXd::Identity(dofs_.components, dofs_.components)};
+      for (int i = 0; i < dofs_.components; ++i)
+        end.dofs.push_back(dofs_.dof(node, i));
+      ends.push_back(std::move(end));
+    }
+    return ends;
+  }
+
+  void add(const study::Connector& connector, const End& end, const End* other, const Vector3d& direction) {
+    Connector made{{}, connector.stiffness, connector.damping};
+    const auto add_end = [&](const End& at, double sign) {
+      const Eigen::RowVectorXd row = sign * direction.head(dofs_.components).transpose() * at.motion;
+      for (std::size_t d = 0; d < at.dofs.size(); ++d)
+        made.row.push_back({at.dofs[d], row[static_cast<Index>(d)]});
+    };
+    add_end(end, 1);
+    if (other != nullptr)
+      add_end(*other, -1);
+    connectors_.push_back(std::move(made));
+  }
+
+  const mesh::Mesh& mesh_;
+  const domain::DofMap& dofs_;
+  std::span<const Reference> references_;
+  std::vector<Fault>& faults_;
+  std::vector<Connector> connectors_;
+};
+
+/// Σ factor rᵀ r. Blocks of nodes are whole: what multiplies matrices reads them so.
+SparseMatrix sum_of(const Model& model, double Connector::*factor) {
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (const auto& connector : model.connectors)
+    if (const double f = connector.*factor; f > 0)
+      for (const auto& a : connector.row)
+        for (const auto& b : connector.row)
+          entries.emplace_back(a.dof, b.dof, f * a.coefficient * b.coefficient);
+  SparseMatrix sum(model.dofs.dof_count, model.dofs.dof_count);
+  sum.setFromTriplets(entries.begin(), entries.end());
+  return sum;
+}
+
+} // namespace
+
+std::vector<Connector> make_connectors(const study::Study& study, const mesh::Mesh& mesh,
+                                       const domain::DofMap& dofs, std::span<const Reference> references,
+                                       std::vector<Fault>& faults) {
+  return ConnectorMaker(study, mesh, dofs, references, faults).take();
+}
+
+std::vector<PointMass> make_point_masses(const study::Study& study, const mesh::Mesh& mesh,
+                                         const domain::DofMap& dofs, std::vector<Fault>& faults) {
+  std::vector<PointMass> masses;
+  for (std::size_t i = 0; i < study.masses.size(); ++i)
+    for (const auto node : body_nodes_or_fault(
+             mesh, dofs, {study.masses[i].on, fmt::format("masses.{}.on", i)}, "to weigh down", faults))
+      masses.push_back({node, study.masses[i].mass});
+  return masses;
+}
+
+void check_point_masses(const Model& model, std::vector<Fault>& faults) {
+  if (model.study.time.contact_mass != study::ContactMass::redistributed)
+    return;
+  for (const auto& mass : model.point_masses)
+    for (const auto& zone : model.zones)
+      if (!zone.settings.tie && std::ranges::find(zone.slave.nodes, mass.node) != zone.slave.nodes.end())
+        return faults.push_back(fault_at(
+            "masses",
+            fmt::format("node {} is on the slave surface of zone '{}', which contact_mass: redistributed "
+                        "leaves without mass; expected time: {{contact_mass: consistent}}, or the node "
+                        "on the master",
+                        node_label(model.mesh, mass.node), zone.settings.name)));
+}
+
+void add_connectors(const Model& model, SparseMatrix& stiffness) {
+  if (std::ranges::any_of(model.connectors, [](const auto& c) { return c.stiffness > 0; }))
+    linalg::add_scaled(1, sum_of(model, &Connector::stiffness), stiffness);
+}
+
+void add_dashpots(const Model& model, SparseMatrix& damping) {
+  if (std::ranges::none_of(model.connectors, [](const auto& c) { return c.damping > 0; }))
+    return;
+  auto dashpots = sum_of(model, &Connector::damping);
+  if (damping.nonZeros() > 0)
+    linalg::add_scaled(1, dashpots, damping);
+  else
+    damping.swap(dashpots);
+}
+
+} // namespace rubato::model

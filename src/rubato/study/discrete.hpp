@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Parts that are no cells: springs and dashpots between places, masses at nodes.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace rubato::study {
+
+/// A linear spring and a dashpot side by side, without force where the nodes are undeformed and at rest: on a
+/// node or a reference and another one; or on each node of a group and the ground.
+struct Connector {
+  std::string on;
+  std::string to; ///< empty: the ground
+  /// Of any length > 0. Not given: from `on` to `to` as they are undeformed.
+  std::optional<std::array<double, 3>> along = {};
+  double stiffness = 0; ///< [force/length] ≥ 0
+  double damping = 0;   ///< [force · time/length] ≥ 0
+  bool operator==(const Connector&) const = default;
+};
+
+/// Masses at the nodes of a group.
+struct PointMasses {
+  std::string on;
+  double mass = 0; ///< of each node [mass] > 0; in an axisymmetric model that of the ring
+  bool operator==(const PointMasses&) const = default;
+};
+
+} // namespace rubato::study

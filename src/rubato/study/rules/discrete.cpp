@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Springs, dashpots and masses that are no cells.
+#include "rubato/study/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rubato::study {
+namespace {
+
+void check_connector(Rules& rules, const Connector& connector, const std::string& path) {
+  rules.name(path + ".on", connector.on);
+  rules.number(path + ".stiffness", connector.stiffness, bounds::connector);
+  rules.number(path + ".damping", connector.damping, bounds::connector);
+  if (connector.stiffness == 0 && connector.damping == 0)
+    rules.broken({path, path + ".stiffness", path + ".damping"},
+                 "has no force, expected a 'stiffness' or 'damping' above 0");
+  if (connector.on == connector.to)
+    rules.broken({path + ".to", path + ".on"},
+                 fmt::format("found {} at both ends, expected two places", shown(connector.on)));
+  if (!connector.along) {
+    if (connector.to.empty())
+      rules.broken({path, path + ".on"},
+                   "'along' is missing: without 'to' a connector goes to the ground, in a "
+                   "direction that the deck gives");
+    return;
+  }
+  for (std::size_t axis = 0; axis < connector.along->size(); ++axis)
+    rules.number(fmt::format("{}.along.{}", path, axis), connector.along->at(axis));
+  if (std::ranges::all_of(*connector.along, [](double number) { return number == 0; }))
+    rules.broken({path + ".along"}, "found a direction without length");
+}
+
+} // namespace
+
+void check_connectors(Rules& rules) {
+  for (std::size_t i = 0; i < rules.study.connectors.size(); ++i)
+    check_connector(rules, rules.study.connectors[i], fmt::format("connectors.{}", i));
+}
+
+void check_point_masses(Rules& rules) {
+  for (std::size_t i = 0; i < rules.study.masses.size(); ++i) {
+    const auto path = fmt::format("masses.{}", i);
+    rules.name(path + ".on", rules.study.masses[i].on);
+    rules.number(path + ".mass", rules.study.masses[i].mass, bounds::point_mass);
+  }
+}
+
+} // namespace rubato::study
