@@ -15,6 +15,7 @@
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/mortar_edges.hpp"
 #include "rubato/model/rigid_motions.hpp"
+#include "rubato/model/rigid_sides.hpp"
 #include "rubato/model/shared_nodes_note.hpp"
 #include "rubato/model/soft_springs.hpp"
 #include "rubato/study/validate.hpp"
@@ -172,6 +173,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   model.shared_nodes = contact::points_of_shared_nodes(model.zones);
   if (const auto note = note_on_shared_nodes(model))
     model.notes.push_back(*note);
+  std::ranges::move(notes_on_rigid_slaves(model), std::back_inserter(model.notes));
   std::ranges::move(edges_in_mortar_zones(model.zones, model.mesh), std::back_inserter(model.notes));
   if (study.time.scheme == study::SchemeKind::static_steps) {
     mark_soft_springs(model);

@@ -3,6 +3,7 @@
 
 #include "rubato/material/stretching.hpp"
 #include "rubato/mesh/sheet.hpp"
+#include "rubato/model/rigid_sides.hpp"
 #include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
@@ -38,6 +39,7 @@ SideMeasures::SideMeasures(const mesh::Mesh& mesh, const domain::Bulk& bulk, con
 SideMeasures::Side SideMeasures::of(std::span<const mesh::SurfaceFace> faces) const {
   Side side;
   side.has_cells = true;
+  std::vector<mesh::NodeIndex> nodes;
   for (const auto& face : faces) {
     const double area = mesh::normal_of(*mesh_, face).norm();
     side.face_size += mesh_->dimension == 3 ? std::sqrt(area) : area;
@@ -45,10 +47,12 @@ SideMeasures::Side SideMeasures::of(std::span<const mesh::SurfaceFace> faces) co
       side.has_cells = false;
     else
       side.stiffness += stiffness_of_cell_[static_cast<std::size_t>(face.owner)];
+    nodes.insert(nodes.end(), face.nodes().begin(), face.nodes().end());
     for (const auto node : face.nodes())
       for (int i = 0; i < dofs_->components; ++i)
         side.can_move = side.can_move || !reduction_->is_prescribed(dofs_->dof(node, i));
   }
+  side.is_rigid = is_rigid(nodes, *dofs_, *reduction_);
   const auto count = static_cast<double>(std::max<std::size_t>(1, faces.size()));
   side.face_size /= count;
   side.stiffness /= count;
@@ -65,6 +69,9 @@ SlaveChoice choose_slave(const SideMeasures::Side& first, const SideMeasures::Si
   for (const std::size_t i : {0U, 1U})
     if (sides[i]->can_move && !sides[1 - i]->can_move)
       return {i, "supports hold the other side"};
+  for (const std::size_t i : {0U, 1U})
+    if (!sides[i]->is_rigid && sides[1 - i]->is_rigid)
+      return {i, "a relation makes the other side rigid"};
   for (const std::size_t i : {0U, 1U})
     if (is_less(sides[i]->face_size, sides[1 - i]->face_size))
       return {i, fmt::format("its faces are finer ({:.4g} against {:.4g})", sides[i]->face_size,

@@ -31,6 +31,7 @@ public:
     double stiffness = 0;
     bool has_cells = false; ///< behind every face
     bool can_move = false;  ///< supports leave a component of some node free
+    bool is_rigid = false;  ///< by a relation
   };
   Side of(std::span<const mesh::SurfaceFace> faces) const;
 
