@@ -142,7 +142,7 @@ study::Study turned(study::Study study, const Matrix3d& q) {
 TEST(ATurnedModel, HasTheAnswerOfTheUprightOneTurned) {
   const Matrix3d q = Eigen::AngleAxisd(0.7, Vector3d(1, -2, 3).normalized()).toRotationMatrix();
   for (const auto& course : courses()) {
-    const auto study = study_of(
+    auto study = study_of(
         block_on_table("supports: [{on: ground, fix: [x, y, z]}, {on: roof, y: {value: -1e-3, function: "
                        "press}, x: {value: 2e-3, "
                        "function: push}, z: 0}]\nloads: [{nodal_force: {on: face, x: 1, y: 0.5, z: -2}}]\n",
