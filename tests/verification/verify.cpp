@@ -62,7 +62,7 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 19> entries{
+constexpr std::array<Entry, 20> entries{
     {{"v1", rubato::verification::write_bar_on_wall},
      {"v2", rubato::verification::write_dropped_bar},
      {"v3", rubato::verification::write_contact_patch},
@@ -80,6 +80,7 @@ constexpr std::array<Entry, 19> entries{
      {"condensed", rubato::verification::write_condensed},
      {"defaults", rubato::verification::write_defaults},
      {"robustness", rubato::verification::write_robustness},
+     {"relations", rubato::verification::write_relations},
      {"mortar", rubato::verification::write_mortar},
      {"mortar_robustness", rubato::verification::write_mortar_robustness}}};
 

@@ -47,6 +47,8 @@ void write_mindlin(const std::filesystem::path& folder);
 void write_incline(const std::filesystem::path& folder);
 void write_slider(const std::filesystem::path& folder);
 void write_signorini(const std::filesystem::path& folder);
+/// Relations and orthotropic materials against Code_Aster's displacements.
+void write_relations(const std::filesystem::path& folder);
 /// V11.
 void write_free_beam(const std::filesystem::path& folder);
 /// How the answer settles as steps and cells get finer.

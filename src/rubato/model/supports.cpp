@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/memory.hpp"
 #include "rubato/model/relations.hpp"
 #include "rubato/study/fields.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -51,6 +53,7 @@ public:
     const std::array instants = sample_instants();
     auto found = constraint::eliminate(list, equations_.list, instants);
     tell(found.contradictions);
+    refuse_dense(found.dependents);
     note_redundant(found.redundant, notes);
     return number_right_sides(std::move(list), std::move(found.dependents));
   }
@@ -147,6 +150,25 @@ private:
                       path, named.empty() ? std::string("itself") : fmt::format("{}", fmt::join(named, ", ")),
                       place_of(dof), found.excess, found.at)));
     }
+  }
+
+  /// A dof that depends on k others couples them all with one another: k² entries of the matrix.
+  void refuse_dense(const std::vector<constraint::DependentDof>& dependents) {
+    double entries = 0;
+    for (const auto& dependent : dependents)
+      entries += std::pow(static_cast<double>(dependent.of.size()), 2);
+    const double bytes = entries * (sizeof(double) + sizeof(int));
+    if (bytes < 0.5 * static_cast<double>(linalg::available_memory()))
+      return;
+    const auto largest = std::ranges::max_element(
+        equations_.list, {}, [](const constraint::Equation& equation) { return equation.terms.size(); });
+    const auto& path = equations_.paths[static_cast<std::size_t>(largest->source)];
+    faults_.push_back(fault_at(
+        path, fmt::format(
+                  "{} relates {} displacements in one equation, which couples them all: {:.3g} GB beside the "
+                  "rest of the matrix; expected a smaller group, or a rigid relation instead of a "
+                  "distributed one that is held",
+                  path, largest->terms.size(), bytes / 1e9)));
   }
 
   void note_redundant(const std::vector<int>& redundant, std::vector<std::string>& notes) const {

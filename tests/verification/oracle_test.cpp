@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Histories and fields by Code_Aster, of what the document of SDNL140 does not name.
+#include <gtest/gtest.h>
+
+#include "verification/oracle_statics.hpp"
+
+namespace rubato::verification {
+namespace {
+
+/// Code_Aster's own residual is 1e-10 to 1e-12 of the forces.
+constexpr double agreement = 1e-9;
+
+TEST(Oracle, HasTheDisplacementsOfStaticStudies) {
+  const auto studies = oracle_statics();
+  if (studies.empty())
+    GTEST_SKIP() << "needs the shared folder";
+  for (const auto& study : studies) {
+    const auto found = compare(study);
+    EXPECT_GT(found.nodes, 0) << study.file;
+    EXPECT_LE(found.largest, agreement) << study.file;
+  }
+}
+
+} // namespace
+} // namespace rubato::verification
