@@ -48,19 +48,19 @@ private:
     }
   }
 
-  /// An expression that does not change with time is a number at each node.
+  /// An expression that does not change with time, or a profile, is a number at each node.
   PrescribedDof prescribed_at(mesh::NodeIndex node, int dof,
                               const std::shared_ptr<const FieldFunction>& field) const {
-    if (!field->expression)
+    if (!field->expression && !field->profile)
       return {dof, field->number, field->function};
     const auto& x = mesh_.points[static_cast<std::size_t>(node)];
     const std::array place{x[0], x[1], x[2]};
     for (const double t : {study_.time.begin, study_.time.end})
       field->at(place, t); // throws now rather than in a step
-    if (field->expression->has('t'))
+    if (field->expression && field->expression->has('t'))
       return {dof, 0, std::nullopt,
               std::make_shared<const constraint::FieldAtPlace>(constraint::FieldAtPlace{field, place})};
-    return {dof, field->number * field->expression->at(place, study_.time.begin), field->function};
+    return {dof, field->multiplied_at(place, study_.time.begin), field->function};
   }
 
   void prescribe(const std::string& path, mesh::NodeIndex node, int component, const PrescribedDof& wanted) {

@@ -3,8 +3,9 @@
 /// Units are the user's own, consistent ones (SI unless the deck says otherwise).
 #pragma once
 
-#include "rubato/core/cell_type.hpp"
+#include "rubato/core/field_function.hpp"
 #include "rubato/core/function.hpp"
+#include "rubato/study/mesh_source.hpp"
 
 #include <array>
 #include <map>
@@ -16,36 +17,6 @@
 #include <vector>
 
 namespace rubato::study {
-
-// ---- mesh ------------------------------------------------------------------------------------------------
-
-/// A box or a rectangle cut into a regular grid.
-struct Body {
-  std::string name;
-  int dimension = 3; ///< 2: rectangle, 3: box
-  std::array<double, 3> from{};
-  std::array<double, 3> to{};
-  std::array<int, 3> divisions{1, 1, 1};
-  CellType cells = CellType::hexa8;
-  /// Group names of the sides: keys left, right (x), bottom, top (y), back, front (z).
-  std::map<std::string, std::string> sides;
-  /// Group names of edges (3D) and of corner points, by the sides that meet there: "right_top",
-  /// "right_top_back". In 2D a corner is "right_top".
-  std::map<std::string, std::string> edges;
-  std::map<std::string, std::string> points;
-  bool operator==(const Body&) const = default;
-};
-
-enum class MeshConversion { none, linear, quadratic, full_quadratic };
-
-struct MeshSource {
-  std::string file;         ///< empty when generated; found from the current folder
-  std::string file_mesh;    ///< name of the mesh inside the file; empty: its only (first) one
-  std::vector<Body> bodies; ///< empty when read
-  MeshConversion convert = MeshConversion::none;
-  int refine = 1; ///< every edge is cut into that many parts
-  bool operator==(const MeshSource&) const = default;
-};
 
 // ---- physics ---------------------------------------------------------------------------------------------
 
@@ -100,25 +71,30 @@ struct Formula {
   bool operator==(const Formula&) const = default;
 };
 
-/// A number, or an expression: a number at each place and instant.
+/// A number, or a number at each place: an expression, which may have the instant too, or a table along an
+/// axis.
 struct FieldValue {
   FieldValue(double number = 0) : is(number) {}
   FieldValue(Formula formula) : is(std::move(formula)) {}
+  FieldValue(Profile profile) : is(std::move(profile)) {}
 
-  std::variant<double, Formula> is;
+  std::variant<double, Formula, Profile> is;
 
-  /// The number or the expression; null when it is the other one.
+  /// What it is; null when it is one of the others.
   const double* number() const { return std::get_if<double>(&is); }
   const Formula* formula() const { return std::get_if<Formula>(&is); }
+  const Profile* profile() const { return std::get_if<Profile>(&is); }
   bool operator==(const FieldValue&) const = default;
 };
 
-/// A number or an expression, times a named function of time when `function` is not empty.
+/// A number, an expression or a table, times a named function of time when `function` is not empty.
 struct Field {
   Field() = default;
   Field(double number, std::string of_time = {}) : value(number), function(std::move(of_time)) {}
   Field(Formula formula, std::string of_time = {})
       : value(std::move(formula)), function(std::move(of_time)) {}
+  Field(Profile profile, std::string of_time = {})
+      : value(std::move(profile)), function(std::move(of_time)) {}
   Field(Amplitude amplitude) : value(amplitude.value), function(std::move(amplitude.function)) {}
 
   FieldValue value;

@@ -70,9 +70,10 @@ std::vector<Key> laws() {
 
 std::vector<Key> geometry() {
   return {
-      {"interference", "overlap that is taken from every gap [length], a number or an expression",
-       varying(expression())},
-      {"gap", "added to every gap of the mesh [length], a number or an expression", varying(expression())},
+      {"interference", "overlap that is taken from every gap [length], a number, an expression or a table",
+       varying(field_value())},
+      {"gap", "added to every gap of the mesh [length], a number, an expression or a table",
+       varying(field_value())},
       {"normal", "surface that gives the normal; master when not given",
        word_of(study::contact_normal_words)},
       {"clamped_normal", "tangents where the projection lies outside the face; projection when not given",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Materials, functions of time, supports, loads, springs, and how the bodies begin.
+// Materials, supports, loads, springs, and how the bodies begin.
 #include "rubato/deck/grammar/parts.hpp"
 #include "rubato/study/bounds.hpp"
 #include "rubato/study/words.hpp"
@@ -29,9 +29,9 @@ Forms load(study::LoadKind kind) {
   std::vector<Key> keys{
       {"on", everywhere ? "group of cells; every cell when not given" : "group", name(), !everywhere}};
   if (kind == study::LoadKind::pressure)
-    keys.push_back({"value", "pressure [force/length²], a number or an expression", expression(), true});
+    keys.push_back({"value", "pressure [force/length²], a number, an expression or a table", field_value(), true});
   else
-    keys = joined(std::move(keys), components("component, a number or an expression,", expression()));
+    keys = joined(std::move(keys), components("component, a number, an expression or a table,", field_value()));
   keys.push_back({"function", "name of a function of time that multiplies it", name()});
   return map(meaning_of(kind), std::move(keys));
 }
@@ -51,20 +51,12 @@ Forms materials() {
   return named(map("a material", std::move(keys)));
 }
 
-Forms functions() {
-  return named(map("a piecewise linear function of time",
-                   {{"times", "instants, ascending [time]", list(number(), 1), true},
-                    {"values", "factors, one for each instant", list(number()), true},
-                    {"outside", "before the first and after the last instant; constant when not given",
-                     word_of(study::outside_words)}}));
-}
-
 Forms supports() {
   std::vector<std::string> axes(study::axis_words.begin(), study::axis_words.end());
   const auto axis = word(std::move(axes));
   return list(map("a support", joined({{"on", "group of nodes or cells", name(), true},
                                        {"fix", "axes held at 0", either(axis, list(axis))}},
-                                      components("imposed displacement [length]", varying(expression())))));
+                                      components("imposed displacement [length]", varying(field_value())))));
 }
 
 Forms loads() {
