@@ -14,9 +14,9 @@ using Outside = LinearTable::Outside;
 
 void check(const LinearTable& table) {
   if (table.at.empty() || table.at.size() != table.values.size())
-    throw InputError(fmt::format(
-        "a table has {} abscissae and {} values, expected as many of both and at least one",
-        table.at.size(), table.values.size()));
+    throw InputError(
+        fmt::format("a table has {} abscissae and {} values, expected as many of both and at least one",
+                    table.at.size(), table.values.size()));
 }
 
 /// On the line through points i and i + 1; the value of point i when they stand at one place.

@@ -155,12 +155,25 @@ void pass_keys(MapReader& map) {
   map.value().spoil();
 }
 
+/// Whether it has a key that no function has: that is told, rather than what is missing then.
+bool has_unknown_key(const Tree& tree) {
+  return std::ranges::any_of(tree.entries, [](const Tree::Entry& entry) {
+    constexpr std::array<std::string_view, 5> others{"values", "outside", "time", "value", "product"};
+    return std::ranges::find(simple_kinds, entry.key) == simple_kinds.end() &&
+           std::ranges::find(others, entry.key) == others.end();
+  });
+}
+
 /// A function that is no product. One that could not be read is spoiled.
 Function read_simple(MapReader& map, const std::vector<std::string>& given, const Context& context) {
   Function function;
   if (given.size() > 1) {
     pass_keys(map);
     map.value().fault(fmt::format("found {} together, expected one of them", fmt::join(given, " and ")));
+    return function;
+  }
+  if (given.empty() && has_unknown_key(map.value().tree())) {
+    pass_keys(map);
     return function;
   }
   const auto kind = given.empty() ? std::string("times") : given.front();
@@ -304,8 +317,7 @@ bool read_profile(const Value& value, const Context& context, Profile& profile) 
 
 bool is_profile(const Tree& tree) {
   constexpr std::array<std::string_view, 4> keys{"along", "at", "csv", "column"};
-  return tree.is(Tree::Kind::map) &&
-         std::ranges::any_of(keys, [&](std::string_view key) {
+  return tree.is(Tree::Kind::map) && std::ranges::any_of(keys, [&](std::string_view key) {
            const auto* given = tree.find(key);
            return given != nullptr && !given->is(Tree::Kind::removed);
          });

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Groups that are made of what the mesh has.
-#include "rubato/deck/groups.hpp"
-
 #include "rubato/deck/grammar/parts.hpp"
+#include "rubato/deck/groups.hpp"
 #include "rubato/deck/parts.hpp"
 #include "rubato/deck/places.hpp"
 #include "rubato/study/groups.hpp"
@@ -160,9 +159,9 @@ Tree map_of(std::span<const std::string> options, Faults& faults) {
   for (const auto& text : options) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-      throw InputError(fmt::format("found {}, expected NAME={{...}}, as in 'top={{normal: [0, 0, 1]}}'",
-                                   shown(text)),
-                       {"--group"});
+      throw InputError(
+          fmt::format("found {}, expected NAME={{...}}, as in 'top={{normal: [0, 0, 1]}}'", shown(text)),
+          {"--group"});
     const auto name = text.substr(0, equals);
     const Location at{"--group " + name};
     if (map.find(name) != nullptr)

@@ -29,8 +29,7 @@ void read_groups(const Found& value, const Context& context, std::vector<study::
 void read_bodies(const Found& value, std::vector<study::Body>& bodies);
 
 void read_materials(const Found& value, std::vector<study::Material>& materials);
-void read_functions(const Found& value, const Context& context,
-                    std::map<std::string, Function>& functions);
+void read_functions(const Found& value, const Context& context, std::map<std::string, Function>& functions);
 void read_supports(const Found& value, const Context& context, std::vector<study::Support>& supports);
 void read_loads(const Found& value, const Context& context, std::vector<study::Load>& loads);
 void read_springs(const Found& value, std::vector<study::Springs>& springs);

@@ -15,8 +15,8 @@ namespace rubato::mesh {
 
 /// What a group has. New cells are those of FaceCells.
 struct GroupItems {
-  bool are_cells = false; ///< else nodes
-  std::vector<std::int32_t> items; ///< ascending
+  bool are_cells = false;                 ///< else nodes
+  std::vector<std::int32_t> items;        ///< ascending
   std::vector<std::int32_t> ordered = {}; ///< nodes along a line; else empty
 };
 

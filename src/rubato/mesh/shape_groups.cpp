@@ -196,17 +196,18 @@ GroupItems facing(const study::MadeGroup& group, const GroupSources& sources, co
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].owner == SurfaceFace::none)
       refuse(study::path_of_source(group, 0),
-             fmt::format("found '{}' with {}, which bounds no body: it has no outward side",
-                         group.of.front(), face_label(mesh, all[i])));
+             fmt::format("found '{}' with {}, which bounds no body: it has no outward side", group.of.front(),
+                         face_label(mesh, all[i])));
     if (choice.takes(degrees_between(normal_of(mesh, all[i]), direction), i))
       chosen.push_back(all[i]);
   }
   if (all.empty())
     refuse(study::path_of(group), "the mesh has no bodies with faces");
   if (chosen.empty())
-    refuse(study::path_of(group),
-           fmt::format("found no face with this outward normal; that of {} is the nearest, {:.4g} degrees off",
-                       face_label(mesh, all[choice.nearest]), choice.least));
+    refuse(
+        study::path_of(group),
+        fmt::format("found no face with this outward normal; that of {} is the nearest, {:.4g} degrees off",
+                    face_label(mesh, all[choice.nearest]), choice.least));
   return as_cells(chosen, faces);
 }
 
@@ -222,8 +223,8 @@ GroupItems outside_of(const study::MadeGroup& group, const GroupSources& sources
                              mesh.dimension == 3 ? "solid cells" : "surface cells, which have a skin in 2D"));
   const auto chosen = skin_of(cells, mesh, faces);
   if (chosen.empty())
-    refuse(path, fmt::format("found '{}', whose cells have others behind each of their sides",
-                             group.of.front()));
+    refuse(path,
+           fmt::format("found '{}', whose cells have others behind each of their sides", group.of.front()));
   return as_cells(chosen, faces);
 }
 

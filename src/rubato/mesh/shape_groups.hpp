@@ -6,8 +6,8 @@
 
 namespace rubato::mesh {
 
-/// Nodes inside of a box, a sphere, a cylinder or on a plane, or cells or faces of bodies whose nodes all are;
-/// up to `rounding` [length]. Throws InputError with what is nearest when there are none.
+/// Nodes inside of a box, a sphere, a cylinder or on a plane, or cells or faces of bodies whose nodes all
+/// are; up to `rounding` [length]. Throws InputError with what is nearest when there are none.
 GroupItems inside_of(const study::MadeGroup& group, const GroupSources& sources, const Mesh& mesh,
                      FaceCells& faces, double rounding);
 

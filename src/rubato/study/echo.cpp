@@ -115,9 +115,7 @@ Json echo(const Material& material) {
 }
 
 Json echo(const LinearTable& table, const char* abscissae) {
-  return {{abscissae, table.at},
-          {"values", table.values},
-          {"outside", word(outside_words, table.outside)}};
+  return {{abscissae, table.at}, {"values", table.values}, {"outside", word(outside_words, table.outside)}};
 }
 
 Json echo_kind(const LinearTable& table) {

@@ -75,7 +75,7 @@ struct MeshSource {
   std::string file_mesh;    ///< name of the mesh inside the file; empty: its only (first) one
   std::vector<Body> bodies; ///< empty when read
   MeshConversion convert = MeshConversion::none;
-  int refine = 1; ///< every edge is cut into that many parts
+  int refine = 1;                ///< every edge is cut into that many parts
   std::vector<MadeGroup> groups; ///< made when that is done; one may be made of others
   bool operator==(const MeshSource&) const = default;
 };

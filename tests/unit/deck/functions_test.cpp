@@ -46,8 +46,8 @@ TEST(FunctionsOfADeck, AreOfEveryKind) {
 TEST(FunctionsOfADeck, AreMultipliedWhateverTheirOrder) {
   const auto functions = parse_one(every_kind).functions;
   EXPECT_EQ(functions.at("both"), Function(Product{{functions.at("up"), functions.at("wave")}}));
-  EXPECT_EQ(functions.at("all"), Function(Product{{functions.at("up"), functions.at("wave"), functions.at("pulse"),
-                                                   Function(Ramp{0, 1, 0, 1})}}));
+  EXPECT_EQ(functions.at("all"), Function(Product{{functions.at("up"), functions.at("wave"),
+                                                   functions.at("pulse"), Function(Ramp{0, 1, 0, 1})}}));
 }
 
 TEST(FunctionsOfADeck, AreEchoed) {
@@ -80,11 +80,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadFunction{"TwoKinds", "{ramp: [0, 1], sine: {frequency: 1}}",
                     "6: functions.f: found ramp and sine together, expected one of them"},
         BadFunction{"TableAndRamp", "{ramp: [0, 1], values: [0, 1]}",
-                    "26: functions.f.values: 'ramp' takes no 'values', a table of times does"},
+                    "29: functions.f.values: 'ramp' takes no 'values', a table of times does"},
         BadFunction{"OutsideOfARamp", "{ramp: [0, 1], outside: zero}",
-                    "27: functions.f.outside: 'ramp' takes no 'outside', a table does"},
-        BadFunction{"RampBackwards", "{ramp: [1, 0]}",
-                    "13: functions.f.ramp: found the end 0 of a ramp that begins at 1, expected a later instant"},
+                    "30: functions.f.outside: 'ramp' takes no 'outside', a table does"},
+        BadFunction{
+            "RampBackwards", "{ramp: [1, 0]}",
+            "13: functions.f.ramp: found the end 0 of a ramp that begins at 1, expected a later instant"},
         BadFunction{"ThreeInstants", "{ramp: [1, 2, 3]}",
                     "13: functions.f.ramp: found 3 numbers, expected the two instants of a ramp"},
         BadFunction{"RampWithoutEnd", "{ramp: {begin: 1}}", "13: functions.f.ramp: 'end' is missing"},
@@ -96,13 +97,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadFunction{"Infinite", "{expression: 1/t}",
                     "19: functions.f.expression: the function of time '1/t' is infinite at t = 0, expected a "
                     "finite number"},
-        BadFunction{"UnknownFactor", "{product: [g, h]}",
-                    "20: functions.f.product.1: no function is called 'h'; expected one of g, f"},
+        BadFunction{"UnknownFactor", "{product: [g, other]}",
+                    "20: functions.f.product.1: no function is called 'other'; expected one of g, f"},
         BadFunction{"OfItself", "{product: [g, f]}",
                     "20: functions.f.product.1: found 'f', which is a product of itself"},
-        BadFunction{"NoFactor", "{product: []}", "16: functions.f.product: found 0 factors, expected 1 to 100"},
-        BadFunction{"UnknownKey", "{rampe: [0, 1]}", "7: unknown key 'functions.f.rampe'; did you mean 'ramp'?"},
-        BadFunction{"NoFile", "{csv: none.csv, value: v}", "12: functions.f.csv: file 'none.csv' does not exist"}),
+        BadFunction{"NoFactor", "{product: []}",
+                    "16: functions.f.product: found 0 factors, expected 1 to 100"},
+        BadFunction{"UnknownKey", "{rampe: [0, 1]}",
+                    "7: unknown key 'functions.f.rampe'; did you mean 'ramp'?"},
+        BadFunction{"NoFile", "{csv: none.csv, value: v}",
+                    "12: functions.f.csv: file 'none.csv' does not exist"}),
     [](const auto& bad) { return bad.param.name; });
 
 TEST(BadFunctions, WithABrokenExpressionAreToldOnce) {
@@ -125,8 +129,8 @@ protected:
       study(columns, "functions: {f: {csv: data.csv, time: t, value: v}}\n");
     } catch (const InputError& error) {
       const auto& fault = error.faults().front();
-      return std::filesystem::path(fault.at.file).filename().string() + ":" + std::to_string(fault.at.line) + ": " +
-             fault.text;
+      return std::filesystem::path(fault.at.file).filename().string() + ":" + std::to_string(fault.at.line) +
+             ": " + fault.text;
     }
     return "nothing thrown";
   }
@@ -181,24 +185,26 @@ TEST_F(ColumnsOfAFile, AreRefusedAtTheirLine) {
   EXPECT_EQ(refusal("t,v\n0,1\n1\n"), "data.csv:3: functions.f.csv: found 1 columns, expected 2");
   EXPECT_EQ(refusal("t,v\n0,1\n\n0,2\n"),
             "data.csv:4: functions.f.csv: found 0 after 0 in the column 't', expected numbers that ascend");
-  EXPECT_EQ(refusal("t,w\n0,1\n"),
-            "data.csv:1: functions.f.csv: found no column 'v'; expected one of t, w");
+  EXPECT_EQ(refusal("time,speed\n0,1\n"),
+            "data.csv:1: functions.f.csv: found no column 't'; expected one of time, speed");
   EXPECT_EQ(refusal("t,v\n"), "data.csv:1: functions.f.csv: found no numbers below the names of the columns");
-  EXPECT_EQ(refusal(""), "study.yaml:5: functions.f.csv: found no line, expected names of columns and numbers below");
+  EXPECT_EQ(refusal(""),
+            "study.yaml:5: functions.f.csv: found no line, expected names of columns and numbers below");
 }
 
 TEST(BadTablesAlongAnAxis, AreToldAtTheirPlace) {
   const auto faults = [](const std::string& value) {
     return faults_of(smallest_deck + "supports: [{on: A, x: " + value + "}]\n");
   };
-  EXPECT_EQ(faults("{along: r, at: [0], values: [1]}"),
-            Sentences{"study.yaml:5:31: supports.0.x.along: found 'r', expected one of x, y, z"});
+  EXPECT_EQ(
+      faults("{along: r, at: [0], values: [1]}"),
+      Sentences{
+          "study.yaml:5:31: supports.0.x.along: found 'r', expected one of x, y, z; did you mean 'x'?"});
   EXPECT_EQ(faults("{along: x, at: [1, 0], values: [1, 2]}"),
             Sentences{"study.yaml:5:42: supports.0.x.at.1: found 0 after 1, expected numbers that ascend"});
   EXPECT_EQ(faults("{along: x, at: [0, 1], values: [1]}"),
             Sentences{"study.yaml:5:54: supports.0.x.values: found 1 values for 2 at"});
-  EXPECT_EQ(faults("{along: x, values: [1]}"),
-            Sentences{"study.yaml:5:23: supports.0.x: 'at' is missing"});
+  EXPECT_EQ(faults("{along: x, values: [1]}"), Sentences{"study.yaml:5:23: supports.0.x: 'at' is missing"});
   const auto plane = test::replaced(smallest_deck, "solid", "plane_strain");
   EXPECT_EQ(faults_of(plane + "supports: [{on: A, x: {along: z, at: [0], values: [1]}}]\n"),
             Sentences{"study.yaml:5:31: supports.0.x.along: plane_strain has no z, expected x or y"});

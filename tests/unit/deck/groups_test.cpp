@@ -64,7 +64,8 @@ TEST(GroupsOfADeck, AreEchoed) {
 }
 
 TEST(GroupsOfADeck, AreChangedBySettings) {
-  const auto groups = parse_one(every_kind, {{"mesh.groups.roof.angle", "20"}, {"mesh.groups.line", ""}}).mesh.groups;
+  const auto groups =
+      parse_one(every_kind, {{"mesh.groups.roof.angle", "20"}, {"mesh.groups.line", ""}}).mesh.groups;
   EXPECT_EQ(groups[7].angle, 20);
   EXPECT_EQ(groups.size(), 12U);
 }
@@ -92,37 +93,41 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadGroup{"NoKind", "{take: faces}",
                  "8: mesh.groups.a: does not say how it is made, expected one of union, intersection, "
-                 "difference, box, sphere, cylinder, plane, normal, skin, nodes_of, corners_of, middles_of, along"},
+                 "difference, box, sphere, cylinder, plane, normal, skin, nodes_of, corners_of, middles_of, "
+                 "along"},
         BadGroup{"TwoKinds", "{skin: b, nodes_of: c}",
                  "8: mesh.groups.a: found skin and nodes_of together, expected one of them"},
         BadGroup{"UnknownKind", "{skinn: b}", "9: unknown key 'mesh.groups.a.skinn'; did you mean 'skin'?"},
-        BadGroup{"OneOperand", "{union: [b]}", "16: mesh.groups.a.union: found 1 groups, expected two or more"},
+        BadGroup{"OneOperand", "{union: [b]}",
+                 "16: mesh.groups.a.union: found 1 groups, expected two or more"},
         BadGroup{"NoList", "{union: b}", "16: mesh.groups.a.union: found 'b', expected a list of groups"},
         BadGroup{"Twice", "{union: [b, b]}", "20: mesh.groups.a.union.1: found 'b' a second time"},
         BadGroup{"WrongKey", "{skin: b, take: faces}",
-                 "25: mesh.groups.a.take: 'skin' takes no 'take', these do: box, sphere, cylinder, plane"},
+                 "24: mesh.groups.a.take: 'skin' takes no 'take', these do: box, sphere, cylinder, plane"},
         BadGroup{"WordOfTake", "{box: {from: [0, 0, 0], to: [1, 1, 1]}, take: face}",
-                 "58: mesh.groups.a.take: found 'face', expected one of nodes, faces, cells; did you mean 'faces'?"},
+                 "54: mesh.groups.a.take: found 'face', expected one of nodes, faces, cells; did you mean "
+                 "'faces'?"},
         BadGroup{"Coordinates", "{plane: {point: [0, 0], normal: [0, 0, 1]}}",
                  "24: mesh.groups.a.plane.point: found 2 coordinates, expected 3"},
         BadGroup{"NoDirection", "{normal: [0, 0, 0]}",
                  "17: mesh.groups.a.normal: found a vector of length 0, expected one that points somewhere"},
         BadGroup{"BoxUpsideDown", "{box: {from: [0, 0, 2], to: [1, 1, 1]}}",
-                 "45: mesh.groups.a.box.to.2: found 1 for z, expected at least the 2 of 'from'"},
+                 "43: mesh.groups.a.box.to.2: found 1 for z, expected at least the 2 of 'from'"},
         BadGroup{"NoRadius", "{sphere: {point: [0, 0, 0]}}", "17: mesh.groups.a.sphere: 'radius' is missing"},
         BadGroup{"BadRadius", "{sphere: {point: [0, 0, 0], radius: -1}}",
-                 "45: mesh.groups.a.sphere.radius: found '-1', expected a number > 0"},
+                 "44: mesh.groups.a.sphere.radius: found '-1', expected a number > 0"},
         BadGroup{"BadAngle", "{normal: [1, 0, 0], angle: 181}",
-                 "35: mesh.groups.a.angle: found '181', expected a number between 0 and 180"},
+                 "35: mesh.groups.a.angle: found '181', expected a number > 0 and <= 180"},
         BadGroup{"NothingOrdered", "{along: [1, 0, 0]}", "8: mesh.groups.a: 'of' is missing"},
         BadGroup{"OfItself", "{union: [b, a]}",
                  "5: mesh.groups.a: found groups that are made of one another, a of a, expected an end"}),
     [](const auto& bad) { return bad.param.name; });
 
 TEST(BadGroups, ThatNeedOneAnotherAreNamed) {
-  EXPECT_EQ(faults_of(with_groups("    a: {skin: b}\n    b: {union: [c, a]}\n")),
-            Sentences{"study.yaml:4:5: mesh.groups.a: found groups that are made of one another, a of b of a, "
-                      "expected an end"});
+  EXPECT_EQ(
+      faults_of(with_groups("    a: {skin: b}\n    b: {union: [c, a]}\n")),
+      Sentences{"study.yaml:4:5: mesh.groups.a: found groups that are made of one another, a of b of a, "
+                "expected an end"});
 }
 
 TEST(BadGroups, StandForEverythingUnderNoOtherName) {
@@ -132,14 +137,16 @@ TEST(BadGroups, StandForEverythingUnderNoOtherName) {
 }
 
 TEST(BadGroups, OfPlaneMeshesHaveNoCylinders) {
-  const auto deck = replaced(with_groups("    a: {cylinder: {point: [0, 0], axis: [0, 1], radius: 1}}\n"), "solid",
-                             "plane_strain");
-  EXPECT_EQ(faults_of(deck), Sentences{"study.yaml:4:19: mesh.groups.a.cylinder: plane_strain has no cylinder, "
-                                       "expected sphere, a circle there"});
+  const auto deck = replaced(with_groups("    a: {cylinder: {point: [0, 0], axis: [0, 1], radius: 1}}\n"),
+                             "solid", "plane_strain");
+  EXPECT_EQ(faults_of(deck),
+            Sentences{"study.yaml:4:19: mesh.groups.a.cylinder: plane_strain has no cylinder, "
+                      "expected sphere, a circle there"});
 }
 
 TEST(GroupsOfACommandLine, AreThoseOfADeck) {
-  const std::vector<std::string> options{"top={normal: [0, 0, 1], angle: 5}", "rest={difference: [shell, top]}"};
+  const std::vector<std::string> options{"top={normal: [0, 0, 1], angle: 5}",
+                                         "rest={difference: [shell, top]}"};
   const auto groups = parse_groups(options, 3);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].name, "top");
@@ -152,7 +159,8 @@ TEST(GroupsOfACommandLine, AreRefusedWithTheirName) {
   const auto refusal = [](const std::vector<std::string>& options, int dimension) {
     return fault_of([&] { parse_groups(options, dimension); });
   };
-  EXPECT_EQ(refusal({"top"}, 3), "--group: found 'top', expected NAME={...}, as in 'top={normal: [0, 0, 1]}'");
+  EXPECT_EQ(refusal({"top"}, 3),
+            "--group: found 'top', expected NAME={...}, as in 'top={normal: [0, 0, 1]}'");
   EXPECT_EQ(refusal({"top={normal: [0, 0, 1]}"}, 2),
             "--group top: mesh.groups.top.normal: found 3 coordinates, expected 2");
   EXPECT_EQ(refusal({"top={skin: b, angle: 3}"}, 2),

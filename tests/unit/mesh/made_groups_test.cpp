@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/mesh/made_groups.hpp"
-
 #include "rubato/core/error.hpp"
 #include "rubato/mesh/builder.hpp"
 #include "rubato/mesh/convert.hpp"
+#include "rubato/mesh/made_groups.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/mesh/skin.hpp"
 
@@ -99,10 +98,10 @@ double area_of(const Mesh& mesh, const std::string& group) {
 class MadeGroups : public testing::TestWithParam<CellType> {};
 
 TEST_P(MadeGroups, AreTheSidesThatTheGeneratorNames) {
-  const auto mesh = with(mesh_of(GetParam()),
-                         {facing("above", {0, 1, 0}),
-                          taking(plane("wall", {2, 0, 0}, {-3, 0, 0}), GroupTake::faces),
-                          plane("wall_nodes", {2, 0, 0}, {1, 0, 0}), made("all_round", GroupKind::skin, {"body"})});
+  const auto mesh =
+      with(mesh_of(GetParam()),
+           {facing("above", {0, 1, 0}), taking(plane("wall", {2, 0, 0}, {-3, 0, 0}), GroupTake::faces),
+            plane("wall_nodes", {2, 0, 0}, {1, 0, 0}), made("all_round", GroupKind::skin, {"body"})});
   EXPECT_EQ(mesh.cell_group("above")->items, mesh.cell_group("top")->items);
   EXPECT_EQ(mesh.cell_group("wall")->items, mesh.cell_group("right")->items);
   EXPECT_EQ(nodes(mesh, "wall_nodes"), nodes_of_cells(mesh, "right"));
@@ -112,9 +111,10 @@ TEST_P(MadeGroups, AreTheSidesThatTheGeneratorNames) {
 
 TEST_P(MadeGroups, MakeCellsOfFacesThatTheMeshHasNot) {
   const auto before = bare(GetParam());
-  const auto mesh =
-      with(before, {facing("above", {0, 1, 0}), taking(plane("top", {0, 1, 0}, {0, 1, 0}), GroupTake::faces)});
-  EXPECT_EQ(mesh.cell_count(), before.cell_count() + static_cast<int>(mesh.cell_group("above")->items.size()));
+  const auto mesh = with(
+      before, {facing("above", {0, 1, 0}), taking(plane("top", {0, 1, 0}, {0, 1, 0}), GroupTake::faces)});
+  EXPECT_EQ(mesh.cell_count(),
+            before.cell_count() + static_cast<int>(mesh.cell_group("above")->items.size()));
   EXPECT_EQ(mesh.cell_group("above")->items, mesh.cell_group("top")->items);
   EXPECT_NEAR(area_of(mesh, "above"), mesh.dimension == 3 ? 6 : 2, 1e-12);
   const auto surface = oriented_faces(mesh, mesh.cell_group("above")->items);
@@ -151,19 +151,19 @@ TEST_P(MadeGroups, TellCornersFromMiddles) {
   EXPECT_EQ(nodes(found, "middles").size() + nodes(found, "ends").size(), nodes(found, "whole").size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, MadeGroups, testing::ValuesIn(all_types()), [](const auto& type) {
-  return std::string(cell::topology(type.param).name);
-});
+INSTANTIATE_TEST_SUITE_P(Of, MadeGroups, testing::ValuesIn(all_types()),
+                         [](const auto& type) { return std::string(cell::topology(type.param).name); });
 
 const auto cube = [] { return mesh_of(CellType::hexa8); };
 
 TEST(GroupsOfGroups, AreUnionsIntersectionsAndDifferences) {
-  const auto mesh = with(cube(), {made("edge", GroupKind::intersection, {"a", "b"}),
-                                  made("both", GroupKind::union_of, {"a", "b"}),
-                                  made("rest", GroupKind::difference, {"both", "edge", "tip"}),
-                                  made("a", GroupKind::nodes_of, {"right"}), made("b", GroupKind::nodes_of, {"top"}),
-                                  made("sides", GroupKind::difference, {"round", "top", "bottom"}),
-                                  made("round", GroupKind::skin, {"all"})});
+  const auto mesh =
+      with(cube(),
+           {made("edge", GroupKind::intersection, {"a", "b"}), made("both", GroupKind::union_of, {"a", "b"}),
+            made("rest", GroupKind::difference, {"both", "edge", "tip"}),
+            made("a", GroupKind::nodes_of, {"right"}), made("b", GroupKind::nodes_of, {"top"}),
+            made("sides", GroupKind::difference, {"round", "top", "bottom"}),
+            made("round", GroupKind::skin, {"all"})});
   EXPECT_EQ(nodes(mesh, "edge"), nodes_of_cells(mesh, "rim"));
   EXPECT_EQ(nodes(mesh, "both").size(), nodes(mesh, "a").size() + nodes(mesh, "b").size() - 3);
   EXPECT_EQ(nodes(mesh, "rest").size(), nodes(mesh, "both").size() - 3);
@@ -202,7 +202,8 @@ TEST(GroupsAlongALine, HaveTheirNodesInOrder) {
   ASSERT_EQ(group->in_order().size(), 3U);
   EXPECT_TRUE(std::ranges::is_sorted(group->items));
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_EQ(mesh.points[static_cast<std::size_t>(group->in_order()[i])].z(), 3 - 1.5 * static_cast<double>(i));
+    EXPECT_EQ(mesh.points[static_cast<std::size_t>(group->in_order()[i])].z(),
+              3 - 1.5 * static_cast<double>(i));
   EXPECT_EQ(mesh.cell_group("rim")->in_order().size(), 2U);
 }
 
@@ -253,34 +254,46 @@ TEST_P(ImpossibleGroups, AreRefusedWithAReason) {
 INSTANTIATE_TEST_SUITE_P(
     As, ImpossibleGroups,
     testing::Values(
-        Refusal{"EmptyBox", {box("a", {2.5, 0, 0}, {3, 1, 1})},
+        Refusal{"EmptyBox",
+                {box("a", {2.5, 0, 0}, {3, 1, 1})},
                 "mesh.groups.a: found no node there; N3 (2, 0, 0) is the nearest, 0.5 away"},
-        Refusal{"EmptyPlane", {plane("a", {0, 0, 3.25}, {0, 0, 1})},
+        Refusal{"EmptyPlane",
+                {plane("a", {0, 0, 3.25}, {0, 0, 1})},
                 "0.25 away; 'within' takes what is near the surface"},
-        Refusal{"EmptyFaces", {taking(box("a", {0, 1.5, 0}, {2, 2, 3}), GroupTake::faces)},
+        Refusal{"EmptyFaces",
+                {taking(box("a", {0, 1.5, 0}, {2, 2, 3}), GroupTake::faces)},
                 "mesh.groups.a: found no face there; the face of nodes"},
-        Refusal{"EmptyCells", {taking(box("a", {0, 0, 0}, {0.5, 1, 3}), GroupTake::cells)},
+        Refusal{"EmptyCells",
+                {taking(box("a", {0, 0, 0}, {0.5, 1, 3}), GroupTake::cells)},
                 "found no cell there; cell "},
-        Refusal{"NoFaceOfThisNormal", {facing("a", {1, 1, 0}, 20)},
+        Refusal{"NoFaceOfThisNormal",
+                {facing("a", {1, 1, 0}, 20)},
                 "found no face with this outward normal; that of the face of nodes"},
-        Refusal{"NothingShared", {made("a", GroupKind::intersection, {"left", "right"})},
+        Refusal{"NothingShared",
+                {made("a", GroupKind::intersection, {"left", "right"})},
                 "mesh.groups.a: found nothing that these groups share"},
-        Refusal{"NothingLeft", {made("a", GroupKind::difference, {"left", "body", "left"})},
+        Refusal{"NothingLeft",
+                {made("a", GroupKind::difference, {"left", "body", "left"})},
                 "nothing is left of 'left'"},
-        Refusal{"UnknownName", {made("a", GroupKind::union_of, {"left", "rigth"})},
+        Refusal{"UnknownName",
+                {made("a", GroupKind::union_of, {"left", "rigth"})},
                 "mesh.groups.a.union.1: found 'rigth', expected a group or a node of the mesh; did you mean "
                 "'right'?"},
-        Refusal{"MixedKinds", {made("n", GroupKind::nodes_of, {"left"}), made("a", GroupKind::union_of, {"n", "left"})},
+        Refusal{"MixedKinds",
+                {made("n", GroupKind::nodes_of, {"left"}), made("a", GroupKind::union_of, {"n", "left"})},
                 "mesh.groups.a.union.1: found 'left', which holds cells, beside nodes"},
-        Refusal{"NodesWhereCellsBelong", {made("n", GroupKind::nodes_of, {"left"}), made("a", GroupKind::skin, {"n"})},
+        Refusal{"NodesWhereCellsBelong",
+                {made("n", GroupKind::nodes_of, {"left"}), made("a", GroupKind::skin, {"n"})},
                 "mesh.groups.a.skin: found 'n', which holds nodes, expected a group of cells"},
         Refusal{"SkinOfFaces", {made("a", GroupKind::skin, {"left"})}, "expected a group of solid cells"},
-        Refusal{"KnownName", {made("left", GroupKind::skin, {"body"})}, "the mesh has a group 'left' already"},
+        Refusal{
+            "KnownName", {made("left", GroupKind::skin, {"body"})}, "the mesh has a group 'left' already"},
         Refusal{"NameOfANode", {made("N1", GroupKind::skin, {"body"})}, "a node of the mesh is called 'N1'"}),
     [](const auto& refusal) { return refusal.param.name; });
 
 TEST(ImpossibleGroups, AreAllToldButNotThoseThatNeedThem) {
-  const std::vector<MadeGroup> groups{made("a", GroupKind::skin, {"nowhere"}), made("b", GroupKind::nodes_of, {"a"}),
+  const std::vector<MadeGroup> groups{made("a", GroupKind::skin, {"nowhere"}),
+                                      made("b", GroupKind::nodes_of, {"a"}),
                                       box("c", {9, 9, 9}, {10, 10, 10})};
   try {
     with_groups(cube(), groups);

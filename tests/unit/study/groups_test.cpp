@@ -23,8 +23,8 @@ TEST(TheOrderOfGroups, IsThatInWhichTheyNeedOneAnother) {
 }
 
 TEST(TheOrderOfGroups, LeavesOutThoseThatWaitForOneAnother) {
-  const std::vector groups{union_of("a", {"b", "c"}), union_of("b", {"left", "c"}), union_of("c", {"left", "b"}),
-                           union_of("d", {"left", "right"})};
+  const std::vector groups{union_of("a", {"b", "c"}), union_of("b", {"left", "c"}),
+                           union_of("c", {"left", "b"}), union_of("d", {"left", "right"})};
   const auto found = order_of(groups);
   EXPECT_EQ(found.order, (std::vector<std::size_t>{3}));
   EXPECT_EQ(found.cycle, (std::vector<std::string>{"b", "c", "b"}));

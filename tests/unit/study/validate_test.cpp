@@ -5,10 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <ostream>
 #include <string>
 

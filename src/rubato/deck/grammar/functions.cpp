@@ -44,15 +44,16 @@ Forms functions() {
 
 Forms field_value() {
   std::vector<std::string> axes(study::axis_words.begin(), study::axis_words.end());
-  return either(expression(),
-                map("a table along an axis",
-                    {{"along", "axis of the coordinates, undeformed", word(std::move(axes)), true},
-                     {"at", "coordinates, ascending [length]", list(number(), 1)},
-                     {"values", "values, one for each coordinate", list(number())},
-                     {"csv", "file with columns of numbers, relative to the folder of the deck", name()},
-                     {"coordinate", "name of the column of coordinates; the first one when not given", name()},
-                     {"column", "name of the column of values", name()},
-                     outside("before the first and after the last coordinate")}));
+  return either(
+      expression(),
+      map("a table along an axis",
+          {{"along", "axis of the coordinates, undeformed", word(std::move(axes)), true},
+           {"at", "coordinates, ascending [length]", list(number(), 1)},
+           {"values", "values, one for each coordinate", list(number())},
+           {"csv", "file with columns of numbers, relative to the folder of the deck", name()},
+           {"coordinate", "name of the column of coordinates; the first one when not given", name()},
+           {"column", "name of the column of values", name()},
+           outside("before the first and after the last coordinate")}));
 }
 
 } // namespace rubato::deck::grammar

@@ -54,18 +54,18 @@ Forms body() {
 } // namespace
 
 Forms mesh() {
-  return map("the mesh: a file, or bodies that are generated",
-             {{"file", "mesh file, relative to the folder of the deck", name()},
-              {"name", "name of the mesh inside the file; its first one when not given", text()},
-              {"generate", "bodies that are regular grids", list(body(), 1)},
-              {"convert",
-               "whether mid-edge nodes are removed (linear) or added (quadratic), with centres of faces and "
-               "cells (full_quadratic)",
-               word_of(study::conversion_words)},
-              {"refine", "every edge is cut into that many parts; 1 when not given",
-               whole_number(study::bounds::refine)},
-              {"groups", "groups by name, made of what the mesh has when it is converted and refined",
-               groups()}});
+  return map(
+      "the mesh: a file, or bodies that are generated",
+      {{"file", "mesh file, relative to the folder of the deck", name()},
+       {"name", "name of the mesh inside the file; its first one when not given", text()},
+       {"generate", "bodies that are regular grids", list(body(), 1)},
+       {"convert",
+        "whether mid-edge nodes are removed (linear) or added (quadratic), with centres of faces and "
+        "cells (full_quadratic)",
+        word_of(study::conversion_words)},
+       {"refine", "every edge is cut into that many parts; 1 when not given",
+        whole_number(study::bounds::refine)},
+       {"groups", "groups by name, made of what the mesh has when it is converted and refined", groups()}});
 }
 
 } // namespace rubato::deck::grammar

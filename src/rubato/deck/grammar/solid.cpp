@@ -29,9 +29,11 @@ Forms load(study::LoadKind kind) {
   std::vector<Key> keys{
       {"on", everywhere ? "group of cells; every cell when not given" : "group", name(), !everywhere}};
   if (kind == study::LoadKind::pressure)
-    keys.push_back({"value", "pressure [force/length²], a number, an expression or a table", field_value(), true});
+    keys.push_back(
+        {"value", "pressure [force/length²], a number, an expression or a table", field_value(), true});
   else
-    keys = joined(std::move(keys), components("component, a number, an expression or a table,", field_value()));
+    keys =
+        joined(std::move(keys), components("component, a number, an expression or a table,", field_value()));
   keys.push_back({"function", "name of a function of time that multiplies it", name()});
   return map(meaning_of(kind), std::move(keys));
 }

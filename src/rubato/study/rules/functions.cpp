@@ -20,10 +20,8 @@ void check(Rules& rules, const LinearTable& table, const std::string& path) {
 
 void check(Rules& rules, const Ramp& ramp, const std::string& path) {
   const auto below = path + ".ramp";
-  for (const auto& [key, number] : {std::pair{"begin", ramp.begin},
-                                    {"end", ramp.end},
-                                    {"from", ramp.from},
-                                    {"to", ramp.to}})
+  for (const auto& [key, number] :
+       {std::pair{"begin", ramp.begin}, {"end", ramp.end}, {"from", ramp.from}, {"to", ramp.to}})
     rules.number(fmt::format("{}.{}", below, key), number);
   if (!(ramp.end > ramp.begin))
     rules.broken({below, below + ".begin", below + ".end"},
@@ -62,8 +60,8 @@ void check_function(Rules& rules, const Function& function, const std::string& p
 void check(Rules& rules, const Product& product, const std::string& path) {
   const auto below = path + ".product";
   if (product.factors.empty() || product.factors.size() > most_factors)
-    rules.broken({below}, fmt::format("found {} factors, expected 1 to {}", product.factors.size(),
-                                      most_factors));
+    rules.broken({below},
+                 fmt::format("found {} factors, expected 1 to {}", product.factors.size(), most_factors));
   for (std::size_t i = 0; i < product.factors.size(); ++i) {
     const auto& factor = product.factors[i];
     const auto at = fmt::format("{}.{}", below, i);

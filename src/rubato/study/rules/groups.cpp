@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Groups that are made of what the mesh has.
 #include "rubato/study/groups.hpp"
+
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -87,15 +88,14 @@ void check_group(Rules& rules, const MadeGroup& group) {
   if (group.name == everywhere)
     rules.broken({path}, "found the name 'all', which stands for everything, expected another one");
   if (!fits(entry.sources, group.of.size()))
-    rules.broken({entry.sources == GroupSources::of ? path + ".of" : below, path},
-                 fmt::format("found {} groups, expected {}", group.of.size(),
-                             expected_sources(entry.sources)));
+    rules.broken(
+        {entry.sources == GroupSources::of ? path + ".of" : below, path},
+        fmt::format("found {} groups, expected {}", group.of.size(), expected_sources(entry.sources)));
   for (std::size_t i = 0; i < group.of.size(); ++i) {
     rules.name(path_of_source(group, i), group.of[i]);
     if (std::find(group.of.begin(), group.of.begin() + static_cast<std::ptrdiff_t>(i), group.of[i]) !=
         group.of.begin() + static_cast<std::ptrdiff_t>(i))
-      rules.broken({path_of_source(group, i)},
-                   fmt::format("found {} a second time", shown(group.of[i])));
+      rules.broken({path_of_source(group, i)}, fmt::format("found {} a second time", shown(group.of[i])));
   }
   check_shape(rules, group, below);
   if (group.within)
