@@ -224,6 +224,11 @@ void add_mesh(CLI::App& program, Arguments& arguments) {
       ->type_name("linear|quadratic|full_quadratic");
   command->add_option("--refine", mesh.refine, "cut every edge into that many parts")
       ->type_name(kind::number);
+  command
+      ->add_option("--group", mesh.groups,
+                   "make a group, as a deck's mesh.groups do: 'top={normal: [0, 0, 1]}'")
+      ->allow_extra_args(false)
+      ->type_name(kind::group);
   command->callback([&arguments] { arguments.work = [&] { return app::mesh(arguments.mesh); }; });
 }
 

@@ -37,6 +37,7 @@ inline constexpr auto file = "FILE";
 inline constexpr auto runs = "RUN,...";
 inline constexpr auto setting = "PATH=VALUE";
 inline constexpr auto name = "NAME";
+inline constexpr auto group = "NAME={...}";
 inline constexpr auto number = "NUMBER";
 inline constexpr auto numbers = "NUMBER,...";
 inline constexpr auto quantity = "QUANTITY";

@@ -81,6 +81,7 @@ struct MeshArguments {
   std::vector<std::string> settings;
   std::string convert;
   int refine = 1;
+  std::vector<std::string> groups; ///< "NAME={normal: [0, 0, 1]}"
 };
 int mesh(const MeshArguments& arguments);
 

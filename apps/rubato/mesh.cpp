@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/deck/groups.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/mesh/made_groups.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +9,7 @@
 #include "commands.hpp"
 #include "read_deck.hpp"
 #include <map>
+#include <utility>
 
 namespace rubato::app {
 namespace {
@@ -56,6 +59,19 @@ Source source_of(const MeshArguments& arguments) {
   return found;
 }
 
+/// The mesh with groups that the command line makes, of the deck's too.
+rubato::mesh::Mesh with_groups(rubato::mesh::Mesh mesh, const std::vector<std::string>& options) {
+  const auto groups = deck::parse_groups(options, mesh.dimension);
+  try {
+    return rubato::mesh::with_groups(std::move(mesh), groups);
+  } catch (const InputError& error) {
+    auto faults = error.faults();
+    for (auto& fault : faults)
+      fault.at.file = "--group";
+    throw InputError(std::move(faults));
+  }
+}
+
 rubato::mesh::Mesh load(const Source& source) {
   try {
     return model::load_mesh(source.mesh);
@@ -67,7 +83,7 @@ rubato::mesh::Mesh load(const Source& source) {
 } // namespace
 
 int mesh(const MeshArguments& arguments) {
-  const auto mesh = load(source_of(arguments));
+  const auto mesh = with_groups(load(source_of(arguments)), arguments.groups);
   rubato::mesh::write_mesh(arguments.output, mesh);
   fmt::print("{}: {} nodes, {} cells, {} groups\n", arguments.output.string(), mesh.node_count(),
              mesh.cell_count(), rubato::mesh::group_names(mesh).size());

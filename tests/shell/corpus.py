@@ -87,15 +87,15 @@ def of_tests():
     return decks
 
 
-def outcome(*arguments, text=""):
+def outcome(*arguments, text="", folder=None):
     """The program's exit code, output and errors."""
-    done = subprocess.run([PROGRAM, *arguments], input=text, capture_output=True, text=True, check=False)
+    done = subprocess.run([PROGRAM, *arguments], input=text, capture_output=True, text=True, check=False, cwd=folder)
     return done.returncode, done.stdout, done.stderr
 
 
 @functools.cache
 def refusal(text):
     """What the program's own check says against a deck; empty when it takes it."""
-    code, _, errors = outcome("check", "-", text=text)
+    code, _, errors = outcome("check", "-", text=text, folder=SOURCES / "tests/shell/decks")
     assert code in (0, 2), errors
     return errors if code == 2 else ""

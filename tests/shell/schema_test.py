@@ -69,15 +69,16 @@ def test_echoes_validate(tmp_path):
 def keys_of(schema, path=()):
     """Paths of keys, names that users choose left out, and the words each may have."""
     for choice in schema.get("anyOf", [schema]):
+        here = SHARED.get(choice.get("title"), path)
         for word in choice.get("enum", []):
             if word is not None:
-                yield path, word
+                yield here, word
         for key, value in choice.get("properties", {}).items():
-            yield path + (key,), None
-            yield from keys_of(value, path + (key,))
+            yield here + (key,), None
+            yield from keys_of(value, here + (key,))
         for inner in ("items", "additionalProperties"):
             if isinstance(choice.get(inner), dict):
-                yield from keys_of(choice[inner], path)
+                yield from keys_of(choice[inner], here)
 
 
 def keys_in(value, path=(), names=False):
@@ -86,15 +87,30 @@ def keys_in(value, path=(), names=False):
         for item in value:
             yield from keys_in(item, path)
     elif isinstance(value, dict):
+        if "along" in value and "groups" not in path:
+            path = SHARED["a table along an axis"]
         for key, inner in value.items():
             here = path if names else path + (key,)
             yield here, None
-            yield from keys_in(inner, here, not names and len(here) == 1 and key in NAMED)
+            below = SHARED["a factor"] if here == ("functions", "product") else here
+            yield from keys_in(inner, below, not names and here in NAMED)
     elif value is not None:
         yield path, value
 
 
-NAMED = {key for key, value in SCHEMA["properties"].items() if "propertyNames" in value}
+def named_in(schema, path=()):
+    """Paths of the maps whose keys are names."""
+    for choice in schema.get("anyOf", [schema]):
+        if "propertyNames" in choice:
+            yield path
+        for key, value in choice.get("properties", {}).items():
+            yield from named_in(value, path + (key,))
+
+
+NAMED = set(named_in({**SCHEMA, "properties": {k: v for k, v in SCHEMA["properties"].items() if k != "runs"}}))
+
+# What may stand in many places is looked for once, by the title of its map.
+SHARED = {"a table along an axis": ("table",), "a factor": ("functions",)}
 
 
 def test_every_key_and_word_of_the_schema_stands_in_a_deck_that_the_program_takes():

@@ -12,7 +12,7 @@
 namespace rubato {
 
 bool FieldFunction::varies_in_place() const {
-  return expression && (expression->has('x') || expression->has('y') || expression->has('z'));
+  return profile || (expression && (expression->has('x') || expression->has('y') || expression->has('z')));
 }
 
 bool FieldFunction::varies_in_time() const {
@@ -20,15 +20,20 @@ bool FieldFunction::varies_in_time() const {
 }
 
 double FieldFunction::at(std::span<const double, 3> place, double t) const {
-  const double factor = function ? value_at(*function, t) : 1.0;
+  return multiplied_at(place, t) * (function ? value_at(*function, t) : 1.0);
+}
+
+double FieldFunction::multiplied_at(std::span<const double, 3> place, double t) const {
+  if (profile)
+    return number * interpolated(profile->table, place[profile->axis]);
   if (!expression)
-    return number * factor;
+    return number;
   const double value = expression->at(place, t);
   if (!std::isfinite(value))
     throw InputError({fault_at(
         path, fmt::format("{}: {} is {} at {}, expected a finite number", path, shown(expression->text()),
                           std::isnan(value) ? "not a number" : "infinite", shown_place(place, t)))});
-  return number * value * factor;
+  return number * value;
 }
 
 std::string shown_place(std::span<const double, 3> place, double t) {

@@ -5,18 +5,27 @@
 #include "rubato/core/expression.hpp"
 #include "rubato/core/function.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 
 namespace rubato {
 
-/// A number or an expression of place and time, times a function of time.
+/// A table along an axis.
+struct Profile {
+  std::size_t axis = 0; ///< 0 x, 1 y, 2 z
+  LinearTable table;    ///< of coordinates, undeformed
+  bool operator==(const Profile&) const = default;
+};
+
+/// A number, an expression of place and time or a profile, times a function of time.
 struct FieldFunction {
-  double number = 1; ///< multiplies the expression when there is one
+  double number = 1; ///< multiplies the expression or the profile when there is one
   std::optional<Expression> expression;
   std::optional<Function> function; ///< 1 when there is none
   std::string path = {};            ///< of the value in the study, for messages
+  std::optional<Profile> profile = {};
 
   bool varies_in_place() const;
   bool varies_in_time() const;
@@ -24,10 +33,13 @@ struct FieldFunction {
   /// At a place (x, y, z), undeformed, and an instant. Throws InputError at the path when an expression gives
   /// no finite number there: one sentence with the place and the instant.
   double at(std::span<const double, 3> place, double t) const;
+  /// The same without the function of time.
+  double multiplied_at(std::span<const double, 3> place, double t) const;
 
   /// Whether they are the same function, wherever the study has them.
   bool operator==(const FieldFunction& other) const {
-    return number == other.number && expression == other.expression && function == other.function;
+    return number == other.number && expression == other.expression && function == other.function &&
+           profile == other.profile;
   }
 };
 

@@ -2,61 +2,87 @@
 #include "rubato/core/function.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/core/naming.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace rubato {
 namespace {
 
-using Outside = Function::Outside;
-
-void check(const Function& function) {
-  if (function.times.empty() || function.times.size() != function.values.size())
-    throw InputError(
-        fmt::format("a function of time has {} times and {} values, expected as many of both and at "
-                    "least one",
-                    function.times.size(), function.values.size()));
+double at(const LinearTable& table, double t) {
+  return interpolated(table, t);
 }
 
-/// On the line through points i and i + 1; the value of point i when they stand at one time.
-double on_piece(const Function& function, std::size_t i, double t) {
-  const double begin = function.times[i], length = function.times[i + 1] - begin;
-  if (!(length > 0))
-    return function.values[i];
-  const double part = (t - begin) / length;
-  return (1 - part) * function.values[i] + part * function.values[i + 1];
+double at(const Ramp& ramp, double t) {
+  if (t <= ramp.begin)
+    return ramp.from;
+  if (t >= ramp.end)
+    return ramp.to;
+  const double part = (t - ramp.begin) / (ramp.end - ramp.begin);
+  return (1 - part) * ramp.from + part * ramp.to;
 }
 
-double before_table(const Function& function, double t) {
-  if (function.outside == Outside::zero)
-    return 0;
-  if (function.outside == Outside::constant || function.times.size() == 1)
-    return function.values.front();
-  return on_piece(function, 0, t);
+double at(const Sine& sine, double t) {
+  constexpr double radians = std::numbers::pi / 180;
+  return sine.mean +
+         sine.amplitude * std::sin(2 * std::numbers::pi * sine.frequency * t + radians * sine.phase);
 }
 
-double after_table(const Function& function, double t) {
-  if (t == function.times.back())
-    return function.values.back();
-  if (function.outside == Outside::zero)
-    return 0;
-  if (function.outside == Outside::constant || function.times.size() == 1)
-    return function.values.back();
-  return on_piece(function, function.times.size() - 2, t);
+double at(const Product& product, double t) {
+  if (product.factors.empty())
+    throw InputError("a product of functions has no factor, expected at least one");
+  double value = 1;
+  for (const auto& factor : product.factors)
+    value *= value_at(factor, t);
+  return value;
+}
+
+double at(const Expression& expression, double t) {
+  constexpr std::array<double, 3> nowhere{};
+  const double value = expression.at(nowhere, t);
+  if (!std::isfinite(value))
+    throw InputError(fmt::format("the function of time {} is {} at t = {:.6g}, expected a finite number",
+                                 shown(expression.text()), std::isnan(value) ? "not a number" : "infinite",
+                                 t));
+  return value;
 }
 
 } // namespace
 
+bool Product::operator==(const Product& other) const {
+  return factors == other.factors;
+}
+
+bool Function::operator==(const Function& other) const {
+  return is == other.is;
+}
+
 double value_at(const Function& function, double t) {
-  check(function);
-  const auto after = std::ranges::upper_bound(function.times, t);
-  if (after == function.times.begin())
-    return before_table(function, t);
-  if (after == function.times.end())
-    return after_table(function, t);
-  return on_piece(function, static_cast<std::size_t>(after - function.times.begin()) - 1, t);
+  return std::visit([t](const auto& kind) { return at(kind, t); }, function.is);
+}
+
+std::size_t table_size(const Function& function) {
+  if (const auto* table = function.table())
+    return table->at.size();
+  std::size_t size = 0;
+  if (const auto* product = std::get_if<Product>(&function.is))
+    for (const auto& factor : product->factors)
+      size += table_size(factor);
+  return size;
+}
+
+std::size_t factor_count(const Function& function) {
+  const auto* product = std::get_if<Product>(&function.is);
+  if (product == nullptr)
+    return 1;
+  std::size_t count = 0;
+  for (const auto& factor : product->factors)
+    count += factor_count(factor);
+  return count;
 }
 
 } // namespace rubato

@@ -125,6 +125,19 @@ bool has(const Value& value, const Form& form, Inside inside) {
   return faults.empty();
 }
 
+bool is_map(const Form* form) {
+  return form->kind == Kind::map;
+}
+
+/// Of several maps the one that has most of the value's keys.
+const Form& nearest_map(const Value& value, const std::vector<const Form*>& maps) {
+  const auto known_keys = [&](const Form* form) {
+    return std::ranges::count_if(
+        form->keys, [&](const grammar::Key& key) { return value.tree().find(key.name) != nullptr; });
+  };
+  return **std::ranges::max_element(maps, {}, known_keys);
+}
+
 void check(const Value& value, Inside inside) {
   std::vector<const Form*> alike;
   std::vector<std::string> all;
@@ -135,6 +148,8 @@ void check(const Value& value, Inside inside) {
   }
   if (alike.size() == 1)
     check_form(value, *alike.front(), inside);
+  else if (!alike.empty() && std::ranges::all_of(alike, is_map))
+    check_form(value, nearest_map(value, alike), inside);
   else if (std::ranges::none_of(alike, [&](const Form* form) { return has(value, *form, inside); }))
     value.fault(fmt::format("found {}, expected {}", described(value.tree()), fmt::join(all, " or ")));
 }

@@ -117,17 +117,17 @@ void read_normals(MapReader& map, study::ContactZone& zone) {
 }
 
 /// What is added to the gaps of the mesh.
-void read_offsets(MapReader& map, study::ContactZone& zone) {
+void read_offsets(MapReader& map, const Context& context, study::ContactZone& zone) {
   if (const auto interference = map.find("interference"))
-    zone.interference = read_field(*interference);
+    zone.interference = read_field(*interference, context);
   if (const auto gap = map.find("gap"))
-    zone.gap = read_field(*gap);
+    zone.gap = read_field(*gap, context);
 }
 
 /// What only surfaces have that touch and part.
-void read_touching(MapReader& map, bool known_method, study::ContactZone& zone) {
+void read_touching(MapReader& map, const Context& context, bool known_method, study::ContactZone& zone) {
   read_friction(map, zone);
-  read_offsets(map, zone);
+  read_offsets(map, context, zone);
   read_normals(map, zone);
   read(map.find("bilateral"), zone.bilateral);
   read(map.find("freeze"), zone.freeze);
@@ -157,7 +157,7 @@ study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
   if (zone.tie)
     refuse_touching(map, zone);
   else
-    read_touching(map, known, zone);
+    read_touching(map, context, known, zone);
   zone.integration = study::usual_integration(zone, context.scheme.value_or(study::TimeStepping{}.scheme));
   read_integration(map.find("integration"), zone.integration);
   read_names(map.find("exclude_nodes"), zone.exclude_nodes);

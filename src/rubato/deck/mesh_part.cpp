@@ -10,8 +10,8 @@
 namespace rubato::deck {
 namespace {
 
-void read_groups(const Found& value, const std::vector<std::string>& words,
-                 std::map<std::string, std::string>& groups) {
+void read_names_by_place(const Found& value, const std::vector<std::string>& words,
+                         std::map<std::string, std::string>& groups) {
   if (!value)
     return;
   MapReader map(*value);
@@ -79,12 +79,12 @@ study::Body read_body(const Value& value) {
   read_extent(shape, body);
   read_per_axis<int>(map.require("divisions"), body.dimension, body.divisions);
   read_cells(map.find("cells"), body);
-  read_groups(map.find("sides"), side_words(body.dimension), body.sides);
+  read_names_by_place(map.find("sides"), side_words(body.dimension), body.sides);
   if (body.dimension == 3)
-    read_groups(map.find("edges"), pair_words(body.dimension), body.edges);
+    read_names_by_place(map.find("edges"), pair_words(body.dimension), body.edges);
   else
     map.refuse("edges", "the edges of a rectangle are its sides");
-  read_groups(map.find("points"), corner_words(body.dimension), body.points);
+  read_names_by_place(map.find("points"), corner_words(body.dimension), body.points);
   map.finish();
   return body;
 }
@@ -116,6 +116,7 @@ void read_mesh(const Found& value, const Context& context, study::MeshSource& me
   read_bodies(generate, mesh.bodies);
   read(map.find("convert"), mesh.convert, study::conversion_words);
   read(map.find("refine"), mesh.refine);
+  read_groups(map.find("groups"), context, mesh.groups);
   map.finish();
 }
 

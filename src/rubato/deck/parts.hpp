@@ -23,11 +23,13 @@ struct Context {
 };
 
 void read_mesh(const Found& value, const Context& context, study::MeshSource& mesh);
+/// Groups that are made, in the order of the file.
+void read_groups(const Found& value, const Context& context, std::vector<study::MadeGroup>& groups);
 /// The list of bodies of `mesh.generate`.
 void read_bodies(const Found& value, std::vector<study::Body>& bodies);
 
 void read_materials(const Found& value, std::vector<study::Material>& materials);
-void read_functions(const Found& value, std::map<std::string, Function>& functions);
+void read_functions(const Found& value, const Context& context, std::map<std::string, Function>& functions);
 void read_supports(const Found& value, const Context& context, std::vector<study::Support>& supports);
 void read_relations(const Found& value, const Context& context, std::vector<study::Relation>& relations);
 void read_loads(const Found& value, const Context& context, std::vector<study::Load>& loads);
@@ -41,8 +43,10 @@ bool read_point(const Found& value, const Context& context, std::array<double, 3
 
 /// A number, or a number times a named function of time.
 study::Amplitude read_amplitude(const Value& value);
-/// A number or an expression, or one of them times a named function of time.
-study::Field read_field(const Value& value);
+/// A number, an expression or a table along an axis.
+void read_field_value(const Found& value, const Context& context, study::FieldValue& target);
+/// The same, or one of them times a named function of time.
+study::Field read_field(const Value& value, const Context& context);
 
 void read_contact(const Found& value, const Context& context, std::vector<study::ContactZone>& zones);
 /// The rigid surface that stands for a zone's master.

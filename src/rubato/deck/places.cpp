@@ -9,7 +9,7 @@ namespace rubato::deck {
 namespace {
 
 /// The maps whose keys are names the user chose.
-constexpr std::array<std::string_view, 3> parts_of_named{"materials", "contact", "probes"};
+constexpr std::array<std::string_view, 4> parts_of_named{"materials", "contact", "probes", "mesh.groups"};
 
 } // namespace
 

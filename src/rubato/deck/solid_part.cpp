@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Materials, functions of time, supports and loads.
+// Materials, supports and loads.
 #include "rubato/deck/parts.hpp"
 #include "rubato/deck/rows.hpp"
 
@@ -38,16 +38,6 @@ study::Material read_material(const NamedValue& entry) {
     material.cells.clear();
   map.finish();
   return material;
-}
-
-Function read_function(const Value& value) {
-  Function function;
-  MapReader map(value);
-  read(map.require("times"), function.times);
-  read(map.require("values"), function.values);
-  read(map.find("outside"), function.outside, study::outside_words);
-  map.finish();
-  return function;
 }
 
 std::vector<std::string> axes_of(const Context& context) {
@@ -115,7 +105,7 @@ study::Support read_support(const Value& value, const Context& context) {
   read_name(map.require("on"), support.on);
   for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto given = map.find(study::axis_words[axis]))
-      support.components[axis] = read_field(*given);
+      support.components[axis] = read_field(*given, context);
   if (const auto fix = map.find("fix"))
     read_fixed(*fix, context, support);
   support.along = read_along(map, context);
@@ -134,7 +124,7 @@ void read_components(MapReader& map, const Context& context, study::Load& load) 
   bool given = false;
   for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto component = map.find(study::axis_words[axis])) {
-      read(component, load.components[axis]);
+      read_field_value(component, context, load.components[axis]);
       given = true;
       // 0 stands for no component in the study
       if (load.kind != study::LoadKind::moment && context.physics &&
@@ -147,27 +137,13 @@ void read_components(MapReader& map, const Context& context, study::Load& load) 
     map.value().fault("has no component, expected at least one of x, y, z");
 }
 
-/// A value, or a map of it and the function of time that multiplies it.
-template <class Varying> Varying read_varying(const Value& value) {
-  Varying varying;
-  if (!value.tree().is(Tree::Kind::map)) {
-    read(Found(value), varying.value);
-    return varying;
-  }
-  MapReader map(value);
-  read(map.require("value"), varying.value);
-  read_name(map.find("function"), varying.function);
-  map.finish();
-  return varying;
-}
-
 study::Load read_load(const Value& value, study::LoadKind kind, const Context& context) {
   study::Load load;
   load.kind = kind;
   MapReader map(value);
   read_name(kind == study::LoadKind::gravity ? map.find("on") : map.require("on"), load.on);
   if (kind == study::LoadKind::pressure)
-    read(map.require("value"), load.components[0]);
+    read_field_value(map.require("value"), context, load.components[0]);
   else
     read_components(map, context, load);
   read_name(map.find("function"), load.function);
@@ -180,19 +156,6 @@ study::Load read_load(const Value& value, study::LoadKind kind, const Context& c
 void read_materials(const Found& value, std::vector<study::Material>& materials) {
   for (const auto& entry : named_entries(value))
     materials.push_back(read_material(entry));
-}
-
-void read_functions(const Found& value, std::map<std::string, Function>& functions) {
-  for (const auto& [name, function] : named_entries(value))
-    functions[name.text] = read_function(function);
-}
-
-study::Amplitude read_amplitude(const Value& value) {
-  return read_varying<study::Amplitude>(value);
-}
-
-study::Field read_field(const Value& value) {
-  return read_varying<study::Field>(value);
 }
 
 bool read_point(const Found& value, const Context& context, std::array<double, 3>& point) {

@@ -114,12 +114,13 @@ MapReader::MapReader(Value value) : value_(std::move(value)) {
 }
 
 Found MapReader::find(std::string_view key) {
-  asked_.emplace_back(key);
+  if (std::ranges::find(asked_, key) == asked_.end())
+    asked_.emplace_back(key);
   const auto& forms = value_.declared(key);
   const auto* tree = value_.tree().find(key);
   if (tree == nullptr || tree->is(Tree::Kind::removed))
     return std::nullopt;
-  return Value(*tree, joined(value_.path(), asked_.back()), value_.faults(), forms);
+  return Value(*tree, joined(value_.path(), std::string(key)), value_.faults(), forms);
 }
 
 Found MapReader::require(std::string_view key) {

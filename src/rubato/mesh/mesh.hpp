@@ -33,10 +33,15 @@ struct CellBlock {
   }
 };
 
-/// A named set of node or cell indices, ascending and without repeats.
+/// A named set of node or cell indices.
 struct Group {
   std::string name;
-  std::vector<std::int32_t> items;
+  std::vector<std::int32_t> items; ///< ascending and without repeats
+  /// The items in an order of their own; empty when they have none. Files do not keep it but for .mail.
+  std::vector<std::int32_t> ordered = {};
+
+  /// In that order, else ascending.
+  std::span<const std::int32_t> in_order() const { return ordered.empty() ? items : ordered; }
 };
 
 struct Mesh {

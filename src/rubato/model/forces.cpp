@@ -79,7 +79,7 @@ private:
     });
   }
 
-  /// Numbers together, each expression by itself.
+  /// Numbers together, each expression or profile by itself.
   void add_vector(const study::Load& load, const Mention& on, const std::string& path, Force& force) {
     Vector3d numbers = Vector3d::Zero();
     for (int i = 0; i < dofs_.components; ++i)
@@ -87,7 +87,7 @@ private:
         numbers[i] = *number;
     const auto add_fields = [&](const auto& places_of) {
       for (int i = 0; i < dofs_.components; ++i)
-        if (const auto& value = load.components[static_cast<std::size_t>(i)]; value.formula() != nullptr)
+        if (const auto& value = load.components[static_cast<std::size_t>(i)]; value.number() == nullptr)
           add_field(load, value, fmt::format("{}.{}", path, "xyz"[static_cast<std::size_t>(i)]), force,
                     [&](const load::VisitPlace& visit) { places_of(i, visit); });
     };
@@ -124,7 +124,7 @@ private:
     }
   }
 
-  /// What an expression without t gives is part of the pattern.
+  /// What does not change with time is part of the pattern.
   void add_field(const study::Load& load, const study::FieldValue& value, const std::string& path,
                  Force& force, const std::function<void(const load::VisitPlace&)>& visit_places) {
     auto field = study::field_function(value, {}, study_.functions, path);

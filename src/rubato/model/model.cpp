@@ -6,6 +6,7 @@
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/generate.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/mesh/made_groups.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/refine.hpp"
@@ -137,7 +138,7 @@ mesh::Mesh source_mesh(const study::MeshSource& source) {
   mesh = mesh::converted(mesh, source.convert);
   if (!source.file.empty() && source.refine > 1)
     mesh = mesh::refined(mesh, source.refine);
-  return mesh;
+  return mesh::with_groups(std::move(mesh), source.groups);
 }
 
 /// Everything but the matrices.

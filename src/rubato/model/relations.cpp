@@ -283,15 +283,15 @@ private:
 
 ImposedValue imposed_at(const Parts& parts, const Vector3d& x,
                         const std::shared_ptr<const FieldFunction>& field) {
-  if (!field->expression)
+  if (!field->expression && !field->profile)
     return {field->number, field->function};
   const std::array place{x[0], x[1], x[2]};
   for (const double t : {parts.study.time.begin, parts.study.time.end})
     field->at(place, t); // throws now rather than in a step
-  if (field->expression->has('t'))
+  if (field->expression && field->expression->has('t'))
     return {0, std::nullopt,
             std::make_shared<const constraint::FieldAtPlace>(constraint::FieldAtPlace{field, place})};
-  return {field->number * field->expression->at(place, parts.study.time.begin), field->function};
+  return {field->multiplied_at(place, parts.study.time.begin), field->function};
 }
 
 ImposedValue imposed_at(const Parts& parts, NodeIndex node,

@@ -27,7 +27,8 @@ struct Parts {
   std::span<const Reference> references;
 };
 
-/// A field's value at a node. An expression that does not change with time is a number there. Throws
+/// A field's value at a node. An expression that does not change with time, or a table along an axis, is a
+/// number there. Throws
 /// InputError when it is no finite number.
 constraint::ImposedValue imposed_at(const Parts& parts, mesh::NodeIndex node,
                                     const std::shared_ptr<const FieldFunction>& field);

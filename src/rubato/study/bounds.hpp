@@ -9,6 +9,9 @@ namespace rubato::study::bounds {
 inline constexpr Range thickness = above(0);
 inline constexpr Range divisions = at_least(1);
 inline constexpr Range refine = from_to(1, 1000);
+inline constexpr Range within = at_least(0);
+inline constexpr Range normal_angle = {0, 180, false, true};
+inline constexpr Range frequency = above(0);
 inline constexpr Range density = at_least(0);
 inline constexpr Range rayleigh = at_least(0);
 inline constexpr Range spring = above(0);

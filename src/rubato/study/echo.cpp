@@ -54,7 +54,42 @@ Json echo(const Body& body) {
   return map;
 }
 
-Json echo(const MeshSource& mesh) {
+/// What the kind takes below its word.
+Json shape_of(const MadeGroup& group, int dimension) {
+  switch (group.kind) {
+  case GroupKind::box:
+    return {{"from", first(group.from, dimension)}, {"to", first(group.to, dimension)}};
+  case GroupKind::sphere:
+    return {{"point", first(group.point, dimension)}, {"radius", group.radius}};
+  case GroupKind::cylinder:
+    return {{"point", first(group.point, dimension)},
+            {"axis", first(group.direction, dimension)},
+            {"radius", group.radius}};
+  case GroupKind::plane:
+    return {{"point", first(group.point, dimension)}, {"normal", first(group.direction, dimension)}};
+  case GroupKind::normal:
+  case GroupKind::along:
+    return first(group.direction, dimension);
+  default:
+    return entry_of(group.kind).sources == GroupSources::list ? Json(group.of) : Json(group.of.front());
+  }
+}
+
+Json echo(const MadeGroup& group, int dimension) {
+  const auto& entry = entry_of(group.kind);
+  Json map{{std::string(entry.name), shape_of(group, dimension)}};
+  const bool beside = entry.sources == GroupSources::of || entry.sources == GroupSources::any_of;
+  if (beside && !group.of.empty())
+    map["of"] = group.of.front();
+  put_optional(map, "within", group.within);
+  if (entry.angle)
+    map["angle"] = group.angle;
+  if (entry.take)
+    map["take"] = word(group_take_words, group.take);
+  return map;
+}
+
+Json echo(const MeshSource& mesh, int dimension) {
   auto map = Json::object();
   if (mesh.bodies.empty()) {
     map["file"] = mesh.file;
@@ -65,6 +100,8 @@ Json echo(const MeshSource& mesh) {
     map["generate"].push_back(echo(body));
   map["convert"] = word(conversion_words, mesh.convert);
   map["refine"] = mesh.refine;
+  for (const auto& group : mesh.groups)
+    map["groups"][group.name] = echo(group, dimension);
   return map;
 }
 
@@ -77,10 +114,40 @@ Json echo(const Material& material) {
   return map;
 }
 
+Json echo(const LinearTable& table, const char* abscissae) {
+  return {{abscissae, table.at}, {"values", table.values}, {"outside", word(outside_words, table.outside)}};
+}
+
+Json echo_kind(const LinearTable& table) {
+  return echo(table, "times");
+}
+
+Json echo_kind(const Ramp& ramp) {
+  return {{"ramp", {{"begin", ramp.begin}, {"end", ramp.end}, {"from", ramp.from}, {"to", ramp.to}}}};
+}
+
+Json echo_kind(const Sine& sine) {
+  return {{"sine",
+           {{"frequency", sine.frequency},
+            {"amplitude", sine.amplitude},
+            {"phase", sine.phase},
+            {"mean", sine.mean}}}};
+}
+
+Json echo_kind(const Expression& expression) {
+  return {{"expression", expression.text()}};
+}
+
+/// Factors as functions without names.
+Json echo_kind(const Product& product) {
+  auto factors = Json::array();
+  for (const auto& factor : product.factors)
+    factors.push_back(std::visit([](const auto& kind) { return echo_kind(kind); }, factor.is));
+  return {{"product", factors}};
+}
+
 Json echo(const Function& function) {
-  return {{"times", function.times},
-          {"values", function.values},
-          {"outside", word(outside_words, function.outside)}};
+  return std::visit([](const auto& kind) { return echo_kind(kind); }, function.is);
 }
 
 Json echo(double number) {
@@ -89,6 +156,11 @@ Json echo(double number) {
 
 /// Expressions as they are written.
 Json echo(const FieldValue& value) {
+  if (const auto* profile = value.profile()) {
+    auto map = echo(profile->table, "at");
+    map["along"] = axis_words.at(profile->axis);
+    return map;
+  }
   return value.number() != nullptr ? Json(*value.number()) : Json(value.formula()->text);
 }
 
@@ -403,7 +475,7 @@ template <class T, class... More> Json echo_by_name(const std::vector<T>& entrie
 std::string to_json(const Study& study) {
   const auto dimension = dimension_of(study.physics);
   Json deck{{"title", study.title}, {"units", study.units}};
-  deck["mesh"] = echo(study.mesh);
+  deck["mesh"] = echo(study.mesh, dimension);
   deck["physics"] = word(physics_words, study.physics);
   if (study.physics == Physics::plane_stress || study.physics == Physics::plane_strain)
     deck["thickness"] = study.thickness;

@@ -28,6 +28,8 @@ FieldFunction field_function(const FieldValue& value, const std::string& functio
   FieldFunction field;
   if (const auto* formula = value.formula())
     field.expression = Expression(formula->text);
+  else if (const auto* profile = value.profile())
+    field.profile = *profile;
   else
     field.number = *value.number();
   if (!function.empty())

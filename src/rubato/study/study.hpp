@@ -3,9 +3,9 @@
 /// Units are the user's own, consistent ones (SI unless the deck says otherwise).
 #pragma once
 
-#include "rubato/core/cell_type.hpp"
 #include "rubato/core/function.hpp"
 #include "rubato/study/discrete.hpp"
+#include "rubato/study/mesh_source.hpp"
 #include "rubato/study/relations.hpp"
 #include "rubato/study/values.hpp"
 
@@ -19,36 +19,6 @@
 #include <vector>
 
 namespace rubato::study {
-
-// ---- mesh ------------------------------------------------------------------------------------------------
-
-/// A box or a rectangle cut into a regular grid.
-struct Body {
-  std::string name;
-  int dimension = 3; ///< 2: rectangle, 3: box
-  std::array<double, 3> from{};
-  std::array<double, 3> to{};
-  std::array<int, 3> divisions{1, 1, 1};
-  CellType cells = CellType::hexa8;
-  /// Group names of the sides: keys left, right (x), bottom, top (y), back, front (z).
-  std::map<std::string, std::string> sides;
-  /// Group names of edges (3D) and of corner points, by the sides that meet there: "right_top",
-  /// "right_top_back". In 2D a corner is "right_top".
-  std::map<std::string, std::string> edges;
-  std::map<std::string, std::string> points;
-  bool operator==(const Body&) const = default;
-};
-
-enum class MeshConversion { none, linear, quadratic, full_quadratic };
-
-struct MeshSource {
-  std::string file;         ///< empty when generated; found from the current folder
-  std::string file_mesh;    ///< name of the mesh inside the file; empty: its only (first) one
-  std::vector<Body> bodies; ///< empty when read
-  MeshConversion convert = MeshConversion::none;
-  int refine = 1; ///< every edge is cut into that many parts
-  bool operator==(const MeshSource&) const = default;
-};
 
 // ---- physics ---------------------------------------------------------------------------------------------
 

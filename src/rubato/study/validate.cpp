@@ -12,6 +12,7 @@ Judgement judge(const Study& study) {
   Rules rules(study);
   check_physics(rules);
   check_mesh(rules);
+  check_groups(rules);
   check_time(rules);
   check_materials(rules);
   check_functions(rules);
@@ -27,6 +28,12 @@ Judgement judge(const Study& study) {
   check_probes(rules);
   check_output(rules);
   check_checks(rules);
+  return rules.take();
+}
+
+Judgement judge_groups(const Study& study) {
+  Rules rules(study);
+  check_groups(rules);
   return rules.take();
 }
 

@@ -24,6 +24,8 @@ struct Judgement {
 };
 
 Judgement judge(const Study& study);
+/// The rules about groups that are made, alone: of a mesh without a study.
+Judgement judge_groups(const Study& study);
 std::vector<BrokenRule> broken_rules(const Study& study);
 
 /// Throws InputError with every broken rule, each with its path.

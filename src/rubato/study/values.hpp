@@ -2,6 +2,8 @@
 /// Values of a study that may change with place and time.
 #pragma once
 
+#include "rubato/core/field_function.hpp"
+
 #include <string>
 #include <utility>
 #include <variant>
@@ -21,25 +23,30 @@ struct Formula {
   bool operator==(const Formula&) const = default;
 };
 
-/// A number, or an expression: a number at each place and instant.
+/// A number, or a number at each place: an expression, which may have the instant too, or a table along an
+/// axis.
 struct FieldValue {
   FieldValue(double number = 0) : is(number) {}
   FieldValue(Formula formula) : is(std::move(formula)) {}
+  FieldValue(Profile profile) : is(std::move(profile)) {}
 
-  std::variant<double, Formula> is;
+  std::variant<double, Formula, Profile> is;
 
-  /// The number or the expression; null when it is the other one.
+  /// What it is; null when it is one of the others.
   const double* number() const { return std::get_if<double>(&is); }
   const Formula* formula() const { return std::get_if<Formula>(&is); }
+  const Profile* profile() const { return std::get_if<Profile>(&is); }
   bool operator==(const FieldValue&) const = default;
 };
 
-/// A number or an expression, times a named function of time when `function` is not empty.
+/// A number, an expression or a table, times a named function of time when `function` is not empty.
 struct Field {
   Field() = default;
   Field(double number, std::string of_time = {}) : value(number), function(std::move(of_time)) {}
   Field(Formula formula, std::string of_time = {})
       : value(std::move(formula)), function(std::move(of_time)) {}
+  Field(Profile profile, std::string of_time = {})
+      : value(std::move(profile)), function(std::move(of_time)) {}
   Field(Amplitude amplitude) : value(amplitude.value), function(std::move(amplitude.function)) {}
 
   FieldValue value;

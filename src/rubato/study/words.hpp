@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/study/contact_methods.hpp"
+#include "rubato/study/groups.hpp"
 #include "rubato/study/material_laws.hpp"
 #include "rubato/study/schemes.hpp"
 #include "rubato/study/study.hpp"
@@ -24,6 +25,9 @@ inline constexpr std::array<Word<MeshConversion>, 4> conversion_words{
      {"linear", MeshConversion::linear},
      {"quadratic", MeshConversion::quadratic},
      {"full_quadratic", MeshConversion::full_quadratic}}};
+
+inline constexpr std::array<Word<GroupTake>, 3> group_take_words{
+    {{"nodes", GroupTake::nodes}, {"faces", GroupTake::faces}, {"cells", GroupTake::cells}}};
 
 inline constexpr std::array<Word<Physics>, 4> physics_words{{{"solid", Physics::solid},
                                                              {"plane_stress", Physics::plane_stress},
@@ -52,6 +56,8 @@ constexpr auto words_of(const std::array<Entry, N>& entries, Value Entry::*membe
 }
 inline constexpr auto contact_method_words = words_of(contact_methods, &ContactMethodEntry::method);
 inline constexpr auto friction_method_words = words_of(friction_methods, &FrictionMethodEntry::method);
+
+inline constexpr auto group_words = words_of(group_kinds, &GroupKindEntry::kind);
 
 inline constexpr auto law_words = words_of(material_laws, &LawEntry::law);
 

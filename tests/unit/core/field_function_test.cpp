@@ -51,5 +51,18 @@ TEST(AFieldFunction, RefusesWhatIsNotFiniteWithPlaceAndInstant) {
                                               "z = 0, t = 0, expected a finite number");
 }
 
+TEST(AFieldFunction, MayBeATableAlongAnAxis) {
+  FieldFunction table;
+  table.profile = Profile{1, {{0, 2}, {1, 5}, LinearTable::Outside::constant}};
+  table.function = ramp;
+  EXPECT_TRUE(table.varies_in_place());
+  EXPECT_EQ(table.at(std::array{9.0, 1.0, 9.0}, 0.5), 3);
+  EXPECT_EQ(table.at(std::array{9.0, 7.0, 9.0}, 1), 10);
+  EXPECT_EQ(table.multiplied_at(std::array{9.0, 1.0, 9.0}, 0.25), 3);
+  auto other = table;
+  other.profile->axis = 0;
+  EXPECT_FALSE(table == other);
+}
+
 } // namespace
 } // namespace rubato

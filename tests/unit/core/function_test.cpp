@@ -54,6 +54,39 @@ TEST(FunctionOfTime, IsConstantWithOnePoint) {
   EXPECT_DOUBLE_EQ(value_at({{3}, {8}, Outside::zero}, 4), 0);
 }
 
+TEST(FunctionOfTime, RisesAlongARampAndStays) {
+  const Function ramp(Ramp{1, 3, 2, -2});
+  EXPECT_DOUBLE_EQ(value_at(ramp, 0), 2);
+  EXPECT_DOUBLE_EQ(value_at(ramp, 1), 2);
+  EXPECT_DOUBLE_EQ(value_at(ramp, 1.5), 1);
+  EXPECT_DOUBLE_EQ(value_at(ramp, 3), -2);
+  EXPECT_DOUBLE_EQ(value_at(ramp, 9), -2);
+}
+
+TEST(FunctionOfTime, SwingsWithItsPhaseInDegrees) {
+  const Function sine(Sine{3, 0.5, 30, 1});
+  EXPECT_NEAR(value_at(sine, 0), 1 + 3 * 0.5, 1e-14);
+  EXPECT_NEAR(value_at(sine, 2.0 / 3), 1 + 3 * 0.5, 1e-14); // 120 degrees on
+  EXPECT_NEAR(value_at(sine, 1), 1 - 3 * 0.5, 1e-14);
+}
+
+TEST(FunctionOfTime, IsAProductOrAnExpression) {
+  const Function expression(Expression("2*t^2"));
+  EXPECT_DOUBLE_EQ(value_at(expression, 3), 18);
+  const Function product(Product{{expression, Function(Ramp{0, 4, 0, 1}), Function{{0}, {5}}}});
+  EXPECT_DOUBLE_EQ(value_at(product, 2), 8 * 0.5 * 5);
+  EXPECT_EQ(factor_count(product), 3U);
+  EXPECT_EQ(table_size(product), 1U);
+  EXPECT_EQ(product, Function(product));
+  EXPECT_FALSE(product == expression);
+}
+
+TEST(FunctionOfTime, RefusesWhatHasNoFiniteValue) {
+  EXPECT_THROW(value_at(Function(Expression("1/t")), 0), InputError);
+  EXPECT_THROW(value_at(Function(Expression("sqrt(t)")), -1), InputError);
+  EXPECT_THROW(value_at(Function(Product{}), 0), InputError);
+}
+
 TEST(FunctionOfTime, RefusesAnEmptyOrLopsidedTable) {
   EXPECT_THROW(value_at({}, 0), InputError);
   EXPECT_THROW(value_at({{1, 2}, {1}, Outside::constant}, 0), InputError);

@@ -185,7 +185,7 @@ TEST(DeckKeys, Functions) {
   const auto functions = parse_one(full_deck).functions;
   ASSERT_EQ(functions.size(), 2U);
   EXPECT_EQ(functions.at("ramp"), (Function{{0, 1, 2}, {0, 1, 0.5}, Function::Outside::linear}));
-  EXPECT_EQ(functions.at("hold").outside, Function::Outside::zero);
+  EXPECT_EQ(functions.at("hold").table()->outside, Function::Outside::zero);
 }
 
 TEST(DeckKeys, Contact) {

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <ostream>
 #include <string>
 
@@ -56,6 +57,13 @@ Study sound_study() {
   check.reference = 0.5;
   check.tolerance = 0.1;
   return study;
+}
+
+MadeGroup& add_group(Study& study, GroupKind kind) {
+  auto& group = study.mesh.groups.emplace_back();
+  group.name = "a";
+  group.kind = kind;
+  return group;
 }
 
 /// E_x = 9, E_y = 4, E_z = 1.
@@ -178,12 +186,55 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"materials.steel.cells", "empty list", [](Study& s) { s.materials[0].everywhere = false; }},
         Bad{"functions.ramp.times.1", "ascend",
             [](Study& s) {
-              s.functions["ramp"].times = {1, 1};
+              s.functions["ramp"] = {{1, 1}, {0, 1}};
             }},
         Bad{"functions.ramp.values", "3 values for 2 times",
             [](Study& s) {
-              s.functions["ramp"].values = {0, 1, 2};
+              s.functions["ramp"] = {{0, 1}, {0, 1, 2}};
             }},
+        Bad{"functions.ramp.ramp", "expected a later instant",
+            [](Study& s) { s.functions["ramp"] = Function(Ramp{1, 1, 0, 1}); }},
+        Bad{"functions.ramp.ramp.to", "expected a number",
+            [](Study& s) { s.functions["ramp"] = Function(Ramp{0, 1, 0, nan}); }},
+        Bad{"functions.ramp.sine.frequency", "> 0",
+            [](Study& s) { s.functions["ramp"] = Function(Sine{1, -1, 0, 0}); }},
+        Bad{"functions.ramp.expression", "has t only",
+            [](Study& s) { s.functions["ramp"] = Function(Expression("y")); }},
+        Bad{"functions.ramp.product", "0 factors", [](Study& s) { s.functions["ramp"] = Function(Product{}); }},
+        Bad{"functions.ramp.product.0.times", "empty list",
+            [](Study& s) { s.functions["ramp"] = Function(Product{{Function()}}); }},
+        Bad{"functions.ramp.product.0", "a product in a product",
+            [](Study& s) { s.functions["ramp"] = Function(Product{{Function(Product{{Function(Ramp())}})}}); }},
+        Bad{"functions", "at most 80000",
+            [](Study& s) {
+              std::vector<double> many(80'001);
+              std::iota(many.begin(), many.end(), 0);
+              s.functions["many"] = {many, many};
+            }},
+        Bad{"mesh.groups.a.sphere.radius", "> 0", [](Study& s) { add_group(s, GroupKind::sphere); }},
+        Bad{"mesh.groups.a.sphere.point.2", "plane_strain has no z",
+            [](Study& s) { add_group(s, GroupKind::sphere).point = {0, 0, 1}; }},
+        Bad{"mesh.groups.a.skin", "found 0 groups, expected one",
+            [](Study& s) { add_group(s, GroupKind::skin); }},
+        Bad{"mesh.groups.a.plane.normal", "length 0", [](Study& s) { add_group(s, GroupKind::plane); }},
+        Bad{"mesh.groups.a.within", ">= 0",
+            [](Study& s) {
+              auto& group = add_group(s, GroupKind::plane);
+              group.direction = {0, 1, 0};
+              group.within = -1;
+            }},
+        Bad{"mesh.groups.a", "second entry",
+            [](Study& s) {
+              add_group(s, GroupKind::skin).of = {"lower"};
+              add_group(s, GroupKind::skin).of = {"lower"};
+            }},
+        Bad{"mesh.groups.a b", "letters, digits",
+            [](Study& s) {
+              auto& group = add_group(s, GroupKind::skin);
+              group.name = "a b";
+              group.of = {"lower"};
+            }},
+        Bad{"mesh.groups", "at most 1000", [](Study& s) { s.mesh.groups.resize(1001); }},
         Bad{"supports.0", "holds nothing", [](Study& s) { s.supports[0].components = {}; }},
         Bad{"supports.0.z", "plane_strain has no z",
             [](Study& s) { s.supports[0].components[2] = Amplitude{}; }},

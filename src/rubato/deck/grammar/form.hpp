@@ -65,6 +65,8 @@ Forms list(Forms items, std::size_t least = 0, std::size_t most = Form::any_coun
 Forms map(std::string title, std::vector<Key> keys);
 Forms named(Forms entries);
 Forms either(Forms one, Forms other);
+/// A number, an expression, or a table along an axis.
+Forms field_value();
 /// A value, or a map of it and the function of time that multiplies it.
 Forms varying(Forms value);
 /// x, y, z.

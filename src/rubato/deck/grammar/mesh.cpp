@@ -22,7 +22,7 @@ template <class Words> std::vector<std::string> of_both(const Words& words_of_di
 }
 
 /// A name of a group for each place of the grid.
-Forms groups(const std::string& title, const std::vector<std::string>& words) {
+Forms names_by_place(const std::string& title, const std::vector<std::string>& words) {
   std::vector<Key> keys;
   keys.reserve(words.size());
   for (const auto& word : words)
@@ -45,25 +45,27 @@ Forms body() {
         list(whole_number(study::bounds::divisions), 2, study::axis_words.size()), true},
        {"cells", "type of the cells; hexa8 of a box and quad4 of a rectangle when not given",
         word(of_both(cell_words))},
-       {"sides", "names of groups by side", groups("sides of a body", side_words(3))},
+       {"sides", "names of groups by side", names_by_place("sides of a body", side_words(3))},
        {"edges", "names of groups by the two sides that meet, of a box",
-        groups("edges of a box", pair_words(3))},
-       {"points", "names of groups by corner", groups("corners of a body", of_both(corner_words))}});
+        names_by_place("edges of a box", pair_words(3))},
+       {"points", "names of groups by corner", names_by_place("corners of a body", of_both(corner_words))}});
 }
 
 } // namespace
 
 Forms mesh() {
-  return map("the mesh: a file, or bodies that are generated",
-             {{"file", "mesh file, relative to the folder of the deck", name()},
-              {"name", "name of the mesh inside the file; its first one when not given", text()},
-              {"generate", "bodies that are regular grids", list(body(), 1)},
-              {"convert",
-               "whether mid-edge nodes are removed (linear) or added (quadratic), with centres of faces and "
-               "cells (full_quadratic)",
-               word_of(study::conversion_words)},
-              {"refine", "every edge is cut into that many parts; 1 when not given",
-               whole_number(study::bounds::refine)}});
+  return map(
+      "the mesh: a file, or bodies that are generated",
+      {{"file", "mesh file, relative to the folder of the deck", name()},
+       {"name", "name of the mesh inside the file; its first one when not given", text()},
+       {"generate", "bodies that are regular grids", list(body(), 1)},
+       {"convert",
+        "whether mid-edge nodes are removed (linear) or added (quadratic), with centres of faces and "
+        "cells (full_quadratic)",
+        word_of(study::conversion_words)},
+       {"refine", "every edge is cut into that many parts; 1 when not given",
+        whole_number(study::bounds::refine)},
+       {"groups", "groups by name, made of what the mesh has when it is converted and refined", groups()}});
 }
 
 } // namespace rubato::deck::grammar

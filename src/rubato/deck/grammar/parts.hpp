@@ -7,6 +7,7 @@
 namespace rubato::deck::grammar {
 
 Forms mesh();
+Forms groups();
 Forms materials();
 Forms functions();
 Forms supports();

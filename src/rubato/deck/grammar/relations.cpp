@@ -19,7 +19,7 @@ Forms equation() {
                                                  components("coefficient of the displacement", number()))),
              1),
         true},
-       {"value", "of the sum; 0 when not given", varying(expression())}});
+       {"value", "of the sum; 0 when not given", varying(field_value())}});
 }
 
 Forms equal() {
@@ -35,7 +35,7 @@ Forms pairs() {
               {"in", "components; all when not given", axes()},
               {"difference", "displacement of 'on' less that of 'with'; 0 when not given [length]",
                map("differences of displacements",
-                   components("difference of displacements [length]", varying(expression())))}});
+                   components("difference of displacements [length]", varying(field_value())))}});
 }
 
 Forms reference(const std::string& meaning) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Materials, functions of time, supports, loads, springs, and how the bodies begin.
+// Materials, supports, loads, springs, and how the bodies begin.
 #include "rubato/deck/grammar/parts.hpp"
 #include "rubato/study/bounds.hpp"
 #include "rubato/study/words.hpp"
@@ -31,9 +31,11 @@ Forms load(study::LoadKind kind) {
   std::vector<Key> keys{
       {"on", everywhere ? "group of cells; every cell when not given" : "group", name(), !everywhere}};
   if (kind == study::LoadKind::pressure)
-    keys.push_back({"value", "pressure [force/length²], a number or an expression", expression(), true});
+    keys.push_back(
+        {"value", "pressure [force/length²], a number, an expression or a table", field_value(), true});
   else
-    keys = joined(std::move(keys), components("component, a number or an expression,", expression()));
+    keys =
+        joined(std::move(keys), components("component, a number, an expression or a table,", field_value()));
   keys.push_back({"function", "name of a function of time that multiplies it", name()});
   return map(meaning_of(kind), std::move(keys));
 }
@@ -53,28 +55,20 @@ Forms materials() {
   return named(map("a material", std::move(keys)));
 }
 
-Forms functions() {
-  return named(map("a piecewise linear function of time",
-                   {{"times", "instants, ascending [time]", list(number(), 1), true},
-                    {"values", "factors, one for each instant", list(number()), true},
-                    {"outside", "before the first and after the last instant; constant when not given",
-                     word_of(study::outside_words)}}));
-}
-
 Forms supports() {
   std::vector<std::string> axes(study::axis_words.begin(), study::axis_words.end());
   const auto axis = word(std::move(axes));
   auto keys = joined({{"on", "group of nodes or cells, or a reference", name(), true},
                       {"fix", "axes held at 0", either(axis, list(axis))}},
-                     components("imposed displacement [length]", varying(expression())));
+                     components("imposed displacement [length]", varying(field_value())));
   keys.push_back({"along", "a direction across the axes, or normal: that of the group's faces",
                   either(word({std::string(study::normal_word)}), coordinates())});
   keys.push_back(
-      {"value", "with along: the displacement along it; 0 when not given [length]", varying(expression())});
+      {"value", "with along: the displacement along it; 0 when not given [length]", varying(field_value())});
   keys.push_back(
       {"turn", "rotations of a reference, small [radians]",
        map("rotations of a reference",
-           components("rotation of a reference [radians], about the axis", varying(expression())))});
+           components("rotation of a reference [radians], about the axis", varying(field_value())))});
   return list(map("a support", std::move(keys)));
 }
 

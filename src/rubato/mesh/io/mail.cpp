@@ -377,7 +377,7 @@ void write_groups(std::string_view keyword, const std::vector<Group>& groups, Na
     check_name(group.name, longest, "group");
     blocks.begin(fmt::format("{} NOM = {}", keyword, group.name));
     blocks.begin_item({});
-    for (const auto item : group.items)
+    for (const auto item : group.in_order())
       blocks.add(name_of(item));
     blocks.end_item();
     blocks.end();

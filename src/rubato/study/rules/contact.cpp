@@ -67,20 +67,34 @@ private:
           fmt::format("found {}, an interference is a positive overlap, expected gap: {}, which sets "
                       "surfaces apart",
                       *number, -*number));
-    const auto* function = function_of(zone_.interference);
-    if (function != nullptr && std::ranges::any_of(function->values, [](double value) { return value < 0; }))
+    if (becomes_negative(zone_.interference))
       rules_.broken({at("interference.function"), "functions"},
                     fmt::format("found the function {}, which becomes negative, expected one that is >= 0; "
                                 "'gap' sets surfaces apart",
                                 shown(zone_.interference.function)));
   }
 
-  /// Nothing where it has none, or a bad one.
-  const Function* function_of(const Field& field) const {
+  /// Whether its function does, as far as its form tells; of the others the run asks.
+  bool becomes_negative(const Field& field) const {
     const auto found = rules_.study.functions.find(field.function);
-    const bool usable = found != rules_.study.functions.end() && !found->second.times.empty() &&
-                        found->second.times.size() == found->second.values.size();
-    return usable ? &found->second : nullptr;
+    if (found == rules_.study.functions.end())
+      return false;
+    const auto is_negative = [](double value) { return value < 0; };
+    if (const auto* table = found->second.table())
+      return !table->at.empty() && table->at.size() == table->values.size() &&
+             std::ranges::any_of(table->values, is_negative);
+    const auto* ramp = std::get_if<Ramp>(&found->second.is);
+    return ramp != nullptr && (is_negative(ramp->from) || is_negative(ramp->to));
+  }
+
+  /// 1 where it has no function, or a bad one.
+  double factor_at(const Field& field, double t) const {
+    const auto found = rules_.study.functions.find(field.function);
+    try {
+      return found == rules_.study.functions.end() ? 1.0 : value_at(found->second, t);
+    } catch (const InputError&) {
+      return 1.0;
+    }
   }
 
   void check_bonds() {
@@ -248,10 +262,8 @@ private:
       rules_.broken({path_, at("restitution"), "time.contact_mass", "time.scheme"},
                     "found a restitution, but redistributed contact mass leaves nothing that could bounce, "
                     "expected contact_mass: consistent or no restitution");
-    const auto* function = function_of(zone_.interference);
     const auto* number = zone_.interference.value.number(); // of an expression the model asks
-    const double at_start =
-        number == nullptr ? 0.0 : *number * (function != nullptr ? value_at(*function, time.begin) : 1.0);
+    const double at_start = number == nullptr ? 0.0 : *number * factor_at(zone_.interference, time.begin);
     if (jumps && at_start != 0)
       rules_.broken(
           {at("interference"), "time.scheme"},

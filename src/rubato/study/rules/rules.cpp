@@ -92,6 +92,10 @@ void Rules::function(const std::string& path, const std::string& name) {
 void Rules::field_value(const std::string& path, const FieldValue& value) {
   if (const auto* number_given = value.number())
     return number(path, *number_given);
+  if (const auto* profile = value.profile()) {
+    axis(path + ".along", profile->axis);
+    return table(profile->table, path, "at");
+  }
   const auto& text = value.formula()->text;
   try {
     if (Expression(text).has('z') && dimension_of(study.physics) < 3)

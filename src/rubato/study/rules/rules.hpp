@@ -39,6 +39,8 @@ public:
   }
   /// Numbers that ascend, each greater than the one before.
   void ascending(const std::string& path, std::span<const double> values);
+  /// A table whose abscissae the deck has below `key`: as many of both, ascending.
+  void table(const LinearTable& table, const std::string& path, const std::string& key);
   /// An instant of the run.
   void instant(const std::string& path, double instant);
   /// A name that is given.
@@ -49,7 +51,7 @@ public:
   void chosen_name(const std::string& path, const std::string& name, std::span<const std::string> before);
   /// The name of a function that there is; empty: none.
   void function(const std::string& path, const std::string& name);
-  /// A finite number, or an expression that can be computed, of coordinates that the physics has.
+  /// A finite number, an expression that can be computed or a table, of coordinates that the physics has.
   void field_value(const std::string& path, const FieldValue& value);
   /// The same, times a function that there is.
   void field(const std::string& path, const Field& field);
@@ -76,6 +78,7 @@ bool is_reference(const Study& study, const std::string& name);
 std::string expected_reference(const Study& study, const std::string& name);
 
 void check_mesh(Rules& rules);
+void check_groups(Rules& rules);
 void check_physics(Rules& rules);
 void check_materials(Rules& rules);
 void check_functions(Rules& rules);

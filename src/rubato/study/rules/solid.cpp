@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Materials, functions of time, supports, springs, loads, and how the bodies begin.
+// Materials, supports, springs, loads, and how the bodies begin.
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -56,20 +56,6 @@ void refuse_overlap(Rules& rules) {
         rules.broken({fmt::format("{}.cells.{}", path, i)},
                      fmt::format("the group {} has another material already", shown(material.cells[i])));
   }
-}
-
-void check_function(Rules& rules, const Function& function, const std::string& path) {
-  const auto times = path + ".times";
-  rules.ascending(times, function.times);
-  rules.numbers(path + ".values", function.values);
-  if (function.times.empty())
-    rules.broken({times}, "found an empty list, expected at least one instant");
-  if (function.values.size() != function.times.size())
-    rules.broken({path + ".values", times},
-                 fmt::format("found {} values for {} times", function.values.size(), function.times.size()));
-  if (function.outside == Function::Outside::linear && function.times.size() == 1)
-    rules.broken({path + ".outside", times},
-                 "found 'linear' for one instant, expected at least two to go on from");
 }
 
 /// Components of a vector that are given, along axes that the physics has.
@@ -166,11 +152,6 @@ void check_materials(Rules& rules) {
   refuse_overlap(rules);
   if (rules.study.materials.empty())
     rules.broken({"materials"}, "found no material, expected at least one");
-}
-
-void check_functions(Rules& rules) {
-  for (const auto& [name, function] : rules.study.functions)
-    check_function(rules, function, "functions." + name);
 }
 
 void check_supports(Rules& rules) {
