@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Materials, functions of time, supports, springs, loads, and how the bodies begin.
+#include "rubato/study/damping.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,35 @@ void check_law(Rules& rules, const Material& material, const std::string& path) 
   }
 }
 
+/// Ratios at two frequencies, which Rayleigh's two coefficients can have without exciting any motion.
+void check_damping(Rules& rules, const Material& material, const std::string& of_material) {
+  const auto path = of_material + ".damping";
+  const auto at = path + ".at";
+  const auto ratio = path + ".ratio";
+  const auto& [ratios, frequencies] = *material.damping;
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    rules.number(fmt::format("{}.{}", ratio, i), ratios[i], bounds::damping_ratio);
+    rules.number(fmt::format("{}.{}", at, i), frequencies[i], bounds::frequency);
+  }
+  if (material.rayleigh_stiffness != 0 || material.rayleigh_mass != 0)
+    rules.broken({path, of_material + ".rayleigh"},
+                 "found damping ratios beside 'rayleigh', expected one of the two");
+  if (frequencies[0] == frequencies[1])
+    rules.broken({at}, fmt::format("found {} twice, expected two different frequencies", frequencies[0]));
+  const auto [stiffness, mass] = rayleigh_coefficients(material);
+  if (stiffness < 0)
+    rules.broken({ratio, at},
+                 fmt::format("the coefficient of the stiffness would be {:.4g} < 0, expected a ratio at the "
+                             "higher frequency of at least {:.4g}",
+                             stiffness, least_ratio_at_higher_frequency(*material.damping)));
+  if (mass < 0)
+    rules.broken(
+        {ratio, at},
+        fmt::format("the coefficient of the mass would be {:.4g} < 0, expected a ratio at the higher "
+                    "frequency of at most {:.4g}",
+                    mass, largest_ratio_at_higher_frequency(*material.damping)));
+}
+
 void check_material(Rules& rules, const Material& material, const std::string& path) {
   check_law(rules, material, path);
   if (material.density)
@@ -37,6 +67,8 @@ void check_material(Rules& rules, const Material& material, const std::string& p
                              word_of(scheme_words, rules.study.time.scheme)));
   rules.number(path + ".rayleigh.stiffness", material.rayleigh_stiffness, bounds::rayleigh);
   rules.number(path + ".rayleigh.mass", material.rayleigh_mass, bounds::rayleigh);
+  if (material.damping)
+    check_damping(rules, material, path);
   if (!material.everywhere && material.cells.empty())
     rules.broken({path + ".cells"}, "found an empty list, expected 'all' or groups of cells");
   rules.names(path + ".cells", material.cells);
