@@ -44,9 +44,10 @@ void FactorStiffness(benchmark::State& state) {
 
 void find_modes(benchmark::State& state, bool held) {
   const auto [stiffness, mass] = matrices_of(state, held);
+  const auto support = held ? linalg::Support::unknown : linalg::Support::none;
   const SparseMatrix unconstrained(stiffness.rows(), 0);
   for (auto _ : state)
-    benchmark::DoNotOptimize(linalg::smallest_modes(stiffness, mass, unconstrained, modes));
+    benchmark::DoNotOptimize(linalg::smallest_modes(stiffness, mass, unconstrained, modes, support));
 }
 
 void Modes(benchmark::State& state) {

@@ -24,12 +24,12 @@ using Eigen::VectorXd;
 constexpr double largest_residual = 1e-9;
 
 /// Vectors beyond the wanted ones: the last of these converge faster with neighbours beside them.
-constexpr Index guards = 4;
+constexpr Index guards = 2;
 /// Of Krylov spaces, beyond twice the wanted values: with so many most problems need no restart.
-constexpr Index further_vectors = 20;
+constexpr Index further_vectors = 12;
 constexpr Index most_restarts = 300;
 /// Of Ritz values, relative: near rounding.
-constexpr double settled = 1e-11;
+constexpr double settled = 1e-10;
 /// Of those that only say whether a value is missing; λ is then off by about the square.
 constexpr double settled_roughly = 1e-3;
 /// As near above the largest wanted value a rough one may belong to a missing value.
@@ -119,7 +119,7 @@ private:
     Index rows() const { return mass->rows(); }
     Index cols() const { return rows(); }
     void perform_op(const double* x, double* y) const {
-      Eigen::Map<VectorXd>(y, rows()) = *mass * Eigen::Map<const VectorXd>(x, rows());
+      Eigen::Map<VectorXd>(y, rows()).noalias() = mass->transpose() * Eigen::Map<const VectorXd>(x, rows());
     }
   };
 
@@ -217,22 +217,30 @@ public:
     const Index count = std::min(number, found.vectors.cols());
     modes_ = {VectorXd(count), found.vectors.leftCols(count), VectorXd(count), shift, true};
     residuals_.resize(stiffness.rows(), count);
+    rounding_.resize(count);
     measure();
-    for (int i = 0; i < most_corrections && !modes_.converged; ++i)
-      correct();
+    for (int i = 0; i < most_corrections; ++i)
+      correct_those_above(largest_residual);
+    judge();
   }
 
   EigenModes take() { return std::move(modes_); }
 
 private:
   /// Inverse iteration that rounds corrections only: φ − (K − σM)⁻¹ (K − λM) φ = (λ − σ) (K − σM)⁻¹ M φ.
-  void correct() {
-    modes_.vectors -= inverse_.solve(residuals_);
-    measure();
+  void correct_those_above(double bound) {
+    std::vector<Index> columns;
+    for (Index k = 0; k < modes_.values.size(); ++k)
+      if (modes_.residuals[k] > bound)
+        columns.push_back(k);
+    if (columns.empty())
+      return;
+    modes_.vectors(Eigen::all, columns) -= inverse_.solve(MatrixXd(residuals_(Eigen::all, columns)));
+    for (const auto k : columns)
+      measure(k);
   }
 
   void measure() {
-    modes_.converged = true;
     for (Index k = 0; k < modes_.values.size(); ++k)
       measure(k);
   }
@@ -254,17 +262,21 @@ private:
     residuals_.col(k) = inverse_.without_reactions((resisted - value * moved).cast<double>());
     const double scale = (value > 0 ? value : -modes_.shift) * static_cast<double>(moved.norm());
     modes_.residuals[k] = residuals_.col(k).norm() / scale;
-    const double rounding = std::numeric_limits<double>::epsilon() * magnitudes.norm() / scale;
-    modes_.converged = modes_.converged && modes_.residuals[k] <= std::max(largest_residual, rounding);
+    rounding_[k] = std::numeric_limits<double>::epsilon() * magnitudes.norm() / scale;
     vector /= length;
     residuals_.col(k) /= length;
+  }
+
+  void judge() {
+    modes_.converged = (modes_.residuals.array() <= rounding_.array().max(largest_residual)).all();
   }
 
   const SparseMatrix& stiffness_;
   const SparseMatrix& mass_;
   const ConstrainedInverse& inverse_;
   EigenModes modes_;
-  MatrixXd residuals_;
+  MatrixXd residuals_; ///< forces
+  VectorXd rounding_;  ///< what the last digit of each φ adds to its residual
 };
 
 /// Dense, then one inverse iteration: high eigenvalues round what low ones have of a dense solution.
@@ -291,14 +303,15 @@ EigenModes find_modes(const SparseMatrix& stiffness, const SparseMatrix& mass,
 } // namespace
 
 std::optional<EigenModes> smallest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass,
-                                         const SparseMatrix& constraints, Index number) {
+                                         const SparseMatrix& constraints, Index number, Support support) {
   if (stiffness.rows() != stiffness.cols() || mass.rows() != stiffness.rows() ||
       mass.cols() != stiffness.cols() || number < 1)
     throw std::invalid_argument("smallest_modes wants two square matrices of one size and a number above 0.");
   // Of a mass with the pattern of the stiffness two thirds are zeros: components do not couple.
   const SparseMatrix moving = mass.pruned(1, 0);
-  if (auto inverse = ConstrainedInverse::of(stiffness, constraints))
-    return find_modes(stiffness, moving, *inverse, 0, number);
+  if (support == Support::unknown)
+    if (auto inverse = ConstrainedInverse::of(stiffness, constraints))
+      return find_modes(stiffness, moving, *inverse, 0, number);
   const double shift = free_shift(stiffness, moving);
   if (!std::isfinite(shift) || !(shift < 0))
     return std::nullopt;

@@ -23,6 +23,9 @@ struct EigenModes {
   bool converged = false;
 };
 
+/// What is known of K: `none` says that it is singular, which spares an attempt to factor it.
+enum class Support { unknown, none };
+
 /// The `number` smallest λ of K φ = λ M φ, Cᵀ φ = 0, or all of them when there are fewer. K and M must be
 /// symmetric (both triangles are stored) and positive semidefinite, K − σ M positive definite for σ < 0. C
 /// has a row for each unknown and a column for each constraint; no columns: none.
@@ -37,6 +40,7 @@ struct EigenModes {
 /// Nothing comes back when K − σ M is not positive definite to working precision or has a value that is not
 /// finite. Throws std::invalid_argument when sizes do not match or `number` is below 1.
 std::optional<EigenModes> smallest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass,
-                                         const SparseMatrix& constraints, Eigen::Index number);
+                                         const SparseMatrix& constraints, Eigen::Index number,
+                                         Support support = Support::unknown);
 
 } // namespace rubato::linalg

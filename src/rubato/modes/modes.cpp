@@ -37,8 +37,10 @@ linalg::EigenModes find_modes(const Model& model, const SparseMatrix& relations,
   if (model.reduction.unknown_count() == 0)
     throw InputError("supports hold every displacement, expected something that can vibrate");
   const auto stiffness = model.reduction.reduced(model.domain.initial_tangent());
+  const bool floats = model.study.supports.empty() && model.springs.empty();
   auto found = linalg::smallest_modes(stiffness, model.reduction.reduced(model.mass),
-                                      reduced_relations(model, relations), number);
+                                      reduced_relations(model, relations), number,
+                                      floats ? linalg::Support::none : linalg::Support::unknown);
   if (!found)
     throw InputError(
         "stiffness and mass together are not positive definite: something moves without mass and "
