@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/constrained_inverse.hpp"
 
+#include "rubato/linalg/dense_cholesky.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -30,24 +32,17 @@ MatrixXd schur_complement(const CholeskyFactor& factor, const SparseMatrix& cons
   return (schur + schur.transpose()) / 2;
 }
 
-/// Columns of a positive semidefinite matrix that do not depend on one another, ascending: a Cholesky
-/// factorisation of the matrix scaled to a unit diagonal, with the largest pivot first.
-std::vector<int> independent_columns(const MatrixXd& matrix) {
+/// Constraints that do not depend on one another, by S scaled to a unit diagonal.
+std::vector<int> independent_constraints(const MatrixXd& schur) {
   std::vector<int> columns;
-  for (int i = 0; i < matrix.cols(); ++i)
-    if (matrix(i, i) > 0)
+  for (int i = 0; i < schur.cols(); ++i)
+    if (schur(i, i) > 0)
       columns.push_back(i);
-  const VectorXd scale = matrix.diagonal()(columns).cwiseSqrt().cwiseInverse();
-  const MatrixXd scaled = scale.asDiagonal() * matrix(columns, columns) * scale.asDiagonal();
-  const Eigen::LDLT<MatrixXd> decomposition(scaled);
-  Eigen::VectorXi order =
-      Eigen::VectorXi::LinSpaced(static_cast<Index>(columns.size()), 0, static_cast<int>(columns.size()) - 1);
-  order = (decomposition.transpositionsP() * order).eval();
-  const VectorXd pivots = decomposition.vectorD();
-  std::vector<int> independent;
-  for (Index k = 0; k < pivots.size() && pivots[k] > dependent; ++k)
-    independent.push_back(columns[static_cast<std::size_t>(order[k])]);
-  std::ranges::sort(independent);
+  const VectorXd scale = schur.diagonal()(columns).cwiseSqrt().cwiseInverse();
+  auto independent =
+      independent_rows(scale.asDiagonal() * schur(columns, columns) * scale.asDiagonal(), dependent);
+  for (auto& row : independent)
+    row = columns[static_cast<std::size_t>(row)];
   return independent;
 }
 
@@ -75,7 +70,7 @@ std::optional<ConstrainedInverse> ConstrainedInverse::of(const SparseMatrix& mat
   if (constraints.cols() == 0)
     return inverse;
   const MatrixXd schur = schur_complement(inverse.factor_, constraints);
-  const auto independent = independent_columns(schur);
+  const auto independent = independent_constraints(schur);
   inverse.constraints_ = chosen_columns(constraints, independent);
   inverse.schur_.compute(schur(independent, independent));
   inverse.lengths_.compute(MatrixXd(SparseMatrix(inverse.constraints_.transpose() * inverse.constraints_)));

@@ -46,7 +46,7 @@ constexpr double massless = 1e-13;
 
 /// σ in parts of tr K/tr M, times (number of unknowns)^(2/3): of a compact body about the square of its
 /// lowest circular frequency, so that solutions keep their digits and values their distance.
-constexpr double shift_share = 0.01;
+constexpr double shift_share = 1e-3;
 
 double free_shift(const SparseMatrix& stiffness, const SparseMatrix& mass) {
   const double mean = stiffness.diagonal().sum() / mass.diagonal().sum();
