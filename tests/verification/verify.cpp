@@ -62,7 +62,7 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 19> entries{
+constexpr std::array<Entry, 20> entries{
     {{"v1", rubato::verification::write_bar_on_wall},
      {"v2", rubato::verification::write_dropped_bar},
      {"v3", rubato::verification::write_contact_patch},
@@ -74,6 +74,7 @@ constexpr std::array<Entry, 19> entries{
      {"v9", rubato::verification::write_signorini},
      {"v10", rubato::verification::write_rod_on_rod},
      {"v11", rubato::verification::write_free_beam},
+     {"modes", rubato::verification::write_modes},
      {"sdnl140", rubato::verification::write_sdnl140},
      {"convergence", rubato::verification::write_convergence},
      {"explicit", rubato::verification::write_explicit},
