@@ -76,8 +76,7 @@ TEST_F(ModesCommand, RefusesBadInputWithItsPlace) {
                                   "{scheme: static, step: 1, end: 1}");
   const auto without_density = modes(test::with(statics, ", density: 7800", ""));
   EXPECT_EQ(without_density.exit_code, 2);
-  EXPECT_NE(without_density.err.find("deck.yaml:16:3: materials.steel: 'density' is missing: vibrations move "
-                                     "masses"),
+  EXPECT_NE(without_density.err.find("deck.yaml:16:3: 'density' is missing: vibrations move masses"),
             std::string::npos)
       << without_density.err;
   EXPECT_NE(modes(test::two_blocks, {"--number", "0"}).err.find("--number: found 0, expected 1 or more"),
@@ -89,7 +88,8 @@ TEST_F(ModesCommand, RefusesBadInputWithItsPlace) {
   const auto group =
       modes(test::with(test::two_blocks, "{on: held, fix: [x, y]}", "{on: hold, fix: [x, y]}"));
   EXPECT_EQ(group.exit_code, 2);
-  EXPECT_NE(group.err.find("supports.0.on: found 'hold'"), std::string::npos) << group.err;
+  EXPECT_NE(group.err.find("deck.yaml:18:10: found 'hold', expected a group"), std::string::npos)
+      << group.err;
 }
 
 } // namespace

@@ -27,33 +27,39 @@ void check_law(Rules& rules, const Material& material, const std::string& path) 
   }
 }
 
-/// Ratios at two frequencies, which Rayleigh's two coefficients can have without exciting any motion.
+/// Of ratios and frequencies within their bounds: neither coefficient may excite motions.
+void check_coefficients(Rules& rules, const Material& material, const std::string& path) {
+  const auto& damping = *material.damping;
+  const auto [stiffness, mass] = rayleigh_coefficients(material);
+  const auto refuse = [&](std::string_view of, double coefficient, std::string_view bound, double ratio) {
+    if (coefficient < 0)
+      rules.broken(
+          {path + ".ratio", path + ".at"},
+          fmt::format("the coefficient of the {} would be {:.4g} < 0, expected a ratio at the higher "
+                      "frequency of at {} {:.4g}",
+                      of, coefficient, bound, ratio));
+  };
+  refuse("stiffness", stiffness, "least", least_ratio_at_higher_frequency(damping));
+  refuse("mass", mass, "most", largest_ratio_at_higher_frequency(damping));
+}
+
 void check_damping(Rules& rules, const Material& material, const std::string& of_material) {
   const auto path = of_material + ".damping";
-  const auto at = path + ".at";
-  const auto ratio = path + ".ratio";
   const auto& [ratios, frequencies] = *material.damping;
+  bool sound = true;
   for (std::size_t i = 0; i < ratios.size(); ++i) {
-    rules.number(fmt::format("{}.{}", ratio, i), ratios[i], bounds::damping_ratio);
-    rules.number(fmt::format("{}.{}", at, i), frequencies[i], bounds::frequency);
+    rules.number(fmt::format("{}.ratio.{}", path, i), ratios[i], bounds::damping_ratio);
+    rules.number(fmt::format("{}.at.{}", path, i), frequencies[i], bounds::frequency);
+    sound = sound && bounds::damping_ratio.contains(ratios[i]) && bounds::frequency.contains(frequencies[i]);
   }
   if (material.rayleigh_stiffness != 0 || material.rayleigh_mass != 0)
     rules.broken({path, of_material + ".rayleigh"},
                  "found damping ratios beside 'rayleigh', expected one of the two");
-  if (frequencies[0] == frequencies[1])
-    rules.broken({at}, fmt::format("found {} twice, expected two different frequencies", frequencies[0]));
-  const auto [stiffness, mass] = rayleigh_coefficients(material);
-  if (stiffness < 0)
-    rules.broken({ratio, at},
-                 fmt::format("the coefficient of the stiffness would be {:.4g} < 0, expected a ratio at the "
-                             "higher frequency of at least {:.4g}",
-                             stiffness, least_ratio_at_higher_frequency(*material.damping)));
-  if (mass < 0)
-    rules.broken(
-        {ratio, at},
-        fmt::format("the coefficient of the mass would be {:.4g} < 0, expected a ratio at the higher "
-                    "frequency of at most {:.4g}",
-                    mass, largest_ratio_at_higher_frequency(*material.damping)));
+  if (sound && frequencies[0] == frequencies[1])
+    rules.broken({path + ".at"},
+                 fmt::format("found {} twice, expected two different frequencies", frequencies[0]));
+  else if (sound)
+    check_coefficients(rules, material, path);
 }
 
 void check_material(Rules& rules, const Material& material, const std::string& path) {
