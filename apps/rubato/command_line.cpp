@@ -40,6 +40,34 @@ void add_run(CLI::App& program, Arguments& arguments) {
   command->callback([&arguments] { arguments.work = [&] { return app::run(arguments.run); }; });
 }
 
+void add_modes(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand("modes", "natural frequencies and shapes of a study's bodies");
+  auto& modes = arguments.modes;
+  command->add_option("deck", modes.deck, "the study, a YAML file; - reads it from standard input")
+      ->required()
+      ->type_name(kind::deck);
+  command->add_option("--number", modes.number, "how many of the lowest modes (default: 10)")
+      ->type_name(kind::number);
+  command
+      ->add_option(
+          "--contact", modes.contact,
+          "what becomes of points that touch in the undeformed bodies: they are free, held together, "
+          "or held along the normal (default: open)")
+      ->type_name("open|stuck|sliding");
+  command->add_option("--only", modes.only, "of these runs of the deck (default: the first)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name(kind::runs);
+  command->add_option("--set", modes.settings, "change the deck: path.to.key=value")
+      ->allow_extra_args(false)
+      ->type_name(kind::setting);
+  command
+      ->add_option("-o,--output", modes.output,
+                   "folder of results; each run gets a folder in it (default: the deck's name)")
+      ->type_name(kind::folder);
+  command->callback([&arguments] { arguments.work = [&] { return app::modes(arguments.modes); }; });
+}
+
 void add_check(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand(
       "check", "look for faults in a deck, or hold a finished run against its references again");
@@ -292,6 +320,7 @@ void declare(CLI::App& program, Arguments& arguments) {
   program.footer("Exit codes: 0 done and all checks pass, 1 a check fails, 2 bad input, 3 no convergence, 4 "
                  "any other end.");
   add_run(program, arguments);
+  add_modes(program, arguments);
   add_new(program, arguments);
   add_check(program, arguments);
   add_compare(program, arguments);

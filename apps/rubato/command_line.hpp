@@ -14,6 +14,7 @@ namespace rubato::app {
 /// What the command line says; the subcommand that was chosen reads its part.
 struct Arguments {
   RunArguments run;
+  ModesArguments modes;
   CheckArguments check;
   CompareArguments compare;
   PlotArguments plot;

@@ -23,6 +23,16 @@ struct RunArguments {
 };
 int run(const RunArguments& arguments);
 
+struct ModesArguments {
+  std::filesystem::path deck;
+  std::filesystem::path output;
+  std::vector<std::string> settings; ///< "path.to.key=value"
+  std::vector<std::string> only;     ///< names of runs; empty: the first
+  int number = 10;
+  std::string contact = "open";
+};
+int modes(const ModesArguments& arguments);
+
 struct CheckArguments {
   std::filesystem::path what; ///< a deck, or a folder of results
   bool markdown = false;      ///< checks as a table in Markdown

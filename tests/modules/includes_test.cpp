@@ -20,9 +20,10 @@ namespace fs = std::filesystem;
 
 /// Each module may include those before it. `deck` is a front end, beside the mechanics: it sees the study
 /// and what a study needs, and only programs see it.
-constexpr std::array<std::string_view, 20> order{
-    "core",    "cell", "study", "mesh", "linalg",     "material", "element", "domain", "load",   "constraint",
-    "contact", "time", "model", "step", "simulation", "results",  "plot",    "run",    "report", "apps"};
+constexpr std::array<std::string_view, 21> order{
+    "core",   "cell",       "study",      "mesh",    "linalg", "material", "element",
+    "domain", "load",       "constraint", "contact", "time",   "model",    "modes",
+    "step",   "simulation", "results",    "plot",    "run",    "report",   "apps"};
 constexpr std::array<std::string_view, 3> seen_by_deck{"core", "cell", "study"};
 /// Libraries of matrices know of no mechanics.
 constexpr std::string_view leaf = "linalg";

@@ -74,6 +74,7 @@ constexpr std::array<Entry, 20> entries{
      {"v9", rubato::verification::write_signorini},
      {"v10", rubato::verification::write_rod_on_rod},
      {"v11", rubato::verification::write_free_beam},
+     {"modes", rubato::verification::write_modes},
      {"sdnl140", rubato::verification::write_sdnl140},
      {"convergence", rubato::verification::write_convergence},
      {"explicit", rubato::verification::write_explicit},

@@ -51,6 +51,8 @@ void write_signorini(const std::filesystem::path& folder);
 void write_relations(const std::filesystem::path& folder);
 /// V11.
 void write_free_beam(const std::filesystem::path& folder);
+/// Natural frequencies against Code_Aster.
+void write_modes(const std::filesystem::path& folder);
 /// How the answer settles as steps and cells get finer.
 void write_convergence(const std::filesystem::path& folder);
 /// Explicit runs of modeling F against the converged answer and against implicit ones.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,6 +15,30 @@
 
 namespace rubato::deck {
 namespace {
+
+/// Two numbers; nothing and a fault when the list has another length.
+bool read_pair(const Found& value, std::array<double, 2>& pair) {
+  std::vector<double> numbers;
+  if (!read(value, numbers))
+    return false;
+  if (numbers.size() != pair.size()) {
+    value->fault(fmt::format("found {} numbers, expected two", numbers.size()));
+    return false;
+  }
+  std::ranges::copy(numbers, pair.begin());
+  return true;
+}
+
+/// Judged as a whole only where both lists are there.
+void read_damping(const Value& value, study::Material& material) {
+  MapReader map(value);
+  study::DampingRatios damping;
+  const bool has_ratios = read_pair(map.require("ratio"), damping.ratio);
+  const bool has_frequencies = read_pair(map.require("at"), damping.at);
+  map.finish();
+  if (has_ratios && has_frequencies)
+    material.damping = damping;
+}
 
 study::Material read_material(const NamedValue& entry) {
   study::Material material;
@@ -31,6 +56,8 @@ study::Material read_material(const NamedValue& entry) {
     read(damping.find("mass"), material.rayleigh_mass);
     damping.finish();
   }
+  if (const auto damping = map.find("damping"))
+    read_damping(*damping, material);
   const auto cells = map.find("cells");
   read_names(cells, material.cells);
   material.everywhere = !cells || (material.cells.size() == 1 && material.cells[0] == study::everywhere);

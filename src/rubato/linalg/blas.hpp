@@ -19,6 +19,8 @@ void dgemm_(const char* first_transposed, const char* second_transposed, const i
 void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* inner,
             const double* factor, const double* matrix, const int* stride, const double* sum_factor,
             double* sum, const int* sum_stride);
+void dpstrf_(const char* triangle, const int* size, double* matrix, const int* stride, int* pivots, int* rank,
+             const double* tolerance, double* work, int* info);
 void dpotri_(const char* triangle, const int* size, double* factor, const int* stride, int* info);
 void dgetrf_(const int* rows, const int* columns, double* matrix, const int* stride, int* pivots, int* info);
 void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* factors,

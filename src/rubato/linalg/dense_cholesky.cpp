@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -45,6 +46,23 @@ Eigen::VectorXd solve_among(std::span<const Eigen::Index> unknowns, const Eigen:
   Eigen::MatrixXd among = matrix(unknowns, unknowns);
   Eigen::VectorXd right_side = -values(unknowns);
   return solve_positive_definite(std::move(among), std::move(right_side));
+}
+
+std::vector<int> independent_rows(Eigen::MatrixXd matrix, double tolerance) {
+  const auto size = static_cast<int>(matrix.rows());
+  if (size == 0)
+    return {};
+  use_one_blas_thread_by_default();
+  std::vector<int> pivots(static_cast<std::size_t>(size));
+  std::vector<double> work(2 * pivots.size());
+  int rank = 0;
+  int info = 0;
+  dpstrf_("L", &size, matrix.data(), &size, pivots.data(), &rank, &tolerance, work.data(), &info);
+  pivots.resize(static_cast<std::size_t>(rank));
+  for (auto& pivot : pivots)
+    --pivot; // LAPACK counts from 1
+  std::ranges::sort(pivots);
+  return pivots;
 }
 
 } // namespace rubato::linalg

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <span>
+#include <vector>
 
 namespace rubato::linalg {
 
@@ -15,5 +16,10 @@ Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd 
 /// x of A x + b = 0 for the rows and columns of `unknowns`, in their order; else the same.
 Eigen::VectorXd solve_among(std::span<const Eigen::Index> unknowns, const Eigen::MatrixXd& matrix,
                             const Eigen::VectorXd& values);
+
+/// Rows of a positive semidefinite matrix that do not depend on one another, ascending: a Cholesky
+/// factorisation with the largest remaining pivot first, as long as it is above `tolerance` (≥ 0). Only the
+/// lower triangle is read.
+std::vector<int> independent_rows(Eigen::MatrixXd matrix, double tolerance);
 
 } // namespace rubato::linalg

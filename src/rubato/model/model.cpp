@@ -19,6 +19,7 @@
 #include "rubato/model/rigid_sides.hpp"
 #include "rubato/model/shared_nodes_note.hpp"
 #include "rubato/model/soft_springs.hpp"
+#include "rubato/study/damping.hpp"
 #include "rubato/study/validate.hpp"
 
 #include <fmt/format.h>
@@ -109,9 +110,10 @@ void assemble_matrices(Model& model, const std::vector<study::Material>& materia
   std::vector<double> by_mass;
   bool damped = false;
   for (const auto& material : materials) {
-    by_stiffness.push_back(material.rayleigh_stiffness);
-    by_mass.push_back(material.rayleigh_mass);
-    damped = damped || material.rayleigh_stiffness != 0 || material.rayleigh_mass != 0;
+    const auto [stiffness, mass] = study::rayleigh_coefficients(material);
+    by_stiffness.push_back(stiffness);
+    by_mass.push_back(mass);
+    damped = damped || stiffness != 0 || mass != 0;
   }
   if (damped)
     assemble_rayleigh(model, pattern, by_stiffness, by_mass);

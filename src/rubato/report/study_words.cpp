@@ -132,13 +132,17 @@ Sentences words_on_materials(const Json& study) {
   for (const auto& [name, material] : part(study, "materials").items())
     sentences.push_back(fmt::format(
         "{}: {}; {}; on {}", name, spaced(text_of(material, "law")),
-        entries_text(material, {"law", "cells", "rayleigh"}),
+        entries_text(material, {"law", "cells", "rayleigh", "damping"}),
         material.contains("cells") && material.at("cells") != "all"
             ? list_text(material.at("cells").is_array() ? material.at("cells") : Json{material.at("cells")})
             : "all cells"));
   for (const auto& [name, material] : part(study, "materials").items())
     if (const auto damping = entries_text(part(material, "rayleigh"), {}); !damping.empty())
       sentences.push_back(fmt::format("Rayleigh damping of {}: {}", name, damping));
+  for (const auto& [name, material] : part(study, "materials").items())
+    if (const auto& damping = part(material, "damping"); damping.contains("ratio"))
+      sentences.push_back(fmt::format("Rayleigh damping of {}: ratios {} at the frequencies {}", name,
+                                      text_of(damping, "ratio"), text_of(damping, "at")));
   return sentences;
 }
 

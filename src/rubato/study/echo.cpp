@@ -110,6 +110,8 @@ Json echo(const Material& material) {
   put_numbers(map, entry_of(material.law), material);
   put_optional(map, "density", material.density);
   map["rayleigh"] = {{"stiffness", material.rayleigh_stiffness}, {"mass", material.rayleigh_mass}};
+  if (material.damping)
+    map["damping"] = {{"ratio", material.damping->ratio}, {"at", material.damping->at}};
   map["cells"] = material.everywhere ? Json("all") : Json(material.cells);
   return map;
 }

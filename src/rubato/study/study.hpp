@@ -46,6 +46,14 @@ struct Orthotropy {
   bool operator==(const Orthotropy&) const = default;
 };
 
+/// Damping as parts of critical damping at two frequencies, from which Rayleigh's coefficients follow
+/// (study/damping.hpp).
+struct DampingRatios {
+  std::array<double, 2> ratio{}; ///< ξ ≥ 0
+  std::array<double, 2> at{};    ///< f > 0, two different ones [1/time]
+  bool operator==(const DampingRatios&) const = default;
+};
+
 struct Material {
   std::string name;
   LawKind law = LawKind::elastic;
@@ -53,10 +61,11 @@ struct Material {
   double poisson = 0;    ///< elastic: −1 < ν < 0.5
   Orthotropy orthotropy; ///< orthotropic
   std::optional<double> density;
-  double rayleigh_stiffness = 0;  ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
-  double rayleigh_mass = 0;       ///< [1/time]
-  bool everywhere = true;         ///< `cells: all`
-  std::vector<std::string> cells; ///< groups, when not everywhere
+  double rayleigh_stiffness = 0;        ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
+  double rayleigh_mass = 0;             ///< [1/time]
+  std::optional<DampingRatios> damping; ///< instead of the two coefficients
+  bool everywhere = true;               ///< `cells: all`
+  std::vector<std::string> cells;       ///< groups, when not everywhere
   bool operator==(const Material&) const = default;
 };
 

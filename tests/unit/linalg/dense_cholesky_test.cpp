@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/dense_cholesky.hpp"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <stdexcept>
@@ -49,6 +51,17 @@ TEST(DenseCholesky, OfNothingSolvesNothing) {
 TEST(DenseCholesky, ThrowsForSizesThatDoNotMatch) {
   EXPECT_THROW(solve_positive_definite(Eigen::MatrixXd::Identity(3, 3), Eigen::VectorXd::Ones(2)),
                std::invalid_argument);
+}
+
+TEST(IndependentRows, AreAsManyAsTheRank) {
+  Eigen::MatrixXd basis(6, 3);
+  basis << 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 1, 1, 1, 1, 0, 0, 0;
+  const Eigen::MatrixXd matrix = basis * basis.transpose();
+  const auto rows = independent_rows(matrix, 1e-10);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_GT(Eigen::MatrixXd(matrix(rows, rows)).determinant(), 0.1);
+  EXPECT_TRUE(std::ranges::is_sorted(rows));
+  EXPECT_TRUE(independent_rows(Eigen::MatrixXd::Zero(2, 2), 1e-10).empty());
 }
 
 } // namespace

@@ -51,6 +51,11 @@ Forms materials() {
                   map("Rayleigh damping",
                       {{"stiffness", "factor of the stiffness [time]", number(study::bounds::rayleigh)},
                        {"mass", "factor of the mass [1/time]", number(study::bounds::rayleigh)}})});
+  keys.push_back({"damping", "Rayleigh damping by its ratios at two frequencies, instead of 'rayleigh'",
+                  map("damping ratios", {{"ratio", "two damping ratios, parts of critical damping",
+                                          list(number(study::bounds::damping_ratio), 2, 2), true},
+                                         {"at", "the frequencies at which they hold [1/time]",
+                                          list(number(study::bounds::frequency), 2, 2), true}})});
   keys.push_back({"cells", "all, or groups of cells", names()});
   return named(map("a material", std::move(keys)));
 }

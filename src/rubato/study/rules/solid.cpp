@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Materials, supports, springs, loads, and how the bodies begin.
+#include "rubato/study/damping.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,41 @@ void check_law(Rules& rules, const Material& material, const std::string& path) 
   }
 }
 
+/// Of ratios and frequencies within their bounds: neither coefficient may excite motions.
+void check_coefficients(Rules& rules, const Material& material, const std::string& path) {
+  const auto& damping = *material.damping;
+  const auto [stiffness, mass] = rayleigh_coefficients(material);
+  const auto refuse = [&](std::string_view of, double coefficient, std::string_view bound, double ratio) {
+    if (coefficient < 0)
+      rules.broken(
+          {path + ".ratio", path + ".at"},
+          fmt::format("the coefficient of the {} would be {:.4g} < 0, expected a ratio at the higher "
+                      "frequency of at {} {:.4g}",
+                      of, coefficient, bound, ratio));
+  };
+  refuse("stiffness", stiffness, "least", least_ratio_at_higher_frequency(damping));
+  refuse("mass", mass, "most", largest_ratio_at_higher_frequency(damping));
+}
+
+void check_damping(Rules& rules, const Material& material, const std::string& of_material) {
+  const auto path = of_material + ".damping";
+  const auto& [ratios, frequencies] = *material.damping;
+  bool sound = true;
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    rules.number(fmt::format("{}.ratio.{}", path, i), ratios[i], bounds::damping_ratio);
+    rules.number(fmt::format("{}.at.{}", path, i), frequencies[i], bounds::frequency);
+    sound = sound && bounds::damping_ratio.contains(ratios[i]) && bounds::frequency.contains(frequencies[i]);
+  }
+  if (material.rayleigh_stiffness != 0 || material.rayleigh_mass != 0)
+    rules.broken({path, of_material + ".rayleigh"},
+                 "found damping ratios beside 'rayleigh', expected one of the two");
+  if (sound && frequencies[0] == frequencies[1])
+    rules.broken({path + ".at"},
+                 fmt::format("found {} twice, expected two different frequencies", frequencies[0]));
+  else if (sound)
+    check_coefficients(rules, material, path);
+}
+
 void check_material(Rules& rules, const Material& material, const std::string& path) {
   check_law(rules, material, path);
   if (material.density)
@@ -37,6 +73,8 @@ void check_material(Rules& rules, const Material& material, const std::string& p
                              word_of(scheme_words, rules.study.time.scheme)));
   rules.number(path + ".rayleigh.stiffness", material.rayleigh_stiffness, bounds::rayleigh);
   rules.number(path + ".rayleigh.mass", material.rayleigh_mass, bounds::rayleigh);
+  if (material.damping)
+    check_damping(rules, material, path);
   if (!material.everywhere && material.cells.empty())
     rules.broken({path + ".cells"}, "found an empty list, expected 'all' or groups of cells");
   rules.names(path + ".cells", material.cells);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/modes/modal_study.hpp"
+
+#include "rubato/core/error.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace rubato::modes {
+namespace {
+
+void require_densities(const study::Study& study) {
+  std::vector<Fault> faults;
+  for (const auto& material : study.materials)
+    if (!material.density)
+      faults.push_back(
+          fault_at("materials." + material.name, "'density' is missing: vibrations move masses"));
+  if (!faults.empty())
+    throw InputError(std::move(faults));
+}
+
+/// Surfaces, and what says how far apart they are; what holds them is the same for all laws.
+study::ContactZone geometry_of(const study::ContactZone& asked) {
+  study::ContactZone zone;
+  zone.name = asked.name;
+  zone.master = asked.master;
+  zone.obstacle = asked.obstacle;
+  zone.slave = asked.slave;
+  zone.between = asked.between;
+  zone.self = asked.self;
+  zone.all = asked.all;
+  zone.interference = asked.interference;
+  zone.gap = asked.gap;
+  zone.tie = asked.tie;
+  zone.normal = asked.normal;
+  zone.clamped_normal = asked.clamped_normal;
+  zone.integration = asked.integration;
+  zone.exclude_nodes = asked.exclude_nodes;
+  return zone;
+}
+
+} // namespace
+
+study::Study modal_study(const study::Study& asked) {
+  require_densities(asked);
+  study::Study study = asked;
+  study.loads.clear();
+  study.initial.clear();
+  study.probes.clear();
+  study.checks.clear();
+  for (auto& zone : study.contact)
+    zone = geometry_of(zone);
+  study.time = {};
+  study.time.scheme = study::SchemeKind::newmark;
+  study.time.contact_mass = study::ContactMass::consistent;
+  study.time.begin = asked.time.begin;
+  study.time.step = 1;
+  study.time.end = asked.time.begin + 1;
+  study.newton = {};
+  study.solver = study::Solver::automatic;
+  study.fields = {};
+  study.checkpoint = {};
+  return study;
+}
+
+} // namespace rubato::modes
