@@ -39,13 +39,13 @@ void read_axes(const Found& value, std::array<bool, 3>& components) {
   }
 }
 
-void read_difference(const Found& value, std::array<study::Field, 3>& difference) {
+void read_difference(const Found& value, const Context& context, std::array<study::Field, 3>& difference) {
   if (!value)
     return;
   MapReader map(*value);
   for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto given = map.find(study::axis_words[axis]))
-      difference[axis] = read_field(*given);
+      difference[axis] = read_field(*given, context);
   map.finish();
 }
 
@@ -54,7 +54,7 @@ void read_content(MapReader& map, const Context& context, study::Relation& relat
     for (const auto& term : items(map.require("terms")))
       relation.terms.push_back(read_term(term));
     if (const auto value = map.find("value"))
-      relation.value = read_field(*value);
+      relation.value = read_field(*value, context);
     return;
   }
   read_name(map.require("on"), relation.on);
@@ -65,7 +65,7 @@ void read_content(MapReader& map, const Context& context, study::Relation& relat
   }
   if (relation.kind == study::RelationKind::pairs) {
     read_name(map.require("with"), relation.with);
-    read_difference(map.find("difference"), relation.difference);
+    read_difference(map.find("difference"), context, relation.difference);
   }
   read_axes(map.find("in"), relation.components);
 }

@@ -122,7 +122,7 @@ std::optional<study::ObliqueSupport> read_along(MapReader& map, const Context& c
   else
     direction->spoil();
   if (value)
-    along.value = read_field(*value);
+    along.value = read_field(*value, context);
   return along;
 }
 
@@ -140,7 +140,7 @@ study::Support read_support(const Value& value, const Context& context) {
     MapReader axes(*turn);
     for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
       if (const auto given = axes.find(study::axis_words[axis]))
-        support.turns[axis] = read_field(*given);
+        support.turns[axis] = read_field(*given, context);
     axes.finish();
   }
   map.finish();

@@ -15,7 +15,6 @@ inline constexpr Range frequency = above(0);
 inline constexpr Range density = at_least(0);
 inline constexpr Range rayleigh = at_least(0);
 inline constexpr Range damping_ratio = at_least(0);
-inline constexpr Range frequency = above(0);
 inline constexpr Range spring = above(0);
 inline constexpr Range connector = at_least(0);
 inline constexpr Range point_mass = above(0);
