@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "program.hpp"
+#include <sstream>
 
 namespace rubato {
 namespace {
@@ -51,6 +52,22 @@ TEST_F(GroupsOfTheProgram, AreWrittenAndMadeOnTheCommandLine) {
   EXPECT_NE(info.find("skin                        40   faces"), std::string::npos) << info;
   EXPECT_NE(info.find("walls                       36   faces"), std::string::npos) << info;
   EXPECT_NE(info.find("QUAD8             40"), std::string::npos) << info;
+}
+
+TEST_F(GroupsOfTheProgram, AreOrderedInMailFiles) {
+  ASSERT_EQ(run({"mesh", "deck.yaml", "a.med"}).exit_code, 0);
+  const auto made = run({"mesh", "a.med", "b.mail", "--group", "edge={box: {from: [0, 0, 0], to: [0, 0, 2]}}",
+                         "--group", "line={along: [0, 0, -1], of: edge}"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto text = test::text_of(folder_ / "b.mail");
+  const auto at = text.find("GROUP_NO NOM = line");
+  ASSERT_NE(at, std::string::npos) << text;
+  std::istringstream words(text.substr(text.find('\n', at)));
+  for (const auto* name : {"N37", "N28", "N19", "N10", "N1", "FINSF"}) {
+    std::string word;
+    words >> word;
+    EXPECT_EQ(word, name);
+  }
 }
 
 TEST_F(GroupsOfTheProgram, AreRefusedInTheDeckAtTheirPlace) {
