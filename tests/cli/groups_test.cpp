@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "program.hpp"
+#include <sstream>
 
 namespace rubato {
 namespace {
@@ -53,12 +54,29 @@ TEST_F(GroupsOfTheProgram, AreWrittenAndMadeOnTheCommandLine) {
   EXPECT_NE(info.find("QUAD8             40"), std::string::npos) << info;
 }
 
+TEST_F(GroupsOfTheProgram, AreOrderedInMailFiles) {
+  ASSERT_EQ(run({"mesh", "deck.yaml", "a.med"}).exit_code, 0);
+  const auto made = run({"mesh", "a.med", "b.mail", "--group", "edge={box: {from: [0, 0, 0], to: [0, 0, 2]}}",
+                         "--group", "line={along: [0, 0, -1], of: edge}"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto text = test::text_of(folder_ / "b.mail");
+  const auto at = text.find("GROUP_NO NOM = line");
+  ASSERT_NE(at, std::string::npos) << text;
+  std::istringstream words(text.substr(text.find('\n', at)));
+  for (const auto* name : {"N37", "N28", "N19", "N10", "N1", "FINSF"}) {
+    std::string word;
+    words >> word;
+    EXPECT_EQ(word, name);
+  }
+}
+
 TEST_F(GroupsOfTheProgram, AreRefusedInTheDeckAtTheirPlace) {
   const auto outcome = run({"run", "deck.yaml", "--set", "mesh.groups.roof.angle=1", "--set",
                             "mesh.groups.roof.normal=[1, 1, 0]", "-o", "out"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(outcome.err.starts_with("error: deck.yaml:5:5: mesh.groups.roof: found no face with this outward "
-                                      "normal; that of the face of nodes N"))
+  EXPECT_TRUE(
+      outcome.err.starts_with("error: deck.yaml:5:5: mesh.groups.roof: found no face with this outward "
+                              "normal; that of the face of nodes N"))
       << outcome.err;
   EXPECT_TRUE(outcome.err.ends_with("is the nearest, 45 degrees off\n")) << outcome.err;
 }
@@ -67,8 +85,9 @@ TEST_F(GroupsOfTheProgram, AreRefusedOnTheCommandLine) {
   ASSERT_EQ(run({"mesh", "deck.yaml", "a.med"}).exit_code, 0);
   const auto known = run({"mesh", "a.med", "b.med", "--group", "roof={skin: all}"});
   EXPECT_EQ(known.exit_code, 2);
-  EXPECT_EQ(known.err, "error: --group: mesh.groups.roof: the mesh has a group 'roof' already, expected another "
-                       "name\n");
+  EXPECT_EQ(known.err,
+            "error: --group: mesh.groups.roof: the mesh has a group 'roof' already, expected another "
+            "name\n");
   const auto word = run({"mesh", "a.med", "b.med", "--group", "top={skn: all}"});
   EXPECT_EQ(word.exit_code, 2);
   EXPECT_EQ(word.err, "error: --group top: unknown key 'mesh.groups.top.skn'; did you mean 'skin'?\n");

@@ -289,7 +289,7 @@ void evaluate_in_frozen_frames(const std::vector<PointEvaluation>& frozen, const
 PointLaw ZoneLaw::of_point(std::size_t index) const {
   PointLaw law{zone->settings.method,
                zone->settings.friction_method,
-               friction,
+               zone->friction_at(index, friction),
                coefficients->normal[index],
                coefficients->tangential[index],
                tolerances.closing_gap * zone->edge(),

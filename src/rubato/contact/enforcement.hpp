@@ -150,7 +150,7 @@ struct ContactSystem {
 struct ZoneLaw {
   const Zone* zone = nullptr;
   const ZoneCoefficients* coefficients = nullptr;
-  double friction = 0; ///< the zone's μ or, during continuation, a part of it
+  double friction = 0; ///< the zone's μ or, during continuation, a part of it; Zone has its shares at points
   /// P of every point, while a loop holds it; empty otherwise.
   std::span<const double> frozen_friction_pressures = {};
   /// Of a bilateral zone: whether a point has touched before this step; else empty.

@@ -84,7 +84,7 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
     spring.normal = place_.normal;
     spring.slip_on_tangents = place_.tangents.transpose() * slip;
     const Vector3d traction = spring.traction;
-    rub(spring, normal_stiffness_[i], slip);
+    rub(spring, zone_->friction_at(i, zone_->settings.friction), normal_stiffness_[i], slip);
     const double work = -0.5 * zone_->points[i].weight * (traction + spring.traction).dot(slip);
     friction_history_[i].work += work - (tangential_energy(i) - energy);
     friction_history_[i].slip += slip.norm();
@@ -189,10 +189,11 @@ bool ExplicitPenalty::press(Spring& spring, double normal_stiffness) const {
 }
 
 /// Friction after a slip increment: elastic as far as Coulomb allows.
-void ExplicitPenalty::rub(Spring& spring, double normal_stiffness, const Vector3d& slip) const {
+void ExplicitPenalty::rub(Spring& spring, double friction, double normal_stiffness,
+                          const Vector3d& slip) const {
   const auto& settings = zone_->settings;
   spring.status = Status::slip;
-  const double limit = settings.friction * spring.pressure;
+  const double limit = friction * spring.pressure;
   if (limit == 0)
     return;
   spring.tangential_stiffness =

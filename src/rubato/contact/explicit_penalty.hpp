@@ -87,7 +87,7 @@ public:
 
 private:
   bool press(Spring& spring, double normal_stiffness) const;
-  void rub(Spring& spring, double normal_stiffness, const Eigen::Vector3d& slip) const;
+  void rub(Spring& spring, double friction, double normal_stiffness, const Eigen::Vector3d& slip) const;
   double tangential_energy(std::size_t point) const;
   template <class Visit> void visit_nodes(std::size_t point, const Visit& visit) const;
 

@@ -59,6 +59,8 @@ struct Zone {
   Surface slave;
   std::vector<SlavePoint> points;
   GapOffset offset; ///< added to the gaps between the surfaces
+  /// What the zone's coefficient of friction is multiplied with at each point; empty: 1.
+  std::vector<double> friction_shares;
   int space_dimension = 3;
   /// Of a surface that touches itself: its undeformed places, by position in the surface's nodes.
   std::vector<Eigen::Vector3d> undeformed_master;
@@ -73,6 +75,11 @@ struct Zone {
   std::vector<mortar::HeldComponents> held;
 
   double begin = 0; ///< the first instant of the run
+
+  /// What a coefficient of friction of the zone is at one of its points.
+  double friction_at(std::size_t point, double of_zone) const {
+    return friction_shares.empty() ? of_zone : of_zone * friction_shares[point];
+  }
 
   /// Whether master and slave are one surface. Which of two of its parts is the slave is told by
   /// self_pairs.hpp.

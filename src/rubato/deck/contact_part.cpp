@@ -87,8 +87,20 @@ void read_iterations(const Found& value, study::ContactZone& zone) {
   map.finish();
 }
 
-void read_friction(MapReader& map, study::ContactZone& zone) {
-  read(map.find("friction"), zone.friction);
+/// A number, or an expression or a table of the place.
+void read_coefficient(MapReader& map, const Context& context, study::ContactZone& zone) {
+  study::FieldValue value;
+  read_field_value(map.find("friction"), context, value);
+  if (const auto* number = value.number()) {
+    zone.friction = *number;
+    return;
+  }
+  zone.friction = 1;
+  zone.friction_in_place = std::move(value);
+}
+
+void read_friction(MapReader& map, const Context& context, study::ContactZone& zone) {
+  read_coefficient(map, context, zone);
   zone.friction_method = study::usual_friction_method(zone.method);
   read(map.find("friction_method"), zone.friction_method, study::friction_method_words);
 }
@@ -126,7 +138,7 @@ void read_offsets(MapReader& map, const Context& context, study::ContactZone& zo
 
 /// What only surfaces have that touch and part.
 void read_touching(MapReader& map, const Context& context, bool known_method, study::ContactZone& zone) {
-  read_friction(map, zone);
+  read_friction(map, context, zone);
   read_offsets(map, context, zone);
   read_normals(map, zone);
   read(map.find("bilateral"), zone.bilateral);
@@ -138,8 +150,8 @@ void read_touching(MapReader& map, const Context& context, bool known_method, st
 }
 
 /// The keys of read_touching, but for friction, which a rule is about.
-void refuse_touching(MapReader& map, study::ContactZone& zone) {
-  read(map.find("friction"), zone.friction);
+void refuse_touching(MapReader& map, const Context& context, study::ContactZone& zone) {
+  read_coefficient(map, context, zone);
   for (const auto* key : {"friction_method", "interference", "gap", "normal", "clamped_normal", "bilateral",
                           "freeze", "initially_active", "coefficients", "iterate", "restitution"})
     map.refuse(key, "surfaces that are tied (tie: true) neither touch nor part nor slide");
@@ -155,7 +167,7 @@ study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
   zone.geometry.by = study::entry_of(zone.method).geometry;
   read(map.find("tie"), zone.tie);
   if (zone.tie)
-    refuse_touching(map, zone);
+    refuse_touching(map, context, zone);
   else
     read_touching(map, context, known, zone);
   zone.integration = study::usual_integration(zone, context.scheme.value_or(study::TimeStepping{}.scheme));

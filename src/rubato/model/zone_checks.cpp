@@ -6,6 +6,7 @@
 #include "rubato/contact/tie.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/study/contact_methods.hpp"
+#include "rubato/study/fields.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <vector>
 
 namespace rubato::model {
 namespace {
@@ -126,6 +128,26 @@ void check_offset(const contact::Zone& zone, const study::TimeStepping& time, st
   } catch (const InputError& error) {
     faults.insert(faults.end(), error.faults().begin(), error.faults().end());
   }
+}
+
+std::vector<double> friction_shares(const contact::Zone& zone, const std::string& path,
+                                    std::vector<Fault>& faults) {
+  std::vector<double> shares;
+  if (!zone.settings.friction_in_place)
+    return shares;
+  const auto friction = study::field_function(*zone.settings.friction_in_place, {}, {}, path);
+  try {
+    for (const auto& point : zone.points) {
+      const std::span<const double, 3> place(point.place.data(), 3);
+      shares.push_back(friction.at(place, zone.begin));
+      if (shares.back() < 0)
+        throw InputError({fault_at(path, fmt::format("{}: found {:.6g} at {}, expected a number >= 0", path,
+                                                     shares.back(), shown_place(place, zone.begin)))});
+    }
+  } catch (const InputError& error) {
+    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+  }
+  return shares;
 }
 
 void check_tie(const contact::Zone& zone, const mesh::Mesh& mesh, const domain::DofMap& dofs,

@@ -39,6 +39,11 @@ void check_edges(const contact::Zone& zone, const mesh::Mesh& mesh, std::vector<
 /// scheme leaves overlaps of the start as they are.
 void check_offset(const contact::Zone& zone, const study::TimeStepping& time, std::vector<Fault>& faults);
 
+/// The friction at each point of a zone where it depends on the place; empty where it does not. Faults, told
+/// at `path`, where it is no number or negative.
+std::vector<double> friction_shares(const contact::Zone& zone, const std::string& path,
+                                    std::vector<Fault>& faults);
+
 /// A tie has to hold something.
 void check_tie(const contact::Zone& zone, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                const constraint::Reduction& reduction, std::vector<Fault>& faults);

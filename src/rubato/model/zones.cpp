@@ -254,6 +254,7 @@ private:
     check_edges(zone, mesh_, faults_);
     zone.offset = contact::make_gap_offset(zone.settings, study_.functions, "contact." + at_hand_);
     check_offset(zone, study_.time, faults_);
+    zone.friction_shares = friction_shares(zone, "contact." + at_hand_ + ".friction", faults_);
     zone.begin = study_.time.begin;
     zone.held = held_components(zone.slave, dofs_, reduction_);
     zone.choice = std::move(choice);

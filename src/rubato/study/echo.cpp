@@ -346,7 +346,7 @@ void put_touching(Json& map, const ContactZone& zone) {
 Json echo(const ContactZone& zone, Physics physics) {
   auto map = Json::object();
   put_surfaces(map, zone, physics);
-  map["friction"] = zone.friction;
+  map["friction"] = zone.friction_in_place ? echo(*zone.friction_in_place) : Json(zone.friction);
   map["method"] = word(contact_method_words, zone.method);
   map["tie"] = zone.tie;
   if (!zone.tie)

@@ -64,7 +64,7 @@ struct MadeGroup {
   double radius = 0;                 ///< > 0 [length]
   /// Largest distance from the plane, or from the surface of the sphere or the cylinder [length]. Not given:
   /// on the plane, inside of the others.
-  std::optional<double> within;
+  std::optional<double> within = {};
   double angle = 30; ///< [degrees]
   GroupTake take = GroupTake::nodes;
   bool operator==(const MadeGroup&) const = default;

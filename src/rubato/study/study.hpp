@@ -188,6 +188,8 @@ struct ContactZone {
   std::string self;                 ///< a surface that touches itself
   bool all = false;                 ///< every two surfaces of different bodies that can touch
   double friction = 0;              ///< Coulomb's μ ≥ 0
+  /// μ ≥ 0 as a function of the undeformed place; `friction` is 1 then.
+  std::optional<FieldValue> friction_in_place;
   Field interference;     ///< how much larger a body is than its mesh: taken from the gap [length], ≥ 0
   Field gap;              ///< added to the gap that the mesh has [length]
   bool bilateral = false; ///< points that have touched at the end of a step do not open any more

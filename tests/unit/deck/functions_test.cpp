@@ -192,6 +192,27 @@ TEST_F(ColumnsOfAFile, AreRefusedAtTheirLine) {
             "study.yaml:5: functions.f.csv: found no line, expected names of columns and numbers below");
 }
 
+TEST(FrictionOfADeck, MayDependOnThePlace) {
+  const auto zone = [](const std::string& friction) {
+    return smallest_deck + "contact: {a: {master: M, slave: S, friction: " + friction + "}}\n";
+  };
+  const auto study = parse_one(zone("0.1+x"));
+  EXPECT_EQ(study.contact[0].friction, 1);
+  EXPECT_EQ(study.contact[0].friction_in_place, study::FieldValue(study::Formula{"0.1+x"}));
+  EXPECT_EQ(parse_one(study::to_json(study)), study);
+  EXPECT_NE(parse_one(zone("{along: x, at: [0, 1], values: [0, 1]}")).contact[0].friction_in_place->profile(),
+            nullptr);
+  EXPECT_FALSE(parse_one(zone("0.3")).contact[0].friction_in_place);
+  EXPECT_EQ(
+      faults_of(zone("t")),
+      Sentences{"study.yaml:5:46: contact.a.friction: found t in 't', friction depends on the place only"});
+  EXPECT_EQ(
+      faults_of(zone("0.1*y, tie: true")),
+      Sentences{
+          "study.yaml:5:46: contact.a.friction: found friction in a tie, expected none: surfaces that are "
+          "tied do not slide"});
+}
+
 TEST(BadTablesAlongAnAxis, AreToldAtTheirPlace) {
   const auto faults = [](const std::string& value) {
     return faults_of(smallest_deck + "supports: [{on: A, x: " + value + "}]\n");

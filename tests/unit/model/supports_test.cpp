@@ -72,6 +72,15 @@ TEST_F(Supported, DofsMayNotBeHeldInTwoWays) {
   }
 }
 
+TEST_F(Supported, NodesMoveAsTheTableAlongAnAxisSays) {
+  const study::Field along{Profile{1, {{0, 2}, {1e-3, 5e-3}, LinearTable::Outside::constant}}, "ramp"};
+  const auto reduction = reduction_of({{"wall", {along, none, none}}});
+  ASSERT_TRUE(faults_.empty());
+  EXPECT_DOUBLE_EQ(reduction.imposed(2)[0], 1e-3);
+  EXPECT_DOUBLE_EQ(reduction.imposed(2)[6], 3e-3); // y = 1
+  EXPECT_DOUBLE_EQ(reduction.imposed(1)[6], 1.5e-3);
+}
+
 TEST_F(Supported, NodesMoveAsTheExpressionOfTheirPlaceSays) {
   const study::Field along{study::Formula{"1e-3*y"}, "ramp"};
   const auto still = reduction_of({{"wall", {along, none, none}}});

@@ -42,6 +42,19 @@ TEST(AZone, HasTheFacesOfTheGroupsThatItNames) {
   EXPECT_FALSE(zone.obstacle);
 }
 
+TEST(AZone, HasTheFrictionOfEachPoint) {
+  EXPECT_TRUE(model_of(test::two_blocks).zones.front().friction_shares.empty());
+  const auto model = model_of(with(test::two_blocks, "friction: 0.2", "friction: 0.1+0.2*x"));
+  const auto& zone = model.zones.front();
+  ASSERT_EQ(zone.friction_shares.size(), zone.points.size());
+  for (std::size_t i = 0; i < zone.points.size(); ++i)
+    EXPECT_DOUBLE_EQ(zone.friction_at(i, 0.5), 0.5 * (0.1 + 0.2 * zone.points[i].place.x()));
+  EXPECT_EQ(
+      fault_of([] { model_of(with(test::two_blocks, "friction: 0.2", "friction: 0.5-x")); }),
+      "deck.yaml:22:84: contact.interface.friction: found -0.25 at x = 0.75, y = 0, z = 0, t = 0, expected a "
+      "number >= 0");
+}
+
 TEST(AZone, KnowsWhatSupportsHoldOfItsSlaveNodes) {
   const auto deck = with(test::two_blocks, "  - {on: held, fix: [x, y]}",
                          "  - {on: held, fix: [x, y]}\n  - {on: lower_face, fix: y}");

@@ -211,6 +211,16 @@ INSTANTIATE_TEST_SUITE_P(
               std::iota(many.begin(), many.end(), 0);
               s.functions["many"] = {many, many};
             }},
+        Bad{"contact.joint.friction", "beside a friction that depends on the place",
+            [](Study& s) {
+              s.contact[0].friction = 0.5;
+              s.contact[0].friction_in_place = Formula{"x"};
+            }},
+        Bad{"contact.joint.friction", "depends on the place only",
+            [](Study& s) {
+              s.contact[0].friction = 1;
+              s.contact[0].friction_in_place = Formula{"t"};
+            }},
         Bad{"mesh.groups.a.sphere.radius", "> 0", [](Study& s) { add_group(s, GroupKind::sphere); }},
         Bad{"mesh.groups.a.sphere.point.2", "plane_strain has no z",
             [](Study& s) { add_group(s, GroupKind::sphere).point = {0, 0, 1}; }},

@@ -56,7 +56,9 @@ std::vector<Key> surfaces() {
 }
 
 std::vector<Key> laws() {
-  return {{"friction", "Coulomb's coefficient; 0 when not given", number(study::bounds::friction)},
+  return {{"friction",
+           "Coulomb's coefficient, a number, an expression or a table of the place; 0 when not given",
+           field_value()},
           {"method", "how contact is enforced; augmented_lagrangian when not given",
            word_of(study::contact_method_words)},
           {"friction_method", "how friction is enforced; the usual one of the method when not given",

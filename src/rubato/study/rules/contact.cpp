@@ -47,6 +47,8 @@ private:
 
   void check_friction() {
     rules_.number(at("friction"), zone_.friction, bounds::friction);
+    if (zone_.friction_in_place)
+      check_friction_in_place(*zone_.friction_in_place);
     rules_.number(at("restitution"), zone_.restitution, bounds::restitution);
     if (method_.exact_prediction && zone_.friction > 0)
       rules_.broken({at("friction"), at("method")},
@@ -56,6 +58,19 @@ private:
       rules_.broken({at("friction_method"), at("method")},
                     fmt::format("found {} with the contact method {}, expected {}", friction_method_.name,
                                 method_.name, either(method_.friction)));
+  }
+
+  void check_friction_in_place(const FieldValue& value) {
+    rules_.field_value(at("friction"), value);
+    if (zone_.friction != 1 || value.number() != nullptr)
+      rules_.broken({at("friction")},
+                    "found a number beside a friction that depends on the place, expected 1 "
+                    "and an expression or a table");
+    Field field;
+    field.value = value;
+    if (varies_in_time(field))
+      rules_.broken({at("friction")}, fmt::format("found t in {}, friction depends on the place only",
+                                                  shown(value.formula()->text)));
   }
 
   void check_offsets() {
