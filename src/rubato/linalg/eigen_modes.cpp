@@ -39,8 +39,9 @@ constexpr Index missing_at_once = 4;
 constexpr unsigned most_searches = 60;
 constexpr int most_corrections = 2;
 
-/// Up to here a dense solution takes less than a second.
-constexpr Index largest_dense = 500;
+/// Up to the first a dense solution takes less than a second, up to the second less than a minute.
+constexpr Index smallest_sparse = 500;
+constexpr Index largest_for_many = 3000;
 /// 1/(λ − σ) beside its largest, below which there is no mass that moves.
 constexpr double massless = 1e-13;
 
@@ -51,6 +52,11 @@ constexpr double shift_share = 1e-3;
 double free_shift(const SparseMatrix& stiffness, const SparseMatrix& mass) {
   const double mean = stiffness.diagonal().sum() / mass.diagonal().sum();
   return -shift_share * mean / std::pow(static_cast<double>(stiffness.rows()), 2.0 / 3.0);
+}
+
+/// Size of a Krylov space in which that many values settle.
+Index krylov_vectors(Index number) {
+  return 2 * number + further_vectors;
 }
 
 VectorXd random_vector(Index size, unsigned seed) {
@@ -133,7 +139,7 @@ private:
   SymmetricEigen lanczos(Index number, double tolerance, unsigned seed) const {
     Inverse inverse{this};
     Mass mass{&mass_};
-    const Index vectors = std::min(2 * number + further_vectors, stiffness_.rows());
+    const Index vectors = std::min(krylov_vectors(number), stiffness_.rows());
     Spectra::SymGEigsShiftSolver<Inverse, Mass, Spectra::GEigsMode::ShiftInvert> solver(inverse, mass, number,
                                                                                         vectors, shift_);
     const VectorXd start = solve_in_rest(mass_ * random_vector(stiffness_.rows(), seed));
@@ -289,9 +295,15 @@ EigenModes find_densely(const SparseMatrix& stiffness, const SparseMatrix& mass,
   return FoundModes(stiffness, mass, inverse, shift, modes, number).take();
 }
 
+/// Of a few unknowns, of many modes beside them, and where they leave no room for a Krylov space.
+bool is_dense_cheaper(Index size, Index number) {
+  const Index vectors = krylov_vectors(number + guards);
+  return size <= smallest_sparse || (size <= largest_for_many && size <= 4 * vectors) || size < vectors;
+}
+
 EigenModes find_modes(const SparseMatrix& stiffness, const SparseMatrix& mass,
                       const ConstrainedInverse& inverse, double shift, Index number) {
-  if (stiffness.rows() <= std::max(largest_dense, 4 * (2 * (number + guards) + further_vectors)))
+  if (is_dense_cheaper(stiffness.rows(), number))
     return find_densely(stiffness, mass, inverse, shift, number);
   ModeSearch search(stiffness, mass, inverse, shift);
   const bool complete = search.find(number);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace rubato::modes {
@@ -43,7 +44,7 @@ public:
         continue;
       ++held;
       if (zone.points_own_multipliers || zone.settings.tie)
-        add_point(zone, *points[p].kinematics, first_free(), 1);
+        add_point(zone, *points[p].kinematics, columns_, 1);
       else
         for (std::size_t k = 0; k < at.multipliers.size(); ++k)
           add_point(zone, *points[p].kinematics, first_ + at.multipliers[k] * directions(zone),
@@ -57,15 +58,16 @@ public:
   }
 
   ClosedContact take() {
-    ClosedContact closed{model::SparseMatrix(model_.dofs.dof_count, columns_), std::move(notes_)};
+    ClosedContact closed;
+    closed.relations.resize(model_.dofs.dof_count, columns_);
     closed.relations.setFromTriplets(entries_.begin(), entries_.end());
+    closed.notes = std::move(notes_);
     return closed;
   }
 
 private:
   bool holds_all(const contact::Zone& zone) const { return zone.settings.tie || contact_ == Contact::stuck; }
   int directions(const contact::Zone& zone) const { return holds_all(zone) ? model_.dofs.components : 1; }
-  int first_free() const { return columns_; }
 
   void add_point(const contact::Zone& zone, const Kinematics& kinematics, int column, double factor) {
     const auto& stencil = kinematics.stencil;

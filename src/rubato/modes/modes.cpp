@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -58,9 +59,8 @@ double longest_displacement(const Model& model, const VectorXd& shape) {
 std::vector<int> directions_of(const Model& model) {
   if (model.study.physics == study::Physics::axisymmetric)
     return {1};
-  std::vector<int> directions;
-  for (int i = 0; i < model.dofs.components; ++i)
-    directions.push_back(i);
+  std::vector<int> directions(static_cast<std::size_t>(model.dofs.components));
+  std::iota(directions.begin(), directions.end(), 0);
   return directions;
 }
 
