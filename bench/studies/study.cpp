@@ -137,15 +137,15 @@ double time_solves(const linalg::SparseMatrix& matrix) {
 }
 
 /// Down to the surface, and back from it with forces there.
-double time_halves(const linalg::SplitFactor& factor, Eigen::Index size) {
+double time_halves(const step::Compliance& bulk, Eigen::Index size) {
   const Eigen::VectorXd force = Eigen::VectorXd::Ones(size);
-  const Eigen::VectorXd touched = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(factor.surface().size()));
+  const Eigen::VectorXd touched = Eigen::VectorXd::Ones(bulk.size());
   Eigen::VectorXd x, half_way;
   return time_of([&] {
-    half_way = factor.forward(force);
-    x = factor.surface_of(half_way);
-    factor.load_surface(touched, half_way);
-    x = factor.backward(half_way);
+    half_way = bulk.forward(force);
+    x = bulk.surface_of(half_way);
+    bulk.load_surface(touched, half_way);
+    x = bulk.backward(half_way);
   });
 }
 
@@ -159,7 +159,7 @@ void measure_model(study::Study study, Measurement& found) {
   found.solve = time_solves(step::make_effective_system(model, scheme, study.time.step).matrix);
   model.study.solver = study::Solver::condensed;
   const auto system = step::make_effective_system(model, scheme, study.time.step);
-  found.halves = time_halves(system.compliance->factor(), system.matrix.rows());
+  found.halves = time_halves(*system.compliance, system.matrix.rows());
 }
 
 } // namespace

@@ -179,6 +179,15 @@ Sentences words_on_loads(const Json& study) {
   return sentences;
 }
 
+/// "hub, rigid: on bore, at (0, 0)".
+Sentences words_on_relations(const Json& study) {
+  Sentences sentences;
+  for (const auto& [name, relation] : part(study, "relations").items())
+    for (const auto& [kind, values] : relation.items())
+      sentences.push_back(fmt::format("{}, {}: {}", name, kind, entries_text(values, {})));
+  return sentences;
+}
+
 std::string surfaces_of(const Json& zone) {
   if (zone.contains("between"))
     return fmt::format("between {}", list_text(zone.at("between")));
@@ -244,7 +253,10 @@ std::vector<Topic> study_in_words(const Json& study) {
                             {"Mesh", words_on_mesh(study)},
                             {"Materials", words_on_materials(study)},
                             {"Supports", on_groups(part(study, "supports"))},
+                            {"Relations", words_on_relations(study)},
                             {"Springs", on_groups(part(study, "springs"))},
+                            {"Connectors", on_groups(part(study, "connectors"))},
+                            {"Masses", on_groups(part(study, "masses"))},
                             {"Loads", words_on_loads(study)},
                             {"Motion at the start", on_groups(part(study, "initial"))}};
   for (const auto& [name, zone] : part(study, "contact").items())

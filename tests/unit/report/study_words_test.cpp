@@ -68,5 +68,16 @@ TEST(AStudyInWords, SaysMovingSupportsAndFrictionlessContact) {
   EXPECT_NE(words.at("Contact joint").find("No friction."), std::string::npos);
 }
 
+TEST(AStudyInWords, SaysRelationsConnectorsAndMasses) {
+  const auto words =
+      words_of(std::string(deck) +
+               "\nrelations: {hub: {rigid: {on: over}}, l: {equation: {terms: [{on: tip, x: 1, y: -2}], "
+               "value: 0.1}}}\nconnectors: [{on: hub, along: [0, 1], stiffness: 5}]\nmasses: [{on: "
+               "tip, mass: 2}]\n");
+  EXPECT_EQ(words.at("Relations"), "hub, rigid: on over | l, equation: terms (on tip, x 1, y -2), value 0.1");
+  EXPECT_EQ(words.at("Connectors"), "hub: along = (0, 1), stiffness = 5, damping = 0");
+  EXPECT_EQ(words.at("Masses"), "tip: mass = 2");
+}
+
 } // namespace
 } // namespace rubato::report
