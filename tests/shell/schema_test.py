@@ -87,7 +87,7 @@ def keys_in(value, path=(), names=False):
         for item in value:
             yield from keys_in(item, path)
     elif isinstance(value, dict):
-        if "along" in value and "groups" not in path:
+        if "along" in value and ("at" in value or "csv" in value):
             path = SHARED["a table along an axis"]
         for key, inner in value.items():
             here = path if names else path + (key,)

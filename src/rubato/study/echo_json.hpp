@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What the parts of the echo share. Only its sources include this: the JSON library is slow to compile.
+#pragma once
+
+#include "rubato/study/words.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubato::study {
+
+using Json = nlohmann::ordered_json;
+
+template <class E, std::size_t N> std::string word(const std::array<Word<E>, N>& table, E value) {
+  return std::string(word_of(table, value));
+}
+
+inline Json first(const std::array<double, 3>& numbers, int count) {
+  return std::vector<double>(numbers.begin(), numbers.begin() + count);
+}
+
+inline void put_name(Json& map, const char* key, const std::string& name) {
+  if (!name.empty())
+    map[key] = name;
+}
+
+template <class T> void put_optional(Json& map, const char* key, const std::optional<T>& value) {
+  if (value)
+    map[key] = *value;
+}
+
+/// The numbers that a row of a table takes.
+template <class Row, class Record> void put_numbers(Json& map, const Row& row, const Record& record) {
+  for (const auto& number : row.numbers)
+    if (const auto value = number.get(record))
+      map[std::string(number.key)] = *value;
+}
+
+/// The mesh as a deck has it.
+Json echo(const MeshSource& mesh, int dimension);
+
+} // namespace rubato::study
