@@ -10,7 +10,6 @@
 namespace rubato::model {
 namespace {
 
-using constraint::Term;
 using Eigen::Index;
 using Eigen::Vector3d;
 

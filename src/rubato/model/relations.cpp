@@ -308,6 +308,7 @@ void add_oblique(const Parts& parts, const study::Support& support, const std::s
       continue;
     for (const auto& direction : directions) {
       std::vector<Term> terms;
+      terms.reserve(static_cast<std::size_t>(parts.dofs.components));
       for (int i = 0; i < parts.dofs.components; ++i)
         terms.push_back({parts.dofs.dof(node, i), direction[i]});
       equations.list.push_back(

@@ -155,8 +155,8 @@ EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, con
   // Forces of relations do no work on what unknowns move: Tᵀ R = 0.
   for (const auto& dependent : reduction.dependents())
     if (!dependent.prescribed.empty() || !dependent.given.empty())
-      enter(dependent.dof, reduction.given_part(dependent, trial.t) -
-                               reduction.given_part(dependent, committed.t));
+      enter(dependent.dof,
+            reduction.given_part(dependent, trial.t) - reduction.given_part(dependent, committed.t));
   return supports;
 }
 

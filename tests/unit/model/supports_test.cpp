@@ -85,7 +85,8 @@ TEST_F(Supported, NodesMoveAsTheExpressionOfTheirPlaceSays) {
   const study::Field along{study::Formula{"1e-3*y"}, "ramp"};
   const auto still = reduction_of({{"wall", {along, none, none}}});
   ASSERT_EQ(still.prescribed().size(), 2U);
-  EXPECT_FALSE(still.prescribed()[0].imposed.field || still.prescribed()[1].imposed.field) << "a number at each node";
+  EXPECT_FALSE(still.prescribed()[0].imposed.field || still.prescribed()[1].imposed.field)
+      << "a number at each node";
   EXPECT_EQ(still.imposed(1)[0], 0);
   EXPECT_EQ(still.imposed(1)[6], 0.5e-3);
   const study::Field moving{study::Formula{"y*t^2"}, "ramp"};

@@ -81,6 +81,7 @@ std::string meaning_of(study::RelationKind kind) {
 
 Forms relations() {
   std::vector<Key> kinds;
+  kinds.reserve(study::relation_words.size());
   for (const auto& kind : study::relation_words)
     kinds.push_back({std::string(kind.text), meaning_of(kind.value), form_of(kind.value)});
   auto entry = map("one relation", std::move(kinds));

@@ -163,8 +163,8 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   }
   if (model.study.solver != study::Solver::full)
     if (auto factor = factored(model, system.matrix, tell_memory))
-      system.compliance = std::make_unique<Compliance>(std::move(*factor), model.reduction,
-                                                       related_surface_dofs(model));
+      system.compliance =
+          std::make_unique<Compliance>(std::move(*factor), model.reduction, related_surface_dofs(model));
   return system;
 }
 

@@ -81,7 +81,8 @@ void Compliance::relate(const constraint::Reduction& reduction, std::span<const 
     placed.push_back({body, dof});
   }
   std::ranges::stable_sort(placed, {}, &Placed::body);
-  Related related{Rows(static_cast<Index>(placed.size()), unknowns_.size()), {}};
+  auto& related = related_.emplace();
+  related.rows.resize(static_cast<Index>(placed.size()), unknowns_.size());
   std::vector<Eigen::Triplet<double, int>> entries;
   dofs_.clear();
   for (const auto& [body, dof] : placed) {
@@ -95,7 +96,6 @@ void Compliance::relate(const constraint::Reduction& reduction, std::span<const 
   }
   related.starts.push_back(static_cast<int>(dofs_.size()));
   related.rows.setFromTriplets(entries.begin(), entries.end());
-  related_ = std::move(related);
 }
 
 VectorXd Compliance::surface_of(const VectorXd& half_way) const {

@@ -292,8 +292,7 @@ void ContactPredictor::find_normal_compliance() {
         if (node.at[c] >= 0)
           entries.emplace_back(node.at[c], static_cast<int>(j),
                                node.weight * chosen_[j]->frame(static_cast<Index>(c), 0));
-  linalg::SparseMatrix forces(compliance_.size(),
-                              static_cast<Index>(chosen_.size()));
+  linalg::SparseMatrix forces(compliance_.size(), static_cast<Index>(chosen_.size()));
   forces.setFromTriplets(entries.begin(), entries.end());
   normal_compliance_ = factor_ * compliance_.between_forces(forces);
 }
