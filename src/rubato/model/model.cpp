@@ -186,6 +186,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   } else {
     check_masses(model, faults);
     check_point_masses(model, faults);
+    check_massless_slaves(model, faults);
   }
   stop_on(faults);
   number_unknowns(model);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace rubato::model {
@@ -36,6 +37,51 @@ std::vector<std::string> notes_on_rigid_slaves(const Model& model) {
                       "gives them to the side that deforms",
                       zone.settings.name, zone.settings.slave, zone.settings.slave, zone.settings.master));
   return notes;
+}
+
+namespace {
+
+/// By unknown: whether it moves a node that keeps its mass.
+std::vector<char> massive_unknowns(const Model& model, const std::vector<char>& is_massless) {
+  std::vector<char> massive(static_cast<std::size_t>(model.reduction.unknown_count()), 0);
+  for (const auto node : model.dofs.nodes)
+    if (is_massless[static_cast<std::size_t>(node)] == 0)
+      for (int i = 0; i < model.dofs.components; ++i)
+        model.reduction.for_each_unknown(model.dofs.dof(node, i), [&](int unknown, double) {
+          massive[static_cast<std::size_t>(unknown)] = 1;
+        });
+  return massive;
+}
+
+} // namespace
+
+void check_massless_slaves(const Model& model, std::vector<Fault>& faults) {
+  if (model.study.time.contact_mass != study::ContactMass::redistributed ||
+      model.reduction.dependents().empty())
+    return;
+  std::vector<char> is_massless(model.mesh.points.size(), 0);
+  for (const auto& zone : model.zones)
+    if (!zone.settings.tie)
+      for (const auto node : zone.slave.nodes)
+        is_massless[static_cast<std::size_t>(node)] = 1;
+  const auto massive = massive_unknowns(model, is_massless);
+  const auto has_mass = [&](mesh::NodeIndex node) {
+    bool found = false;
+    for (int i = 0; i < model.dofs.components; ++i)
+      model.reduction.for_each_unknown(model.dofs.dof(node, i), [&](int unknown, double) {
+        found = found || massive[static_cast<std::size_t>(unknown)] != 0;
+      });
+    return found;
+  };
+  for (const auto& zone : model.zones)
+    if (const auto node = std::ranges::find_if(zone.slave.nodes, has_mass);
+        !zone.settings.tie && node != zone.slave.nodes.end())
+      faults.push_back(fault_at(
+          "contact." + zone.settings.name,
+          fmt::format("node {} of the slave '{}' moves by a relation with nodes that have mass, which "
+                      "contact_mass: redistributed (moreau_jean's default) cannot take off it; expected "
+                      "time: {{contact_mass: consistent}}, or this side as the master",
+                      node_label(model.mesh, *node), zone.settings.slave)));
 }
 
 } // namespace rubato::model

@@ -20,4 +20,8 @@ bool is_rigid(std::span<const mesh::NodeIndex> nodes, const domain::DofMap& dofs
 /// finer ones its points have more pressures than the master can tell apart.
 std::vector<std::string> notes_on_rigid_slaves(const Model& model);
 
+/// A fault for each zone whose slave is to have no mass, but moves by a relation with what has: contact
+/// forces would act against that mass as if there were none, and reflect what meets, friction included.
+void check_massless_slaves(const Model& model, std::vector<Fault>& faults);
+
 } // namespace rubato::model

@@ -51,23 +51,24 @@ struct Related {
 };
 
 std::vector<Related> related() {
-  return {{"RigidRoof", held + pulled + "relations: {cap: {rigid: {on: roof}}}\n"},
-          {"RigidSole", held + pulled + "relations: {cap: {rigid: {on: sole}}}\n"},
-          {"DistributedRoof", held + pulled + "relations: {cap: {distributed: {on: roof}}}\n"},
-          {"TurnedRoof",
-           "supports: [{on: ground, fix: [x, y, z]}, {on: cap, turn: {y: {value: 0.01, function: push}}, "
-           "y: {value: -1e-4, function: press}}]\nrelations: {cap: {rigid: {on: roof}}}\n"},
-          {"PeriodicTable",
-           held + pulled + "relations: {cap: {rigid: {on: roof}}, cell: {pairs: {on: east, with: west}}}\n"},
-          {"ObliqueTable",
-           "supports: [{on: ground, along: [0.1, 1, 0.2]}, {on: west, along: [1, 0.3, 0.2]}, {on: west, "
-           "along: [0, -0.5, 1]}]\n" +
-               pulled + "relations: {cap: {rigid: {on: roof}}}\n"},
-          {"Connectors",
-           "supports: [{on: ground, fix: [x, y, z]}]\n" + pulled +
-               "relations: {cap: {rigid: {on: roof}}}\nconnectors: [{on: cap, along: [1, 0, 0.2], "
-               "stiffness: 3e3, damping: 2}, {on: N5, to: cap, stiffness: 1e3}]\nmasses: [{on: roof, "
-               "mass: 1e-3}]\n"}};
+  return {
+      {"RigidRoof", held + pulled + "relations: {cap: {rigid: {on: roof}}}\n"},
+      {"RigidTable", held + pulled + "relations: {cap: {rigid: {on: roof}}, top: {rigid: {on: table}}}\n"},
+      {"DistributedRoof", held + pulled + "relations: {cap: {distributed: {on: roof}}}\n"},
+      {"TurnedRoof",
+       "supports: [{on: ground, fix: [x, y, z]}, {on: cap, turn: {y: {value: 0.01, function: push}}, "
+       "y: {value: -1e-4, function: press}}]\nrelations: {cap: {rigid: {on: roof}}}\n"},
+      {"PeriodicTable",
+       held + pulled + "relations: {cap: {rigid: {on: roof}}, cell: {pairs: {on: east, with: west}}}\n"},
+      {"ObliqueTable",
+       "supports: [{on: ground, along: [0.1, 1, 0.2]}, {on: west, along: [1, 0.3, 0.2]}, {on: west, "
+       "along: [0, -0.5, 1]}]\n" +
+           pulled + "relations: {cap: {rigid: {on: roof}}}\n"},
+      {"Connectors",
+       "supports: [{on: ground, fix: [x, y, z]}]\n" + pulled +
+           "relations: {cap: {rigid: {on: roof}}}\nconnectors: [{on: cap, along: [1, 0, 0.2], "
+           "stiffness: 3e3, damping: 2}, {on: N5, to: cap, stiffness: 1e3}]\nmasses: [{on: roof, "
+           "mass: 1e-3}]\n"}};
 }
 
 struct Course {
@@ -163,6 +164,37 @@ TEST(ATurnedModel, HasTheAnswerOfTheUprightOneTurned) {
     EXPECT_LE(off, 1e-12 * u.lpNorm<Eigen::Infinity>()) << course.name;
     const auto& energy = upright.simulation.energy();
     EXPECT_NEAR(oblique.simulation.energy().support_work, energy.support_work, 1e-10 * energy.largest());
+  }
+}
+
+/// It falls by 0.1, hits and stops: what it falls by goes into the impact, its way along the floor into
+/// friction. Nothing of it is massless.
+TEST(ARigidBlock, ComesToRestOnAFloor) {
+  const std::string deck =
+      R"(mesh: {generate: [{name: box, box: {from: [0, 0.1, 0], to: [1, 1.1, 1]}, divisions: [3, 3, 3], cells: hexa8, sides: {bottom: sole}}]}
+physics: solid
+materials: {any: {young: 1e7, poisson: 0.3, density: 1000}}
+relations: {body: {rigid: {on: box}}}
+loads: [{gravity: {y: -10}}]
+initial: [{on: all, velocity: {x: 0.3}}]
+contact: {floor: {slave: sole, obstacle: {plane: {point: [0, 0, 0], normal: [0, 1, 0]}}, friction: 0.3}}
+)";
+  test::Walk walk(deck + "time: {contact_mass: consistent, step: 1e-3, end: 0.3}\n");
+  ASSERT_TRUE(walk.to_end());
+  EXPECT_EQ(walk.model.reduction.unknown_count(), 6);
+  const auto& energy = walk.simulation.energy();
+  EXPECT_NEAR(energy.external_work, 1000, 2) << "a step early or late";
+  EXPECT_NEAR(energy.friction, 45, 1e-8);
+  EXPECT_NEAR(energy.impact, energy.external_work, 1e-8);
+  EXPECT_LE(energy.kinetic, 1e-15);
+  EXPECT_LE(std::abs(energy.balance()), 1e-12 * energy.largest());
+  try {
+    test::Walk(deck + "time: {step: 1e-3, end: 0.3}\n");
+    FAIL() << "nothing thrown";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("moves by a relation with nodes that have mass"),
+              std::string::npos)
+        << error.what();
   }
 }
 
