@@ -72,8 +72,8 @@ std::optional<ConstrainedInverse> ConstrainedInverse::of(const SparseMatrix& mat
   const MatrixXd schur = schur_complement(inverse.factor_, constraints);
   const auto independent = independent_constraints(schur);
   inverse.constraints_ = chosen_columns(constraints, independent);
-  inverse.schur_.compute(schur(independent, independent));
-  inverse.lengths_.compute(MatrixXd(SparseMatrix(inverse.constraints_.transpose() * inverse.constraints_)));
+  inverse.schur_.emplace(MatrixXd(schur(independent, independent)));
+  inverse.lengths_.emplace(MatrixXd(SparseMatrix(inverse.constraints_.transpose() * inverse.constraints_)));
   return inverse;
 }
 
@@ -81,7 +81,7 @@ template <class Vectors> Vectors ConstrainedInverse::solve_constrained(const Vec
   Vectors solution = factor_.solve(right_sides);
   if (constraints_.cols() == 0)
     return solution;
-  const MatrixXd reaction = schur_.solve(MatrixXd(constraints_.transpose() * solution));
+  const MatrixXd reaction = schur_->solve(MatrixXd(constraints_.transpose() * solution));
   return factor_.solve(Vectors(right_sides - constraints_ * reaction));
 }
 
@@ -96,7 +96,7 @@ MatrixXd ConstrainedInverse::solve(const MatrixXd& right_sides) const {
 VectorXd ConstrainedInverse::without_reactions(const VectorXd& force) const {
   if (constraints_.cols() == 0)
     return force;
-  return force - constraints_ * lengths_.solve(VectorXd(constraints_.transpose() * force));
+  return force - constraints_ * lengths_->solve(VectorXd(constraints_.transpose() * force));
 }
 
 } // namespace rubato::linalg

@@ -37,8 +37,8 @@ private:
 
   CholeskyFactor factor_;
   SparseMatrix constraints_;
-  Eigen::LLT<Eigen::MatrixXd> schur_;   ///< of S
-  Eigen::LLT<Eigen::MatrixXd> lengths_; ///< of Cᵀ C
+  std::optional<Eigen::LLT<Eigen::MatrixXd>> schur_;   ///< of S; none without constraints
+  std::optional<Eigen::LLT<Eigen::MatrixXd>> lengths_; ///< of Cᵀ C; likewise
 };
 
 } // namespace rubato::linalg
