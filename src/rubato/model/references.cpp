@@ -25,13 +25,6 @@ Index rotations_of(int components) {
   return components == 3 ? 3 : 1;
 }
 
-Vector3d mean_place(const mesh::Mesh& mesh, std::span<const mesh::NodeIndex> nodes) {
-  Vector3d sum = Vector3d::Zero();
-  for (const auto node : nodes)
-    sum += mesh.points[static_cast<std::size_t>(node)];
-  return sum / static_cast<double>(nodes.size());
-}
-
 /// (RᵀR)⁺ Rᵀ, rotations per radian.
 void fit(const mesh::Mesh& mesh, int components, Reference& reference) {
   const MatrixXd rigid = rigid_motions_of(reference, mesh, components);
@@ -62,6 +55,13 @@ double size_of(const mesh::Mesh& mesh, const Reference& reference) {
 }
 
 } // namespace
+
+Vector3d mean_place(const mesh::Mesh& mesh, std::span<const mesh::NodeIndex> nodes) {
+  Vector3d sum = Vector3d::Zero();
+  for (const auto node : nodes)
+    sum += mesh.points[static_cast<std::size_t>(node)];
+  return sum / static_cast<double>(nodes.size());
+}
 
 MatrixXd rigid_motions_of(const Reference& reference, const mesh::Mesh& mesh, int components) {
   const Index rotations = rotations_of(components);

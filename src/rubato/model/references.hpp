@@ -38,6 +38,9 @@ std::vector<Reference> make_references(const study::Study& study, const mesh::Me
 /// The one of that name; null when there is none.
 const Reference* reference_named(std::span<const Reference> references, const std::string& name);
 
+/// The mean of their places, of at least one node.
+Eigen::Vector3d mean_place(const mesh::Mesh& mesh, std::span<const mesh::NodeIndex> nodes);
+
 /// Displacements of a group's nodes by a rigid motion of 1 about its reference, rotations times its size: one
 /// row a dof, one column a motion.
 Eigen::MatrixXd rigid_motions_of(const Reference& reference, const mesh::Mesh& mesh, int components);

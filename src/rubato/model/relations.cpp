@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -193,12 +194,6 @@ private:
                  static_cast<int>(from)});
   }
 
-  Vector3d mean(const std::vector<NodeIndex>& nodes) const {
-    Vector3d sum = Vector3d::Zero();
-    for (const auto node : nodes)
-      sum += place(node);
-    return sum / static_cast<double>(nodes.size());
-  }
   const Vector3d& place(NodeIndex node) const { return parts_.mesh.points[static_cast<std::size_t>(node)]; }
 
   void add_pairs() {
@@ -211,10 +206,12 @@ private:
           fault_at(path_ + ".with", fmt::format("'{}' has {} nodes and '{}' {}, expected as many",
                                                 relation_.with, others.size(), relation_.on, nodes.size())));
     const auto from = source(path_);
-    const Vector3d shift = mean(others) - mean(nodes);
+    const Vector3d middle = mean_place(parts_.mesh, nodes);
+    const Vector3d shift = mean_place(parts_.mesh, others) - middle;
+    const auto fields = differences();
     double size = 0;
     for (const auto node : nodes)
-      size = std::max(size, (place(node) - mean(nodes)).norm());
+      size = std::max(size, (place(node) - middle).norm());
     for (const auto node : nodes) {
       const auto distance = [&](NodeIndex other) { return (place(node) + shift - place(other)).norm(); };
       const auto partner = *std::ranges::min_element(others, {}, distance);
@@ -225,21 +222,27 @@ private:
                         "from the mean of one group to that of the other, it is {:.3g} from the nearest, {}",
                         node_label(parts_.mesh, node), relation_.on, relation_.with, shift[0], shift[1],
                         shift[2], distance(partner), node_label(parts_.mesh, partner))));
-      relate(node, partner, from);
+      relate(node, partner, from, fields);
     }
   }
 
-  void relate(NodeIndex node, NodeIndex partner, std::size_t from) {
-    for (int i = 0; i < parts_.dofs.components; ++i) {
-      if (!has_component(i))
-        continue;
-      const auto axis = static_cast<std::size_t>(i);
-      const auto field = shared_field(parts_, relation_.difference.at(axis),
-                                      fmt::format("{}.difference.{}", path_, study::axis_words.at(axis)));
-      enter({{{parts_.dofs.dof(node, i), 1}, {parts_.dofs.dof(partner, i), -1}},
-             imposed_at(parts_, node, field),
-             static_cast<int>(from)});
-    }
+  using Fields = std::array<std::shared_ptr<const FieldFunction>, 3>;
+
+  /// By component.
+  Fields differences() const {
+    Fields fields;
+    for (std::size_t axis = 0; axis < fields.size(); ++axis)
+      fields.at(axis) = shared_field(parts_, relation_.difference.at(axis),
+                                     fmt::format("{}.difference.{}", path_, study::axis_words.at(axis)));
+    return fields;
+  }
+
+  void relate(NodeIndex node, NodeIndex partner, std::size_t from, const Fields& fields) {
+    for (int i = 0; i < parts_.dofs.components; ++i)
+      if (has_component(i))
+        enter({{{parts_.dofs.dof(node, i), 1}, {parts_.dofs.dof(partner, i), -1}},
+               imposed_at(parts_, node, fields.at(static_cast<std::size_t>(i))),
+               static_cast<int>(from)});
   }
 
   /// All dofs follow from as many of them as there are rigid motions, chosen by QR with column pivoting.

@@ -23,12 +23,11 @@ using model::SparseMatrix;
 /// Relations between displacements as relations between unknowns.
 SparseMatrix reduced_relations(const Model& model, const SparseMatrix& relations) {
   std::vector<Eigen::Triplet<double>> entries;
-  for (int column = 0; column < relations.cols(); ++column) {
-    const VectorXd of_unknowns = model.reduction.gather(VectorXd(relations.col(column)));
-    for (Index row = 0; row < of_unknowns.size(); ++row)
-      if (of_unknowns[row] != 0)
-        entries.emplace_back(static_cast<int>(row), column, of_unknowns[row]);
-  }
+  for (int column = 0; column < relations.cols(); ++column)
+    for (SparseMatrix::InnerIterator entry(relations, column); entry; ++entry)
+      model.reduction.for_each_unknown(static_cast<int>(entry.row()), [&](int unknown, double coefficient) {
+        entries.emplace_back(unknown, column, coefficient * entry.value());
+      });
   SparseMatrix reduced(model.reduction.unknown_count(), relations.cols());
   reduced.setFromTriplets(entries.begin(), entries.end());
   return reduced;
