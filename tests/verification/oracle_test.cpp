@@ -2,6 +2,7 @@
 // Histories and fields by Code_Aster, of what the document of SDNL140 does not name.
 #include <gtest/gtest.h>
 
+#include "verification/oracle_heat.hpp"
 #include "verification/oracle_statics.hpp"
 
 namespace rubato::verification {
@@ -18,6 +19,19 @@ TEST(Oracle, HasTheDisplacementsOfStaticStudies) {
     const auto found = compare(study);
     EXPECT_GT(found.nodes, 0) << study.file;
     EXPECT_LE(found.largest, agreement) << study.file;
+  }
+}
+
+/// Code_Aster's residual is 1e-9 of its forces there.
+TEST(Oracle, HasTheHistoriesOfAHeatedBeam) {
+  const auto studies = oracle_heat();
+  if (studies.empty())
+    GTEST_SKIP() << "needs the shared folder";
+  for (const auto& study : studies) {
+    const auto found = compare(study);
+    EXPECT_GE(found.rows, 4) << study.file;
+    EXPECT_LE(found.displacement, 1e-6) << study.file;
+    EXPECT_LE(found.reaction, 1e-6) << study.file;
   }
 }
 

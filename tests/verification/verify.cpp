@@ -62,7 +62,7 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 21> entries{
+constexpr std::array<Entry, 22> entries{
     {{"v1", rubato::verification::write_bar_on_wall},
      {"v2", rubato::verification::write_dropped_bar},
      {"v3", rubato::verification::write_contact_patch},
@@ -82,6 +82,7 @@ constexpr std::array<Entry, 21> entries{
      {"defaults", rubato::verification::write_defaults},
      {"robustness", rubato::verification::write_robustness},
      {"relations", rubato::verification::write_relations},
+     {"heat", rubato::verification::write_heat},
      {"mortar", rubato::verification::write_mortar},
      {"mortar_robustness", rubato::verification::write_mortar_robustness}}};
 

@@ -29,6 +29,10 @@ void read_groups(const Found& value, const Context& context, std::vector<study::
 void read_bodies(const Found& value, std::vector<study::Body>& bodies);
 
 void read_materials(const Found& value, std::vector<study::Material>& materials);
+/// `expansion` and `reference_temperature` of a material.
+void read_expansion(MapReader& material, std::optional<study::ThermalExpansion>& expansion);
+void read_temperatures(const Found& value, const Context& context,
+                       std::vector<study::Temperature>& temperatures);
 void read_functions(const Found& value, const Context& context, std::map<std::string, Function>& functions);
 void read_supports(const Found& value, const Context& context, std::vector<study::Support>& supports);
 void read_relations(const Found& value, const Context& context, std::vector<study::Relation>& relations);

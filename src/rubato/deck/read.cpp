@@ -98,6 +98,7 @@ study::Study read_study(const Tree& tree, const std::filesystem::path& folder, F
   read_connectors(map.find("connectors"), context, study.connectors);
   read_masses(map.find("masses"), study.masses);
   read_loads(map.find("loads"), context, study.loads);
+  read_temperatures(map.find("temperature"), context, study.temperatures);
   read_initial(map.find("initial"), study.initial);
   read_contact(map.find("contact"), context, study.contact);
   read_newton(map.find("newton"), study.newton);

@@ -49,6 +49,18 @@ void read_difference(const Found& value, const Context& context, std::array<stud
   map.finish();
 }
 
+/// Nodes, or a reference.
+void read_embedded(MapReader& map, const Context& context, study::Relation& relation) {
+  const auto on = map.find("on");
+  const auto at = map.find("at");
+  read_name(on, relation.on);
+  if (std::array<double, 3> place{}; read_point(at, context, place))
+    relation.at = place;
+  read_name(map.find("in"), relation.cells);
+  if (map.is_map() && on.has_value() == at.has_value())
+    map.value().fault(on ? "found both 'on' and 'at', expected one of them" : "'on' or 'at' is missing");
+}
+
 void read_content(MapReader& map, const Context& context, study::Relation& relation) {
   if (relation.kind == study::RelationKind::equation) {
     for (const auto& term : items(map.require("terms")))
@@ -57,8 +69,10 @@ void read_content(MapReader& map, const Context& context, study::Relation& relat
       relation.value = read_field(*value, context);
     return;
   }
+  if (relation.kind == study::RelationKind::embedded)
+    return read_embedded(map, context, relation);
   read_name(map.require("on"), relation.on);
-  if (study::has_reference(relation.kind)) {
+  if (study::has_rotation(relation.kind)) {
     if (std::array<double, 3> at{}; read_point(map.find("at"), context, at))
       relation.at = at;
     return;

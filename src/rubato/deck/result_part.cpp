@@ -26,24 +26,34 @@ study::Cut read_cut(const Value& value, const Context& context) {
   return cut;
 }
 
+study::ContactForce read_contact_force(const Value& value, const Context& context) {
+  study::ContactForce force;
+  MapReader map(value);
+  read_name(map.require("zone"), force.zone);
+  read_point(map.require("about"), context, force.about);
+  map.finish();
+  return force;
+}
+
 /// What says where a probe is.
-constexpr std::array<std::string_view, 5> places_of_probes{"node", "point", "on", "section", "minus"};
+constexpr std::array<std::string_view, 6> places_of_probes{"node",    "point",   "on",
+                                                           "section", "contact", "minus"};
 
 /// A fault unless there is one of the places.
 void check_places(const NamedValue& entry, const MapReader& map, const std::vector<std::string>& given) {
   if (!map.is_map() || given.size() == 1)
     return;
   if (given.empty())
-    entry.value.fault("'node', 'point', 'on', 'section' or 'minus' is missing");
+    entry.value.fault("'node', 'point', 'on', 'section', 'contact' or 'minus' is missing");
   else
     entry.value.fault(fmt::format("found {}, expected one of them",
                                   given.size() == 2 ? fmt::format("both '{}' and '{}'", given[0], given[1])
                                                     : fmt::format("'{}'", fmt::join(given, "', '"))));
 }
 
-/// Reactions of a group are summed: together they hold the body.
+/// Forces of a group are summed: together they hold the body.
 void read_take(const Found& value, const Found& group, study::Probe& probe) {
-  if (!value && group && probe.field == study::ProbeField::reaction)
+  if (!value && group && study::is_force(probe.field))
     probe.take = study::ProbeTake::sum;
   if (read(value, probe.take, study::probe_take_words) && !group)
     value->fault("goes with 'on' only: it says what is taken of the nodes of a group");
@@ -65,11 +75,14 @@ study::Probe read_probe(const NamedValue& entry, const Context& context) {
     probe.point = point;
   if (places["section"])
     probe.section = read_cut(*places["section"], context);
+  if (places["contact"])
+    probe.contact = read_contact_force(*places["contact"], context);
   read_names(places["minus"], probe.minus);
   const auto field = map.find("field");
-  if (read(field, probe.field, study::probe_field_words) && (places["section"] || places["minus"]))
-    field->fault(
-        "goes with 'node', 'point' or 'on': sections have forces, differences what their probes have");
+  if (read(field, probe.field, study::probe_field_words) &&
+      (places["section"] || places["contact"] || places["minus"]))
+    field->fault("goes with 'node', 'point' or 'on': sections and contact have forces, differences what "
+                 "their probes have");
   read_take(map.find("take"), places["on"], probe);
   map.finish();
   return probe;

@@ -58,6 +58,7 @@ study::Material read_material(const NamedValue& entry) {
   }
   if (const auto damping = map.find("damping"))
     read_damping(*damping, material);
+  read_expansion(map, material.expansion);
   const auto cells = map.find("cells");
   read_names(cells, material.cells);
   material.everywhere = !cells || (material.cells.size() == 1 && material.cells[0] == study::everywhere);

@@ -35,6 +35,13 @@ study::PointMasses read_masses_of(const Value& value) {
   MapReader map(value);
   read_name(map.require("on"), masses.on);
   read(map.require("mass"), masses.mass, study::bounds::point_mass);
+  std::vector<double> inertia;
+  if (const auto given = map.find("inertia"); read(given, inertia)) {
+    if (inertia.size() == masses.inertia.size())
+      std::ranges::copy(inertia, masses.inertia.begin());
+    else
+      given->fault(fmt::format("found {} numbers, expected three, about x, y and z", inertia.size()));
+  }
   map.finish();
   return masses;
 }

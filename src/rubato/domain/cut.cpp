@@ -24,33 +24,48 @@ Eigen::Matrix<double, 6, 1> effect_of(Index axis, const Eigen::Vector3d& arm) {
   return effect;
 }
 
-/// Adds the effects of the internal forces of one cell at those of its nodes that are in the cut.
-void add_cell(const mesh::Mesh& mesh, const DofMap& dofs, std::span<const NodeIndex> nodes,
-              const std::vector<char>& in_cut, const Eigen::Vector3d& point, const MatrixXd& stiffness,
-              Entries& entries) {
-  const Index d = dofs.components;
-  MatrixXd effects = MatrixXd::Zero(2 * axes, stiffness.cols());
+/// Of the forces that the rows of a matrix of one cell give its dofs, those at nodes in the cut: force and
+/// moment about `point`, a column each column of the matrix.
+MatrixXd effects_of(const mesh::Mesh& mesh, Index components, std::span<const NodeIndex> nodes,
+                    const std::vector<char>& in_cut, const Eigen::Vector3d& point, const MatrixXd& forces) {
+  MatrixXd effects = MatrixXd::Zero(2 * axes, forces.cols());
   for (std::size_t n = 0; n < nodes.size(); ++n)
     if (in_cut[static_cast<std::size_t>(nodes[n])] != 0)
-      for (Index a = 0; a < d; ++a)
+      for (Index a = 0; a < components; ++a)
         effects += effect_of(a, mesh.points[static_cast<std::size_t>(nodes[n])] - point) *
-                   stiffness.row(static_cast<Index>(n) * d + a);
-  for (std::size_t n = 0; n < nodes.size(); ++n)
-    for (Index b = 0; b < d; ++b)
-      for (Index row = 0; row < effects.rows(); ++row)
-        if (const double value = effects(row, static_cast<Index>(n) * d + b); value != 0)
-          entries.emplace_back(static_cast<int>(row), dofs.dof(nodes[n], static_cast<int>(b)), value);
+                   forces.row(static_cast<Index>(n) * components + a);
+  return effects;
+}
+
+void add_entries(const MatrixXd& effects, std::span<const int> columns, Entries& entries) {
+  for (Index j = 0; j < effects.cols(); ++j)
+    for (Index row = 0; row < effects.rows(); ++row)
+      if (const double value = effects(row, j); value != 0)
+        entries.emplace_back(static_cast<int>(row), columns[static_cast<std::size_t>(j)], value);
+}
+
+std::vector<int> dofs_of(const DofMap& dofs, std::span<const NodeIndex> nodes) {
+  std::vector<int> all;
+  for (const auto node : nodes)
+    for (int a = 0; a < dofs.components; ++a)
+      all.push_back(dofs.dof(node, a));
+  return all;
 }
 
 } // namespace
 
 CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
                           std::span<const std::size_t> cells, std::span<const NodeIndex> nodes,
-                          const Eigen::Vector3d& point) {
+                          const Eigen::Vector3d& point, const Heat* heat) {
   std::vector<char> in_cut(mesh.points.size(), 0);
   for (const auto node : nodes)
     in_cut[static_cast<std::size_t>(node)] = 1;
   Entries entries;
+  Entries of_temperature;
+  CutForces cut;
+  const auto effects = [&](std::span<const NodeIndex> nodes, const MatrixXd& forces) {
+    return effects_of(mesh, dofs.components, nodes, in_cut, point, forces);
+  };
   for (const auto i : cells) {
     const auto of_cell = mesh.nodes_of(bulk.cells[i]);
     if (std::ranges::none_of(of_cell, [&](NodeIndex n) { return in_cut[static_cast<std::size_t>(n)] != 0; }))
@@ -59,16 +74,27 @@ CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap
     MatrixXd stiffness(size, size);
     element::stiffness(mesh.type_of(bulk.cells[i]), CellPoints(mesh, of_cell), bulk.law(i), bulk.section,
                        stiffness);
-    add_cell(mesh, dofs, of_cell, in_cut, point, stiffness, entries);
+    add_entries(effects(of_cell, stiffness), dofs_of(dofs, of_cell), entries);
+    if (heat == nullptr || heat->expansion_of(i) == nullptr)
+      continue;
+    const auto of_heat = heat->cell_heat(mesh, bulk, i);
+    add_entries(effects(of_cell, of_heat.force), heat->nodes_of(i), of_temperature);
+    cut.of_reference += effects(of_cell, of_heat.reference_force);
   }
-  CutForces cut;
   cut.of_displacement.resize(2 * axes, dofs.dof_count);
   cut.of_displacement.setFromTriplets(entries.begin(), entries.end());
+  if (heat != nullptr) {
+    cut.of_temperature.resize(2 * axes, static_cast<Index>(dofs.nodes.size()));
+    cut.of_temperature.setFromTriplets(of_temperature.begin(), of_temperature.end());
+  }
   return cut;
 }
 
-Eigen::Matrix<double, 6, 1> forces_at(const CutForces& cut, const Eigen::VectorXd& u) {
-  return cut.of_displacement * u;
+Eigen::Matrix<double, 6, 1> forces_at(const CutForces& cut, const Eigen::VectorXd& u, HeatAt heat) {
+  Eigen::Matrix<double, 6, 1> forces = cut.of_displacement * u;
+  if (heat.heat != nullptr)
+    forces -= cut.of_temperature * heat.heat->temperatures(heat.t) - cut.of_reference;
+  return forces;
 }
 
 } // namespace rubato::domain

@@ -4,6 +4,7 @@
 
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
+#include "rubato/domain/heat.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -19,6 +20,10 @@ struct CutForces {
   /// Rows: force along x, y, z [force/length], moment about x, y, z [force]; one column a dof. No rows: no
   /// cut.
   Eigen::SparseMatrix<double, Eigen::RowMajor, int> of_displacement;
+  /// The same of temperatures, one column a node of DofMap::nodes, and of reference temperatures: both are
+  /// taken from that of displacements. No columns where nothing is heated.
+  Eigen::SparseMatrix<double, Eigen::RowMajor, int> of_temperature;
+  Eigen::Matrix<double, 6, 1> of_reference = Eigen::Matrix<double, 6, 1>::Zero();
 
   bool empty() const { return of_displacement.rows() == 0; }
 };
@@ -28,9 +33,10 @@ struct CutForces {
 /// ring.
 CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
                           std::span<const std::size_t> cells, std::span<const mesh::NodeIndex> nodes,
-                          const Eigen::Vector3d& point);
+                          const Eigen::Vector3d& point, const Heat* heat = nullptr);
 
-/// What the other side does to the cells of the cut at displacement `u` (size dof_count): force, moment.
-Eigen::Matrix<double, 6, 1> forces_at(const CutForces& cut, const Eigen::VectorXd& u);
+/// What the other side does to the cells of the cut at displacement `u` (size dof_count) and with the heat of
+/// an instant: force, moment.
+Eigen::Matrix<double, 6, 1> forces_at(const CutForces& cut, const Eigen::VectorXd& u, HeatAt heat = {});
 
 } // namespace rubato::domain

@@ -15,8 +15,13 @@ void Domain::evaluate(const StepSpan& step, const QuadratureStates& old, Quadrat
   std::visit([&](const auto& kind) { kind.evaluate(step, old, now, wanted); }, kind_);
 }
 
-double Domain::energy(const VectorXd& u, const VectorXd& forces, const QuadratureStates& states) const {
-  return std::visit([&](const auto& kind) { return kind.energy(u, forces, states); }, kind_);
+double Domain::energy(const VectorXd& u, const VectorXd& forces, double t,
+                      const QuadratureStates& states) const {
+  return std::visit([&](const auto& kind) { return kind.energy(u, forces, t, states); }, kind_);
+}
+
+const Heat* Domain::heat() const {
+  return std::visit([](const auto& kind) { return kind.heat(); }, kind_);
 }
 
 bool Domain::is_linear() const {

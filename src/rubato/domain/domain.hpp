@@ -32,13 +32,16 @@ public:
   void evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                 const Wanted& wanted) const;
 
-  /// Stored in the bodies and springs at displacements u with these internal forces and states, as `evaluate`
-  /// has them [force · length].
-  double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces,
+  /// Stored in the bodies and springs at displacements u and instant t with these internal forces and states,
+  /// as `evaluate` has them [force · length].
+  double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
 
-  /// Whether forces are the initial tangent times u whatever happened before: what is made from one tangent,
-  /// a factor above all, then holds for every step.
+  /// Null where nothing has a temperature. Then internal forces change with time at the same displacements.
+  const Heat* heat() const;
+
+  /// Whether forces are the initial tangent times u, but for those of heat, whatever happened before: what is
+  /// made from one tangent, a factor above all, then holds for every step.
   bool is_linear() const;
 
   /// ∂f_int/∂u at u = 0 where nothing has happened yet [force/length]. Whoever wants scales, or an elastic

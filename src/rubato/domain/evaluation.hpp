@@ -15,8 +15,8 @@ struct StepSpan {
   const Eigen::VectorXd& u1;
   double t0 = 0;
   double t1 = 0;
-  /// Internal forces at the start, where they are known: a domain whose forces depend on u alone repeats them
-  /// where u1 = u0.
+  /// Internal forces at the start, where they are known: a domain whose forces depend on u alone, not on
+  /// temperatures either, repeats them where u1 = u0.
   const Eigen::VectorXd* forces0 = nullptr;
 };
 

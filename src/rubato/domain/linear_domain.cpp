@@ -9,8 +9,8 @@ namespace rubato::domain {
 
 using Eigen::VectorXd;
 
-LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components)
-    : product_(std::in_place, stiffness, components) {
+LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat)
+    : heat_(std::move(heat)), product_(std::in_place, stiffness, components) {
   const auto own = std::make_shared<SparseMatrix>();
   own->swap(stiffness);
   stiffness_ = own;
@@ -23,16 +23,20 @@ void LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, Q
     *wanted.tangent = *stiffness_;
   if (wanted.forces == nullptr)
     return;
-  if (step.forces0 != nullptr && step.u1 == step.u0) {
+  if (step.forces0 != nullptr && !heat_ && step.u1 == step.u0) {
     *wanted.forces = *step.forces0;
     return;
   }
   wanted.forces->resize(step.u1.size());
   product_->multiply(step.u1, *wanted.forces);
+  if (heat_)
+    *wanted.forces -= heat_->force(step.t1);
 }
 
-double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, const QuadratureStates&) const {
-  return 0.5 * u.dot(forces);
+double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, double t,
+                            const QuadratureStates&) const {
+  const double energy = 0.5 * u.dot(forces);
+  return heat_ ? energy - 0.5 * u.dot(heat_->force(t)) + heat_->held_energy(t) : energy;
 }
 
 double LinearDomain::largest_eigenvalue(const VectorXd& inverse_mass) const {

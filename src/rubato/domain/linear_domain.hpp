@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Bodies of linear elasticity in small strain: f_int = K u, U = ½ u·K u, K assembled once.
+/// Bodies of linear elasticity in small strain: f_int = K u, U = ½ u·K u, K assembled once; with temperatures
+/// f_int = K u − f(t), U = ½ u·K u − u·f(t) + U_held(t).
 #pragma once
 
 #include "rubato/domain/evaluation.hpp"
+#include "rubato/domain/heat.hpp"
 #include "rubato/domain/quadrature_states.hpp"
 #include "rubato/linalg/block_matrix.hpp"
 
@@ -18,20 +20,23 @@ public:
   /// No dofs.
   LinearDomain() = default;
   /// `stiffness`: K of the cells and of all springs, symmetric, in whole blocks of `components` (2 or 3).
-  LinearDomain(SparseMatrix&& stiffness, int components);
+  /// `heat`: null without temperatures.
+  LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat = nullptr);
 
   static constexpr bool is_linear = true;
 
   void evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                 const Wanted& wanted) const;
-  double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces,
+  double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
+  const Heat* heat() const { return heat_.get(); }
   const SparseMatrix& initial_tangent() const { return *stiffness_; }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
 
 private:
   /// Shared by copies, which only read it.
   std::shared_ptr<const SparseMatrix> stiffness_ = std::make_shared<const SparseMatrix>();
+  std::shared_ptr<const Heat> heat_;
   std::optional<linalg::SymmetricBlockMatrix> product_; ///< the same K: its product reads least memory
 };
 

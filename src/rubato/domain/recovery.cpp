@@ -47,7 +47,11 @@ void gather(const DofMap& dofs, std::span<const NodeIndex> nodes, const Eigen::V
 
 /// All six stresses or strains of a strain of the physics.
 Eigen::Matrix<double, 6, 1> full(Tensor what, const material::Law& law, study::Physics physics,
-                                 const material::Voigt& strain) {
+                                 const material::Voigt& strain, const material::Expansion* expansion,
+                                 double degrees) {
+  if (expansion != nullptr)
+    return what == Tensor::strain ? material::heated_strain(law, physics, strain, *expansion, degrees)
+                                  : material::heated_stress(law, physics, strain, *expansion, degrees);
   if (what == Tensor::strain)
     return material::full_strain(law, physics, strain);
   return material::full_stress(law, physics, material::stress(law, physics, strain));
@@ -61,8 +65,9 @@ const MatrixXd& extrapolation(CellType type) {
 }
 
 CellTensors::CellTensors(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                         const Eigen::VectorXd& u)
-    : mesh_(mesh), bulk_(bulk), dofs_(dofs), u_(u) {}
+                         const Eigen::VectorXd& u, HeatAt heat)
+    : mesh_(mesh), bulk_(bulk), dofs_(dofs), u_(u), heat_(heat.heat),
+      temperatures_(heat.heat != nullptr ? heat.heat->temperatures(heat.t) : Eigen::VectorXd()) {}
 
 MatrixXd CellTensors::at_points(Tensor what, std::size_t cell) {
   const auto physics = bulk_.section.physics;
@@ -71,9 +76,12 @@ MatrixXd CellTensors::at_points(Tensor what, std::size_t cell) {
   gather(dofs_, nodes, u_, local_);
   strain_.resize(material::strain_size(physics), extrapolation(block->type).cols());
   element::strains(block->type, CellPoints(mesh_, nodes), physics, local_, strain_);
+  const auto* expansion = heat_ != nullptr ? heat_->expansion_of(cell) : nullptr;
+  const Eigen::VectorXd degrees = expansion != nullptr ? heat_->degrees(cell, temperatures_)
+                                                       : Eigen::VectorXd::Zero(strain_.cols()).eval();
   MatrixXd result(6, strain_.cols());
   for (Index q = 0; q < strain_.cols(); ++q)
-    result.col(q) = full(what, bulk_.law(cell), physics, strain_.col(q));
+    result.col(q) = full(what, bulk_.law(cell), physics, strain_.col(q), expansion, degrees[q]);
   return result;
 }
 
@@ -82,10 +90,10 @@ MatrixXd CellTensors::at_nodes(Tensor what, std::size_t cell) {
 }
 
 NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                           const Eigen::VectorXd& u) {
+                           const Eigen::VectorXd& u, HeatAt heat) {
   NodalTensors result = NodalTensors::Zero(6, mesh.node_count());
   std::vector<int> cells_at(mesh.points.size(), 0);
-  CellTensors tensors(mesh, bulk, dofs, u);
+  CellTensors tensors(mesh, bulk, dofs, u, heat);
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
     const auto nodes = mesh.nodes_of(bulk.cells[i]);
     const auto at_nodes = tensors.at_nodes(what, i);
@@ -101,8 +109,8 @@ NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk
 }
 
 NodalStress nodal_stress(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                         const Eigen::VectorXd& u) {
-  NodalStress result{nodal_tensors(Tensor::stress, mesh, bulk, dofs, u),
+                         const Eigen::VectorXd& u, HeatAt heat) {
+  NodalStress result{nodal_tensors(Tensor::stress, mesh, bulk, dofs, u, heat),
                      Eigen::VectorXd::Zero(mesh.node_count())};
   for (const auto node : dofs.nodes)
     result.von_mises[node] = material::von_mises(result.stress.col(node));

@@ -4,6 +4,7 @@
 
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
+#include "rubato/domain/heat.hpp"
 
 #include <Eigen/Core>
 
@@ -27,11 +28,12 @@ struct NodalStress {
 /// std::invalid_argument for cells without mechanics.
 const Eigen::MatrixXd& extrapolation(CellType type);
 
-/// Stresses and strains of cells one by one, of a displacement `u` (size dof_count). Everything must outlive
-/// this.
+/// Stresses and strains of cells one by one, of a displacement `u` (size dof_count) and the heat of an
+/// instant. Everything must outlive this.
 class CellTensors {
 public:
-  CellTensors(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, const Eigen::VectorXd& u);
+  CellTensors(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, const Eigen::VectorXd& u,
+              HeatAt heat = {});
 
   /// At the points of cell::stiffness_rule, 6 × points, of a cell by its place in `bulk.cells`.
   Eigen::MatrixXd at_points(Tensor what, std::size_t cell);
@@ -43,6 +45,8 @@ private:
   const Bulk& bulk_;
   const DofMap& dofs_;
   const Eigen::VectorXd& u_;
+  const Heat* heat_;
+  Eigen::VectorXd temperatures_;
   std::vector<double> local_;
   Eigen::MatrixXd strain_;
 };
@@ -51,9 +55,9 @@ private:
 /// over its cells with equal weights. Where materials meet, the average hides a jump: call it with the cells
 /// of one material to see it.
 NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                           const Eigen::VectorXd& u);
+                           const Eigen::VectorXd& u, HeatAt heat = {});
 /// Of stress, with von Mises'.
 NodalStress nodal_stress(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                         const Eigen::VectorXd& u);
+                         const Eigen::VectorXd& u, HeatAt heat = {});
 
 } // namespace rubato::domain

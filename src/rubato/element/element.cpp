@@ -249,6 +249,24 @@ void strains_of(const cell::ShapeTable& table, Points points, Physics physics,
   }
 }
 
+template <int D, int Rows>
+void stress_forces_of(const cell::ShapeTable& table, Points points, const Section& section,
+                      const Eigen::MatrixXd& stress, Eigen::Ref<Eigen::MatrixXd> g) {
+  const auto x = coordinates<D>(points);
+  const auto scaled = scaled_gradients<D, Rows>(table, points, section);
+  g.setZero();
+  for (Index q = 0; q < table.weights.size(); ++q) {
+    const auto at = point_in_space<D>(x, table, q);
+    const double root = std::sqrt(table.weights[q] * at.jacobian * measure(section, at.radius));
+    Eigen::Matrix<double, D, Rows> by_gradient;
+    for (int r = 0; r < Rows; ++r)
+      by_gradient.col(r) = root * strain_of_gradient<D, Rows>(r).transpose() * stress.col(q);
+    for (Index i = 0; i < x.cols(); ++i)
+      g.block(D * i, 0, D, x.cols()) +=
+          by_gradient * scaled.col(q).template segment<Rows>(Rows * i) * table.values.col(q).transpose();
+  }
+}
+
 template <int D> double worst_jacobian_of(const cell::ShapeTable& table, Points points) {
   const auto x = coordinates<D>(points);
   double worst = std::numeric_limits<double>::infinity();
@@ -328,6 +346,15 @@ void strains(CellType type, Points points, Physics physics, std::span<const doub
   with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
     strains_of<D>(table, points, physics, displacement, strain);
   });
+}
+
+void stress_forces(CellType type, Points points, const Section& section, const Eigen::MatrixXd& stress,
+                   Eigen::Ref<Eigen::MatrixXd> g) {
+  check_dimension(type, section.physics);
+  with_rows(type, section.physics,
+            [&]<int D, int Rows>(std::integral_constant<int, D>, std::integral_constant<int, Rows>) {
+              stress_forces_of<D, Rows>(cell::stiffness_table(type), points, section, stress, g);
+            });
 }
 
 void point_volumes(CellType type, Points points, const Section& section, Eigen::Ref<Eigen::VectorXd> volume) {

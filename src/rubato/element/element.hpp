@@ -56,6 +56,11 @@ void lumped_mass(CellType type, std::span<const Eigen::Vector3d> points, double 
 void strains(CellType type, std::span<const Eigen::Vector3d> points, study::Physics physics,
              std::span<const double> displacement, Eigen::Ref<Eigen::MatrixXd> strain);
 
+/// Forces of stresses that nodal values make, Σ_q w_q B_qᵀ σ_q N_j(q) at the points of cell::stiffness_rule
+/// into `g` (nodes · d × nodes); `stress`: strain_size × points, by a nodal value of 1.
+void stress_forces(CellType type, std::span<const Eigen::Vector3d> points, const Section& section,
+                   const Eigen::MatrixXd& stress, Eigen::Ref<Eigen::MatrixXd> g);
+
 /// Volume times weight (measure included) of each point of cell::stiffness_rule into `volume`.
 void point_volumes(CellType type, std::span<const Eigen::Vector3d> points, const Section& section,
                    Eigen::Ref<Eigen::VectorXd> volume);

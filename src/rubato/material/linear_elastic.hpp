@@ -41,6 +41,10 @@ FullStress full_stress(const LinearElastic& law, study::Physics physics, const V
 /// In plane stress ε_zz = −ν/(1 − ν) (ε_xx + ε_yy).
 FullStrain full_strain(const LinearElastic& law, study::Physics physics, const Voigt& strain);
 
+constexpr double modulus_along_z(const LinearElastic& law) {
+  return law.young;
+}
+
 std::string described(const LinearElastic& law);
 
 } // namespace rubato::material

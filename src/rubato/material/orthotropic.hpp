@@ -51,6 +51,10 @@ FullStress full_stress(const Orthotropic& law, study::Physics physics, const Voi
 /// In plane stress ε_zz is that of the stresses; ν_xz and ν_yz count as 0 when they are left out.
 FullStrain full_strain(const Orthotropic& law, study::Physics physics, const Voigt& strain);
 
+inline double modulus_along_z(const Orthotropic& law) {
+  return 1 / law.compliance(2, 2);
+}
+
 std::string described(const Orthotropic& law);
 
 } // namespace rubato::material

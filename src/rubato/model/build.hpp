@@ -25,21 +25,29 @@ constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh
                                      const domain::DofMap& dofs, std::span<const Reference> references,
                                      std::vector<Fault>& faults, std::vector<std::string>& notes);
 
+/// Null without temperatures.
+std::shared_ptr<const domain::Heat> make_heat(const study::Study& study, const mesh::Mesh& mesh,
+                                              const domain::DofMap& dofs, const domain::Bulk& bulk,
+                                              std::vector<Fault>& faults);
+
 /// Springs to the ground.
 std::vector<Spring> make_springs(const study::Study& study, const mesh::Mesh& mesh,
                                  const domain::DofMap& dofs, std::vector<Fault>& faults);
 
-/// Springs and dashpots between places.
+/// Springs and dashpots between places, masses of references.
 std::vector<Connector> make_connectors(const study::Study& study, const mesh::Mesh& mesh,
                                        const domain::DofMap& dofs, std::span<const Reference> references,
                                        std::vector<Fault>& faults);
 /// Adds their stiffness.
 void add_connectors(const Model& model, SparseMatrix& stiffness);
+/// Adds the masses of references.
+void add_reference_masses(const Model& model, SparseMatrix& mass);
 /// Adds their damping.
 void add_dashpots(const Model& model, SparseMatrix& damping);
 
 std::vector<PointMass> make_point_masses(const study::Study& study, const mesh::Mesh& mesh,
-                                         const domain::DofMap& dofs, std::vector<Fault>& faults);
+                                         const domain::DofMap& dofs, std::span<const Reference> references,
+                                         std::vector<Fault>& faults);
 /// A fault where a mass is put on a surface that has none.
 void check_point_masses(const Model& model, std::vector<Fault>& faults);
 
@@ -69,10 +77,13 @@ std::vector<std::vector<mesh::NodeIndex>> make_probe_nodes(const study::Study& s
                                                            std::vector<Fault>& faults,
                                                            std::vector<std::string>& notes);
 
+/// Faults for probes of contact zones that there are not.
+void check_probed_zones(const Model& model, std::vector<Fault>& faults);
+
 /// The cuts of those probes that are sections, empty ones for the others.
 std::vector<domain::CutForces> make_probe_cuts(const study::Study& study, const mesh::Mesh& mesh,
                                                const domain::DofMap& dofs, const domain::Bulk& bulk,
-                                               std::vector<Fault>& faults);
+                                               const domain::Heat* heat, std::vector<Fault>& faults);
 
 /// Faults for checks on groups or nodes that there are not.
 void check_compared_places(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);

@@ -27,6 +27,9 @@ public:
       : mesh_(mesh), dofs_(dofs), references_(references), faults_(faults) {
     for (std::size_t i = 0; i < study.connectors.size(); ++i)
       add(study.connectors[i], fmt::format("connectors.{}", i));
+    for (std::size_t i = 0; i < study.masses.size(); ++i)
+      if (const auto* reference = reference_named(references, study.masses[i].on))
+        add(study.masses[i], *reference, fmt::format("masses.{}", i));
   }
   std::vector<Connector> take() { return std::move(connectors_); }
 
@@ -52,6 +55,27 @@ private:
                       connector.on, connector.to)));
     add(connector, ends.front(), &others.front(),
         connector.along ? direction_of(*connector.along) : Vector3d(way.normalized()));
+  }
+
+  /// A mass along each direction, its moments of inertia about each axis that things turn about.
+  void add(const study::PointMasses& masses, const Reference& reference, const std::string& path) {
+    const auto enter = [&](Index row, double mass) {
+      if (mass == 0)
+        return;
+      Connector made{{}, 0, 0, mass};
+      for (std::size_t d = 0; d < reference.dofs.size(); ++d)
+        made.row.push_back({reference.dofs[d], reference.motion(row, static_cast<Index>(d))});
+      connectors_.push_back(std::move(made));
+    };
+    const Index d = dofs_.components;
+    for (Index i = 0; i < d; ++i)
+      enter(i, masses.mass);
+    const bool turns = masses.inertia != std::array<double, 3>{};
+    if (turns && !reference.turns)
+      return faults_.push_back(fault_at(
+          path + ".inertia", fmt::format("'{}' tells no rotation, expected a mass alone", reference.name)));
+    for (Index axis = d == 3 ? 0 : 2; turns && axis < 3; ++axis)
+      enter(d == 3 ? 3 + axis : d, masses.inertia.at(static_cast<std::size_t>(axis)));
   }
 
   static Vector3d direction_of(const std::array<double, 3>& along) {
@@ -127,32 +151,48 @@ std::vector<Connector> make_connectors(const study::Study& study, const mesh::Me
 }
 
 std::vector<PointMass> make_point_masses(const study::Study& study, const mesh::Mesh& mesh,
-                                         const domain::DofMap& dofs, std::vector<Fault>& faults) {
+                                         const domain::DofMap& dofs, std::span<const Reference> references,
+                                         std::vector<Fault>& faults) {
   std::vector<PointMass> masses;
-  for (std::size_t i = 0; i < study.masses.size(); ++i)
-    for (const auto node : body_nodes_or_fault(
-             mesh, dofs, {study.masses[i].on, fmt::format("masses.{}.on", i)}, "to weigh down", faults))
-      masses.push_back({node, study.masses[i].mass});
+  for (std::size_t i = 0; i < study.masses.size(); ++i) {
+    const auto& asked = study.masses[i];
+    if (reference_named(references, asked.on) == nullptr)
+      for (const auto node : body_nodes_or_fault(mesh, dofs, {asked.on, fmt::format("masses.{}.on", i)},
+                                                 "to weigh down", faults))
+        masses.push_back({node, asked.mass});
+  }
   return masses;
 }
 
 void check_point_masses(const Model& model, std::vector<Fault>& faults) {
   if (model.study.time.contact_mass != study::ContactMass::redistributed)
     return;
+  std::vector<mesh::NodeIndex> weighed;
   for (const auto& mass : model.point_masses)
+    weighed.push_back(mass.node);
+  for (const auto& connector : model.connectors)
+    if (connector.mass > 0)
+      for (const auto& term : connector.row)
+        weighed.push_back(model.dofs.nodes[static_cast<std::size_t>(term.dof / model.dofs.components)]);
+  for (const auto node : weighed)
     for (const auto& zone : model.zones)
-      if (!zone.settings.tie && std::ranges::find(zone.slave.nodes, mass.node) != zone.slave.nodes.end())
+      if (!zone.settings.tie && std::ranges::find(zone.slave.nodes, node) != zone.slave.nodes.end())
         return faults.push_back(fault_at(
             "masses",
             fmt::format("node {} is on the slave surface of zone '{}', which contact_mass: redistributed "
                         "leaves without mass; expected time: {{contact_mass: consistent}}, or the node "
                         "on the master",
-                        node_label(model.mesh, mass.node), zone.settings.name)));
+                        node_label(model.mesh, node), zone.settings.name)));
 }
 
 void add_connectors(const Model& model, SparseMatrix& stiffness) {
   if (std::ranges::any_of(model.connectors, [](const auto& c) { return c.stiffness > 0; }))
     linalg::add_scaled(1, sum_of(model, &Connector::stiffness), stiffness);
+}
+
+void add_reference_masses(const Model& model, SparseMatrix& mass) {
+  if (std::ranges::any_of(model.connectors, [](const auto& c) { return c.mass > 0; }))
+    linalg::add_scaled(1, sum_of(model, &Connector::mass), mass);
 }
 
 void add_dashpots(const Model& model, SparseMatrix& damping) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/load/field_forces.hpp"
 #include "rubato/load/nodal_forces.hpp"
+#include "rubato/mesh/names.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/study/fields.hpp"
@@ -116,6 +117,11 @@ private:
       const auto part = heavy_part(on);
       load::add_gravity(mesh_, dofs_, part, numbers, force.pattern);
       add_fields([&](int i, const auto& visit) { load::visit_gravity(mesh_, dofs_, part, i, visit); });
+      if (on.name.empty()) {
+        for (int i = 0; i < dofs_.components; ++i)
+          visit_masses(i, [&](const load::LoadedPlace& at) { load::add_at(at, numbers[i], force.pattern); });
+        add_fields([&](int i, const auto& visit) { visit_masses(i, visit); });
+      }
       break;
     }
     case study::LoadKind::moment: // acts on references
@@ -174,6 +180,25 @@ private:
       return load::Face{side.type, side.nodes()};
     });
     add(faces);
+  }
+
+  /// Masses at nodes and of references.
+  void visit_masses(int component, const load::VisitPlace& visit) {
+    for (const auto& masses : study_.masses) {
+      if (const auto* reference = reference_named(references_, masses.on)) {
+        const auto& x = reference->place;
+        load::LoadedPlace at{{x[0], x[1], x[2]}, reference->dofs, {}};
+        for (const double weight : reference->motion.row(component))
+          at.weights.push_back(masses.mass * weight);
+        visit(at);
+        continue;
+      }
+      for (const auto node : mesh::find_nodes(mesh_, masses.on).nodes)
+        if (dofs_.has(node)) {
+          const auto& x = mesh_.points[static_cast<std::size_t>(node)];
+          visit({{x[0], x[1], x[2]}, {dofs_.dof(node, component)}, {masses.mass}});
+        }
+    }
   }
 
   domain::Bulk heavy_part(const Mention& on) {

@@ -66,7 +66,7 @@ domain::Domain make_domain(const Model& model, const domain::BlockPattern& patte
     stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
   add_connectors(model, stiffness);
   add_gauges(model, stiffness);
-  return {domain::LinearDomain(std::move(stiffness), model.dofs.components),
+  return {domain::LinearDomain(std::move(stiffness), model.dofs.components, model.heat),
           domain::initial_states(model.mesh, model.bulk)};
 }
 
@@ -91,6 +91,23 @@ void add_point_masses(Model& model) {
     }
 }
 
+/// Explicit runs take no relations, and so no references.
+void add_masses_of_references(Model& model) {
+  std::vector<AttachedMass> attached;
+  for (const auto& connector : model.connectors) {
+    if (connector.mass == 0)
+      continue;
+    AttachedMass mass{{}, VectorXd(static_cast<Eigen::Index>(connector.row.size())), connector.mass};
+    for (const auto& term : connector.row) {
+      mass.coefficients[static_cast<Eigen::Index>(mass.dofs.size())] = term.coefficient;
+      mass.dofs.push_back(term.dof);
+    }
+    attached.push_back(std::move(mass));
+  }
+  model.products = Products(model.mass, model.dofs.components, std::move(attached));
+  add_reference_masses(model, model.mass);
+}
+
 void assemble_matrices(Model& model, const std::vector<study::Material>& materials) {
   const auto& bulk = model.bulk;
   const domain::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
@@ -106,6 +123,8 @@ void assemble_matrices(Model& model, const std::vector<study::Material>& materia
   if (model.study.time.contact_mass == study::ContactMass::redistributed)
     free_contact_of_mass(model);
   add_point_masses(model);
+  if (!lumped)
+    add_masses_of_references(model);
   std::vector<double> by_stiffness;
   std::vector<double> by_mass;
   bool damped = false;
@@ -163,14 +182,16 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   model.dofs = domain::number_dofs(model.mesh, numbered, element::component_count(study.physics));
   model.references = make_references(study, model.mesh, model.dofs, faults);
   model.reduction = make_reduction(study, model.mesh, model.dofs, model.references, faults, model.notes);
+  model.heat = make_heat(study, model.mesh, model.dofs, model.bulk, faults);
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
   model.connectors = make_connectors(study, model.mesh, model.dofs, model.references, faults);
-  model.point_masses = make_point_masses(study, model.mesh, model.dofs, faults);
+  model.point_masses = make_point_masses(study, model.mesh, model.dofs, model.references, faults);
   model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, model.references, faults);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, model.references, faults, model.notes);
-  model.probe_cuts = make_probe_cuts(study, model.mesh, model.dofs, model.bulk, faults);
+  model.probe_cuts = make_probe_cuts(study, model.mesh, model.dofs, model.bulk, model.heat.get(), faults);
+  check_probed_zones(model, faults);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
   model.shared_nodes = contact::points_of_shared_nodes(model.zones);
@@ -232,8 +253,6 @@ Model build_model(const study::Study& study) {
 Model build_model(const study::Study& study, mesh::Mesh mesh) {
   auto model = lay_out(study, std::move(mesh));
   assemble_matrices(model, study.materials);
-  if (!study::is_explicit(study.time.scheme))
-    model.products = Products(model.mass, model.dofs.components);
   return model;
 }
 

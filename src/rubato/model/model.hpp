@@ -9,6 +9,7 @@
 #include "rubato/domain/cut.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/domain.hpp"
+#include "rubato/domain/heat.hpp"
 #include "rubato/load/field_forces.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/products.hpp"
@@ -18,6 +19,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,11 +43,12 @@ struct Spring {
   bool soft = false;    ///< too soft to say where a body in contact is (model/soft_springs.hpp)
 };
 
-/// A spring and a dashpot side by side on the displacement Σ row · u.
+/// A spring, a dashpot and a mass side by side on the displacement Σ row · u.
 struct Connector {
   std::vector<constraint::Term> row;
   double stiffness = 0; ///< [force/length]
   double damping = 0;   ///< [force · time/length]
+  double mass = 0;      ///< [mass]
 };
 
 struct PointMass {
@@ -72,8 +75,9 @@ struct Model {
   mesh::Mesh mesh;
   domain::Bulk bulk; ///< the cells that deform and their materials
   domain::DofMap dofs;
-  domain::Domain domain; ///< the cells, the springs, the connectors and the gauges
-  SparseMatrix mass;     ///< empty (no entries) in a static or explicit run
+  std::shared_ptr<const domain::Heat> heat; ///< of the domain; null without temperatures
+  domain::Domain domain;                    ///< the cells, the springs, the connectors and the gauges
+  SparseMatrix mass;                        ///< empty (no entries) in a static or explicit run
   /// Ascending; on contact surfaces when their mass is redistributed.
   std::vector<mesh::NodeIndex> massless_nodes;
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty

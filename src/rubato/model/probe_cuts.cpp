@@ -37,9 +37,9 @@ struct Sides {
 class CutBuilder {
 public:
   CutBuilder(const study::Probe& probe, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-             const domain::Bulk& bulk, std::vector<Fault>& faults)
+             const domain::Bulk& bulk, const domain::Heat* heat, std::vector<Fault>& faults)
       : probe_(probe), cut_(*probe.section), path_(fmt::format("probes.{}.section", probe.name)), mesh_(mesh),
-        dofs_(dofs), bulk_(bulk), faults_(faults) {}
+        dofs_(dofs), bulk_(bulk), heat_(heat), faults_(faults) {}
 
   domain::CutForces build() {
     const auto cells = chosen_cells();
@@ -49,7 +49,7 @@ public:
     const auto nodes = cut_.on.empty() ? between(sides) : on_group(sides);
     if (nodes.empty())
       return {};
-    return domain::make_cut_forces(mesh_, bulk_, dofs_, sides.behind, nodes, vector_of(cut_.point));
+    return domain::make_cut_forces(mesh_, bulk_, dofs_, sides.behind, nodes, vector_of(cut_.point), heat_);
   }
 
 private:
@@ -131,6 +131,7 @@ private:
   const mesh::Mesh& mesh_;
   const domain::DofMap& dofs_;
   const domain::Bulk& bulk_;
+  const domain::Heat* heat_;
   std::vector<Fault>& faults_;
 };
 
@@ -138,10 +139,11 @@ private:
 
 std::vector<domain::CutForces> make_probe_cuts(const study::Study& study, const mesh::Mesh& mesh,
                                                const domain::DofMap& dofs, const domain::Bulk& bulk,
-                                               std::vector<Fault>& faults) {
+                                               const domain::Heat* heat, std::vector<Fault>& faults) {
   std::vector<domain::CutForces> cuts;
   for (const auto& probe : study.probes)
-    cuts.push_back(probe.section ? CutBuilder(probe, mesh, dofs, bulk, faults).build() : domain::CutForces{});
+    cuts.push_back(probe.section ? CutBuilder(probe, mesh, dofs, bulk, heat, faults).build()
+                                 : domain::CutForces{});
   return cuts;
 }
 

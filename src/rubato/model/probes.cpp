@@ -108,12 +108,24 @@ std::vector<Nodes> make_probe_nodes(const study::Study& study, const mesh::Mesh&
                                     std::vector<Fault>& faults, std::vector<std::string>& notes) {
   std::vector<Nodes> nodes;
   for (const auto& probe : study.probes)
-    if (probe.section || !probe.minus.empty() || reference_named(references, probe.node) != nullptr)
+    if (probe.section || probe.contact || !probe.minus.empty() ||
+        reference_named(references, probe.node) != nullptr)
       nodes.emplace_back();
     else
       nodes.push_back(probe.point ? node_at(probe, mesh, dofs, notes)
                                   : named_nodes_of(probe, mesh, dofs, faults));
   return nodes;
+}
+
+void check_probed_zones(const Model& model, std::vector<Fault>& faults) {
+  std::vector<std::string> names;
+  for (const auto& zone : model.zones)
+    names.push_back(zone.settings.name);
+  for (const auto& probe : model.study.probes)
+    if (probe.contact && std::ranges::find(names, probe.contact->zone) == names.end())
+      faults.push_back(fault_at(fmt::format("probes.{}.contact.zone", probe.name),
+                                fmt::format("no contact zone is called {}{}", shown(probe.contact->zone),
+                                            suggestion(probe.contact->zone, names))));
 }
 
 void check_compared_places(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {

@@ -7,20 +7,30 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <vector>
 
 namespace rubato::model {
+
+/// A mass that moves by Σ coefficients · u of dofs.
+struct AttachedMass {
+  std::vector<int> dofs;
+  Eigen::VectorXd coefficients;
+  double mass = 0; ///< [mass]
+};
 
 class Products {
 public:
   Products() = default;
-  /// `mass` may be empty.
-  Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass, int components);
+  /// `mass`: without those attached; may be empty.
+  Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass, int components,
+           std::vector<AttachedMass> attached = {});
 
   /// M a [force], or M v; zero in static runs.
   Eigen::VectorXd mass(const Eigen::VectorXd& a) const;
 
 private:
   std::optional<linalg::NodalMatrix> mass_;
+  std::vector<AttachedMass> attached_;
 };
 
 } // namespace rubato::model

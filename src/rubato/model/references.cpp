@@ -4,12 +4,15 @@
 #include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/embedding.hpp"
 #include "rubato/study/words.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace rubato::model {
 namespace {
@@ -54,6 +57,36 @@ double size_of(const mesh::Mesh& mesh, const Reference& reference) {
   return size > 0 ? size : 1;
 }
 
+/// A place in a cell has a displacement alone.
+std::optional<Reference> embedded_reference(const study::Relation& relation, const std::string& path,
+                                            const mesh::Mesh& mesh, const domain::DofMap& dofs,
+                                            std::vector<Fault>& faults) {
+  const auto cells = host_cells(mesh, dofs.components, {relation.cells, path + ".in"}, faults);
+  if (cells.empty())
+    return std::nullopt;
+  Reference reference;
+  reference.name = relation.name;
+  reference.place = Vector3d(relation.at->at(0), relation.at->at(1), relation.at->at(2));
+  const auto found = CellFinder(mesh, cells).find(reference.place);
+  if (!found) {
+    faults.push_back(fault_at(path + ".at",
+                              fmt::format("({:.6g}, {:.6g}, {:.6g}) lies in no cell{}", reference.place[0],
+                                          reference.place[1], reference.place[2], of_group(relation.cells))));
+    return std::nullopt;
+  }
+  const auto nodes = mesh.nodes_of(found->cell);
+  reference.nodes.assign(nodes.begin(), nodes.end());
+  reference.dofs = dofs_of(reference.nodes, dofs);
+  reference.size = size_of(mesh, reference);
+  reference.turns = false;
+  reference.motion = MatrixXd::Zero(dofs.components + rotations_of(dofs.components),
+                                    static_cast<Index>(reference.dofs.size()));
+  for (std::size_t n = 0; n < found->shape.size(); ++n)
+    for (int i = 0; i < dofs.components; ++i)
+      reference.motion(i, static_cast<Index>(n) * dofs.components + i) = found->shape[n];
+  return reference;
+}
+
 } // namespace
 
 Vector3d mean_place(const mesh::Mesh& mesh, std::span<const mesh::NodeIndex> nodes) {
@@ -83,7 +116,7 @@ std::vector<Reference> make_references(const study::Study& study, const mesh::Me
                                        const domain::DofMap& dofs, std::vector<Fault>& faults) {
   std::vector<Reference> references;
   for (const auto& relation : study.relations) {
-    if (!study::has_reference(relation.kind))
+    if (!study::has_reference(relation))
       continue;
     const auto path =
         fmt::format("relations.{}.{}", relation.name, study::word_of(study::relation_words, relation.kind));
@@ -92,6 +125,11 @@ std::vector<Reference> make_references(const study::Study& study, const mesh::Me
           fault_at("relations." + relation.name,
                    fmt::format("'{}' is a name of the mesh already, expected another name for the reference",
                                relation.name)));
+    if (relation.kind == study::RelationKind::embedded) {
+      if (auto reference = embedded_reference(relation, path, mesh, dofs, faults))
+        references.push_back(std::move(*reference));
+      continue;
+    }
     Reference reference;
     reference.name = relation.name;
     reference.nodes = body_nodes_or_fault(mesh, dofs, Mention{relation.on, path + ".on"}, "to move", faults);

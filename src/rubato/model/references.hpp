@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Points that move as a group of nodes does as a whole: references of rigid and distributed relations.
+/// Points that move as a group of nodes does as a whole: references of rigid and distributed relations; and
+/// places in cells.
 #pragma once
 
 #include "rubato/core/error.hpp"
@@ -23,11 +24,13 @@ namespace rubato::model {
 struct Reference {
   std::string name;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  std::vector<mesh::NodeIndex> nodes; ///< of the group, those that cells have
+  std::vector<mesh::NodeIndex>
+      nodes; ///< of the group, those that cells have; of the cell that the place is in
   std::vector<int> dofs;
   Eigen::MatrixXd motion;
-  double size = 0;   ///< of the group, from the reference to the farthest node [length]
-  bool turns = true; ///< whether the nodes tell its rotation: not those of one point, or in space of a line
+  double size = 0; ///< of the group, from the reference to the farthest node [length]
+  bool turns =
+      true; ///< whether it has a rotation: not of nodes in one point, or in space on a line; not in a cell
 };
 
 /// Of all relations of the study that have one; faults where there are no nodes, or where names of references

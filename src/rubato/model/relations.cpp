@@ -5,6 +5,7 @@
 #include "rubato/cell/reference_nodes.hpp"
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/mesh/skin.hpp"
+#include "rubato/model/embedding.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/words.hpp"
 
@@ -143,6 +144,8 @@ public:
       return add_pairs();
     case study::RelationKind::rigid:
       return add_rigid();
+    case study::RelationKind::embedded:
+      return add_embedded();
     case study::RelationKind::distributed: // says nothing by itself
       return;
     }
@@ -243,6 +246,39 @@ private:
         enter({{{parts_.dofs.dof(node, i), 1}, {parts_.dofs.dof(partner, i), -1}},
                imposed_at(parts_, node, fields.at(static_cast<std::size_t>(i))),
                static_cast<int>(from)});
+  }
+
+  /// u_node = Σ N_i u_i of the cell that it lies in. Nodes of the cells themselves follow already.
+  void add_embedded() {
+    if (relation_.on.empty()) // a reference says nothing by itself
+      return;
+    const auto nodes = nodes_of(relation_.on, path_ + ".on");
+    const auto cells =
+        host_cells(parts_.mesh, parts_.dofs.components, {relation_.cells, path_ + ".in"}, faults_);
+    if (nodes.empty() || cells.empty())
+      return;
+    const CellFinder finder(parts_.mesh, cells);
+    const auto from = source(path_);
+    for (const auto node : nodes) {
+      const auto found = finder.find(place(node), node);
+      if (!found)
+        return faults_.push_back(
+            fault_at(path_ + ".on",
+                     fmt::format("node {} of '{}' lies in no cell{} but its own",
+                                 node_label(parts_.mesh, node), relation_.on, of_group(relation_.cells))));
+      embed(node, *found, from);
+    }
+  }
+
+  void embed(NodeIndex node, const Embedding& at, std::size_t from) {
+    const auto nodes = parts_.mesh.nodes_of(at.cell);
+    for (int i = 0; i < parts_.dofs.components; ++i) {
+      std::vector<Term> terms{{parts_.dofs.dof(node, i), 1}};
+      for (std::size_t n = 0; n < nodes.size(); ++n)
+        if (std::abs(at.shape[n]) > coefficient_rounding)
+          terms.push_back({parts_.dofs.dof(nodes[n], i), -at.shape[n]});
+      enter({std::move(terms), {}, static_cast<int>(from)});
+    }
   }
 
   /// All dofs follow from as many of them as there are rigid motions, chosen by QR with column pivoting.

@@ -37,7 +37,9 @@ linalg::EigenModes find_modes(const Model& model, const SparseMatrix& relations,
   if (model.reduction.unknown_count() == 0)
     throw InputError("supports hold every displacement, expected something that can vibrate");
   const auto stiffness = model.reduction.reduced(model.domain.initial_tangent());
-  const bool floats = model.study.supports.empty() && model.springs.empty() && model.connectors.empty();
+  const bool floats =
+      model.study.supports.empty() && model.springs.empty() &&
+      std::ranges::none_of(model.connectors, [](const auto& connector) { return connector.stiffness > 0; });
   auto found = linalg::smallest_modes(stiffness, model.reduction.reduced(model.mass),
                                       reduced_relations(model, relations), number,
                                       floats ? linalg::Support::none : linalg::Support::unknown);

@@ -235,6 +235,8 @@ template <class Archive> void exchange(Archive& archive, const std::string& at, 
   archive.number(at + "external_work", energy.external_work);
   archive.number(at + "support_work", energy.support_work);
   archive.number(at + "overlap_work", energy.overlap_work);
+  archive.number(at + "heat", energy.heat);
+  archive.number(at + "held_heat", energy.held_heat);
   archive.number(at + "damping", energy.damping);
   archive.number(at + "friction", energy.friction);
   archive.number(at + "impact", energy.impact);

@@ -97,16 +97,37 @@ std::vector<OwnedField> contact_fields(const Model& model, const step::State& no
 }
 
 std::vector<OwnedField> stress_fields(const Model& model, const step::State& now) {
-  const auto recovered = domain::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u);
+  const auto recovered =
+      domain::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u, {model.domain.heat(), now.t});
   const auto& stress = recovered.stress;
   return {{"stress", 6, {stress.data(), stress.data() + stress.size()}, tensor_components},
           {"von_mises", 1, {recovered.von_mises.begin(), recovered.von_mises.end()}, {}}};
 }
 
 OwnedField strain_field(const Model& model, const step::State& now) {
-  const auto strain =
-      domain::nodal_tensors(domain::Tensor::strain, model.mesh, model.bulk, model.dofs, now.motion.u);
+  const auto strain = domain::nodal_tensors(domain::Tensor::strain, model.mesh, model.bulk, model.dofs,
+                                            now.motion.u, {model.domain.heat(), now.t});
   return {"strain", 6, {strain.data(), strain.data() + strain.size()}, tensor_components};
+}
+
+VectorXd internal_force(const Model& model, const step::State& now) {
+  VectorXd force;
+  domain::QuadratureStates unchanged;
+  model.domain.evaluate({now.motion.u, now.motion.u, now.t, now.t}, now.bulk_points, unchanged,
+                        {.forces = &force});
+  return force;
+}
+
+VectorXd contact_force(const Model& model, const step::State& now) {
+  return now.contact_force.size() > 0 ? VectorXd(-now.contact_force) : VectorXd::Zero(model.dofs.dof_count);
+}
+
+OwnedField temperature_field(const Model& model, double t) {
+  auto field = scalar_field(model, "temperature");
+  const auto temperatures = model.domain.heat()->temperatures(t);
+  for (std::size_t i = 0; i < model.dofs.nodes.size(); ++i)
+    field.values[static_cast<std::size_t>(model.dofs.nodes[i])] = temperatures[static_cast<Index>(i)];
+  return field;
 }
 
 std::vector<OwnedField> nodal_fields(const Model& model, const step::State& now,
@@ -121,11 +142,19 @@ std::vector<OwnedField> nodal_fields(const Model& model, const step::State& now,
   fields.push_back(vector_field(model, "acceleration", now.motion.a));
   if (is_wanted("stress") || is_wanted("von_mises"))
     std::ranges::move(stress_fields(model, now), std::back_inserter(fields));
+  if (model.domain.heat() != nullptr)
+    fields.push_back(temperature_field(model, now.t));
   if (!model.zones.empty())
     std::ranges::move(contact_fields(model, now), std::back_inserter(fields));
   std::erase_if(fields, [&](const OwnedField& field) { return !is_wanted(field.name); });
   if (is_wanted("strain"))
     fields.push_back(strain_field(model, now));
+  if (is_wanted("reaction"))
+    fields.push_back(vector_field(model, "reaction", now.reaction));
+  if (is_wanted("internal_force"))
+    fields.push_back(vector_field(model, "internal_force", internal_force(model, now)));
+  if (is_wanted("contact_force"))
+    fields.push_back(vector_field(model, "contact_force", contact_force(model, now)));
   return fields;
 }
 

@@ -34,6 +34,16 @@ std::vector<OwnedField> nodal_fields(const model::Model& model, const step::Stat
 /// Parts of these: stress and von_mises; strain; those of contact.
 std::vector<OwnedField> stress_fields(const model::Model& model, const step::State& now);
 OwnedField strain_field(const model::Model& model, const step::State& now);
+
+/// By which cells, springs and connectors resist, one a dof [force]: what external forces, inertia, damping,
+/// contact and supports balance.
+Eigen::VectorXd internal_force(const model::Model& model, const step::State& now);
+
+/// Of contact on the nodes, one a dof [force].
+Eigen::VectorXd contact_force(const model::Model& model, const step::State& now);
+
+/// Of a model with temperatures.
+OwnedField temperature_field(const model::Model& model, double t);
 std::vector<OwnedField> contact_fields(const model::Model& model, const step::State& now);
 
 struct Resultants {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/probe_values.hpp"
 
+#include "rubato/contact/discretisation.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/study/stored_fields.hpp"
 #include "rubato/study/words.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,28 +35,48 @@ const Eigen::VectorXd* kept_field(const step::State& state, ProbeField field) {
   }
 }
 
-/// Fields that are made for the nodes, once an instant and only when asked for.
+/// What is made of a state, once an instant and only when asked for.
 class MadeFields {
 public:
   MadeFields(const model::Model& model, const step::State& state) : model_(model), state_(state) {}
 
-  const OwnedField& of(ProbeField field) {
-    auto& fields = field == ProbeField::strain ? strain_ : study::is_of_contact(field) ? contact_ : stress_;
-    if (!fields)
-      fields = made(field);
-    return *std::ranges::find(*fields, study::word_of(study::probe_field_words, field), &OwnedField::name);
+  /// One a dof; null for fields that are made for nodes.
+  const Eigen::VectorXd* of_dofs(ProbeField field) {
+    if (field == ProbeField::internal_force)
+      return &made(internal_, [&] { return internal_force(model_, state_); });
+    if (field == ProbeField::contact_force)
+      return &made(pushed_, [&] { return contact_force(model_, state_); });
+    return kept_field(state_, field);
+  }
+
+  const OwnedField& of_nodes(ProbeField field) {
+    const auto& fields = fields_with(field);
+    return *std::ranges::find(fields, study::word_of(study::probe_field_words, field), &OwnedField::name);
   }
 
 private:
-  std::vector<OwnedField> made(ProbeField field) const {
+  using Fields = std::vector<OwnedField>;
+
+  template <class T, class Make> static const T& made(std::optional<T>& kept, const Make& make) {
+    if (!kept)
+      kept = make();
+    return *kept;
+  }
+
+  const Fields& fields_with(ProbeField field) {
     if (field == ProbeField::strain)
-      return {strain_field(model_, state_)};
-    return study::is_of_contact(field) ? contact_fields(model_, state_) : stress_fields(model_, state_);
+      return made(strain_, [&] { return Fields{strain_field(model_, state_)}; });
+    if (field == ProbeField::temperature)
+      return made(temperature_, [&] { return Fields{temperature_field(model_, state_.t)}; });
+    if (study::is_of_contact(field))
+      return made(contact_, [&] { return contact_fields(model_, state_); });
+    return made(stress_, [&] { return stress_fields(model_, state_); });
   }
 
   const model::Model& model_;
   const step::State& state_;
-  std::optional<std::vector<OwnedField>> contact_, stress_, strain_;
+  std::optional<Fields> contact_, stress_, strain_, temperature_;
+  std::optional<Eigen::VectorXd> internal_, pushed_;
 };
 
 /// `values`: of one component at the nodes of a probe, at least one.
@@ -76,11 +98,10 @@ double taken(study::ProbeTake take, const std::vector<double>& values) {
 }
 
 /// Of the nodes of a probe, component by component.
-std::vector<double> node_values(const model::Model& model, const step::State& state, std::size_t p,
-                                MadeFields& made) {
+std::vector<double> node_values(const model::Model& model, std::size_t p, MadeFields& made) {
   const auto& probe = model.study.probes[p];
-  const auto* kept = kept_field(state, probe.field);
-  const auto* field = kept != nullptr ? nullptr : &made.of(probe.field);
+  const auto* kept = made.of_dofs(probe.field);
+  const auto* field = kept != nullptr ? nullptr : &made.of_nodes(probe.field);
   const int components = kept != nullptr ? model.dofs.components : field->components;
   std::vector<double> result;
   std::vector<double> values;
@@ -94,10 +115,32 @@ std::vector<double> node_values(const model::Model& model, const step::State& st
   return result;
 }
 
+/// As study::force_and_moment has them: the forces of contact_<zone>.csv at its places.
+std::vector<double> contact_values(const model::Model& model, const step::State& state,
+                                   const study::ContactForce& asked) {
+  const auto zone =
+      std::ranges::find(model.zones, asked.zone, [](const contact::Zone& one) { return one.settings.name; });
+  const auto& outcomes = state.zones[static_cast<std::size_t>(zone - model.zones.begin())].outcomes;
+  const auto& u = state.motion.u;
+  const contact::Configuration now{&model.mesh, &model.dofs, &u, &u, state.t, state.t};
+  const Eigen::Vector3d about(asked.about[0], asked.about[1], asked.about[2]);
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Eigen::Vector3d at_point = outcomes[i].normal + outcomes[i].tangential;
+    force += at_point;
+    moment += (contact::position(zone->points[i], now) - about).cross(at_point);
+  }
+  const int d = model.dofs.components;
+  std::vector<double> values(force.data(), force.data() + d);
+  values.insert(values.end(), moment.data() + (d == 3 ? 0 : 2), moment.data() + 3);
+  return values;
+}
+
 /// As study::cut_quantities has them.
 std::vector<double> section_values(const model::Model& model, const step::State& state, std::size_t p) {
   const auto& cut = *model.study.probes[p].section;
-  const auto forces = domain::forces_at(model.probe_cuts[p], state.motion.u);
+  const auto forces = domain::forces_at(model.probe_cuts[p], state.motion.u, {model.domain.heat(), state.t});
   const Eigen::Vector3d force = forces.head<3>();
   const Eigen::Vector3d normal = Eigen::Vector3d(cut.normal[0], cut.normal[1], cut.normal[2]).normalized();
   const double along = normal.dot(force);
@@ -147,10 +190,12 @@ void add_probe_values(const model::Model& model, const step::State& state, std::
   for (std::size_t p = 0; p < probes.size(); ++p)
     if (probes[p].section)
       values[p] = section_values(model, state, p);
+    else if (const auto& contact = probes[p].contact)
+      values[p] = contact_values(model, state, *contact);
     else if (const auto* reference = model::reference_named(model.references, probes[p].node))
       values[p] = reference_values(model, *reference, state, probes[p].field);
     else if (probes[p].minus.empty())
-      values[p] = node_values(model, state, p, made);
+      values[p] = node_values(model, p, made);
   const auto of = [&](const std::string& name) {
     return values[static_cast<std::size_t>(std::ranges::find(probes, name, &study::Probe::name) -
                                            probes.begin())];

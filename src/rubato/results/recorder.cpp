@@ -128,8 +128,9 @@ public:
   }
 
   void energy(double t, const step::EnergyLedger& e) {
-    energy_.row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.overlap_work, e.damping,
-                           e.contact, e.friction, e.impact, e.numerical, e.unbalanced, e.balance()});
+    energy_.row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.overlap_work, e.heat,
+                           e.damping, e.contact, e.friction, e.impact, e.numerical, e.unbalanced,
+                           e.balance()});
   }
 
   /// A .vtu file that was written whole stays; the next one of that number takes its place.

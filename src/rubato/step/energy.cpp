@@ -43,6 +43,7 @@ EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, con
   ledger_.kinetic = scheme.dynamic ? kinetic_energy(start) : 0;
   ledger_.strain = strain_energy(start, rigid_->resultants(start.bulk.internal));
   ledger_.contact = energy_of_springs(model.zones, start.zones);
+  ledger_.held_heat = model.domain.heat() != nullptr ? model.domain.heat()->held_energy(start.t) : 0;
   ledger_.start = ledger_.stored();
   if (!scheme.nonsmooth) // a law of velocities leaves overlaps as they are
     overlaps_ = overlaps_of(model, start);
@@ -56,6 +57,9 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   const auto internal = rigid_->resultants(now.internal);
   ledger_.strain = strain_energy(trial, internal);
   ledger_.external_work += work(moved, committed.external_force, trial.external_force);
+  ledger_.heat += work_of_heat(committed, trial);
+  if (const auto* heat = model_->domain.heat())
+    ledger_.held_heat = heat->held_energy(trial.t);
   if (damped(trial))
     ledger_.damping += work(moved, before.viscous, now.viscous);
   const auto obstacles = work_of_obstacles(committed, trial);
@@ -85,8 +89,22 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
 /// U less ½ r·f_int, r the rigid part of u: rounding, which far away from where it began would hide the
 /// strain of a body. `internal`: resultants of f_int.
 double EnergyAccount::strain_energy(const State& state, const Eigen::MatrixXd& internal) const {
-  return model_->domain.energy(state.motion.u, state.bulk.internal, state.bulk_points) -
-         0.5 * rigid_->work(rigid_->resultants(state.motion.u), internal);
+  const auto motion = rigid_->resultants(state.motion.u);
+  double rigid = rigid_->work(motion, internal);
+  if (const auto* heat = model_->domain.heat())
+    rigid -= rigid_->work(motion, rigid_->resultants(heat->force(state.t)));
+  return model_->domain.energy(state.motion.u, state.bulk.internal, state.t, state.bulk_points) - 0.5 * rigid;
+}
+
+/// [U_held] − {u − r}·[f], r the rigid part of u.
+double EnergyAccount::work_of_heat(const State& committed, const State& trial) const {
+  const auto* heat = model_->domain.heat();
+  if (heat == nullptr)
+    return 0;
+  const VectorXd change = heat->force(trial.t) - heat->force(committed.t);
+  const VectorXd mean = 0.5 * (committed.motion.u + trial.motion.u);
+  return heat->held_energy(trial.t) - heat->held_energy(committed.t) - mean.dot(change) +
+         rigid_->work(rigid_->resultants(mean), rigid_->resultants(change));
 }
 
 /// In the first step that closes them, in the second that the bodies may rebound in.

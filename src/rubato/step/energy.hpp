@@ -28,28 +28,32 @@ struct EnergyLedger {
   double external_work = 0; ///< of the loads on the bodies
   double support_work = 0;  ///< of supports and obstacles that move, of interferences and gaps that change
   double overlap_work = 0;  ///< of pressures that close what overlapped when the run began
+  double heat = 0;          ///< put into bodies that expand by their temperature
   double damping = 0;       ///< dissipated by Rayleigh damping
   double friction = 0;      ///< dissipated by friction
   double impact = 0;        ///< taken by contact pressures and not stored: > 0 where bodies hit, < 0 gained
   double numerical = 0;     ///< dissipated by the time scheme; < 0 gained
   double unbalanced = 0;    ///< work of the forces that iterations and the rounding of f_int left unbalanced
   double start = 0;         ///< kinetic + strain + contact when the run began
+  /// Would be stored in bodies that cannot expand: `strain` and `heat` are differences of such terms.
+  double held_heat = 0;
 
   double stored() const { return kinetic + strain + contact; }
   /// What the ledger has no entry for: rounding.
   double balance() const {
     return stored() - start + damping + friction + impact + numerical - external_work - support_work -
-           overlap_work - unbalanced;
+           overlap_work - heat - unbalanced;
   }
   /// What the bodies have more than physics allows: < 0 as long as impacts and the scheme only take.
   double gain() const {
-    return stored() - start + damping + friction - external_work - support_work - overlap_work;
+    return stored() - start + damping + friction - external_work - support_work - overlap_work - heat;
   }
   /// The largest of all parts: what the balance is measured by.
   double largest() const {
     return std::max({std::abs(kinetic), std::abs(strain), std::abs(contact), std::abs(external_work),
-                     std::abs(support_work), std::abs(overlap_work), std::abs(damping), std::abs(friction),
-                     std::abs(impact), std::abs(numerical), std::abs(unbalanced), std::abs(start)});
+                     std::abs(support_work), std::abs(overlap_work), std::abs(heat), std::abs(held_heat),
+                     std::abs(damping), std::abs(friction), std::abs(impact), std::abs(numerical),
+                     std::abs(unbalanced), std::abs(start)});
   }
 };
 
@@ -96,6 +100,7 @@ private:
   Obstacles work_of_obstacles(const State& committed, const State& trial) const;
   Supports enter_supports(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double strain_energy(const State& state, const Eigen::MatrixXd& internal) const;
+  double work_of_heat(const State& committed, const State& trial) const;
   double work_of_equation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double enter_overlaps(const State& committed, const State& trial);
   double dissipation_of_inertia(const Eigen::VectorXd& moved, const State& committed,

@@ -100,7 +100,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   model.reduction.impose(t, state.motion.u);
   model.reduction.relate(state.motion.v);
   deform(model, state);
-  state.residual_force = model.domain.initial_tangent() * state.motion.u - model::external_force(model, t);
+  state.residual_force = internal_forces(model, state) - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
@@ -121,7 +121,7 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
     std::ranges::fill(zone.friction_history, contact::FrictionHistory());
   state.t = t;
   state.step = 0; // the acceleration that follows is that of the instant, not of the last step
-  state.residual_force = model.domain.initial_tangent() * state.motion.u - model::external_force(model, t);
+  state.residual_force = internal_forces(model, state) - model::external_force(model, t);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
   if (scheme.dynamic)

@@ -20,10 +20,12 @@ struct Connector {
   bool operator==(const Connector&) const = default;
 };
 
-/// Masses at the nodes of a group.
+/// Masses at the nodes of a group, or of a reference.
 struct PointMasses {
   std::string on;
-  double mass = 0; ///< of each node [mass] > 0; in an axisymmetric model that of the ring
+  double mass = 0; ///< of each node [mass] ≥ 0; in an axisymmetric model that of the ring
+  /// Of a reference, moments of inertia about the axes through it [mass · length²] ≥ 0.
+  std::array<double, 3> inertia{};
   bool operator==(const PointMasses&) const = default;
 };
 

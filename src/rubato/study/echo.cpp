@@ -13,6 +13,10 @@ Json echo(const Material& material) {
   map["rayleigh"] = {{"stiffness", material.rayleigh_stiffness}, {"mass", material.rayleigh_mass}};
   if (material.damping)
     map["damping"] = {{"ratio", material.damping->ratio}, {"at", material.damping->at}};
+  if (const auto& expansion = material.expansion) {
+    map["expansion"] = material.law == LawKind::elastic ? Json(expansion->along[0]) : Json(expansion->along);
+    map["reference_temperature"] = expansion->reference;
+  }
   map["cells"] = material.everywhere ? Json("all") : Json(material.cells);
   return map;
 }
@@ -122,6 +126,7 @@ Json echo(const Relation& relation, int dimension) {
   }
   put_name(map, "on", relation.on);
   put_name(map, "with", relation.with);
+  put_name(map, "in", relation.cells);
   if (const auto axes = echo_axes(relation.components, dimension); !axes.is_null())
     map["in"] = axes;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
@@ -146,6 +151,12 @@ Json echo(const Load& load, int dimension) {
   return {{word(load_words, load.kind), map}};
 }
 
+Json echo(const Temperature& temperature) {
+  Json map{{"on", temperature.on}, {"value", echo(temperature.value.value)}};
+  put_name(map, "function", temperature.value.function);
+  return map;
+}
+
 Json echo(const Connector& connector, int dimension) {
   Json map{{"on", connector.on}};
   put_name(map, "to", connector.to);
@@ -157,7 +168,10 @@ Json echo(const Connector& connector, int dimension) {
 }
 
 Json echo(const PointMasses& masses) {
-  return {{"on", masses.on}, {"mass", masses.mass}};
+  Json map{{"on", masses.on}, {"mass", masses.mass}};
+  if (masses.inertia != std::array<double, 3>{})
+    map["inertia"] = masses.inertia;
+  return map;
 }
 
 Json echo(const Springs& springs, int dimension) {
@@ -300,9 +314,11 @@ Json echo(const Probe& probe, int dimension) {
     map["point"] = first(*probe.point, dimension);
   if (probe.section)
     map["section"] = echo(*probe.section, dimension);
+  if (probe.contact)
+    map["contact"] = {{"zone", probe.contact->zone}, {"about", first(probe.contact->about, dimension)}};
   if (!probe.minus.empty())
     map["minus"] = probe.minus;
-  if (probe.section || !probe.minus.empty())
+  if (probe.section || probe.contact || !probe.minus.empty())
     return map;
   map["field"] = word(probe_field_words, probe.field);
   return map;
@@ -392,6 +408,7 @@ std::string to_json(const Study& study) {
   deck["connectors"] = echo_list(study.connectors, dimension);
   deck["masses"] = echo_list(study.masses);
   deck["loads"] = echo_list(study.loads, dimension);
+  deck["temperature"] = echo_list(study.temperatures);
   deck["initial"] = echo_list(study.initial);
   deck["contact"] = echo_by_name(study.contact, study.physics);
   deck["time"] = echo(study.time);

@@ -19,11 +19,12 @@ struct RelationTerm {
 };
 
 enum class RelationKind {
-  equation,   ///< Σ coefficient · displacement = value
-  equal,      ///< the nodes of a group have the same displacement
-  pairs,      ///< two groups node by node: displacements differ by what is given
-  rigid,      ///< the nodes of a group move as a rigid body, small rotations
-  distributed ///< a reference moves as the nodes of a group do in the mean
+  equation,    ///< Σ coefficient · displacement = value
+  equal,       ///< the nodes of a group have the same displacement
+  pairs,       ///< two groups node by node: displacements differ by what is given
+  rigid,       ///< the nodes of a group move as a rigid body, small rotations
+  distributed, ///< a reference moves as the nodes of a group do in the mean
+  embedded     ///< nodes, or a reference, move with the cells they lie in
 };
 
 struct Relation {
@@ -31,19 +32,25 @@ struct Relation {
   RelationKind kind = RelationKind::equation;
   std::vector<RelationTerm> terms;                  ///< equation
   Field value;                                      ///< equation: of the sum
-  std::string on;                                   ///< group of the others
+  std::string on;                                   ///< group of the others; embedded: none with `at`
   std::string with;                                 ///< pairs: the other group
   std::array<bool, 3> components{true, true, true}; ///< equal, pairs: the ones meant; 2D has no third
   std::array<Field, 3> difference; ///< pairs: displacement of `on` less that of `with` [length]
-  /// rigid, distributed: place of the reference; the mean of the group's nodes when not given.
+  std::string cells;               ///< embedded: group of the cells; empty: all
+  /// Place of the reference. rigid, distributed: the mean of the group's nodes when not given.
   std::optional<std::array<double, 3>> at;
   bool operator==(const Relation&) const = default;
 };
 
-/// Whether the relation's name stands for a point with a displacement and a rotation: supports hold it,
-/// forces and moments act on it, probes ask for it.
-constexpr bool has_reference(RelationKind kind) {
+/// Whether references of this kind have a rotation beside their displacement.
+constexpr bool has_rotation(RelationKind kind) {
   return kind == RelationKind::rigid || kind == RelationKind::distributed;
+}
+
+/// Whether the relation's name stands for a point: supports hold it, forces and moments act on it, probes ask
+/// for it.
+inline bool has_reference(const Relation& relation) {
+  return has_rotation(relation.kind) || (relation.kind == RelationKind::embedded && relation.at.has_value());
 }
 
 } // namespace rubato::study

@@ -23,6 +23,10 @@ std::vector<StoredField> stored_fields(int dimension) {
           {"acceleration", axes},
           {"stress", tensor},
           {"von_mises", {}},
+          {"reaction", axes, FieldPlace::nodes, false},
+          {"internal_force", axes, FieldPlace::nodes, false},
+          {"contact_force", axes, FieldPlace::nodes, false},
+          {"temperature", {}},
           {"contact_pressure", {}},
           {"contact_gap", {}},
           {"contact_slip", flat ? std::vector<std::string>{"t"} : std::vector<std::string>{"t1", "t2"}},
@@ -55,7 +59,7 @@ std::vector<std::string> components_of(ProbeField field, int dimension) {
     return dimension == 3 ? axes_of(dimension) : std::vector<std::string>{"z"};
   const auto fields = stored_fields(dimension);
   const auto found = std::ranges::find(fields, word_of(probe_field_words, field), &StoredField::name);
-  return found == fields.end() ? axes_of(dimension) : found->components; // reactions are not stored
+  return found->components;
 }
 
 std::vector<std::string> components_of(const Probe& probe, const Study& study) {
@@ -65,15 +69,27 @@ std::vector<std::string> components_of(const Probe& probe, const Study& study) {
     return is_plain ? components_of(*first, study) : std::vector<std::string>{};
   }
   const int dimension = dimension_of(study.physics);
+  if (probe.contact)
+    return force_and_moment(dimension);
   return probe.section ? cut_quantities(dimension) : components_of(probe.field, dimension);
 }
 
-std::vector<std::string> cut_quantities(int dimension) {
+std::vector<std::string> force_and_moment(int dimension) {
   auto quantities = axes_of(dimension);
   for (const auto& axis : dimension == 3 ? axes_of(dimension) : std::vector<std::string>{"z"})
     quantities.push_back("m" + axis);
+  return quantities;
+}
+
+std::vector<std::string> cut_quantities(int dimension) {
+  auto quantities = force_and_moment(dimension);
   quantities.insert(quantities.end(), {"normal", "shear"});
   return quantities;
+}
+
+bool is_force(ProbeField field) {
+  return field == ProbeField::reaction || field == ProbeField::internal_force ||
+         field == ProbeField::contact_force;
 }
 
 bool is_of_reference(ProbeField field) {

@@ -37,16 +37,20 @@ bool is_written(const FieldOutput& output, const StoredField& field);
 std::vector<std::string> components_of(ProbeField field, int dimension);
 /// The same of a probe of the study; of a difference those of the probe that it begins with.
 std::vector<std::string> components_of(const Probe& probe, const Study& study);
+/// Of a contact zone: force along the axes, moment about them.
+std::vector<std::string> force_and_moment(int dimension);
 /// Of a cut: force along the axes, moment about them, force along the normal, magnitude of the rest of it.
 std::vector<std::string> cut_quantities(int dimension);
+/// Whether it is a force on nodes: over a group it is summed when nothing else is asked for.
+bool is_force(ProbeField field);
 /// Whether references have it.
 bool is_of_reference(ProbeField field);
 /// Whether it is known in runs with contact only.
 bool is_of_contact(ProbeField field);
 
 /// Columns of the energy ledger's table after the instant.
-inline constexpr std::array<std::string_view, 12> energy_quantities{
-    "kinetic", "strain",   "external_work", "support_work", "overlap_work", "damping",
+inline constexpr std::array<std::string_view, 13> energy_quantities{
+    "kinetic", "strain",   "external_work", "support_work", "overlap_work", "heat",   "damping",
     "contact", "friction", "impact",        "numerical",    "unbalanced",   "balance"};
 /// Columns of the table of a contact zone's resultants after the instant.
 std::vector<std::string> resultant_quantities(int dimension);

@@ -7,6 +7,7 @@
 #include "rubato/study/discrete.hpp"
 #include "rubato/study/mesh_source.hpp"
 #include "rubato/study/relations.hpp"
+#include "rubato/study/temperature.hpp"
 #include "rubato/study/values.hpp"
 
 #include <array>
@@ -64,8 +65,9 @@ struct Material {
   double rayleigh_stiffness = 0;        ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
   double rayleigh_mass = 0;             ///< [1/time]
   std::optional<DampingRatios> damping; ///< instead of the two coefficients
-  bool everywhere = true;               ///< `cells: all`
-  std::vector<std::string> cells;       ///< groups, when not everywhere
+  std::optional<ThermalExpansion> expansion;
+  bool everywhere = true;         ///< `cells: all`
+  std::vector<std::string> cells; ///< groups, when not everywhere
   bool operator==(const Material&) const = default;
 };
 
@@ -291,6 +293,9 @@ enum class ProbeField {
   acceleration,
   rotation, ///< of a reference [radians]
   reaction,
+  internal_force, ///< by which cells, springs and connectors resist, as Code_Aster's FORC_NODA [force]
+  contact_force,  ///< of contact on the nodes [force]
+  temperature,    ///< of a study with temperatures
   stress,
   von_mises,
   strain,
@@ -315,13 +320,21 @@ struct Cut {
   bool operator==(const Cut&) const = default;
 };
 
+/// The force that a contact zone's master exerts on its slave, and its moment about a point.
+struct ContactForce {
+  std::string zone;
+  std::array<double, 3> about{}; ///< [length]
+  bool operator==(const ContactForce&) const = default;
+};
+
 /// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point; or of
-/// the nodes of a group; or in a cut; or the difference of two others.
+/// the nodes of a group; or in a cut; or of a contact zone; or the difference of two others.
 struct Probe {
   std::string name;
   std::string node; ///< or the group, when something is taken of its nodes
   std::optional<std::array<double, 3>> point;
   std::optional<Cut> section;
+  std::optional<ContactForce> contact;
   std::vector<std::string> minus; ///< two other probes, the first minus the second; else empty
   ProbeField field = ProbeField::displacement;
   ProbeTake take = ProbeTake::node; ///< `node`: there is one node
@@ -405,6 +418,7 @@ struct Study {
   std::vector<Connector> connectors;
   std::vector<PointMasses> masses;
   std::vector<Load> loads;
+  std::vector<Temperature> temperatures;
   std::vector<InitialMotion> initial;
   std::map<std::string, Function> functions;
   std::vector<ContactZone> contact;

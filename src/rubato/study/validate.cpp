@@ -22,6 +22,7 @@ Judgement judge(const Study& study) {
   check_connectors(rules);
   check_point_masses(rules);
   check_loads(rules);
+  check_temperatures(rules);
   check_initial(rules);
   check_contact(rules);
   check_solution(rules);

@@ -61,12 +61,12 @@ inline constexpr auto group_words = words_of(group_kinds, &GroupKindEntry::kind)
 
 inline constexpr auto law_words = words_of(material_laws, &LawEntry::law);
 
-inline constexpr std::array<Word<RelationKind>, 5> relation_words{
-    {{"equation", RelationKind::equation},
-     {"equal", RelationKind::equal},
-     {"pairs", RelationKind::pairs},
-     {"rigid", RelationKind::rigid},
-     {"distributed", RelationKind::distributed}}};
+inline constexpr std::array<Word<RelationKind>, 6> relation_words{{{"equation", RelationKind::equation},
+                                                                   {"equal", RelationKind::equal},
+                                                                   {"pairs", RelationKind::pairs},
+                                                                   {"rigid", RelationKind::rigid},
+                                                                   {"distributed", RelationKind::distributed},
+                                                                   {"embedded", RelationKind::embedded}}};
 
 /// `along: normal`.
 inline constexpr std::string_view normal_word = "normal";
@@ -103,12 +103,15 @@ inline constexpr std::string_view automatic_step = "auto";
 inline constexpr std::array<Word<StartKind>, 2> start_words{
     {{"consistent", StartKind::consistent}, {"at_rest_unloaded", StartKind::at_rest_unloaded}}};
 
-inline constexpr std::array<Word<ProbeField>, 14> probe_field_words{
+inline constexpr std::array<Word<ProbeField>, 17> probe_field_words{
     {{"displacement", ProbeField::displacement},
      {"velocity", ProbeField::velocity},
      {"acceleration", ProbeField::acceleration},
      {"rotation", ProbeField::rotation},
      {"reaction", ProbeField::reaction},
+     {"internal_force", ProbeField::internal_force},
+     {"contact_force", ProbeField::contact_force},
+     {"temperature", ProbeField::temperature},
      {"stress", ProbeField::stress},
      {"von_mises", ProbeField::von_mises},
      {"strain", ProbeField::strain},

@@ -33,7 +33,7 @@ materials: {{any: {{young: 2e5, poisson: 0.3, density: 7.8e-3}}}}
 functions: {{press: {{times: [0, 1e-3, 2e-3], values: [0, 1, 1]}}, push: {{times: [0, 1e-3, 2e-3], values: [0, 0, 1]}}}}
 springs: [{{on: face, x: 2e3, y: 2e3, z: 2e3}}]
 contact: {{c: {{master: table, slave: sole, friction: 0.4, integration: nodes}}}}
-newton: {{residual: 1e-12}}
+newton: {{residual: 1e-13}}
 solver: {}
 time: {}
 {})",
@@ -64,6 +64,10 @@ std::vector<Related> related() {
        "supports: [{on: ground, along: [0.1, 1, 0.2]}, {on: west, along: [1, 0.3, 0.2]}, {on: west, "
        "along: [0, -0.5, 1]}]\n" +
            pulled + "relations: {cap: {rigid: {on: roof}}}\n"},
+      {"EmbeddedPlace",
+       "supports: [{on: ground, fix: [x, y, z]}]\nloads: [{nodal_force: {on: cap, y: -100, x: 10, "
+       "function: press}}]\nrelations: {cap: {embedded: {at: [2.2, 0.7, 1.1], in: up}}}\nconnectors: "
+       "[{on: cap, along: [1, 0, 0.2], stiffness: 3e3}]\nmasses: [{on: cap, mass: 1e-3}]\n"},
       {"Connectors",
        "supports: [{on: ground, fix: [x, y, z]}]\n" + pulled +
            "relations: {cap: {rigid: {on: roof}}}\nconnectors: [{on: cap, along: [1, 0, 0.2], "

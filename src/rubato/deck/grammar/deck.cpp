@@ -22,6 +22,7 @@ Forms whole() {
               {"connectors", "springs and dashpots between places, or to the ground", connectors()},
               {"masses", "masses at nodes", masses()},
               {"loads", "forces, pressures and gravity", loads()},
+              {"temperature", "temperatures of the bodies, by which they expand", temperatures()},
               {"initial", "displacement and velocity at the first instant", initial()},
               {"contact", "contact zones by name", contact()},
               {"time", "scheme and instants", time(), true},

@@ -13,6 +13,7 @@ Forms functions();
 Forms supports();
 Forms relations();
 Forms loads();
+Forms temperatures();
 Forms springs();
 Forms connectors();
 Forms masses();

@@ -44,6 +44,13 @@ Forms reference(const std::string& meaning) {
                         coordinates()}});
 }
 
+Forms embedded() {
+  return map("nodes, or a reference, move with the cells they lie in",
+             {{"on", "group of nodes or cells; each node follows the cell it lies in", name()},
+              {"at", "instead of 'on': a place, to which the relation's name refers [length]", coordinates()},
+              {"in", "group of the cells; all when not given", name()}});
+}
+
 Forms form_of(study::RelationKind kind) {
   switch (kind) {
   case study::RelationKind::equation:
@@ -56,6 +63,8 @@ Forms form_of(study::RelationKind kind) {
     return reference("a group that moves as a rigid body, by small rotations");
   case study::RelationKind::distributed:
     return reference("a reference that moves as a group does in the mean");
+  case study::RelationKind::embedded:
+    return embedded();
   }
   return {};
 }
@@ -73,6 +82,10 @@ std::string meaning_of(study::RelationKind kind) {
   case study::RelationKind::distributed:
     return "a reference that follows a group and hands its forces and moments on to it, without stiffening "
            "it";
+  case study::RelationKind::embedded:
+    return "nodes within cells of another body, or a place in a cell that can be held, moved and loaded by "
+           "the "
+           "relation's name";
   }
   return {};
 }

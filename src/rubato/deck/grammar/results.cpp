@@ -8,21 +8,24 @@
 namespace rubato::deck::grammar {
 
 Forms probes() {
-  return named(
-      map("a history of nodes",
-          {{"node", "a node, or a group of one node", name()},
-           {"point", "coordinates: the nearest node [length]", coordinates()},
-           {"on", "a group, with 'take'", name()},
-           {"take", "the value over the nodes of 'on', for each component; of reactions sum when not given",
-            word_of(study::probe_take_words)},
-           {"field", "displacement when not given", word_of(study::probe_field_words)},
-           {"section", "a cut through bodies: force and moment that they transmit there",
-            map("a cut, and what is cut",
-                {{"point", "of the plane of the cut; moments are about it [length]", coordinates(), true},
-                 {"normal", "of the plane, out of the part that the forces act on", coordinates(), true},
-                 {"on", "the group whose nodes are the cut; the plane itself when not given", name()},
-                 {"cells", "the group of cells that is cut; all when not given", name()}})},
-           {"minus", "two other probes: the first minus the second", list(name(), 2, 2)}}));
+  return named(map(
+      "a history of nodes",
+      {{"node", "a node, or a group of one node", name()},
+       {"point", "coordinates: the nearest node [length]", coordinates()},
+       {"on", "a group, with 'take'", name()},
+       {"take", "the value over the nodes of 'on', for each component; of forces sum when not given",
+        word_of(study::probe_take_words)},
+       {"field", "displacement when not given", word_of(study::probe_field_words)},
+       {"section", "a cut through bodies: force and moment that they transmit there",
+        map("a cut, and what is cut",
+            {{"point", "of the plane of the cut; moments are about it [length]", coordinates(), true},
+             {"normal", "of the plane, out of the part that the forces act on", coordinates(), true},
+             {"on", "the group whose nodes are the cut; the plane itself when not given", name()},
+             {"cells", "the group of cells that is cut; all when not given", name()}})},
+       {"contact", "the force of a contact zone's master on its slave, and its moment",
+        map("a contact zone and a point", {{"zone", "name of the contact zone", name(), true},
+                                           {"about", "moments are about it [length]", coordinates(), true}})},
+       {"minus", "two other probes: the first minus the second", list(name(), 2, 2)}}));
 }
 
 Forms fields() {

@@ -56,6 +56,10 @@ Forms materials() {
                                           list(number(study::bounds::damping_ratio), 2, 2), true},
                                          {"at", "the frequencies at which they hold [1/time]",
                                           list(number(study::bounds::frequency), 2, 2), true}})});
+  keys.push_back({"expansion",
+                  "thermal expansion [1/temperature], or three along x', y', z' of an orthotropic material",
+                  either(number(), list(number(), 3, 3))});
+  keys.push_back({"reference_temperature", "at which nothing is expanded; 0 when not given", number()});
   keys.push_back({"cells", "all, or groups of cells", names()});
   return named(map("a material", std::move(keys)));
 }
@@ -88,6 +92,13 @@ Forms loads() {
   return list(std::move(entry));
 }
 
+Forms temperatures() {
+  return list(map("the temperature of nodes; where entries share nodes, the last one counts",
+                  {{"on", "group of nodes or cells, a node, or all", name(), true},
+                   {"value", "[temperature]", field_value(), true},
+                   {"function", "of time, which multiplies it; 1 when not given", name()}}));
+}
+
 Forms springs() {
   return list(map(
       "springs between nodes and the ground",
@@ -107,9 +118,12 @@ Forms connectors() {
 }
 
 Forms masses() {
-  return list(
-      map("masses at nodes", {{"on", "group of nodes or cells, or a node", name(), true},
-                              {"mass", "of each node [mass]", number(study::bounds::point_mass), true}}));
+  return list(map(
+      "masses at nodes, or of a reference",
+      {{"on", "group of nodes or cells, a node, or a reference", name(), true},
+       {"mass", "of each node, or of the reference [mass]", number(study::bounds::point_mass), true},
+       {"inertia", "moments of inertia of a reference about x, y and z; 0 when not given [mass · length²]",
+        list(number(study::bounds::inertia), 3, 3)}}));
 }
 
 Forms initial() {

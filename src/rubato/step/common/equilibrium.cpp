@@ -78,7 +78,10 @@ Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const E
       predicted_acceleration_(time::predicted_acceleration(scheme, system.step, committed.motion)),
       predicted_bulk_(time::predict(
           scheme, system.step, {committed.bulk.internal, committed.bulk.momentum, committed.bulk.inertia})),
-      external_(model::external_force(model, t)), history_(history_forces(scheme, committed)) {}
+      external_(model::external_force(model, t)), history_(history_forces(scheme, committed)) {
+  if (const auto* heat = model.domain.heat())
+    heat_ = heat->force(t).lpNorm<Eigen::Infinity>();
+}
 
 /// The prediction is a combination of what is known; from there on one evaluation of the domain and one
 /// product with M do.
@@ -118,6 +121,8 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
                                   system_.step);
   // Bodies that press each other without loads, as in a shrink fit, have reactions of rounding only.
   scale_ = std::max(scale_, least_scale * scheme_.contact_weight() * contact.all.lpNorm<Eigen::Infinity>());
+  // Bodies that expand freely have no other forces.
+  scale_ = std::max(scale_, scheme_.forces.now * heat_);
   own_scale_ = scale_;
   // Where loads go back to zero nothing is left to measure by but what there was when the step began.
   if (!scheme_.dynamic)

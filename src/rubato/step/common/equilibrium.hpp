@@ -85,6 +85,7 @@ private:
   BulkForces bulk_;
   domain::QuadratureStates bulk_points_;
   Eigen::VectorXd external_;
+  double heat_ = 0;         ///< the largest force of temperatures at the end of the step [force]
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
   Eigen::VectorXd inertia_, bulk_residual_, full_residual_, residual_;
   double scale_ = 0;     ///< what the residual is measured by

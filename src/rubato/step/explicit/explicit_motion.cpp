@@ -83,6 +83,8 @@ ExplicitMotion::ExplicitMotion(const Model& model)
                           contact::penalty_stiffness(zone, model.dofs, inverse_mass_, spectrum_.stiffness));
   place_supports();
   collect_loads();
+  if (const auto* heat = model.domain.heat())
+    heat_force_ = heat->force(t_);
   find_forces();
   energy_ = {.impact = energy().contact, .start = energy().stored()};
 }
@@ -147,6 +149,7 @@ void ExplicitMotion::step(double end) {
   const double begin = std::exchange(t_, end);
   ++steps_;
   const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
+  enter_heat(begin, end);
   enter_contact(begin, end);
   find_forces();
   enter_contact(begin, end);
@@ -191,6 +194,17 @@ void ExplicitMotion::apply(Load& load) {
   load.displacement = displacement;
 }
 
+/// [U_held] − {u}·[f]
+void ExplicitMotion::enter_heat(double from, double to) {
+  const auto* heat = model_->domain.heat();
+  if (heat == nullptr)
+    return;
+  VectorXd now = heat->force(to);
+  const VectorXd mean = u_ - h_ / 2 * v_;
+  energy_.heat += heat->held_energy(to) - heat->held_energy(from) - mean.dot(now - heat_force_);
+  heat_force_.swap(now);
+}
+
 /// What half of the contact forces of now do between two instants, on the bodies and by obstacles that move.
 void ExplicitMotion::enter_contact(double from, double to) {
   double power = 0;
@@ -232,6 +246,8 @@ EnergyLedger ExplicitMotion::energy() const {
   const VectorXd after = v_ + h_ * acceleration();
   ledger.kinetic += 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
   ledger.strain = strain_energy();
+  if (const auto* heat = model_->domain.heat())
+    ledger.held_heat = heat->held_energy(t_);
   for (const auto& zone : contact_) {
     ledger.contact += zone.stored();
     ledger.friction += zone.dissipated();
@@ -244,7 +260,7 @@ double ExplicitMotion::strain_energy() const {
   VectorXd internal;
   domain::QuadratureStates unchanged;
   model_->domain.evaluate({u_, u_, t_, t_}, bulk_points_, unchanged, {.forces = &internal});
-  return model_->domain.energy(u_, internal, bulk_points_);
+  return model_->domain.energy(u_, internal, t_, bulk_points_);
 }
 
 ExplicitMotion::Memory ExplicitMotion::memory() const {
@@ -271,6 +287,8 @@ void ExplicitMotion::restore(const Memory& memory) {
   contact_force_ = memory.contact_force;
   damping_force_ = memory.damping_force;
   energy_ = memory.energy;
+  if (const auto* heat = model_->domain.heat())
+    heat_force_ = heat->force(t_);
   bulk_points_ = memory.bulk_points;
   for (std::size_t i = 0; i < loads_.size(); ++i) {
     loads_[i].factor = memory.load_factors.at(i);

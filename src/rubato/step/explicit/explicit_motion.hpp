@@ -97,6 +97,7 @@ private:
   void find_forces();
   double strain_energy() const;
   void apply(Load& load);
+  void enter_heat(double from, double to);
   void enter_contact(double from, double to);
   double work_of_obstacles(double from, double to) const;
   double reaction_of(const MovingSupport& support) const;
@@ -122,6 +123,7 @@ private:
   Eigen::VectorXd unbalance_;                 ///< r at t
   Eigen::VectorXd contact_force_;             ///< at t, internal side
   Eigen::VectorXd damping_force_;             ///< at t; empty without damping
+  Eigen::VectorXd heat_force_;                ///< at t; empty without temperatures
   /// Works and dissipations so far, the start, and the constant of kinetic energy; `impact` is all that
   /// contact took, stored and rubbed energy with it.
   EnergyLedger energy_;

@@ -43,7 +43,15 @@ void check_point_masses(Rules& rules) {
   for (std::size_t i = 0; i < rules.study.masses.size(); ++i) {
     const auto path = fmt::format("masses.{}", i);
     rules.name(path + ".on", rules.study.masses[i].on);
-    rules.number(path + ".mass", rules.study.masses[i].mass, bounds::point_mass);
+    const auto& masses = rules.study.masses[i];
+    rules.number(path + ".mass", masses.mass, bounds::point_mass);
+    for (std::size_t axis = 0; axis < masses.inertia.size(); ++axis)
+      rules.number(fmt::format("{}.inertia.{}", path, axis), masses.inertia.at(axis), bounds::inertia);
+    const bool turns = masses.inertia != std::array<double, 3>{};
+    if (masses.mass == 0 && !turns)
+      rules.broken({path + ".mass"}, "found 0, expected a mass above 0");
+    if (turns)
+      check_rotation(rules, masses.on, {path + ".inertia", path + ".on", "relations"});
   }
 }
 

@@ -60,11 +60,25 @@ void check_reference(Rules& rules, const Relation& relation, const std::string& 
       rules.number(fmt::format("{}.at.{}", path, axis), relation.at->at(axis));
 }
 
+void check_embedded(Rules& rules, const Relation& relation, const std::string& path) {
+  if (relation.on.empty() != relation.at.has_value())
+    rules.broken({path, path + ".on", path + ".at"}, "expected one of 'on' and 'at'");
+  if (!relation.on.empty() && relation.on == relation.cells)
+    rules.broken(
+        {path + ".in", path + ".on"},
+        fmt::format("found {} on both sides, expected the cells of another body", shown(relation.on)));
+  if (relation.at)
+    for (std::size_t axis = 0; axis < relation.at->size(); ++axis)
+      rules.number(fmt::format("{}.at.{}", path, axis), relation.at->at(axis));
+}
+
 void check_relation(Rules& rules, const Relation& relation, const std::string& path) {
+  if (relation.kind == RelationKind::embedded)
+    return check_embedded(rules, relation, path);
   if (relation.kind == RelationKind::equation)
     return check_equation(rules, relation, path);
   rules.name(path + ".on", relation.on);
-  if (has_reference(relation.kind))
+  if (has_reference(relation))
     return check_reference(rules, relation, path);
   if (std::ranges::none_of(relation.components, [](bool component) { return component; }))
     rules.broken({path + ".in"}, "found an empty list, expected at least one of x, y, z");
@@ -80,21 +94,33 @@ void check_relation(Rules& rules, const Relation& relation, const std::string& p
 
 bool is_reference(const Study& study, const std::string& name) {
   return std::ranges::any_of(study.relations, [&](const Relation& relation) {
-    return relation.name == name && has_reference(relation.kind);
+    return relation.name == name && has_reference(relation);
   });
+}
+
+void check_rotation(Rules& rules, const std::string& name, std::vector<std::string> paths) {
+  if (!is_reference(rules.study, name))
+    return rules.broken(std::move(paths), expected_reference(rules.study, name));
+  const auto relation = std::ranges::find(rules.study.relations, name, &Relation::name);
+  if (!has_rotation(relation->kind))
+    rules.broken(
+        std::move(paths),
+        fmt::format("{} is a place in a cell, which has no rotation; expected the reference of a rigid "
+                    "or distributed relation",
+                    shown(name)));
 }
 
 std::string expected_reference(const Study& study, const std::string& name) {
   std::vector<std::string> names;
   for (const auto& relation : study.relations)
-    if (has_reference(relation.kind))
+    if (has_reference(relation))
       names.push_back(relation.name);
   return names.empty()
-             ? fmt::format(
-                   "found {}, expected a reference: the name of a rigid or distributed relation, of which "
-                   "there is none",
-                   shown(name))
-             : fmt::format("found {}, which is no reference of a rigid or distributed relation{}",
+             ? fmt::format("found {}, expected a reference: the name of a rigid, distributed or embedded "
+                           "relation, of "
+                           "which there is none",
+                           shown(name))
+             : fmt::format("found {}, which is no reference of a rigid, distributed or embedded relation{}",
                            shown(name), suggestion(name, names));
 }
 

@@ -27,8 +27,28 @@ void check_cut(Rules& rules, const Cut& cut, const std::string& path) {
     rules.broken({path + ".normal"}, "found a vector of length 0, expected one that points somewhere");
 }
 
+/// Zones that `all` finds have names that only the model knows.
+void check_zone(Rules& rules, const std::string& zone, const std::string& path) {
+  std::vector<std::string> zones;
+  for (const auto& one : rules.study.contact)
+    if (!one.all)
+      zones.push_back(one.name);
+  const bool finds_zones =
+      std::ranges::any_of(rules.study.contact, [](const ContactZone& one) { return one.all; });
+  if (!finds_zones && std::ranges::find(zones, zone) == zones.end())
+    rules.broken({path, "contact"},
+                 fmt::format("no contact zone is called {}{}", shown(zone), suggestion(zone, zones)));
+}
+
+void check_contact_force(Rules& rules, const ContactForce& force, const std::string& path) {
+  check_axes(rules, force.about, path + ".about");
+  check_zone(rules, force.zone, path + ".zone");
+}
+
 /// What a probe is of, but for its place: differences are of two of one kind.
 std::string kind_of(const Probe& probe) {
+  if (probe.contact)
+    return "a contact zone";
   return probe.section ? "a section" : std::string(word_of(probe_field_words, probe.field));
 }
 
@@ -63,13 +83,15 @@ void check_difference(Rules& rules, const Probe& probe, const std::string& path)
 
 void check_probe_place(Rules& rules, const Probe& probe, const std::string& path) {
   const int places = (probe.node.empty() ? 0 : 1) + (probe.point ? 1 : 0) + (probe.section ? 1 : 0) +
-                     (probe.minus.empty() ? 0 : 1);
+                     (probe.contact ? 1 : 0) + (probe.minus.empty() ? 0 : 1);
   if (places != 1)
-    rules.broken({path, path + ".node", path + ".on", path + ".point", path + ".section", path + ".minus"},
-                 places > 1
-                     ? "found several of 'node', 'on', 'point', 'section' and 'minus', expected one of "
-                       "them"
-                     : "'node', 'point', 'on', 'section' or 'minus' is missing");
+    rules.broken(
+        {path, path + ".node", path + ".on", path + ".point", path + ".section", path + ".contact",
+         path + ".minus"},
+        places > 1
+            ? "found several of 'node', 'on', 'point', 'section', 'contact' and 'minus', expected one of "
+              "them"
+            : "'node', 'point', 'on', 'section', 'contact' or 'minus' is missing");
   if (probe.take != ProbeTake::node && probe.node.empty())
     rules.broken({path + ".take", path + ".on"},
                  "goes with 'on' only: it says what is taken of the nodes of a group");
@@ -77,6 +99,8 @@ void check_probe_place(Rules& rules, const Probe& probe, const std::string& path
     check_axes(rules, *probe.point, path + ".point");
   if (probe.section)
     check_cut(rules, *probe.section, path + ".section");
+  if (probe.contact)
+    check_contact_force(rules, *probe.contact, path + ".contact");
   if (!probe.minus.empty())
     check_difference(rules, probe, path);
 }
@@ -86,11 +110,12 @@ void check_probe(Rules& rules, const Probe& probe, const std::string& path) {
   if (is_of_contact(probe.field) && rules.study.contact.empty())
     rules.broken({path + ".field", "contact"}, fmt::format("found {}, but the study has no contact",
                                                            word_of(probe_field_words, probe.field)));
+  if (probe.field == ProbeField::temperature && rules.study.temperatures.empty())
+    rules.broken({path + ".field", "temperature"}, "found temperature, but the study has no temperatures");
   const bool of_reference = is_reference(rules.study, probe.node);
   const auto at = path + (probe.take == ProbeTake::node ? ".node" : ".on");
-  if (probe.field == ProbeField::rotation && !of_reference)
-    rules.broken({at, path + ".node", path + ".field", "relations"},
-                 expected_reference(rules.study, probe.node));
+  if (probe.field == ProbeField::rotation)
+    check_rotation(rules, probe.node, {at, path + ".node", path + ".field", "relations"});
   if (of_reference && !is_of_reference(probe.field))
     rules.broken(
         {path + ".field", at},
@@ -145,16 +170,7 @@ void check_energy(Rules& rules, const Check& check, const std::string& path) {
 }
 
 void check_resultant(Rules& rules, const CheckedResultant& checked, const std::string& path) {
-  std::vector<std::string> zones;
-  for (const auto& zone : rules.study.contact)
-    if (!zone.all)
-      zones.push_back(zone.name);
-  const bool finds_zones =
-      std::ranges::any_of(rules.study.contact, [](const ContactZone& zone) { return zone.all; });
-  if (!finds_zones && std::ranges::find(zones, checked.zone) == zones.end())
-    rules.broken(
-        {path + ".resultant", "contact"},
-        fmt::format("no contact zone is called {}{}", shown(checked.zone), suggestion(checked.zone, zones)));
+  check_zone(rules, checked.zone, path + ".resultant");
   const auto known = resultant_quantities(dimension_of(rules.study.physics));
   if (std::ranges::find(known, checked.quantity) == known.end())
     rules.broken({path + ".resultant", "physics"},

@@ -74,6 +74,8 @@ constexpr bool predicts_exactly(const ContactZone& zone) {
 
 /// Whether a name is that of a relation with a reference.
 bool is_reference(const Study& study, const std::string& name);
+/// A fault where a name is no reference, or one without a rotation; `paths` as those of Rules::broken.
+void check_rotation(Rules& rules, const std::string& name, std::vector<std::string> paths);
 /// What a name that is none is told.
 std::string expected_reference(const Study& study, const std::string& name);
 
@@ -88,6 +90,9 @@ void check_springs(Rules& rules);
 void check_connectors(Rules& rules);
 void check_point_masses(Rules& rules);
 void check_loads(Rules& rules);
+/// Of one material at `path`.
+void check_expansion(Rules& rules, const Material& material, const std::string& path);
+void check_temperatures(Rules& rules);
 void check_initial(Rules& rules);
 void check_contact(Rules& rules);
 /// Which surfaces a zone has: master and slave, or what stands for both.

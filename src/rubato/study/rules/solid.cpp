@@ -75,6 +75,7 @@ void check_material(Rules& rules, const Material& material, const std::string& p
   rules.number(path + ".rayleigh.mass", material.rayleigh_mass, bounds::rayleigh);
   if (material.damping)
     check_damping(rules, material, path);
+  check_expansion(rules, material, path);
   if (!material.everywhere && material.cells.empty())
     rules.broken({path + ".cells"}, "found an empty list, expected 'all' or groups of cells");
   rules.names(path + ".cells", material.cells);
@@ -126,8 +127,7 @@ void check_turn_axis(Rules& rules, const std::string& path, std::size_t axis) {
 void check_turns(Rules& rules, const Support& support, const std::string& path) {
   if (is_empty(support.turns))
     return;
-  if (!is_reference(rules.study, support.on))
-    rules.broken({path + ".turn", path + ".on", "relations"}, expected_reference(rules.study, support.on));
+  check_rotation(rules, support.on, {path + ".turn", path + ".on", "relations"});
   for (std::size_t axis = 0; axis < support.turns.size(); ++axis)
     if (const auto& turn = support.turns.at(axis)) {
       const auto at = fmt::format("{}.turn.{}", path, axis_words.at(axis));
@@ -155,8 +155,8 @@ void check_along(Rules& rules, const Support& support, const std::string& path) 
 void check_load(Rules& rules, const Load& load, const std::string& path) {
   if (load.kind != LoadKind::gravity)
     rules.name(path + ".on", load.on);
-  if (load.kind == LoadKind::moment && !is_reference(rules.study, load.on))
-    rules.broken({path + ".on", "relations"}, expected_reference(rules.study, load.on));
+  if (load.kind == LoadKind::moment)
+    check_rotation(rules, load.on, {path + ".on", "relations"});
   for (std::size_t axis = 0; axis < load.components.size(); ++axis) {
     const bool is_pressure = load.kind == LoadKind::pressure;
     const auto at = is_pressure ? path + ".value" : fmt::format("{}.{}", path, axis_words.at(axis));

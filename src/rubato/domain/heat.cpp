@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/domain/heat.hpp"
+
+#include "rubato/cell/shape_table.hpp"
+#include "rubato/mesh/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rubato::domain {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Entries = std::vector<Eigen::Triplet<double, int>>;
+
+/// What multiplies the function of time, of each node; empty where it changes with time itself.
+std::vector<double> amounts_of(const HeatedNodes& nodes) {
+  std::vector<double> amounts;
+  if (nodes.value.expression && nodes.value.expression->has('t'))
+    return amounts;
+  for (const auto& place : nodes.places)
+    amounts.push_back(nodes.value.multiplied_at(place, 0));
+  return amounts;
+}
+
+void add_entries(const MatrixXd& matrix, std::span<const int> rows, std::span<const int> columns,
+                 Entries& entries) {
+  for (Index j = 0; j < matrix.cols(); ++j)
+    for (Index i = 0; i < matrix.rows(); ++i)
+      entries.emplace_back(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)],
+                           matrix(i, j));
+}
+
+} // namespace
+
+Heat::Heat(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+           std::vector<std::optional<material::Expansion>> expansions, std::vector<HeatedNodes> nodes)
+    : expansions_(std::move(expansions)), nodes_(std::move(nodes)),
+      node_count_(static_cast<Index>(dofs.nodes.size())) {
+  std::ranges::transform(nodes_, std::back_inserter(amounts_), amounts_of);
+  choose_cells(mesh, bulk, dofs);
+  assemble(mesh, bulk, dofs);
+}
+
+void Heat::choose_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs) {
+  std::vector<char> given(static_cast<std::size_t>(node_count_), 0);
+  for (const auto& part : nodes_)
+    for (const int node : part.nodes)
+      given[static_cast<std::size_t>(node)] = 1;
+  const auto has_one = [&](int node) { return given[static_cast<std::size_t>(node)] != 0; };
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
+    Cell cell{mesh.type_of(bulk.cells[i]), -1, {}};
+    for (const auto node : mesh.nodes_of(bulk.cells[i]))
+      cell.nodes.push_back(dofs.dof(node, 0) / dofs.components);
+    const int law = bulk.law_of_cell[i];
+    if (expansions_[static_cast<std::size_t>(law)] && std::ranges::any_of(cell.nodes, has_one)) {
+      const auto bare = std::ranges::find_if_not(cell.nodes, has_one);
+      if (bare != cell.nodes.end())
+        throw InputError(fmt::format("{} has nodes with and without a temperature; expected one for node {}, "
+                                     "too, for example the reference temperature, or 'on: all'",
+                                     cell_label(mesh, bulk.cells[i]),
+                                     mesh::node_name(mesh, dofs.nodes[static_cast<std::size_t>(*bare)])));
+      cell.law = law;
+    }
+    cells_.push_back(std::move(cell));
+  }
+}
+
+const material::Expansion* Heat::expansion_of(std::size_t cell) const {
+  const int law = cells_[cell].law;
+  return law < 0 ? nullptr : &*expansions_[static_cast<std::size_t>(law)];
+}
+
+/// Energy: ½ Tᵀ H T − T·H 1 reference + ½ reference² 1·H 1 with H = ∫ N_i e·D e N_j.
+CellHeat Heat::cell_heat(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t cell) const {
+  const auto physics = bulk.section.physics;
+  const auto type = cells_[cell].type;
+  const auto nodes = static_cast<Index>(cells_[cell].nodes.size());
+  const auto& expansion = *expansion_of(cell);
+  const auto& shapes = cell::stiffness_table(type).values;
+  const CellPoints points(mesh, mesh.nodes_of(bulk.cells[cell]));
+  const auto& law = bulk.law(cell);
+  const material::Voigt stress =
+      material::stress(law, physics, material::free_strain(law, physics, expansion));
+  CellHeat heat;
+  heat.force.resize(nodes * element::component_count(physics), nodes);
+  element::stress_forces(type, points, bulk.section, stress.replicate(1, shapes.cols()), heat.force);
+  heat.reference_force = expansion.reference * heat.force.rowwise().sum();
+  VectorXd volumes(shapes.cols());
+  element::point_volumes(type, points, bulk.section, volumes);
+  heat.energy =
+      material::held_energy(law, physics, expansion) * shapes * volumes.asDiagonal() * shapes.transpose();
+  return heat;
+}
+
+void Heat::assemble(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs) {
+  Entries forces;
+  Entries energies;
+  reference_force_ = VectorXd::Zero(dofs.dof_count);
+  reference_energy_ = VectorXd::Zero(node_count_);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i].law < 0)
+      continue;
+    const auto heat = cell_heat(mesh, bulk, i);
+    const auto& nodes = cells_[i].nodes;
+    std::vector<int> rows;
+    for (const int node : nodes)
+      for (int a = 0; a < dofs.components; ++a)
+        rows.push_back(node * dofs.components + a);
+    add_entries(heat.force, rows, nodes, forces);
+    add_entries(heat.energy, nodes, nodes, energies);
+    reference_force_(rows) += heat.reference_force;
+    const double reference = expansion_of(i)->reference;
+    reference_energy_(nodes) += reference * heat.energy.rowwise().sum();
+    reference_constant_ += 0.5 * reference * reference * heat.energy.sum();
+  }
+  force_.resize(dofs.dof_count, node_count_);
+  force_.setFromTriplets(forces.begin(), forces.end());
+  energy_.resize(node_count_, node_count_);
+  energy_.setFromTriplets(energies.begin(), energies.end());
+}
+
+VectorXd Heat::temperatures(double t) const {
+  VectorXd temperatures = VectorXd::Zero(node_count_);
+  for (std::size_t p = 0; p < nodes_.size(); ++p) {
+    const auto& [value, nodes, places] = nodes_[p];
+    const auto& amounts = amounts_[p];
+    const double factor = value.function ? value_at(*value.function, t) : 1.0;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      temperatures[nodes[i]] = amounts.empty() ? value.at(places[i], t) : factor * amounts[i];
+  }
+  return temperatures;
+}
+
+VectorXd Heat::force(double t) const {
+  return force_ * temperatures(t) - reference_force_;
+}
+
+double Heat::held_energy(double t) const {
+  const auto now = temperatures(t);
+  return 0.5 * now.dot(energy_ * now) - reference_energy_.dot(now) + reference_constant_;
+}
+
+VectorXd Heat::degrees(std::size_t cell, const VectorXd& temperatures) const {
+  const VectorXd at_nodes = temperatures(cells_[cell].nodes);
+  const VectorXd at_points = cell::stiffness_table(cells_[cell].type).values.transpose() * at_nodes;
+  return at_points.array() - expansion_of(cell)->reference;
+}
+
+} // namespace rubato::domain
