@@ -37,6 +37,7 @@ void read_functions(const Found& value, const Context& context, std::map<std::st
 void read_supports(const Found& value, const Context& context, std::vector<study::Support>& supports);
 void read_relations(const Found& value, const Context& context, std::vector<study::Relation>& relations);
 void read_loads(const Found& value, const Context& context, std::vector<study::Load>& loads);
+void read_modal_damping(const Found& value, std::optional<study::ModalDamping>& damping);
 void read_springs(const Found& value, std::vector<study::Springs>& springs);
 void read_connectors(const Found& value, const Context& context, std::vector<study::Connector>& connectors);
 void read_masses(const Found& value, std::vector<study::PointMasses>& masses);

@@ -100,6 +100,7 @@ study::Study read_study(const Tree& tree, const std::filesystem::path& folder, F
   read_loads(map.find("loads"), context, study.loads);
   read_temperatures(map.find("temperature"), context, study.temperatures);
   read_initial(map.find("initial"), study.initial);
+  read_modal_damping(map.find("modal_damping"), study.modal_damping);
   read_contact(map.find("contact"), context, study.contact);
   read_newton(map.find("newton"), study.newton);
   read(map.find("solver"), study.solver, study::solver_words);

@@ -74,6 +74,25 @@ study::InitialMotion read_motion(const Value& value) {
 
 } // namespace
 
+void read_modal_damping(const Found& value, std::optional<study::ModalDamping>& damping) {
+  if (!value)
+    return;
+  MapReader map(*value);
+  study::ModalDamping found;
+  const bool has_modes = read(map.require("modes"), found.modes, study::bounds::damped_modes);
+  const auto ratio = map.require("ratio");
+  bool has_ratios = false;
+  if (ratio && ratio->tree().is(Tree::Kind::list))
+    has_ratios = read(ratio, found.ratios);
+  else if (double all = 0; read(ratio, all)) {
+    found.ratios = {all};
+    has_ratios = true;
+  }
+  map.finish();
+  if (has_modes && has_ratios)
+    damping = found;
+}
+
 void read_springs(const Found& value, std::vector<study::Springs>& springs) {
   for (const auto& item : items(value))
     springs.push_back(read_springs_of(item));

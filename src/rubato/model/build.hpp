@@ -30,6 +30,9 @@ std::shared_ptr<const domain::Heat> make_heat(const study::Study& study, const m
                                               const domain::DofMap& dofs, const domain::Bulk& bulk,
                                               std::vector<Fault>& faults);
 
+/// Of a model with stiffness and mass. Throws InputError where it has not as many modes as are asked for.
+ModalDamping make_modal_damping(const Model& model);
+
 /// Springs to the ground.
 std::vector<Spring> make_springs(const study::Study& study, const mesh::Mesh& mesh,
                                  const domain::DofMap& dofs, std::vector<Fault>& faults);

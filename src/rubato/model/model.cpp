@@ -137,6 +137,7 @@ void assemble_matrices(Model& model, const std::vector<study::Material>& materia
   if (damped)
     assemble_rayleigh(model, pattern, by_stiffness, by_mass);
   add_dashpots(model, model.damping);
+  model.modal_damping = make_modal_damping(model);
 }
 
 void stop_on(const std::vector<Fault>& faults) {
@@ -263,6 +264,17 @@ VectorXd external_force(const Model& model, double t) {
     for (const auto& field : part.fields)
       load::add_field_force(field, t, force);
   }
+  return force;
+}
+
+bool is_damped(const Model& model) {
+  return model.damping.nonZeros() > 0 || !model.modal_damping.empty();
+}
+
+VectorXd damping_force(const Model& model, const VectorXd& v) {
+  VectorXd force = model.damping.nonZeros() > 0 ? VectorXd(model.damping * v) : VectorXd::Zero(v.size());
+  if (!model.modal_damping.empty())
+    force += model.modal_damping.force(v);
   return force;
 }
 

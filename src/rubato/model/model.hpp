@@ -12,6 +12,7 @@
 #include "rubato/domain/heat.hpp"
 #include "rubato/load/field_forces.hpp"
 #include "rubato/mesh/mesh.hpp"
+#include "rubato/model/modal_damping.hpp"
 #include "rubato/model/products.hpp"
 #include "rubato/model/references.hpp"
 #include "rubato/study/study.hpp"
@@ -81,7 +82,8 @@ struct Model {
   /// Ascending; on contact surfaces when their mass is redistributed.
   std::vector<mesh::NodeIndex> massless_nodes;
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
-  SparseMatrix damping;        ///< no entries without Rayleigh coefficients
+  SparseMatrix damping;        ///< no entries without Rayleigh coefficients and dashpots
+  ModalDamping modal_damping;
   Products products;           ///< with the mass, in an implicit run
   std::vector<Force> forces;
   constraint::Reduction reduction; ///< which displacements are unknown, and what supports prescribe
@@ -128,6 +130,11 @@ mesh::Mesh load_mesh(const study::MeshSource& source);
 
 /// [force], one a dof.
 Eigen::VectorXd external_force(const Model& model, double t);
+
+/// Whether velocities are resisted.
+bool is_damped(const Model& model);
+/// What resists them: C v, with the damping of modes [force].
+Eigen::VectorXd damping_force(const Model& model, const Eigen::VectorXd& v);
 
 /// "N90 (1, 0.1, 0.05)": how messages name a node.
 std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node);

@@ -45,6 +45,7 @@ study::Study modal_study(const study::Study& asked) {
   require_densities(asked);
   study::Study study = asked;
   study.loads.clear();
+  study.modal_damping.reset();
   study.temperatures.clear(); // strains without stress leave stiffness and mass as they are
   study.initial.clear();
   study.probes.clear();

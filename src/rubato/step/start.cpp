@@ -37,8 +37,8 @@ VectorXd solve_mass(const model::SparseMatrix& mass, const VectorXd& force) {
 /// M a = −(residual force + C v) on the free dofs, a = 0 on the others and where nothing has mass.
 VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_force, const VectorXd& velocity) {
   VectorXd force = -residual_force;
-  if (model.damping.nonZeros() > 0)
-    force -= model.damping * velocity;
+  if (model::is_damped(model))
+    force -= model::damping_force(model, velocity);
   auto mass = model.reduction.reduced(model.mass);
   for (const auto node : model.massless_nodes)
     for (int i = 0; i < model.dofs.components; ++i) {
@@ -87,8 +87,8 @@ BulkForces bulk_forces(const Model& model, const State& state) {
   const auto& motion = state.motion;
   BulkForces forces{
       internal_forces(model, state), {}, model.products.mass(motion.v), model.products.mass(motion.a)};
-  if (model.damping.nonZeros() > 0)
-    forces.viscous = model.damping * motion.v;
+  if (model::is_damped(model))
+    forces.viscous = model::damping_force(model, motion.v);
   return forces;
 }
 

@@ -15,6 +15,7 @@ inline constexpr Range frequency = above(0);
 inline constexpr Range density = at_least(0);
 inline constexpr Range rayleigh = at_least(0);
 inline constexpr Range damping_ratio = at_least(0);
+inline constexpr Range damped_modes = from_to(1, 1000);
 inline constexpr Range spring = above(0);
 inline constexpr Range connector = at_least(0);
 inline constexpr Range point_mass = at_least(0);

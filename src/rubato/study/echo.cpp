@@ -410,6 +410,8 @@ std::string to_json(const Study& study) {
   deck["loads"] = echo_list(study.loads, dimension);
   deck["temperature"] = echo_list(study.temperatures);
   deck["initial"] = echo_list(study.initial);
+  if (study.modal_damping)
+    deck["modal_damping"] = {{"modes", study.modal_damping->modes}, {"ratio", study.modal_damping->ratios}};
   deck["contact"] = echo_by_name(study.contact, study.physics);
   deck["time"] = echo(study.time);
   deck["solver"] = word_of(solver_words, study.solver);

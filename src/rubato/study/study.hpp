@@ -55,6 +55,13 @@ struct DampingRatios {
   bool operator==(const DampingRatios&) const = default;
 };
 
+/// Damping of the lowest natural modes of the bodies, as they are without contact: parts of critical damping.
+struct ModalDamping {
+  int modes = 0;              ///< ≥ 1
+  std::vector<double> ratios; ///< ξ ≥ 0, one for all modes or one each
+  bool operator==(const ModalDamping&) const = default;
+};
+
 struct Material {
   std::string name;
   LawKind law = LawKind::elastic;
@@ -421,6 +428,7 @@ struct Study {
   std::vector<Temperature> temperatures;
   std::vector<InitialMotion> initial;
   std::map<std::string, Function> functions;
+  std::optional<ModalDamping> modal_damping;
   std::vector<ContactZone> contact;
   TimeStepping time;
   NewtonSettings newton;

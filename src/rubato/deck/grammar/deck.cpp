@@ -24,6 +24,7 @@ Forms whole() {
               {"loads", "forces, pressures and gravity", loads()},
               {"temperature", "temperatures of the bodies, by which they expand", temperatures()},
               {"initial", "displacement and velocity at the first instant", initial()},
+              {"modal_damping", "damping of the lowest natural modes", modal_damping()},
               {"contact", "contact zones by name", contact()},
               {"time", "scheme and instants", time(), true},
               {"newton", "when an iteration ends", newton()},

@@ -14,6 +14,7 @@ Forms supports();
 Forms relations();
 Forms loads();
 Forms temperatures();
+Forms modal_damping();
 Forms springs();
 Forms connectors();
 Forms masses();

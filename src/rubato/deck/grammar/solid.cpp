@@ -99,6 +99,14 @@ Forms temperatures() {
                    {"function", "of time, which multiplies it; 1 when not given", name()}}));
 }
 
+Forms modal_damping() {
+  const auto ratio = number(study::bounds::damping_ratio);
+  return map("damping of the lowest natural modes, as they are without contact",
+             {{"modes", "how many of the lowest ones", whole_number(study::bounds::damped_modes), true},
+              {"ratio", "part of critical damping, of all modes or a list of one each", either(ratio, list(ratio, 1)),
+               true}});
+}
+
 Forms springs() {
   return list(map(
       "springs between nodes and the ground",

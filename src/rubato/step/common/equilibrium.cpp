@@ -95,8 +95,8 @@ void Equilibrium::take_motion(const time::Motion& motion) {
     bulk_.inertia += correction;
     bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
   }
-  if (model_.damping.nonZeros() > 0)
-    bulk_.viscous = model_.damping * motion.v;
+  if (model::is_damped(model_))
+    bulk_.viscous = model::damping_force(model_, motion.v);
 }
 
 void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& contact) {

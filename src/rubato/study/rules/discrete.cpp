@@ -34,6 +34,26 @@ void check_connector(Rules& rules, const Connector& connector, const std::string
 
 } // namespace
 
+void check_modal_damping(Rules& rules) {
+  if (!rules.study.modal_damping)
+    return;
+  const auto& [modes, ratios] = *rules.study.modal_damping;
+  rules.whole_number("modal_damping.modes", modes, bounds::damped_modes);
+  for (std::size_t i = 0; i < ratios.size(); ++i)
+    rules.number(ratios.size() == 1 ? "modal_damping.ratio" : fmt::format("modal_damping.ratio.{}", i), ratios[i],
+                 bounds::damping_ratio);
+  if (ratios.size() != 1 && ratios.size() != static_cast<std::size_t>(std::max(0, modes)))
+    rules.broken({"modal_damping.ratio", "modal_damping.modes"},
+                 fmt::format("found {} ratios for {} modes, expected one for all or one each", ratios.size(), modes));
+  const auto scheme = rules.study.time.scheme;
+  if (is_explicit(scheme) || scheme == SchemeKind::static_steps)
+    rules.broken({"modal_damping", "time.scheme"},
+                 fmt::format("the scheme {} takes no modal damping, expected an implicit scheme with inertia such as "
+                             "hht{}",
+                             word_of(scheme_words, scheme),
+                             is_explicit(scheme) ? ", or 'rayleigh' in the materials" : ""));
+}
+
 void check_connectors(Rules& rules) {
   for (std::size_t i = 0; i < rules.study.connectors.size(); ++i)
     check_connector(rules, rules.study.connectors[i], fmt::format("connectors.{}", i));

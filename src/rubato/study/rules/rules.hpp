@@ -86,6 +86,7 @@ void check_materials(Rules& rules);
 void check_functions(Rules& rules);
 void check_supports(Rules& rules);
 void check_relations(Rules& rules);
+void check_modal_damping(Rules& rules);
 void check_springs(Rules& rules);
 void check_connectors(Rules& rules);
 void check_point_masses(Rules& rules);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/modal_damping.hpp"
+
+#include "rubato/linalg/eigen_modes.hpp"
+#include "rubato/model/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rubato::model {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+double ratio_of(const study::ModalDamping& asked, Index mode) {
+  return asked.ratios.size() == 1 ? asked.ratios.front() : asked.ratios[static_cast<std::size_t>(mode)];
+}
+
+linalg::EigenModes found_modes(const Model& model, int number) {
+  const bool floats = model.reduction.prescribed().empty() && model.springs.empty() &&
+                      std::ranges::none_of(model.connectors, [](const auto& c) { return c.stiffness > 0; });
+  auto found = linalg::smallest_modes(model.reduction.reduced(model.domain.initial_tangent()),
+                                      model.reduction.reduced(model.mass),
+                                      SparseMatrix(model.reduction.unknown_count(), 0), number,
+                                      floats ? linalg::Support::none : linalg::Support::unknown);
+  if (!found || !found->converged)
+    throw InputError({fault_at("modal_damping.modes",
+                               "modal_damping.modes: the natural modes of the bodies were not found; expected "
+                               "fewer modes, or 'rayleigh' in the materials")});
+  return std::move(*found);
+}
+
+} // namespace
+
+ModalDamping make_modal_damping(const Model& model) {
+  ModalDamping damping;
+  const auto& asked = model.study.modal_damping;
+  if (!asked)
+    return damping;
+  const auto modes = found_modes(model, asked->modes);
+  const Index count = modes.values.size();
+  if (count < asked->modes)
+    throw InputError({fault_at("modal_damping.modes",
+                               fmt::format("modal_damping.modes: found {}, but the bodies have {} modes",
+                                           asked->modes, count))});
+  damping.momenta.resize(model.dofs.dof_count, count);
+  damping.factors.resize(count);
+  for (Index k = 0; k < count; ++k) {
+    damping.momenta.col(k) = model.mass * model.reduction.scatter(modes.vectors.col(k));
+    damping.factors[k] = 2 * ratio_of(*asked, k) * std::sqrt(std::max(0.0, modes.values[k]));
+  }
+  return damping;
+}
+
+} // namespace rubato::model
