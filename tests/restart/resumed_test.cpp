@@ -87,6 +87,26 @@ TEST_F(ResumedRun, MeetsMovingObstaclesWhereTheyWouldHaveBeen) {
   }
 }
 
+/// It is stored before, at and after the instant.
+TEST_F(ResumedRun, GoesOnAcrossTheEndOfASupport) {
+  const auto deck = with(test::two_blocks, "  - {on: held, fix: [x, y]}\n",
+                         "  - {on: held, fix: [x, y]}\n  - {on: roof, y: {velocity: -1}, until: 2e-4}\n");
+  const auto by_leaps = with(with(deck, "scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4",
+                                  "scheme: central_difference, record: 6.25e-5, end: 5e-4"),
+                             "until: 2e-4", "until: 1.25e-4");
+  const auto expect_no_seam = [&](const std::string& of, const std::string& end, const std::string& longer) {
+    ASSERT_EQ(run(of, "whole", {"--set", "time.end=" + longer}).exit_code, 0);
+    ASSERT_EQ(run(of, "out", {"--set", "time.end=" + end}).exit_code, 0);
+    const auto outcome = run(of, "out", {"--resume", "--set", "time.end=" + longer});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_same("whole", "out");
+  };
+  for (const auto* end : {"1e-4", "2e-4", "3e-4"})
+    expect_no_seam(deck, end, "6e-4");
+  for (const auto* end : {"6.25e-5", "1.25e-4", "2.5e-4"})
+    expect_no_seam(by_leaps, end, "5e-4");
+}
+
 TEST_F(ResumedRun, OfAStoppedRunHasNoSeam) {
   const auto deck = with(test::rubbing_beams, "end: 0.03}", "end: 3}"); // nobody waits for its end
   test::write_text(folder_ / "deck.yaml", deck);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/constraint/reduction.hpp"
 
+#include "rubato/core/time_integral.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -22,6 +24,10 @@ double value_at(const ImposedValue& imposed, double t) {
   if (imposed.field)
     return imposed.field->field->at(imposed.field->place, t);
   return imposed.value * (imposed.function ? rubato::value_at(*imposed.function, t) : 1.0);
+}
+
+double rate_at(const ImposedValue& imposed, double t, int order) {
+  return imposed.value * rubato::rate_at(imposed.function, t, order);
 }
 
 double displacement_of(const PrescribedDof& prescribed, double t) {
@@ -91,15 +97,78 @@ void Reduction::collect_reacting() {
   reacting_.erase(std::unique(reacting_.begin(), reacting_.end()), reacting_.end());
 }
 
+void Reduction::carry(Base base, int components) {
+  base_ = std::move(base);
+  components_ = components;
+}
+
+/// s of the dof's axis, or its rate.
+double Reduction::base_at(int dof, double t, int order) const {
+  if (!is_carried())
+    return 0;
+  const auto& base = base_.at(static_cast<std::size_t>(dof % components_));
+  if (!base)
+    return 0;
+  constexpr std::array<double, 3> anywhere{};
+  if (order > 0)
+    return base->multiplied_at(anywhere, t) * rubato::rate_at(base->function, t, order);
+  return base->at(anywhere, t);
+}
+
+/// Of a prescribed dof.
+const PrescribedDof& Reduction::support_of(int dof) const {
+  return *std::ranges::lower_bound(prescribed_, dof, {}, &PrescribedDof::dof);
+}
+
+double Reduction::displacement(const PrescribedDof& prescribed, double t) const {
+  return displacement_of(prescribed, t) + base_at(prescribed.dof, t);
+}
+
+bool Reduction::moves(const PrescribedDof& prescribed) const {
+  return prescribed.imposed.varies_in_time() ||
+         (is_carried() && base_.at(static_cast<std::size_t>(prescribed.dof % components_)).has_value());
+}
+
+/// What a base adds to a dependent dof: s less what s gives of the dofs it depends on; 0 of relations that
+/// translations fulfil.
+double Reduction::carried_part(const DependentDof& dependent, double t, int order) const {
+  if (!is_carried())
+    return 0;
+  double sum = base_at(dependent.dof, t, order);
+  for (const auto* terms : {&dependent.of, &dependent.prescribed})
+    for (const auto& term : *terms)
+      sum -= term.coefficient * base_at(term.dof, t, order);
+  return sum;
+}
+
 double Reduction::given_part(const DependentDof& dependent, double t) const {
-  double sum = 0;
-  for (const auto& term : dependent.prescribed) {
-    const auto at = std::ranges::lower_bound(prescribed_, term.dof, {}, &PrescribedDof::dof);
-    sum += term.coefficient * displacement_of(*at, t);
-  }
+  double sum = carried_part(dependent, t, 0);
+  for (const auto& term : dependent.prescribed)
+    sum += term.coefficient * displacement(support_of(term.dof), t);
   for (const auto& term : dependent.given)
     sum += term.coefficient * value_at(right_sides_[static_cast<std::size_t>(term.dof)], t);
   return sum;
+}
+
+void Reduction::impose_rates(int order, double t, VectorXd& rates) const {
+  const auto given = [&](const PrescribedDof& entry) {
+    return rate_at(entry.imposed, t, order) + base_at(entry.dof, t, order);
+  };
+  for (const auto& entry : prescribed_)
+    if (const double rate = given(entry); rate != 0)
+      rates[entry.dof] = rate;
+  for (const auto& dependent : dependents_) {
+    double sum = carried_part(dependent, t, order);
+    for (const auto& term : dependent.prescribed)
+      sum += term.coefficient * given(support_of(term.dof));
+    for (const auto& term : dependent.given)
+      sum += term.coefficient * rate_at(right_sides_[static_cast<std::size_t>(term.dof)], t, order);
+    if (sum == 0)
+      continue;
+    for (const auto& term : dependent.of)
+      sum += term.coefficient * rates[term.dof];
+    rates[dependent.dof] = sum;
+  }
 }
 
 VectorXd Reduction::gather(const VectorXd& full) const {
@@ -181,7 +250,7 @@ VectorXd Reduction::imposed(double t) const {
 
 void Reduction::impose(double t, VectorXd& u) const {
   for (const auto& entry : prescribed_)
-    u[entry.dof] = displacement_of(entry, t);
+    u[entry.dof] = displacement(entry, t);
   relate(u);
   for (const auto& dependent : dependents_)
     u[dependent.dof] += given_part(dependent, t);
@@ -190,7 +259,7 @@ void Reduction::impose(double t, VectorXd& u) const {
 VectorXd Reduction::correction(double t, const VectorXd& u) const {
   VectorXd d = VectorXd::Zero(dof_count());
   for (const auto& entry : prescribed_)
-    d[entry.dof] = displacement_of(entry, t) - u[entry.dof];
+    d[entry.dof] = displacement(entry, t) - u[entry.dof];
   for (const auto& dependent : dependents_) {
     double sum = given_part(dependent, t);
     for (const auto& term : dependent.of)

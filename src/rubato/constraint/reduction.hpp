@@ -39,6 +39,9 @@ bool operator==(const ImposedValue& a, const ImposedValue& b);
 /// What it is at instant t. Throws InputError when a field is no finite number there.
 double value_at(const ImposedValue& imposed, double t);
 
+/// Its rate of order 1 or 2 where it is given by a velocity or an acceleration, else 0.
+double rate_at(const ImposedValue& imposed, double t, int order);
+
 /// A displacement that is prescribed.
 struct PrescribedDof {
   int dof = 0;
@@ -70,6 +73,8 @@ struct DependentDof {
 /// Each unknown is the displacement of a free dof. Supports prescribe dofs, relations (constraint/
 /// elimination.hpp) make dofs depend on free and prescribed ones: T has a row of one 1 for a free dof, none
 /// for a prescribed one, the coefficients of the relation for a dependent one.
+///
+/// A base that moves by s(t) carries all of it along: what supports and relations say then holds of u − s.
 class Reduction {
 public:
   /// No dofs.
@@ -95,6 +100,15 @@ public:
   std::span<const PrescribedDof> prescribed() const { return prescribed_; }
   /// Ascending by dof.
   std::span<const DependentDof> dependents() const { return dependents_; }
+  /// s(t): of each axis, nothing where the base is at rest [length]. Dofs of a node follow one another.
+  using Base = std::array<std::optional<FieldFunction>, 3>;
+  /// Lets a base carry it, of nodes that have so many components.
+  void carry(Base base, int components);
+  bool is_carried() const { return components_ > 0; }
+  /// One of prescribed() at instant t, carried [length].
+  double displacement(const PrescribedDof& prescribed, double t) const;
+  /// Whether that may change with time.
+  bool moves(const PrescribedDof& prescribed) const;
   /// Of one of dependents(): what no unknown gives of it, g(t) [length].
   double given_part(const DependentDof& dependent, double t) const;
   /// Calls take(unknown, coefficient) for every entry of a dof's row of T.
@@ -122,6 +136,10 @@ public:
   void impose(double t, Eigen::VectorXd& u) const;
   /// The same of rates of displacements, whose g is 0: of dependent dofs only.
   void relate(Eigen::VectorXd& rates) const;
+  /// Puts the velocities (order 1) or accelerations (2) into `rates`, an entry a dof, that supports,
+  /// relations and a base have which are given by their velocity or acceleration. All other dofs keep what
+  /// they have.
+  void impose_rates(int order, double t, Eigen::VectorXd& rates) const;
   /// d with which u + d has the displacements of instant t that are not free, and u's own elsewhere [length].
   Eigen::VectorXd correction(double t, const Eigen::VectorXd& u) const;
 
@@ -139,6 +157,9 @@ private:
   void mark_dependents();
   void number_free();
   void collect_reacting();
+  const PrescribedDof& support_of(int dof) const;
+  double base_at(int dof, double t, int order = 0) const;
+  double carried_part(const DependentDof& dependent, double t, int order) const;
   void check_dependents() const;
   SparseMatrix selected(const SparseMatrix& matrix) const;
   SparseMatrix t() const;
@@ -149,6 +170,8 @@ private:
   std::vector<int> free_dofs_;
   std::vector<int> unknown_of_; ///< by dof
   std::vector<int> reacting_;
+  Base base_;
+  int components_ = 0; ///< of a node, where a base carries it
 };
 
 } // namespace rubato::constraint

@@ -115,11 +115,16 @@ Vector3d Obstacle::offset(double t) const {
   for (std::size_t axis = 0; axis < functions.size(); ++axis)
     if (functions[axis])
       moved[static_cast<Eigen::Index>(axis)] *= value_at(*functions[axis], t);
+  constexpr std::array<double, 3> anywhere{};
+  for (std::size_t axis = 0; axis < base.size(); ++axis)
+    if (base[axis])
+      moved[static_cast<Eigen::Index>(axis)] += base[axis]->at(anywhere, t);
   return moved;
 }
 
 bool Obstacle::moves() const {
-  return std::ranges::any_of(functions, [](const auto& function) { return function.has_value(); });
+  const auto is_there = [](const auto& function) { return function.has_value(); };
+  return std::ranges::any_of(functions, is_there) || std::ranges::any_of(base, is_there);
 }
 
 Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
@@ -129,7 +134,8 @@ Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
                 .radius = obstacle.radius,
                 .sign = obstacle.side == study::ObstacleSide::inside ? -1.0 : 1.0,
                 .move = {},
-                .functions = {}};
+                .functions = {},
+                .base = {}};
   if (const Vector3d direction = vector_of(obstacle.direction); !direction.isZero(0))
     made.direction = direction.stableNormalized();
   if (physics == study::Physics::axisymmetric)

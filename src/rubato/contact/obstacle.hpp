@@ -31,6 +31,7 @@ struct Obstacle {
   double sign = 1;                                      ///< −1 where bodies are inside
   std::array<double, 3> move{};                         ///< factors of the functions [length]
   std::array<std::optional<Function>, 3> functions;
+  std::array<std::optional<FieldFunction>, 3> base; ///< motion of the ground that carries it [length]
 
   /// o(t), how far it is from where the deck puts it.
   Eigen::Vector3d offset(double t) const;

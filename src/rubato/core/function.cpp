@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
+#include "rubato/core/time_integral.hpp"
 
 #include <fmt/format.h>
 
@@ -51,7 +52,15 @@ double at(const Expression& expression, double t) {
   return value;
 }
 
+double at(const Integral& integral, double t) {
+  return integral.of->at(t);
+}
+
 } // namespace
+
+bool Integral::operator==(const Integral& other) const {
+  return of == other.of || *of == *other.of;
+}
 
 bool Product::operator==(const Product& other) const {
   return factors == other.factors;

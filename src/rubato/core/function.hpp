@@ -6,6 +6,7 @@
 #include "rubato/core/linear_table.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -37,10 +38,18 @@ struct Product {
   bool operator==(const Product& other) const;
 };
 
+class TimeIntegral;
+
+/// The integral of another function over time (core/time_integral.hpp). Models make it, no study has it.
+struct Integral {
+  std::shared_ptr<const TimeIntegral> of; ///< there is one
+  bool operator==(const Integral& other) const;
+};
+
 /// A function of time: a table, or one of the forms above, or an expression of t.
 struct Function {
   using Outside = LinearTable::Outside;
-  using Kind = std::variant<LinearTable, Ramp, Sine, Product, Expression>;
+  using Kind = std::variant<LinearTable, Ramp, Sine, Product, Expression, Integral>;
 
   Function() = default;
   /// A table of instants and values.

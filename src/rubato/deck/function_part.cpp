@@ -365,4 +365,29 @@ study::Field read_field(const Value& value, const Context& context) {
   return field;
 }
 
+study::Field read_motion(const Value& value, const Context& context) {
+  study::Field field;
+  if (!value.tree().is(Tree::Kind::map) || is_profile(value.tree())) {
+    read_field_value(value, context, field.value);
+    return field;
+  }
+  MapReader map(value);
+  std::vector<std::string> given;
+  for (const auto& word : study::given_words)
+    if (const auto found = map.find(word.text)) {
+      read_field_value(found, context, field.value);
+      field.given = word.value;
+      given.emplace_back(word.text);
+    }
+  read_name(map.find("function"), field.function);
+  map.finish();
+  if (given.size() > 1)
+    value.fault(fmt::format("found {} together, expected one of them", fmt::join(given, " and ")));
+  else if (given.empty() && map.is_map() && std::ranges::all_of(value.tree().entries, [](const auto& entry) {
+             return entry.key == "function";
+           }))
+    value.miss("value"); // else an unknown key is told
+  return field;
+}
+
 } // namespace rubato::deck

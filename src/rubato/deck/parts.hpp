@@ -35,6 +35,8 @@ void read_temperatures(const Found& value, const Context& context,
                        std::vector<study::Temperature>& temperatures);
 void read_functions(const Found& value, const Context& context, std::map<std::string, Function>& functions);
 void read_supports(const Found& value, const Context& context, std::vector<study::Support>& supports);
+void read_base_motion(const Found& value, const Context& context,
+                      std::optional<study::BaseMotion>& base_motion);
 void read_relations(const Found& value, const Context& context, std::vector<study::Relation>& relations);
 void read_loads(const Found& value, const Context& context, std::vector<study::Load>& loads);
 void read_modal_damping(const Found& value, std::optional<study::ModalDamping>& damping);
@@ -52,6 +54,8 @@ study::Amplitude read_amplitude(const Value& value);
 void read_field_value(const Found& value, const Context& context, study::FieldValue& target);
 /// The same, or one of them times a named function of time.
 study::Field read_field(const Value& value, const Context& context);
+/// The same of a displacement, for which a velocity or an acceleration may stand.
+study::Field read_motion(const Value& value, const Context& context);
 
 void read_contact(const Found& value, const Context& context, std::vector<study::ContactZone>& zones);
 /// The rigid surface that stands for a zone's master.

@@ -123,7 +123,7 @@ std::optional<study::ObliqueSupport> read_along(MapReader& map, const Context& c
   else
     direction->spoil();
   if (value)
-    along.value = read_field(*value, context);
+    along.value = read_motion(*value, context);
   return along;
 }
 
@@ -133,7 +133,7 @@ study::Support read_support(const Value& value, const Context& context) {
   read_name(map.require("on"), support.on);
   for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
     if (const auto given = map.find(study::axis_words[axis]))
-      support.components[axis] = read_field(*given, context);
+      support.components[axis] = read_motion(*given, context);
   if (const auto fix = map.find("fix"))
     read_fixed(*fix, context, support);
   support.along = read_along(map, context);
@@ -141,9 +141,10 @@ study::Support read_support(const Value& value, const Context& context) {
     MapReader axes(*turn);
     for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
       if (const auto given = axes.find(study::axis_words[axis]))
-        support.turns[axis] = read_field(*given, context);
+        support.turns[axis] = read_motion(*given, context);
     axes.finish();
   }
+  read(map.find("until"), support.until);
   map.finish();
   return support;
 }
@@ -204,6 +205,19 @@ bool read_point(const Found& value, const Context& context, std::array<double, 3
 void read_supports(const Found& value, const Context& context, std::vector<study::Support>& supports) {
   for (const auto& item : items(value))
     supports.push_back(read_support(item, context));
+}
+
+void read_base_motion(const Found& value, const Context& context,
+                      std::optional<study::BaseMotion>& base_motion) {
+  if (!value)
+    return;
+  MapReader map(*value);
+  auto& base = base_motion.emplace();
+  for (std::size_t axis = 0; axis < study::axis_words.size(); ++axis)
+    if (const auto given = map.find(study::axis_words[axis]))
+      base.components[axis] = read_motion(*given, context);
+  read(map.find("frame"), base.frame, study::base_frame_words);
+  map.finish();
 }
 
 void read_loads(const Found& value, const Context& context, std::vector<study::Load>& loads) {

@@ -6,6 +6,7 @@
 #include "rubato/domain/assembly.hpp"
 #include "rubato/model/model.hpp"
 
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -20,10 +21,19 @@ void check_shapes(const study::Study& study, const mesh::Mesh& mesh, std::span<c
                   std::vector<Fault>& faults);
 
 /// What supports and relations say of the displacements, and which ones are left unknown; faults where they
-/// contradict one another, a note where some of a relation's equations follow from others.
+/// contradict one another, a note where some of a relation's equations follow from others. Supports that end
+/// at `released` or before are left out.
 constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
                                      const domain::DofMap& dofs, std::span<const Reference> references,
-                                     std::vector<Fault>& faults, std::vector<std::string>& notes);
+                                     std::vector<Fault>& faults, std::vector<std::string>& notes,
+                                     double released = -std::numeric_limits<double>::infinity());
+
+/// How a base moves that displacements are not counted from, s(t); nothing on axes along which it is at rest.
+constraint::Reduction::Base make_base(const study::Study& study, std::vector<Fault>& faults);
+/// Lets the obstacles of the zones move with such a base.
+void carry_obstacles(Model& model);
+/// Adds −M r a(t), of a base that displacements are counted from; the model has its masses.
+void add_base_inertia(Model& model);
 
 /// Null without temperatures.
 std::shared_ptr<const domain::Heat> make_heat(const study::Study& study, const mesh::Mesh& mesh,

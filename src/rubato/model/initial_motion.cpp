@@ -25,11 +25,13 @@ class MotionCollector {
 public:
   MotionCollector(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                   const constraint::Reduction& reduction, std::vector<Fault>& faults)
-      : time_(study.time), mesh_(mesh), dofs_(dofs), faults_(faults) {
+      : time_(study.time), mesh_(mesh), dofs_(dofs), reduction_(reduction), faults_(faults) {
     for (const auto& support : reduction.prescribed())
       supports_[support.dof] = &support;
     motion_.displacement = VectorXd::Zero(dofs.dof_count);
     motion_.velocity = motion_.displacement;
+    reduction.impose_rates(1, time_.begin, motion_.velocity);
+    given_ = motion_.velocity;
   }
 
   void add(const study::InitialMotion& initial, const std::string& path) {
@@ -45,16 +47,16 @@ public:
   }
 
   /// What entries say of dofs that relations give must be what these give.
-  void check_relations(const constraint::Reduction& reduction) {
-    for (const auto& dependent : reduction.dependents()) {
-      const auto give = [&](const VectorXd& values, double given) {
-        for (const auto& term : dependent.of)
-          given += term.coefficient * values[term.dof];
-        return given;
-      };
-      check_dependent(dependent.dof, "displacement", displaced_,
-                      give(motion_.displacement, reduction.given_part(dependent, time_.begin)));
-      check_dependent(dependent.dof, "velocity", moved_, give(motion_.velocity, 0));
+  void check_relations() {
+    VectorXd related = motion_.velocity;
+    reduction_.relate(related);
+    reduction_.impose_rates(1, time_.begin, related);
+    for (const auto& dependent : reduction_.dependents()) {
+      double displaced = reduction_.given_part(dependent, time_.begin);
+      for (const auto& term : dependent.of)
+        displaced += term.coefficient * motion_.displacement[term.dof];
+      check_dependent(dependent.dof, "displacement", displaced_, displaced);
+      check_dependent(dependent.dof, "velocity", moved_, related[dependent.dof]);
     }
   }
 
@@ -70,7 +72,7 @@ private:
   void set_displacement(const std::string& path, mesh::NodeIndex node, int component, double value) {
     const int dof = dofs_.dof(node, component);
     if (const auto support = supports_.find(dof); support != supports_.end()) {
-      const double held = displacement_of(*support->second, time_.begin);
+      const double held = reduction_.displacement(*support->second, time_.begin);
       if (!same(value, held))
         tell(path, node, component, "displacement", value, fmt::format("its support puts it at {:g}", held));
     }
@@ -117,15 +119,21 @@ private:
                                    what, value, "xyz"[static_cast<std::size_t>(component)], contradiction)));
   }
 
+  /// As it is given, else shortly after the begin.
   double velocity_of(const constraint::PrescribedDof& support) const {
+    if (given_[support.dof] != 0)
+      return given_[support.dof];
     const double h = shortly * (time_.end - time_.begin);
-    return (displacement_of(support, time_.begin + h) - displacement_of(support, time_.begin)) / h;
+    const double begin = reduction_.displacement(support, time_.begin);
+    return (reduction_.displacement(support, time_.begin + h) - begin) / h;
   }
 
   const study::TimeStepping& time_;
   const mesh::Mesh& mesh_;
   const domain::DofMap& dofs_;
+  const constraint::Reduction& reduction_;
   std::vector<Fault>& faults_;
+  VectorXd given_; ///< velocities that supports are given by
   std::map<int, const constraint::PrescribedDof*> supports_;
   std::map<int, double> displaced_;
   std::map<int, double> moved_;
@@ -142,7 +150,7 @@ InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& m
   for (std::size_t i = 0; i < study.initial.size(); ++i)
     collector.add(study.initial[i], fmt::format("initial.{}", i));
   if (faults.empty())
-    collector.check_relations(reduction);
+    collector.check_relations();
   return collector.take();
 }
 

@@ -26,6 +26,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <set>
 
 namespace rubato::model {
 namespace {
@@ -145,6 +147,19 @@ void stop_on(const std::vector<Fault>& faults) {
     throw InputError(faults);
 }
 
+/// Instants at which supports end. Those of the run are stops of its steps.
+void note_releases(Model& model) {
+  auto& time = model.study.time;
+  std::set<double> instants;
+  for (const auto& support : model.study.supports)
+    if (support.until && *support.until < time.end)
+      instants.insert(*support.until);
+  model.releases.assign(instants.begin(), instants.end());
+  for (const double release : model.releases)
+    if (std::ranges::find(time.stops, release) == time.stops.end())
+      time.stops.push_back(release);
+}
+
 double value_of(const std::optional<Function>& function, double t) {
   return function ? value_at(*function, t) : 1.0;
 }
@@ -163,11 +178,11 @@ mesh::Mesh source_mesh(const study::MeshSource& source) {
   return mesh::with_groups(std::move(mesh), source.groups);
 }
 
-/// Everything but the matrices.
-Model lay_out(const study::Study& study, mesh::Mesh mesh) {
-  study::validate(study);
+/// Everything but the matrices, without the supports that end at `released` or before.
+Model lay_out(const study::Study& study, mesh::Mesh mesh, double released) {
   Model model;
   model.study = study;
+  note_releases(model);
   model.mesh = std::move(mesh);
   if (study.physics == study::Physics::axisymmetric)
     mesh::snap_to_axis(model.mesh);
@@ -182,7 +197,8 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   numbered.insert(numbered.end(), model.bulk.cells.begin(), model.bulk.cells.end());
   model.dofs = domain::number_dofs(model.mesh, numbered, element::component_count(study.physics));
   model.references = make_references(study, model.mesh, model.dofs, faults);
-  model.reduction = make_reduction(study, model.mesh, model.dofs, model.references, faults, model.notes);
+  model.reduction =
+      make_reduction(study, model.mesh, model.dofs, model.references, faults, model.notes, released);
   model.heat = make_heat(study, model.mesh, model.dofs, model.bulk, faults);
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
   model.connectors = make_connectors(study, model.mesh, model.dofs, model.references, faults);
@@ -190,6 +206,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, model.references, faults);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
+  carry_obstacles(model);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, model.references, faults, model.notes);
   model.probe_cuts = make_probe_cuts(study, model.mesh, model.dofs, model.bulk, model.heat.get(), faults);
   check_probed_zones(model, faults);
@@ -212,6 +229,47 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   }
   stop_on(faults);
   number_unknowns(model);
+  return model;
+}
+
+/// Contact goes on from one stage to the next: both have the same points.
+void check_same_zones(const Model& first, const Model& stage, std::vector<Fault>& faults) {
+  for (std::size_t z = 0; z < first.zones.size(); ++z) {
+    const auto& before = first.zones[z];
+    const auto& after = stage.zones.at(z);
+    if (before.slave.nodes != after.slave.nodes || before.points.size() != after.points.size() ||
+        before.multiplier_count() != after.multiplier_count())
+      faults.push_back(
+          fault_at("contact." + before.settings.name,
+                   "another surface becomes the slave; expected 'master' and 'slave' in the deck"));
+  }
+}
+
+/// What is wrong once supports have ended.
+void check_stage(const Model& first, double release) {
+  std::vector<Fault> faults;
+  try {
+    check_same_zones(first, lay_out(first.study, first.mesh, release), faults);
+  } catch (const InputError& error) {
+    faults = error.faults();
+  }
+  for (auto& fault : faults)
+    fault.text += fmt::format(" (from t = {} on, where a support ends)", release);
+  stop_on(faults);
+}
+
+Model lay_out(const study::Study& study, mesh::Mesh mesh) {
+  study::validate(study);
+  constexpr double nothing_released = -std::numeric_limits<double>::infinity();
+  auto model = lay_out(study, std::move(mesh), nothing_released);
+  for (const double release : model.releases)
+    check_stage(model, release);
+  return model;
+}
+
+Model assembled(Model model) {
+  assemble_matrices(model, model.study.materials);
+  add_base_inertia(model);
   return model;
 }
 
@@ -252,9 +310,11 @@ Model build_model(const study::Study& study) {
 }
 
 Model build_model(const study::Study& study, mesh::Mesh mesh) {
-  auto model = lay_out(study, std::move(mesh));
-  assemble_matrices(model, study.materials);
-  return model;
+  return assembled(lay_out(study, std::move(mesh)));
+}
+
+Model build_stage(const Model& first, double release) {
+  return assembled(lay_out(first.study, first.mesh, release));
 }
 
 VectorXd external_force(const Model& model, double t) {

@@ -91,6 +91,8 @@ struct Model {
   std::vector<Spring> springs;
   std::vector<Connector> connectors;
   std::vector<PointMass> point_masses;
+  /// Instants within the run at which supports end, ascending; steps end at them.
+  std::vector<double> releases;
   std::vector<Gauge> gauges; ///< of bodies that in a static run only contact holds
   InitialMotion initial;
   /// Nodes of bodies that in a static run only contact holds, ascending.
@@ -116,6 +118,10 @@ Model build_model(const study::Study& study);
 
 /// The same on a mesh that is already there.
 Model build_model(const study::Study& study, mesh::Mesh mesh);
+
+/// The discrete problem from one of the releases on: the supports that end by then are gone. Its unknowns and
+/// contact points are those of `first`, the model at the begin of the run.
+Model build_stage(const Model& first, double release);
 
 /// A sentence for each zone whose sides the model has chosen: which one is the slave, and why.
 std::vector<std::string> chosen_sides(std::span<const contact::Zone> zones);

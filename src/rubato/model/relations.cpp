@@ -4,6 +4,7 @@
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/cell/reference_nodes.hpp"
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/core/time_integral.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/embedding.hpp"
 #include "rubato/study/fields.hpp"
@@ -36,11 +37,6 @@ constexpr double coefficient_rounding = 1e-13;
 const double same_face = std::cos(30 * std::acos(-1.0) / 180);
 /// Nodes whose places differ by less than this part of the size of their group are partners.
 constexpr double partner_tolerance = 1e-5;
-
-std::shared_ptr<const FieldFunction> shared_field(const Parts& parts, const study::Field& field,
-                                                  const std::string& path) {
-  return std::make_shared<const FieldFunction>(study::field_function(field, parts.study.functions, path));
-}
 
 /// An equation is solved for its first dof where that has a large coefficient: the largest first.
 Equation equation_of(std::vector<Term> terms, ImposedValue value, std::size_t source) {
@@ -319,6 +315,15 @@ private:
 };
 
 } // namespace
+
+std::shared_ptr<const FieldFunction> shared_field(const Parts& parts, const study::Field& field,
+                                                  const std::string& path) {
+  auto function = study::field_function(field, parts.study.functions, path);
+  const auto& time = parts.study.time;
+  if (field.given != study::Given::displacement)
+    function = integrated(function, static_cast<int>(field.given), time.begin, time.end);
+  return std::make_shared<const FieldFunction>(std::move(function));
+}
 
 ImposedValue imposed_at(const Parts& parts, const Vector3d& x,
                         const std::shared_ptr<const FieldFunction>& field) {

@@ -27,6 +27,11 @@ struct Parts {
   std::span<const Reference> references;
 };
 
+/// A field of the study, integrated over the run where it gives a velocity or an acceleration. Throws
+/// InputError where that cannot be done.
+std::shared_ptr<const FieldFunction> shared_field(const Parts& parts, const study::Field& field,
+                                                  const std::string& path);
+
 /// A field's value at a node. An expression that does not change with time, or a table along an axis, is a
 /// number there. Throws
 /// InputError when it is no finite number.

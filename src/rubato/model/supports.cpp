@@ -90,8 +90,7 @@ private:
   void prescribe(const std::string& path, std::span<const mesh::NodeIndex> nodes, int component,
                  const study::Field& displacement) {
     const auto at = fmt::format("{}.{}", path, "xyz"[static_cast<std::size_t>(component)]);
-    const auto field = std::make_shared<const FieldFunction>(
-        study::field_function(displacement, parts_.study.functions, at));
+    const auto field = shared_field(parts_, displacement, at);
     for (const auto node : nodes)
       prescribe(path, node, component,
                 PrescribedDof{parts_.dofs.dof(node, component), imposed_at(parts_, node, field)});
@@ -207,14 +206,20 @@ private:
 
 constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
                                      const domain::DofMap& dofs, std::span<const Reference> references,
-                                     std::vector<Fault>& faults, std::vector<std::string>& notes) {
+                                     std::vector<Fault>& faults, std::vector<std::string>& notes,
+                                     double released) {
   const Parts parts{study, mesh, dofs, references};
   SupportCollector collector(parts, faults);
   for (std::size_t i = 0; i < study.supports.size(); ++i)
-    collector.add(study.supports[i], fmt::format("supports.{}", i));
+    if (const auto& support = study.supports[i]; !(support.until && *support.until <= released))
+      collector.add(support, fmt::format("supports.{}", i));
   for (const auto& relation : study.relations)
     collector.add(relation);
-  return collector.reduction(notes);
+  auto reduction = collector.reduction(notes);
+  if (auto base = make_base(study, faults);
+      std::ranges::any_of(base, [](const auto& component) { return component.has_value(); }))
+    reduction.carry(std::move(base), dofs.components);
+  return reduction;
 }
 
 } // namespace rubato::model

@@ -159,6 +159,19 @@ Sentences on_groups(const Json& list) {
   return sentences;
 }
 
+/// "x = acceleration -1, function quake; counted from the base".
+Sentences words_on_base(const Json& study) {
+  const auto& base = part(study, "base_motion");
+  if (base.is_null())
+    return {};
+  Sentences parts;
+  for (const auto& [key, value] : base.items())
+    if (key != "frame")
+      parts.push_back(fmt::format("{} = {}", key, value_text(value)));
+  return {fmt::format("{}; displacements are {}", fmt::join(parts, ", "),
+                      text_of(base, "frame") == "relative" ? "those relative to the base" : "absolute")};
+}
+
 Sentences words_on_loads(const Json& study) {
   Sentences sentences;
   for (const auto& load : part(study, "loads"))
@@ -253,6 +266,7 @@ std::vector<Topic> study_in_words(const Json& study) {
                             {"Mesh", words_on_mesh(study)},
                             {"Materials", words_on_materials(study)},
                             {"Supports", on_groups(part(study, "supports"))},
+                            {"Base motion", words_on_base(study)},
                             {"Relations", words_on_relations(study)},
                             {"Springs", on_groups(part(study, "springs"))},
                             {"Connectors", on_groups(part(study, "connectors"))},

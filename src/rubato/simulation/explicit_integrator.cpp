@@ -50,9 +50,9 @@ void check_step(const study::TimeStepping& time, double stable) {
 } // namespace
 
 ExplicitIntegrator::ExplicitIntegrator(const model::Model& model, const Start& start)
-    : model_(model), time_(model.study.time), motion_(model), state_(motion_.state()),
-      energy_(motion_.energy()), equal_records_(whole((time_.end - time_.begin) / time_.record)),
-      instants_(instants_of(time_, equal_records_)) {
+    : time_(model.study.time), motion_(model), state_(motion_.state()), energy_(motion_.energy()),
+      equal_records_(whole((time_.end - time_.begin) / time_.record)),
+      instants_(instants_of(time_, equal_records_)), stages_(model, instants_) {
   const auto spectrum = motion_.spectrum();
   check_step(time_, spectrum.stable_step());
   limit_step(spectrum);
@@ -81,6 +81,8 @@ Trial ExplicitIntegrator::make(const GoesOn& goes_on) {
   Trial trial;
   trial.attempt = next();
   before_ = ExplicitProgress{motion_.memory(), limit_, energy_};
+  if (stages_.go_to_begin_at(motion_.t()))
+    motion_.take_supports(stages_.model().reduction);
   const auto steps_before = motion_.steps();
   bool reached = false;
   try {
@@ -139,9 +141,16 @@ void ExplicitIntegrator::accept(Trial trial) {
 }
 
 void ExplicitIntegrator::go_back() {
+  take_stage_of(*before_);
   motion_.restore(before_->motion);
   limit_ = before_->limit;
   before_.reset();
+}
+
+/// What is kept of an instant at which supports end was kept before.
+void ExplicitIntegrator::take_stage_of(const ExplicitProgress& progress) {
+  if (stages_.go_to_end_at(progress.motion.t))
+    motion_.take_supports(stages_.model().reduction);
 }
 
 ExplicitProgress ExplicitIntegrator::progress() const {
@@ -151,6 +160,7 @@ ExplicitProgress ExplicitIntegrator::progress() const {
 void ExplicitIntegrator::restore(const Memento& memento) {
   const auto& progress = std::get<ExplicitProgress>(memento.progress);
   auto state = memento.state;
+  take_stage_of(progress);
   motion_.restore(progress.motion);
   state_ = std::move(state);
   limit_ = progress.limit;

@@ -6,6 +6,7 @@
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/attempt.hpp"
 #include "rubato/simulation/memento.hpp"
+#include "rubato/simulation/stages.hpp"
 #include "rubato/simulation/start.hpp"
 #include "rubato/simulation/trial.hpp"
 #include "rubato/step/energy.hpp"
@@ -50,14 +51,15 @@ private:
   bool go_to(const Attempt& attempt, const GoesOn& goes_on);
   bool goes_on_from_here(const Attempt& attempt, const GoesOn& goes_on);
   std::size_t first_record_ahead() const;
+  void take_stage_of(const ExplicitProgress& progress);
 
-  const model::Model& model_;
   const study::TimeStepping& time_;
   step::ExplicitMotion motion_;
   step::State state_; ///< at the last record
   step::EnergyLedger energy_;
   int equal_records_ = 1;
-  std::vector<double> instants_;           ///< of the records, the begin first; stops among the equal ones
+  std::vector<double> instants_; ///< of the records, the begin first; stops among the equal ones
+  Stages stages_;
   std::size_t next_ = 1;                   ///< of the instants
   double limit_ = INFINITY;                ///< of the step [time]
   std::optional<ExplicitProgress> before_; ///< where the attempt began, until it is judged

@@ -41,9 +41,10 @@ step::State first_state(const model::Model& model, const time::Scheme& scheme, c
 } // namespace
 
 ImplicitIntegrator::ImplicitIntegrator(const model::Model& model, const Start& start)
-    : model_(model), scheme_(time::make_scheme(model.study.time)),
-      systems_(model, scheme_, start.tell_memory), state_(first_state(model, scheme_, start)),
-      control_(model.study.time, state_.t), account_(model, scheme_, state_), next_account_(account_),
+    : stages_(model, time::instants_of(model.study.time)), scheme_(time::make_scheme(model.study.time)),
+      tell_memory_(start.tell_memory), systems_(std::in_place, model, scheme_, tell_memory_),
+      state_(first_state(model, scheme_, start)), control_(model.study.time, state_.t),
+      account_(model, scheme_, state_), next_account_(account_),
       end_(time::instants_of(model.study.time).back()) {
   if (start.memento != nullptr)
     restore(*start.memento);
@@ -52,22 +53,39 @@ ImplicitIntegrator::ImplicitIntegrator(const model::Model& model, const Start& s
 }
 
 void ImplicitIntegrator::prepare() {
-  const auto& system = systems_.of(control_.length());
-  if (model_.study.solver == study::Solver::condensed && !system.compliance)
+  begin_stage();
+  const auto& system = systems_->of(control_.length());
+  if (model().study.solver == study::Solver::condensed && !system.compliance)
     throw InputError("solver: found condensed, but the effective matrix is not positive definite without "
                      "contact; expected auto or full");
-  method_ = fmt::format("solver {}", step::solver_of(model_, system));
+  method_ = fmt::format("solver {}", step::solver_of(model(), system));
+}
+
+/// Where supports have ended at the instant of the state. Doing it again changes nothing.
+void ImplicitIntegrator::begin_stage() {
+  if (!stages_.go_to_begin_at(state_.t))
+    return;
+  take_model();
+  step::release(model(), scheme_, state_);
+}
+
+/// What belongs to the model of another stage is made anew.
+void ImplicitIntegrator::take_model() {
+  systems_.emplace(model(), scheme_, tell_memory_);
+  account_ = step::EnergyAccount(model(), scheme_, account_.ledger(), account_.overlaps());
+  next_account_ = account_;
 }
 
 Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
   const double start = processor_seconds();
+  begin_stage();
   Trial trial;
   trial.attempt = next();
   step::GoesOn asked;
   if (goes_on)
     asked = [&](const step::ProgressState& state) { return goes_on({trial.attempt, state}); };
   trial.state = std::move(spare_);
-  trial.report = step::advance(model_, scheme_, systems_.of(control_.length()), state_, trial.attempt.end,
+  trial.report = step::advance(model(), scheme_, systems_->of(control_.length()), state_, trial.attempt.end,
                                trial.state, asked);
   if (trial.report.outcome == step::Outcome::interrupted)
     return trial;
@@ -101,9 +119,11 @@ void ImplicitIntegrator::reject(const Trial& trial) {
 void ImplicitIntegrator::restore(const Memento& memento) {
   const auto& progress = std::get<ImplicitProgress>(memento.progress);
   auto state = memento.state;
-  time::StepControl control(model_.study.time, state.t);
+  time::StepControl control(model().study.time, state.t);
   control.go_on(progress.place);
-  step::EnergyAccount account(model_, scheme_, progress.energy, progress.overlaps);
+  if (stages_.go_to_end_at(state.t))
+    take_model();
+  step::EnergyAccount account(model(), scheme_, progress.energy, progress.overlaps);
   // Copied; from here on nothing fails.
   state_ = std::move(state);
   control_ = std::move(control);

@@ -5,6 +5,7 @@
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/attempt.hpp"
 #include "rubato/simulation/memento.hpp"
+#include "rubato/simulation/stages.hpp"
 #include "rubato/simulation/start.hpp"
 #include "rubato/simulation/trial.hpp"
 #include "rubato/step/energy.hpp"
@@ -13,6 +14,9 @@
 #include "rubato/time/scheme.hpp"
 #include "rubato/time/step_control.hpp"
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace rubato::simulation {
@@ -46,10 +50,14 @@ public:
 
 private:
   void prepare();
+  void begin_stage();
+  void take_model();
+  const model::Model& model() const { return stages_.model(); }
 
-  const model::Model& model_;
+  Stages stages_;
   time::Scheme scheme_;
-  step::SystemCache systems_;
+  std::function<void(std::size_t)> tell_memory_;
+  std::optional<step::SystemCache> systems_; ///< of the stage; there is one
   step::State state_;
   step::State spare_; ///< storage for the next attempt: that of the state before
   time::StepControl control_;

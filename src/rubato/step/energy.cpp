@@ -172,7 +172,7 @@ EnergyAccount::Supports EnergyAccount::enter_supports(const VectorXd& moved, con
     enter(support.dof, moved[support.dof]);
   // Forces of relations do no work on what unknowns move: Tᵀ R = 0.
   for (const auto& dependent : reduction.dependents())
-    if (!dependent.prescribed.empty() || !dependent.given.empty())
+    if (!dependent.prescribed.empty() || !dependent.given.empty() || reduction.is_carried())
       enter(dependent.dof,
             reduction.given_part(dependent, trial.t) - reduction.given_part(dependent, committed.t));
   return supports;

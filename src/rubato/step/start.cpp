@@ -34,9 +34,13 @@ VectorXd solve_mass(const model::SparseMatrix& mass, const VectorXd& force) {
   return a;
 }
 
-/// M a = −(residual force + C v) on the free dofs, a = 0 on the others and where nothing has mass.
-VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_force, const VectorXd& velocity) {
+/// M a = −(residual force + C v) on the free dofs, a = 0 where nothing has mass; `given`: what supports and
+/// relations give of a, 0 on free dofs.
+VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_force, const VectorXd& velocity,
+                               const VectorXd& given) {
   VectorXd force = -residual_force;
+  if (!given.isZero(0))
+    force -= model.mass * given;
   if (model::is_damped(model))
     force -= model::damping_force(model, velocity);
   auto mass = model.reduction.reduced(model.mass);
@@ -52,7 +56,28 @@ VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_forc
   VectorXd a = VectorXd::Zero(residual_force.size());
   a(model.reduction.free_dofs()) = solve_mass(mass, model.reduction.gather(force));
   model.reduction.relate(a);
+  a += given;
   return a;
+}
+
+/// The accelerations that supports give at the begin of a run.
+VectorXd given_acceleration(const Model& model, double t) {
+  VectorXd a = VectorXd::Zero(static_cast<Index>(model.dofs.dof_count));
+  model.reduction.impose_rates(2, t, a);
+  return a;
+}
+
+/// What of a motion that goes on supports and relations give.
+VectorXd given_part_of(const constraint::Reduction& reduction, const VectorXd& a) {
+  VectorXd given = VectorXd::Zero(a.size());
+  for (const auto& support : reduction.prescribed())
+    given[support.dof] = a[support.dof];
+  for (const auto& dependent : reduction.dependents()) {
+    given[dependent.dof] = a[dependent.dof];
+    for (const auto& term : dependent.of)
+      given[dependent.dof] -= term.coefficient * a[term.dof];
+  }
+  return given;
 }
 
 /// A zone before the first step: its gaps are known, nothing pushes yet.
@@ -99,6 +124,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   state.motion = {model.initial.displacement, model.initial.velocity, VectorXd::Zero(size)};
   model.reduction.impose(t, state.motion.u);
   model.reduction.relate(state.motion.v);
+  model.reduction.impose_rates(1, t, state.motion.v);
   deform(model, state);
   state.residual_force = internal_forces(model, state) - model::external_force(model, t);
   state.contact_force = VectorXd::Zero(size);
@@ -107,7 +133,8 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   for (const auto& zone : model.zones)
     state.zones.push_back(untouched_zone(model, zone, state.motion.u, t));
   if (scheme.dynamic)
-    state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v);
+    state.motion.a =
+        balanced_acceleration(model, state.residual_force, state.motion.v, given_acceleration(model, t));
   if (!loaded_history)
     state.residual_force.setZero();
   state.bulk = bulk_forces(model, state);
@@ -121,16 +148,31 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
     std::ranges::fill(zone.friction_history, contact::FrictionHistory());
   state.t = t;
   state.step = 0; // the acceleration that follows is that of the instant, not of the last step
+  if (scheme.dynamic)
+    model.reduction.impose_rates(1, t, state.motion.v);
   state.residual_force = internal_forces(model, state) - model::external_force(model, t);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
   if (scheme.dynamic)
-    state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v);
+    state.motion.a =
+        balanced_acceleration(model, state.residual_force, state.motion.v, given_acceleration(model, t));
   state.bulk = bulk_forces(model, state);
   state.external_force = model::external_force(model, t);
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
     state.friction_force = VectorXd::Zero(state.contact_force.size());
   return state;
+}
+
+void release(const Model& model, const time::Scheme& scheme, State& state) {
+  if (!scheme.dynamic || scheme.nonsmooth) // a is none, or the mean of the step before
+    return;
+  state.step = 0; // as of a run that continues another one
+  state.residual_force = state.bulk.internal - state.external_force;
+  if (scheme.remembers_contact())
+    state.residual_force += state.contact_force;
+  state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v,
+                                         given_part_of(model.reduction, state.motion.a));
+  state.bulk.inertia = model.products.mass(state.motion.a);
 }
 
 } // namespace rubato::step

@@ -20,4 +20,8 @@ State initial_state(const model::Model& model, const time::Scheme& scheme, doubl
 /// dynamic; the acceleration follows from equilibrium with the contact forces in place.
 State continued_state(const model::Model& model, const time::Scheme& scheme, const State& end, double t);
 
+/// Where supports have ended, at an instant of the run: u, v and contact are kept, the acceleration follows
+/// from equilibrium without them. `model`: from that instant on.
+void release(const model::Model& model, const time::Scheme& scheme, State& state);
+
 } // namespace rubato::step

@@ -45,6 +45,11 @@ Json echo_kind(const Expression& expression) {
   return {{"expression", expression.text()}};
 }
 
+/// The rules refuse it.
+Json echo_kind(const Integral& /*integral*/) {
+  return "integral";
+}
+
 /// Factors as functions without names.
 Json echo_kind(const Product& product) {
   auto factors = Json::array();
@@ -77,6 +82,11 @@ template <class Varying> Json echo_varying(const Varying& varying) {
   put_name(map, "function", varying.function);
   return map;
 }
+Json echo_varying(const Field& field) {
+  Json map{{word(given_words, field.given), echo(field.value)}};
+  put_name(map, "function", field.function);
+  return map;
+}
 
 template <class Varying>
 void put_components(Json& map, const std::array<std::optional<Varying>, 3>& components) {
@@ -96,6 +106,13 @@ Json echo(const Support& support, int dimension) {
   }
   if (auto turns = Json::object(); put_components(turns, support.turns), !turns.empty())
     map["turn"] = turns;
+  put_optional(map, "until", support.until);
+  return map;
+}
+
+Json echo(const BaseMotion& base) {
+  Json map{{"frame", word(base_frame_words, base.frame)}};
+  put_components(map, base.components);
   return map;
 }
 
@@ -403,6 +420,8 @@ std::string to_json(const Study& study) {
   for (const auto& [name, function] : study.functions)
     deck["functions"][name] = echo(function);
   deck["supports"] = echo_list(study.supports, dimension);
+  if (study.base_motion)
+    deck["base_motion"] = echo(*study.base_motion);
   deck["relations"] = echo_by_name(study.relations, dimension);
   deck["springs"] = echo_list(study.springs, dimension);
   deck["connectors"] = echo_list(study.connectors, dimension);

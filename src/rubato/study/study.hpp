@@ -87,13 +87,28 @@ struct ObliqueSupport {
 };
 
 /// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`),
-/// also along a direction across the axes, and rotations of a reference.
+/// also along a direction across the axes, and rotations of a reference. Velocities and accelerations may
+/// stand for the displacements that follow from them.
 struct Support {
   std::string on;
   std::array<std::optional<Field>, 3> components;
   std::optional<ObliqueSupport> along = {};
   std::array<std::optional<Field>, 3> turns = {}; ///< of a reference about the axes [radians]
+  std::optional<double> until = {};               ///< instant at which it lets go, to the end without
   bool operator==(const Support&) const = default;
+};
+
+/// Where displacements are counted from.
+enum class BaseFrame {
+  relative, ///< the base: what it stands on is at rest, every mass has the force −m a(t)
+  absolute  ///< the place where the base was: supports and obstacles move with it
+};
+
+/// How the ground moves that supports, obstacles, springs and dashpots stand on.
+struct BaseMotion {
+  std::array<std::optional<Field>, 3> components; ///< numbers or expressions of t
+  BaseFrame frame = BaseFrame::relative;
+  bool operator==(const BaseMotion&) const = default;
 };
 
 enum class LoadKind {
@@ -420,6 +435,7 @@ struct Study {
   double thickness = 1; ///< plane stress and plane strain
   std::vector<Material> materials;
   std::vector<Support> supports;
+  std::optional<BaseMotion> base_motion;
   std::vector<Relation> relations;
   std::vector<Springs> springs;
   std::vector<Connector> connectors;

@@ -17,6 +17,7 @@ Judgement judge(const Study& study) {
   check_materials(rules);
   check_functions(rules);
   check_supports(rules);
+  check_base_motion(rules);
   check_relations(rules);
   check_modal_damping(rules);
   check_springs(rules);

@@ -39,6 +39,10 @@ struct FieldValue {
   bool operator==(const FieldValue&) const = default;
 };
 
+/// What of a motion a value gives. From a velocity and an acceleration the displacement follows by
+/// integration over time; the enumerators count the integrals.
+enum class Given { displacement, velocity, acceleration };
+
 /// A number, an expression or a table, times a named function of time when `function` is not empty.
 struct Field {
   Field() = default;
@@ -51,6 +55,7 @@ struct Field {
 
   FieldValue value;
   std::string function;
+  Given given = Given::displacement; ///< of supports and of the base; all others give what they are
   bool operator==(const Field&) const = default;
 };
 

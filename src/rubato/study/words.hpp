@@ -68,6 +68,13 @@ inline constexpr std::array<Word<RelationKind>, 6> relation_words{{{"equation", 
                                                                    {"distributed", RelationKind::distributed},
                                                                    {"embedded", RelationKind::embedded}}};
 
+/// A displacement is given as `value`.
+inline constexpr std::array<Word<Given>, 3> given_words{
+    {{"value", Given::displacement}, {"velocity", Given::velocity}, {"acceleration", Given::acceleration}}};
+
+inline constexpr std::array<Word<BaseFrame>, 2> base_frame_words{
+    {{"relative", BaseFrame::relative}, {"absolute", BaseFrame::absolute}}};
+
 /// `along: normal`.
 inline constexpr std::string_view normal_word = "normal";
 

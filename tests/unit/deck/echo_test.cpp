@@ -82,13 +82,16 @@ TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {
 TEST(StudyEcho, ReadsBackRelationsAndDiscreteParts) {
   for (const auto* physics : {"solid", "plane_strain"}) {
     const bool flat = std::string_view(physics) == "plane_strain";
-    const auto study = test::parse(R"(mesh: {file: any.med}
+    const auto study =
+        test::parse(
+            R"(mesh: {file: any.med}
 materials: {steel: {young: 200e9, poisson: 0.3, density: 7800}}
 time: {step: 0.001, end: 0.01}
 functions: {ramp: {times: [0, 1], values: [0, 1]}}
 supports: [{on: a, along: normal, value: {value: 1, function: ramp}}, {on: b, along: )" +
-                                   std::string(flat ? "[1, 2]" : "[1, 2, 3]") +
-                                   R"(}, {on: hub, x: 1, turn: {z: 0.1}}]
+            std::string(flat ? "[1, 2]" : "[1, 2, 3]") +
+            R"(}, {on: hub, x: 1, turn: {z: {velocity: 0.1}}}, {on: c, x: {velocity: "t^2"}, y: {acceleration: 1, function: ramp}, until: 0.005}]
+base_motion: {x: {velocity: 1, function: ramp}, y: sin(t), frame: absolute}
 relations:
   lever: {equation: {terms: [{on: N1, y: 1}, {on: N2, x: -2}], value: "t^2"}}
   flat: {equal: {on: top, in: y}}
@@ -96,13 +99,14 @@ relations:
   period: {pairs: {on: a, with: b, in: [x], difference: {x: 0.1}}}
   hub: {rigid: {on: c}}
   mean: {distributed: {on: d, at: )" +
-                                   std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(}}
+            std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(}}
 connectors: [{on: hub, to: N1, stiffness: 2}, {on: a, along: )" +
-                                   std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(, damping: 3}]
+            std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(, damping: 3, to: N3}]
 masses: [{on: N1, mass: 2}]
 loads: [{moment: {on: hub, z: 3, function: ramp}}]
-physics: )" + physics + "\n")
-                           .runs.at(0);
+physics: )" +
+            physics + "\n")
+            .runs.at(0);
     EXPECT_EQ(study.relations.size(), 6U);
     EXPECT_EQ(parse_echo(study::to_json(study), "echo.json"), study) << physics;
   }

@@ -79,5 +79,15 @@ TEST(AStudyInWords, SaysRelationsConnectorsAndMasses) {
   EXPECT_EQ(words.at("Masses"), "tip: mass = 2");
 }
 
+TEST(AStudyInWords, SaysTheMotionOfTheBaseAndVelocitiesOfSupports) {
+  auto text = std::string(deck);
+  const std::string fixed = "fix: [x, y]";
+  text.replace(text.find(fixed), fixed.size(), "x: 0, y: {velocity: -0.5, function: ramp}, until: 5e-4");
+  const auto words = words_of(text + "\nbase_motion: {x: {acceleration: -1, function: ramp}}\n");
+  EXPECT_EQ(words.at("Supports"), "wall: x = 0, y = velocity -0.5, function ramp, until = 0.0005");
+  EXPECT_EQ(words.at("Base motion"),
+            "x = acceleration -1, function ramp; displacements are those relative to the base");
+}
+
 } // namespace
 } // namespace rubato::report

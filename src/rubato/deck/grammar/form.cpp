@@ -104,6 +104,17 @@ Forms varying(Forms value) {
                      {"function", "name of a function of time, an entry of 'functions'", name()}}));
 }
 
+Forms motion(Forms value) {
+  auto alone = value;
+  return either(
+      std::move(alone),
+      map("a motion times a function of time",
+          {{"value", "displacement, what the function multiplies", value},
+           {"velocity", "instead: velocity, the displacement follows by integration over time", value},
+           {"acceleration", "instead: acceleration, from rest", std::move(value)},
+           {"function", "name of a function of time, an entry of 'functions'", name()}}));
+}
+
 std::vector<Key> components(const std::string& meaning, const Forms& forms) {
   std::vector<Key> keys;
   keys.reserve(study::axis_words.size());

@@ -69,6 +69,8 @@ Forms either(Forms one, Forms other);
 Forms field_value();
 /// A value, or a map of it and the function of time that multiplies it.
 Forms varying(Forms value);
+/// A displacement, or a map of it or of the velocity or acceleration that it follows from, and the function.
+Forms motion(Forms value);
 /// x, y, z.
 std::vector<Key> components(const std::string& meaning, const Forms& forms);
 /// Coordinates of a point or a direction.

@@ -11,6 +11,7 @@ Forms groups();
 Forms materials();
 Forms functions();
 Forms supports();
+Forms base_motion();
 Forms relations();
 Forms loads();
 Forms temperatures();

@@ -69,16 +69,25 @@ Forms supports() {
   const auto axis = word(std::move(axes));
   auto keys = joined({{"on", "group of nodes or cells, or a reference", name(), true},
                       {"fix", "axes held at 0", either(axis, list(axis))}},
-                     components("imposed displacement [length]", varying(field_value())));
+                     components("imposed displacement [length]", motion(field_value())));
   keys.push_back({"along", "a direction across the axes, or normal: that of the group's faces",
                   either(word({std::string(study::normal_word)}), coordinates())});
   keys.push_back(
-      {"value", "with along: the displacement along it; 0 when not given [length]", varying(field_value())});
+      {"value", "with along: the displacement along it; 0 when not given [length]", motion(field_value())});
   keys.push_back(
       {"turn", "rotations of a reference, small [radians]",
        map("rotations of a reference",
-           components("rotation of a reference [radians], about the axis", varying(field_value())))});
+           components("rotation of a reference [radians], about the axis", motion(field_value())))});
+  keys.push_back(
+      {"until", "instant at which it lets go; the end of the run when not given [time]", number()});
   return list(map("a support", std::move(keys)));
+}
+
+Forms base_motion() {
+  auto keys = components("motion of the base, a number or an expression of t,", motion(expression()));
+  keys.push_back({"frame", "what displacements are counted from; relative when not given",
+                  word_of(study::base_frame_words)});
+  return map("a motion of the ground", std::move(keys));
 }
 
 Forms loads() {

@@ -169,7 +169,7 @@ void RigidParts::find_held() {
   for (const auto& support : model_->reduction.prescribed()) {
     const auto node = model_->node_of(support.dof);
     const int body = number_.of(node);
-    if (support.imposed.value == 0 && !support.imposed.field && body >= 0)
+    if (support.imposed.value == 0 && !model_->reduction.moves(support) && body >= 0)
       take_out(modes_at(node).row(support.dof % model_->dofs.components).transpose(),
                motions[static_cast<std::size_t>(body)]);
   }

@@ -25,9 +25,9 @@ double factor_at(const std::optional<Function>& function, double t) {
   return function ? value_at(*function, t) : 1.0;
 }
 
-VectorXd inverse_masses(const Model& model) {
+VectorXd inverse_masses(const Model& model, const constraint::Reduction& reduction) {
   VectorXd inverse = VectorXd::Zero(model.lumped_mass.size());
-  for (const int dof : model.reduction.free_dofs()) {
+  for (const int dof : reduction.free_dofs()) {
     if (!(model.lumped_mass[dof] > 0))
       throw InputError("node " + model::node_label(model.mesh, model.node_of(dof)) +
                        " has no mass: every cell of a dynamic run needs a positive density");
@@ -68,20 +68,21 @@ double Spectrum::stable_step() const {
 }
 
 ExplicitMotion::ExplicitMotion(const Model& model)
-    : model_(&model), inverse_mass_(inverse_masses(model)), surface_(surface_dofs(model)),
+    : model_(&model), reduction_(std::make_shared<const constraint::Reduction>(model.reduction)),
+      inverse_mass_(inverse_masses(model, model.reduction)), surface_(surface_dofs(model)),
       t_(model.study.time.begin), u_(model.initial.displacement), v_(model.initial.velocity),
       bulk_points_(model.domain.initial_states()), unbalance_(VectorXd::Zero(inverse_mass_.size())),
       contact_force_(unbalance_) {
-  spectrum_.stiffness = model.domain.largest_eigenvalue(inverse_mass_);
   if (model.damping.nonZeros() > 0) {
     damping_.emplace(model.damping, model.dofs.components);
     damping_force_ = unbalance_;
-    spectrum_.damping = linalg::largest_eigenvalue(*damping_, inverse_mass_);
   }
+  find_spectrum();
   for (const auto& zone : model.zones)
     contact_.emplace_back(zone, model.dofs,
                           contact::penalty_stiffness(zone, model.dofs, inverse_mass_, spectrum_.stiffness));
-  place_supports();
+  reduction_->impose(t_, u_);
+  collect_supports();
   collect_loads();
   if (const auto* heat = model.domain.heat())
     heat_force_ = heat->force(t_);
@@ -95,11 +96,33 @@ Spectrum ExplicitMotion::spectrum() const {
   return spectrum;
 }
 
-void ExplicitMotion::place_supports() {
-  model_->reduction.impose(t_, u_);
-  for (const auto& prescribed : model_->reduction.prescribed())
-    if (prescribed.imposed.varies_in_time())
+void ExplicitMotion::find_spectrum() {
+  spectrum_.stiffness = model_->domain.largest_eigenvalue(inverse_mass_);
+  if (damping_)
+    spectrum_.damping = linalg::largest_eigenvalue(*damping_, inverse_mass_);
+}
+
+void ExplicitMotion::collect_supports() {
+  supports_.clear();
+  for (const auto& prescribed : reduction_->prescribed())
+    if (reduction_->moves(prescribed))
       supports_.push_back({&prescribed});
+}
+
+/// The velocity now stays what it is, so that half a step before moves with the acceleration. So does the
+/// kinetic energy there, which the balance must not take for a gain.
+void ExplicitMotion::take_supports(const constraint::Reduction& reduction) {
+  const double kinetic = energy().kinetic;
+  v_ += h_ / 2 * acceleration();
+  reduction_ = std::make_shared<const constraint::Reduction>(reduction);
+  inverse_mass_ = inverse_masses(*model_, reduction);
+  find_spectrum();
+  collect_supports();
+  v_ -= h_ / 2 * acceleration();
+  energy_.kinetic += kinetic - energy().kinetic;
+  if (h_ > 0)
+    for (auto& support : supports_)
+      support.reaction = reaction_of(support);
 }
 
 void ExplicitMotion::collect_loads() {
@@ -133,7 +156,7 @@ void ExplicitMotion::set_step(double step) {
   h_ = step;
   for (auto& support : supports_) {
     const int dof = support.prescribed->dof;
-    v_[dof] = (u_[dof] - displacement_of(*support.prescribed, t_ - h_)) / h_;
+    v_[dof] = (u_[dof] - reduction_->displacement(*support.prescribed, t_ - h_)) / h_;
   }
   energy_.kinetic += kinetic - energy().kinetic;
   for (auto& support : supports_)
@@ -143,7 +166,7 @@ void ExplicitMotion::set_step(double step) {
 void ExplicitMotion::step(double end) {
   for (const auto& support : supports_) {
     const int dof = support.prescribed->dof;
-    v_[dof] = (displacement_of(*support.prescribed, end) - u_[dof]) / h_;
+    v_[dof] = (reduction_->displacement(*support.prescribed, end) - u_[dof]) / h_;
   }
   central_difference_update(h_, inverse_mass_, unbalance_, v_, u_);
   const double begin = std::exchange(t_, end);
@@ -230,7 +253,7 @@ double ExplicitMotion::reaction_of(const MovingSupport& support) const {
 
 double ExplicitMotion::imposed_acceleration(const MovingSupport& support) const {
   const int dof = support.prescribed->dof;
-  return ((displacement_of(*support.prescribed, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
+  return ((reduction_->displacement(*support.prescribed, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
 }
 
 VectorXd ExplicitMotion::acceleration() const {
@@ -310,7 +333,7 @@ State ExplicitMotion::state() const {
   if (damping_)
     state.residual_force -= damping_force_;
   state.contact_force = contact_force_;
-  state.reaction = model_->reduction.reaction(unbalance_ + model_->lumped_mass.cwiseProduct(a));
+  state.reaction = reduction_->reaction(unbalance_ + model_->lumped_mass.cwiseProduct(a));
   for (const auto& zone : contact_)
     state.zones.push_back(zone.state());
   return state;

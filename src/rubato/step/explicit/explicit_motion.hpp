@@ -22,6 +22,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -49,6 +50,9 @@ public:
 
   /// Goes on to `end` in that many equal steps.
   void advance(double end, int steps);
+
+  /// Goes on with other supports: the forces of those that have ended are gone at once.
+  void take_supports(const constraint::Reduction& reduction);
 
   /// Kinetic energy is ½ v_{n−1/2}·M v_{n+1/2} and a constant that makes it continuous where the step
   /// changes, from 0 at rest on: with it the balance closes to rounding at any stable step. What the springs
@@ -91,7 +95,8 @@ private:
   };
 
   void collect_loads();
-  void place_supports();
+  void collect_supports();
+  void find_spectrum();
   void set_step(double step);
   void step(double end);
   void find_forces();
@@ -105,6 +110,7 @@ private:
   Eigen::VectorXd acceleration() const;
 
   const model::Model* model_;
+  std::shared_ptr<const constraint::Reduction> reduction_; ///< that of the model, until supports end
   std::optional<linalg::SymmetricBlockMatrix> damping_;
   Eigen::VectorXd inverse_mass_; ///< 0 where held
   std::vector<Load> loads_;

@@ -51,6 +51,10 @@ void check(Rules& rules, const Expression& expression, const std::string& path) 
   }
 }
 
+void check(Rules& rules, const Integral& /*integral*/, const std::string& path) {
+  rules.broken({path}, "found an integral, which a study has by 'velocity' and 'acceleration' only");
+}
+
 void check(Rules& rules, const Product& product, const std::string& path);
 
 void check_function(Rules& rules, const Function& function, const std::string& path) {

@@ -110,8 +110,17 @@ void Rules::field_value(const std::string& path, const FieldValue& value) {
 }
 
 void Rules::field(const std::string& path, const Field& field) {
-  const auto value = path + ".value";
-  field_value(field.function.empty() ? path : value, field.value);
+  if (field.given != Given::displacement)
+    broken({path},
+           fmt::format("found '{}', expected 'value': only supports and the base take their motion by it",
+                       word_of(given_words, field.given)));
+  motion(path, field);
+}
+
+void Rules::motion(const std::string& path, const Field& field) {
+  const bool in_map = !field.function.empty() || field.given != Given::displacement;
+  const auto value = path + "." + std::string(word_of(given_words, field.given));
+  field_value(in_map ? value : path, field.value);
   function(path + ".function", field.function);
 }
 

@@ -55,6 +55,8 @@ public:
   void field_value(const std::string& path, const FieldValue& value);
   /// The same, times a function that there is.
   void field(const std::string& path, const Field& field);
+  /// The same of a displacement, for which a velocity or an acceleration may stand.
+  void motion(const std::string& path, const Field& field);
   /// A component that the physics has.
   void axis(const std::string& path, std::size_t axis);
 
@@ -85,6 +87,7 @@ void check_physics(Rules& rules);
 void check_materials(Rules& rules);
 void check_functions(Rules& rules);
 void check_supports(Rules& rules);
+void check_base_motion(Rules& rules);
 void check_relations(Rules& rules);
 void check_modal_damping(Rules& rules);
 void check_springs(Rules& rules);

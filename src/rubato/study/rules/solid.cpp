@@ -97,6 +97,19 @@ void refuse_overlap(Rules& rules) {
   }
 }
 
+/// A support that ends has held before.
+void check_until(Rules& rules, const Support& support, const std::string& path) {
+  if (!support.until)
+    return;
+  const auto at = path + ".until";
+  const auto& time = rules.study.time;
+  rules.number(at, *support.until);
+  if (rules.has_time() && *support.until <= time.begin)
+    rules.broken({at, "time.begin"},
+                 fmt::format("found {}, expected an instant after the begin of the run, {}", *support.until,
+                             time.begin));
+}
+
 /// Components of a vector that are given, along axes that the physics has.
 template <class Component>
 void check_components(Rules& rules, const std::array<std::optional<Component>, 3>& components,
@@ -107,7 +120,7 @@ void check_components(Rules& rules, const std::array<std::optional<Component>, 3
     const auto at = fmt::format("{}.{}", path, axis_words.at(axis));
     rules.axis(at, axis);
     if constexpr (std::is_same_v<Component, Field>)
-      rules.field(at, *components[axis]);
+      rules.motion(at, *components[axis]);
     else
       rules.number(at, *components[axis]);
   }
@@ -132,13 +145,13 @@ void check_turns(Rules& rules, const Support& support, const std::string& path) 
     if (const auto& turn = support.turns.at(axis)) {
       const auto at = fmt::format("{}.turn.{}", path, axis_words.at(axis));
       check_turn_axis(rules, at, axis);
-      rules.field(at, *turn);
+      rules.motion(at, *turn);
     }
 }
 
 void check_along(Rules& rules, const Support& support, const std::string& path) {
   const auto& along = *support.along;
-  rules.field(path + ".value", along.value);
+  rules.motion(path + ".value", along.value);
   if (is_explicit(rules.study.time.scheme))
     rules.broken({path + ".along", "time.scheme"},
                  fmt::format("the scheme {} holds nodes along the axes only, expected fix, x, y or z, or an "
@@ -204,6 +217,7 @@ void check_supports(Rules& rules) {
     rules.name(path + ".on", support.on);
     check_components(rules, support.components, path);
     check_turns(rules, support, path);
+    check_until(rules, support, path);
     if (support.along)
       check_along(rules, support, path);
     if (is_empty(support.components) && !support.along && is_empty(support.turns))

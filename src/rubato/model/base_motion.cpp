@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/time_integral.hpp"
+#include "rubato/model/build.hpp"
+#include "rubato/study/fields.hpp"
+#include "rubato/study/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace rubato::model {
+namespace {
+
+using Base = constraint::Reduction::Base;
+
+std::string path_of(std::size_t axis) {
+  return fmt::format("base_motion.{}", study::axis_words.at(axis));
+}
+
+bool is_absolute(const study::Study& study) {
+  return study.base_motion && study.base_motion->frame == study::BaseFrame::absolute;
+}
+
+/// What the deck gives of an axis, as a displacement.
+FieldFunction displacement_of(const study::Study& study, const study::Field& given, std::size_t axis) {
+  auto field = study::field_function(given, study.functions, path_of(axis));
+  if (given.given == study::Given::displacement)
+    return field;
+  return integrated(field, static_cast<int>(given.given), study.time.begin, study.time.end);
+}
+
+/// −M r of the direction of an axis.
+Eigen::VectorXd inertia_along(const Model& model, int axis) {
+  Eigen::VectorXd along = Eigen::VectorXd::Zero(model.dofs.dof_count);
+  for (const auto node : model.dofs.nodes)
+    along[model.dofs.dof(node, axis)] = 1;
+  if (model.lumped_mass.size() > 0)
+    return -model.lumped_mass.cwiseProduct(along);
+  return -(model.mass * along);
+}
+
+/// An expression of t as a function of time.
+void add_force(Model& model, const study::Field& acceleration, int axis) {
+  const auto field =
+      study::field_function(acceleration, model.study.functions, path_of(static_cast<std::size_t>(axis)));
+  auto pattern = inertia_along(model, axis);
+  if (!field.expression)
+    return model.forces.push_back({field.number * pattern, field.function, {}});
+  Function function{Expression(*field.expression)};
+  if (field.function)
+    function = Function(Product{{std::move(function), *field.function}});
+  model.forces.push_back({std::move(pattern), std::move(function), {}});
+}
+
+} // namespace
+
+Base make_base(const study::Study& study, std::vector<Fault>& faults) {
+  Base base;
+  if (!is_absolute(study))
+    return base;
+  for (std::size_t axis = 0; axis < base.size(); ++axis)
+    if (const auto& given = study.base_motion->components.at(axis)) {
+      try {
+        base.at(axis) = displacement_of(study, *given, axis);
+      } catch (const InputError& error) {
+        std::ranges::copy(error.faults(), std::back_inserter(faults));
+      }
+    }
+  return base;
+}
+
+void carry_obstacles(Model& model) {
+  std::vector<Fault> told; // with the supports
+  const auto base = make_base(model.study, told);
+  for (auto& zone : model.zones)
+    if (zone.obstacle)
+      zone.obstacle->base = base;
+}
+
+void add_base_inertia(Model& model) {
+  if (!model.study.base_motion || is_absolute(model.study))
+    return;
+  for (int axis = 0; axis < model.dofs.components; ++axis)
+    if (const auto& given = model.study.base_motion->components.at(static_cast<std::size_t>(axis)))
+      add_force(model, *given, axis);
+}
+
+} // namespace rubato::model

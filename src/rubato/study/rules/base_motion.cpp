@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// How the ground moves.
+#include "rubato/core/error.hpp"
+#include "rubato/study/damping.hpp"
+#include "rubato/study/rules/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rubato::study {
+namespace {
+
+bool has_place(const Field& motion) {
+  if (motion.value.profile() != nullptr)
+    return true;
+  const auto* formula = motion.value.formula();
+  if (formula == nullptr)
+    return false;
+  try {
+    const Expression expression(formula->text);
+    return expression.has('x') || expression.has('y') || expression.has('z');
+  } catch (const InputError&) {
+    return false; // told with the value
+  }
+}
+
+void check_component(Rules& rules, const Field& motion, std::size_t axis) {
+  const auto path = fmt::format("base_motion.{}", axis_words.at(axis));
+  rules.axis(path, axis);
+  rules.motion(path, motion);
+  if (has_place(motion))
+    rules.broken({path}, "found a motion that depends on the place, expected a number or an expression of t: "
+                         "the base moves as a whole");
+  if (rules.study.physics == Physics::axisymmetric && axis == 0)
+    rules.broken({path, "physics"},
+                 "found a motion along x, axisymmetric bases move along their axis y only");
+}
+
+/// Displacements are counted from the base: only its acceleration acts.
+void check_relative(Rules& rules) {
+  const auto& base = *rules.study.base_motion;
+  if (rules.study.time.scheme == SchemeKind::static_steps)
+    rules.broken(
+        {"base_motion.frame", "base_motion", "time.scheme"},
+        "the scheme static has no masses that a base in the frame relative could accelerate, expected "
+        "frame: absolute");
+  for (std::size_t axis = 0; axis < base.components.size(); ++axis)
+    if (const auto& motion = base.components.at(axis); motion && motion->given != Given::acceleration)
+      rules.broken({fmt::format("base_motion.{}", axis_words.at(axis)), "base_motion.frame"},
+                   fmt::format("found {}, but forces of inertia need the acceleration of the base, expected "
+                               "'acceleration', or frame: absolute",
+                               motion->given == Given::velocity ? "a velocity" : "a displacement"));
+}
+
+/// What stands on the ground and cannot move with it.
+void check_absolute(Rules& rules) {
+  const auto& study = rules.study;
+  const auto refuse = [&](const std::string& path, std::string_view what) {
+    rules.broken(
+        {path, "base_motion.frame"},
+        fmt::format("{} cannot move with a base in the frame absolute, expected frame: relative", what));
+  };
+  if (!study.springs.empty())
+    refuse("springs", "springs to the ground");
+  for (std::size_t i = 0; i < study.connectors.size(); ++i)
+    if (study.connectors[i].to.empty())
+      refuse(fmt::format("connectors.{}", i), "a connector to the ground");
+  for (const auto& material : study.materials)
+    if (rayleigh_coefficients(material).mass != 0)
+      refuse(fmt::format("materials.{}", material.name),
+             "damping by the mass, which acts against the ground,");
+}
+
+} // namespace
+
+void check_base_motion(Rules& rules) {
+  if (!rules.study.base_motion)
+    return;
+  const auto& base = *rules.study.base_motion;
+  for (std::size_t axis = 0; axis < base.components.size(); ++axis)
+    if (const auto& motion = base.components.at(axis))
+      check_component(rules, *motion, axis);
+  if (std::ranges::none_of(base.components, [](const auto& motion) { return motion.has_value(); }))
+    rules.broken({"base_motion", "base_motion.x", "base_motion.y", "base_motion.z"},
+                 "has no component, expected at least one of x, y, z");
+  if (base.frame == BaseFrame::relative)
+    check_relative(rules);
+  else
+    check_absolute(rules);
+}
+
+} // namespace rubato::study

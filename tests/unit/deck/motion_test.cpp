@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Supports by velocity and acceleration, their end, and the motion of the base: what decks say and what they
+// are refused for.
+#include "rubato/core/error.hpp"
+#include "rubato/deck/read.hpp"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+namespace rubato::deck {
+namespace {
+
+struct BadPart {
+  std::string part;                                                 ///< of the deck
+  std::string told;                                                 ///< part of the sentence
+  std::string time = "{scheme: hht, alpha: -0.1, step: 1, end: 2}"; ///< of the deck
+  std::string physics = "plane_strain";
+};
+
+std::ostream& operator<<(std::ostream& out, const BadPart& bad) {
+  return out << bad.part;
+}
+
+study::Study study_of(const BadPart& deck) {
+  return parse_deck("mesh: {file: any.med}\nphysics: " + deck.physics +
+                        "\nmaterials: {any: {young: 1, poisson: 0, density: 1, rayleigh: {stiffness: 0.1}}}\n"
+                        "functions: {f: {ramp: [0, 1]}}\ntime: " +
+                        deck.time + "\n" + deck.part,
+                    "deck.yaml")
+      .runs.front();
+}
+
+class BadMotion : public testing::TestWithParam<BadPart> {};
+
+TEST_P(BadMotion, IsTold) {
+  std::string told = "nothing";
+  try {
+    study_of(GetParam());
+  } catch (const InputError& error) {
+    told = error.what();
+  }
+  EXPECT_NE(told.find(GetParam().told), std::string::npos) << told;
+}
+
+const std::string at_rest = "{scheme: static, step: 1, end: 2}";
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, BadMotion,
+    testing::Values(
+        BadPart{"supports: [{on: g, x: {velocity: 1, value: 2}}]",
+                "supports.0.x: found value and velocity together, expected one of them"},
+        BadPart{"supports: [{on: g, x: {function: f}}]", "supports.0.x: 'value' is missing"},
+        BadPart{"supports: [{on: g, x: {velocty: 1}}]", "did you mean 'velocity'?"},
+        BadPart{"supports: [{on: g, x: {velocity: 1, function: h}}]", "no function is called 'h'"},
+        BadPart{"supports: [{on: g, x: {velocity: 'x+'}}]", "supports.0.x.velocity"},
+        BadPart{"supports: [{on: g, fix: x, until: soon}]", "supports.0.until"},
+        BadPart{"supports: [{on: g, fix: x, until: 0}]",
+                "supports.0.until: found 0, expected an instant after the begin of the run, 0"},
+        BadPart{"base_motion: {frame: absolute}", "has no component, expected at least one of x, y, z"},
+        BadPart{"base_motion: {x: {acceleration: 1}, frame: fixed}", "expected one of relative, absolute"},
+        BadPart{"base_motion: {z: {acceleration: 1}}", "plane_strain has no z"},
+        BadPart{"base_motion: {x: {velocity: 1}}",
+                "found a velocity, but forces of inertia need the acceleration of the base, expected "
+                "'acceleration', or frame: absolute"},
+        BadPart{"base_motion: {x: 0.1*t}", "found a displacement, but forces of inertia need"},
+        BadPart{"base_motion: {x: {acceleration: x}}", "the base moves as a whole"},
+        BadPart{"base_motion: {x: {acceleration: 1}}", "expected frame: absolute", at_rest},
+        BadPart{
+            "base_motion: {x: {acceleration: 1}, frame: absolute}\nsprings: [{on: g, x: 1}]",
+            "springs to the ground cannot move with a base in the frame absolute, expected frame: relative"},
+        BadPart{"base_motion: {x: {acceleration: 1}, frame: absolute}\nconnectors: [{on: g, along: [1, 0], "
+                "stiffness: 1}]",
+                "connectors.0: a connector to the ground cannot move"},
+        BadPart{"base_motion: {x: {acceleration: 1}}", "axisymmetric bases move along their axis y only",
+                "{scheme: hht, alpha: -0.1, step: 1, end: 2}", "axisymmetric"}));
+
+TEST(DeckMotion, IsReadAsItIsWritten) {
+  const auto study =
+      study_of({"supports: [{on: g, x: {velocity: 0.1, function: f}, y: {acceleration: '2*t'}, until: 1.5}, "
+                "{on: h, along: [1, 0], value: {velocity: 3}}]\nbase_motion: {x: {acceleration: -1, "
+                "function: f}, y: {acceleration: 't^2'}}",
+                ""});
+  const auto& support = study.supports.at(0);
+  EXPECT_EQ(support.components[0]->given, study::Given::velocity);
+  EXPECT_EQ(support.components[0]->function, "f");
+  EXPECT_EQ(support.components[1]->given, study::Given::acceleration);
+  EXPECT_EQ(support.until, 1.5);
+  EXPECT_EQ(study.supports.at(1).along->value.given, study::Given::velocity);
+  ASSERT_TRUE(study.base_motion);
+  EXPECT_EQ(study.base_motion->frame, study::BaseFrame::relative);
+  EXPECT_EQ(study.base_motion->components[0]->value, study::FieldValue(-1));
+  EXPECT_FALSE(study.base_motion->components[2]);
+}
+
+} // namespace
+} // namespace rubato::deck
