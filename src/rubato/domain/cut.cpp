@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/cut.hpp"
 
+#include "rubato/domain/cell_matrices.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -57,8 +59,7 @@ CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap
       continue;
     const auto size = static_cast<Index>(of_cell.size()) * dofs.components;
     MatrixXd stiffness(size, size);
-    element::stiffness(mesh.type_of(bulk.cells[i]), CellPoints(mesh, of_cell), bulk.law(i), bulk.section,
-                       stiffness);
+    cell_stiffness(bulk, i, mesh.type_of(bulk.cells[i]), CellPoints(mesh, of_cell), stiffness);
     add_cell(mesh, dofs, of_cell, in_cut, point, stiffness, entries);
   }
   CutForces cut;

@@ -4,6 +4,7 @@
 #include "rubato/cell/parts.hpp"
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/domain/cell_matrices.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
 
 namespace rubato::domain {
@@ -70,8 +71,15 @@ MatrixXd CellTensors::at_points(Tensor what, std::size_t cell) {
   const auto nodes = block->cell(index);
   gather(dofs_, nodes, u_, local_);
   strain_.resize(material::strain_size(physics), extrapolation(block->type).cols());
-  element::strains(block->type, CellPoints(mesh_, nodes), physics, local_, strain_);
+  const CellPoints points(mesh_, nodes);
+  element::strains(block->type, points, physics, local_, strain_);
   MatrixXd result(6, strain_.cols());
+  if (const auto* field = bulk_.field(cell); field != nullptr && field->varies_tangent()) {
+    const auto laws = laws_at_points(*field, block->type, points);
+    for (Index q = 0; q < strain_.cols(); ++q)
+      result.col(q) = full(what, laws[slot(q)], physics, strain_.col(q));
+    return result;
+  }
   for (Index q = 0; q < strain_.cols(); ++q)
     result.col(q) = full(what, bulk_.law(cell), physics, strain_.col(q));
   return result;

@@ -29,6 +29,9 @@ struct Orthotropic {
 /// physics are taken as if the material were alike along z' and x', without ν.
 Orthotropic make_orthotropic(const study::Orthotropy& numbers, double density);
 
+/// The same with axes that are turned before the angles turn them: e' = `first` R e.
+Orthotropic make_orthotropic(const study::Orthotropy& numbers, double density, const Eigen::Matrix3d& first);
+
 /// R, the columns of which are x', y', z' in the axes of the model.
 Eigen::Matrix3d axes_of(const study::Orthotropy& numbers);
 
