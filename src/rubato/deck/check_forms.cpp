@@ -102,7 +102,8 @@ void check_form(const Value& value, const Form& form, Inside inside) {
     read(value, text);
     break;
   case Kind::expression:
-    read(value, expression);
+    if (read(value, expression) && expression.number() != nullptr)
+      read(value, number, form.range);
     break;
   case Kind::list:
     check_list(value, form);

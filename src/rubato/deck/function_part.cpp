@@ -342,14 +342,14 @@ study::Amplitude read_amplitude(const Value& value) {
   return amplitude;
 }
 
-void read_field_value(const Found& value, const Context& context, study::FieldValue& target) {
-  if (!value || !value->tree().is(Tree::Kind::map)) {
-    read(value, target);
-    return;
-  }
+bool read_field_value(const Found& value, const Context& context, study::FieldValue& target) {
+  if (!value || !value->tree().is(Tree::Kind::map))
+    return read(value, target);
   Profile profile;
-  if (read_profile(*value, context, profile))
+  const bool good = read_profile(*value, context, profile);
+  if (good)
     target = std::move(profile);
+  return good;
 }
 
 study::Field read_field(const Value& value, const Context& context) {

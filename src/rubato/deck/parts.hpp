@@ -28,7 +28,7 @@ void read_groups(const Found& value, const Context& context, std::vector<study::
 /// The list of bodies of `mesh.generate`.
 void read_bodies(const Found& value, std::vector<study::Body>& bodies);
 
-void read_materials(const Found& value, std::vector<study::Material>& materials);
+void read_materials(const Found& value, const Context& context, std::vector<study::Material>& materials);
 /// `expansion` and `reference_temperature` of a material.
 void read_expansion(MapReader& material, std::optional<study::ThermalExpansion>& expansion);
 void read_temperatures(const Found& value, const Context& context,
@@ -50,8 +50,9 @@ bool read_point(const Found& value, const Context& context, std::array<double, 3
 
 /// A number, or a number times a named function of time.
 study::Amplitude read_amplitude(const Value& value);
-/// A number, an expression or a table along an axis.
-void read_field_value(const Found& value, const Context& context, study::FieldValue& target);
+/// A number, an expression, a table along an axis or a field of a file; whether there is one that can be
+/// read.
+bool read_field_value(const Found& value, const Context& context, study::FieldValue& target);
 /// The same, or one of them times a named function of time.
 study::Field read_field(const Value& value, const Context& context);
 /// The same of a displacement, for which a velocity or an acceleration may stand.

@@ -90,7 +90,7 @@ study::Study read_study(const Tree& tree, const std::filesystem::path& folder, F
   read_physics(map, context, study);
   read_mesh(map.require("mesh"), context, study.mesh);
   read_time(map.require("time"), context, study.time);
-  read_materials(map.require("materials"), study.materials);
+  read_materials(map.require("materials"), context, study.materials);
   read_functions(map.find("functions"), context, study.functions);
   read_supports(map.find("supports"), context, study.supports);
   read_base_motion(map.find("base_motion"), context, study.base_motion);

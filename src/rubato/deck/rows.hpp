@@ -33,14 +33,20 @@ inline void refuse_of_others(MapReader& map, std::string_view key, std::string_v
              fmt::format("{} {} takes no {}, {}; a run removes it by '{}: ~'", noun, name, key, takers, key));
 }
 
-/// Reads what the row takes, and refuses what only other rows take.
-template <class Rows, class Row, class Record>
-void read_numbers_of(MapReader& map, const Rows& rows, const Row& row, std::string_view noun,
-                     Record& record) {
+/// Refuses the numbers that only other rows take.
+template <class Rows, class Row>
+void refuse_numbers_of_others(MapReader& map, const Rows& rows, const Row& row, std::string_view noun) {
   for (const auto& other : rows)
     for (const auto& number : other.numbers)
       if (!study::takes(row, number.key))
         refuse_of_others(map, number.key, noun, row.name, takers_of(rows, number.key));
+}
+
+/// Reads what the row takes, and refuses what only other rows take.
+template <class Rows, class Row, class Record>
+void read_numbers_of(MapReader& map, const Rows& rows, const Row& row, std::string_view noun,
+                     Record& record) {
+  refuse_numbers_of_others(map, rows, row, noun);
   for (const auto& number : row.numbers) {
     double value = 0;
     if (read(number.required ? map.require(number.key) : map.find(number.key), value))

@@ -103,8 +103,11 @@ Json to_json(const Form& form, Place place) {
   }
   case Kind::text:
     return of_any_word();
-  case Kind::expression:
-    return {{"type", {"number", "string"}}};
+  case Kind::expression: {
+    Json schema{{"type", {"number", "string"}}};
+    put_bounds(schema, form.range);
+    return schema;
+  }
   case Kind::list:
     return of_list(form);
   case Kind::map:

@@ -2,6 +2,7 @@
 #include "rubato/domain/assembly.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/domain/cell_matrices.hpp"
 
 #include <fmt/format.h>
 
@@ -176,7 +177,7 @@ SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const 
     const Cell cell(mesh, bulk, factors, i);
     const auto size = cell.node_count() * element::component_count(bulk.section.physics);
     element.resize(size, size);
-    stiffness(cell.type, cell.points, cell.law, bulk.section, element);
+    cell_stiffness(bulk, i, cell.type, cell.points, element);
     if (!factors.empty())
       element *= cell.factor;
     require_finite(element, cell, mesh, "stiffness");
@@ -192,7 +193,7 @@ SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const Block
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
     const Cell cell(mesh, bulk, factors, i);
     element.resize(cell.node_count(), cell.node_count());
-    mass(cell.type, cell.points, material::density(cell.law), bulk.section, element);
+    cell_mass(bulk, i, cell.type, cell.points, element);
     element *= cell.factor;
     require_finite(element, cell, mesh, "mass");
     pattern.add_to_diagonals(cell.nodes, element, matrix);
@@ -207,7 +208,7 @@ Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofM
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
     const Cell cell(mesh, bulk, factors, i);
     element.resize(cell.node_count());
-    lumped_mass(cell.type, cell.points, material::density(cell.law), bulk.section, element);
+    cell_lumped_mass(bulk, i, cell.type, cell.points, element);
     element *= cell.factor;
     require_finite(element, cell, mesh, "mass");
     for (std::size_t n = 0; n < cell.nodes.size(); ++n)

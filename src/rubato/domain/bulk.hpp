@@ -5,10 +5,12 @@
 #include "rubato/core/error.hpp"
 #include "rubato/element/element.hpp"
 #include "rubato/material/law.hpp"
+#include "rubato/material/law_field.hpp"
 #include "rubato/mesh/mesh.hpp"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,8 +21,15 @@ struct Bulk {
   std::vector<mesh::CellIndex> cells;
   std::vector<material::Law> laws;
   std::vector<std::int32_t> law_of_cell; ///< index in `laws`, one a cell of `cells`
+  /// Of each law that depends on the place; null where it does not, empty when none does. `laws` have such a
+  /// law at one place of its cells.
+  std::vector<std::shared_ptr<const material::LawField>> fields = {};
 
   const material::Law& law(std::size_t i) const { return laws[static_cast<std::size_t>(law_of_cell[i])]; }
+  /// Null when the law of the cell is the same everywhere.
+  const material::LawField* field(std::size_t i) const {
+    return fields.empty() ? nullptr : fields[static_cast<std::size_t>(law_of_cell[i])].get();
+  }
 };
 
 /// The coordinates of one cell's nodes, copied beside each other.

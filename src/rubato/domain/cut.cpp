@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/cut.hpp"
 
+#include "rubato/domain/cell_matrices.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -72,8 +74,7 @@ CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap
       continue;
     const auto size = static_cast<Index>(of_cell.size()) * dofs.components;
     MatrixXd stiffness(size, size);
-    element::stiffness(mesh.type_of(bulk.cells[i]), CellPoints(mesh, of_cell), bulk.law(i), bulk.section,
-                       stiffness);
+    cell_stiffness(bulk, i, mesh.type_of(bulk.cells[i]), CellPoints(mesh, of_cell), stiffness);
     add_entries(effects(of_cell, stiffness), dofs_of(dofs, of_cell), entries);
     if (heat == nullptr || heat->expansion_of(i) == nullptr)
       continue;

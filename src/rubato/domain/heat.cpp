@@ -2,6 +2,7 @@
 #include "rubato/domain/heat.hpp"
 
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/domain/cell_matrices.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +39,7 @@ void add_entries(const MatrixXd& matrix, std::span<const int> rows, std::span<co
 } // namespace
 
 Heat::Heat(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-           std::vector<std::optional<material::Expansion>> expansions, std::vector<HeatedNodes> nodes)
+           std::vector<std::optional<study::ThermalExpansion>> expansions, std::vector<HeatedNodes> nodes)
     : expansions_(std::move(expansions)), nodes_(std::move(nodes)),
       node_count_(static_cast<Index>(dofs.nodes.size())) {
   std::ranges::transform(nodes_, std::back_inserter(amounts_), amounts_of);
@@ -70,7 +71,7 @@ void Heat::choose_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& 
   }
 }
 
-const material::Expansion* Heat::expansion_of(std::size_t cell) const {
+const study::ThermalExpansion* Heat::expansion_of(std::size_t cell) const {
   const int law = cells_[cell].law;
   return law < 0 ? nullptr : &*expansions_[static_cast<std::size_t>(law)];
 }
@@ -83,17 +84,20 @@ CellHeat Heat::cell_heat(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t c
   const auto& expansion = *expansion_of(cell);
   const auto& shapes = cell::stiffness_table(type).values;
   const CellPoints points(mesh, mesh.nodes_of(bulk.cells[cell]));
-  const auto& law = bulk.law(cell);
-  const material::Voigt stress =
-      material::stress(law, physics, material::free_strain(law, physics, expansion));
+  const auto count = shapes.cols();
+  MatrixXd stress(material::strain_size(physics), count);
+  VectorXd held(count);
+  element::point_volumes(type, points, bulk.section, held);
+  const PointLaws laws(bulk, cell, type, points);
+  for (Index q = 0; q < count; ++q) {
+    stress.col(q) = material::stress(laws[q], physics, material::free_strain(laws[q], physics, expansion));
+    held[q] *= material::held_energy(laws[q], physics, expansion);
+  }
   CellHeat heat;
   heat.force.resize(nodes * element::component_count(physics), nodes);
-  element::stress_forces(type, points, bulk.section, stress.replicate(1, shapes.cols()), heat.force);
+  element::stress_forces(type, points, bulk.section, stress, heat.force);
   heat.reference_force = expansion.reference * heat.force.rowwise().sum();
-  VectorXd volumes(shapes.cols());
-  element::point_volumes(type, points, bulk.section, volumes);
-  heat.energy =
-      material::held_energy(law, physics, expansion) * shapes * volumes.asDiagonal() * shapes.transpose();
+  heat.energy = shapes * held.asDiagonal() * shapes.transpose();
   return heat;
 }
 

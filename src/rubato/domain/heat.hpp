@@ -36,7 +36,7 @@ public:
   /// `expansions`: one a law of the bulk. A cell is heated when its law expands and all its nodes have a
   /// temperature. Throws InputError, with the cell, where only some of them have one.
   Heat(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-       std::vector<std::optional<material::Expansion>> expansions, std::vector<HeatedNodes> nodes);
+       std::vector<std::optional<study::ThermalExpansion>> expansions, std::vector<HeatedNodes> nodes);
 
   /// One a node of DofMap::nodes, 0 where none is given [temperature]. Throws what values throw.
   Eigen::VectorXd temperatures(double t) const;
@@ -46,7 +46,7 @@ public:
   double held_energy(double t) const;
 
   /// Of a cell by its place in Bulk::cells; null where temperature does nothing.
-  const material::Expansion* expansion_of(std::size_t cell) const;
+  const study::ThermalExpansion* expansion_of(std::size_t cell) const;
   /// ϑ at the points of cell::stiffness_rule of a heated cell.
   Eigen::VectorXd degrees(std::size_t cell, const Eigen::VectorXd& temperatures) const;
   /// Of a heated cell.
@@ -66,7 +66,7 @@ private:
   void choose_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs);
   void assemble(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs);
 
-  std::vector<std::optional<material::Expansion>> expansions_;
+  std::vector<std::optional<study::ThermalExpansion>> expansions_;
   std::vector<HeatedNodes> nodes_;
   std::vector<std::vector<double>> amounts_; ///< of nodes whose values times a function of time are constant
   Eigen::Index node_count_ = 0;

@@ -4,6 +4,7 @@
 #include "rubato/cell/parts.hpp"
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/domain/cell_matrices.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
 
 namespace rubato::domain {
@@ -47,7 +48,7 @@ void gather(const DofMap& dofs, std::span<const NodeIndex> nodes, const Eigen::V
 
 /// All six stresses or strains of a strain of the physics.
 Eigen::Matrix<double, 6, 1> full(Tensor what, const material::Law& law, study::Physics physics,
-                                 const material::Voigt& strain, const material::Expansion* expansion,
+                                 const material::Voigt& strain, const study::ThermalExpansion* expansion,
                                  double degrees) {
   if (expansion != nullptr)
     return what == Tensor::strain ? material::heated_strain(law, physics, strain, *expansion, degrees)
@@ -75,13 +76,15 @@ MatrixXd CellTensors::at_points(Tensor what, std::size_t cell) {
   const auto nodes = block->cell(index);
   gather(dofs_, nodes, u_, local_);
   strain_.resize(material::strain_size(physics), extrapolation(block->type).cols());
-  element::strains(block->type, CellPoints(mesh_, nodes), physics, local_, strain_);
+  const CellPoints points(mesh_, nodes);
+  element::strains(block->type, points, physics, local_, strain_);
   const auto* expansion = heat_ != nullptr ? heat_->expansion_of(cell) : nullptr;
   const Eigen::VectorXd degrees = expansion != nullptr ? heat_->degrees(cell, temperatures_)
                                                        : Eigen::VectorXd::Zero(strain_.cols()).eval();
+  const PointLaws laws(bulk_, cell, block->type, points);
   MatrixXd result(6, strain_.cols());
   for (Index q = 0; q < strain_.cols(); ++q)
-    result.col(q) = full(what, bulk_.law(cell), physics, strain_.col(q), expansion, degrees[q]);
+    result.col(q) = full(what, laws[q], physics, strain_.col(q), expansion, degrees[q]);
   return result;
 }
 

@@ -202,15 +202,40 @@ template <class Work> void with_rows(CellType type, Physics physics, const Work&
   });
 }
 
-template <int D>
-void mass_of(const cell::ShapeTable& table, Points points, double density, const Section& section,
+/// B of one point times the root of its volume, from the scaled gradients of that point.
+template <int D, int Rows, class Column> auto strain_matrix(const Column& gradients, Index nodes) {
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, D * most_nodes> b;
+  b.setZero(D == 3 ? 6 : Rows + 1, D * nodes);
+  for (int r = 0; r < Rows; ++r) {
+    const auto of_gradient = strain_of_gradient<D, Rows>(r);
+    for (Index i = 0; i < nodes; ++i)
+      b.template middleCols<D>(D * i) += gradients[Rows * i + r] * of_gradient;
+  }
+  return b;
+}
+
+template <int D, int Rows>
+void varying_stiffness_of(const cell::ShapeTable& table, Points points,
+                          std::span<const material::Tangent> tangents, const Section& section,
+                          Eigen::Ref<Eigen::MatrixXd> k) {
+  const auto scaled = scaled_gradients<D, Rows>(table, points, section);
+  k.setZero();
+  for (Index q = 0; q < scaled.cols(); ++q) {
+    const auto b = strain_matrix<D, Rows>(scaled.col(q), static_cast<Index>(points.size()));
+    k.noalias() += b.transpose() * (tangents[static_cast<std::size_t>(q)] * b).eval();
+  }
+  k.template triangularView<Eigen::StrictlyLower>() = k.transpose().eval();
+}
+
+template <int D, class Density>
+void mass_of(const cell::ShapeTable& table, Points points, const Density& density_at, const Section& section,
              Eigen::Ref<Eigen::MatrixXd> m) {
   const auto x = coordinates<D>(points);
   Columns<most_nodes> scaled(x.cols(), table.weights.size());
   for (Index q = 0; q < table.weights.size(); ++q) {
     const double volume =
         table.weights[q] * jacobian<D>(x, table, q).determinant() * measure(section, radius<D>(x, table, q));
-    scaled.col(q) = std::sqrt(density * volume) * table.values.col(q);
+    scaled.col(q) = std::sqrt(density_at(q) * volume) * table.values.col(q);
   }
   m.noalias() = scaled * scaled.transpose();
 }
@@ -321,22 +346,68 @@ void stiffness(CellType type, Points points, const material::Tangent& tangent, c
             });
 }
 
-void mass(CellType type, Points points, double density, const Section& section,
-          Eigen::Ref<Eigen::MatrixXd> m) {
+void varying_stiffness(CellType type, Points points, std::span<const material::Tangent> tangents,
+                       const Section& section, Eigen::Ref<Eigen::MatrixXd> k) {
+  check_dimension(type, section.physics);
+  with_rows(type, section.physics,
+            [&]<int D, int Rows>(std::integral_constant<int, D>, std::integral_constant<int, Rows>) {
+              varying_stiffness_of<D, Rows>(cell::stiffness_table(type), points, tangents, section, k);
+            });
+}
+
+namespace {
+
+template <class Density>
+void mass_with(CellType type, Points points, const Density& density_at, const Section& section,
+               Eigen::Ref<Eigen::MatrixXd> m) {
   check_dimension(type, section.physics);
   const auto& table = cell::mass_table(type);
-  with_dimension(
-      type, [&]<int D>(std::integral_constant<int, D>) { mass_of<D>(table, points, density, section, m); });
+  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
+    mass_of<D>(table, points, density_at, section, m);
+  });
+}
+
+/// Sums of rows where they cannot be negative.
+void lump(CellType type, const Eigen::MatrixXd& consistent, Eigen::Ref<Eigen::VectorXd> m) {
+  if (cell::topology(type).order == 1)
+    m = consistent.rowwise().sum();
+  else
+    scale_diagonal(consistent, m);
+}
+
+} // namespace
+
+void mass(CellType type, Points points, double density, const Section& section,
+          Eigen::Ref<Eigen::MatrixXd> m) {
+  mass_with(
+      type, points, [density](Index) { return density; }, section, m);
+}
+
+void varying_mass(CellType type, Points points, std::span<const double> densities, const Section& section,
+                  Eigen::Ref<Eigen::MatrixXd> m) {
+  mass_with(
+      type, points, [densities](Index q) { return densities[static_cast<std::size_t>(q)]; }, section, m);
+}
+
+Eigen::Matrix3Xd places(const cell::ShapeTable& table, Points points) {
+  Eigen::Matrix3Xd x(3, table.values.rows());
+  for (Index i = 0; i < x.cols(); ++i)
+    x.col(i) = points[static_cast<std::size_t>(i)];
+  return x * table.values;
 }
 
 void lumped_mass(CellType type, Points points, double density, const Section& section,
                  Eigen::Ref<Eigen::VectorXd> m) {
   Eigen::MatrixXd consistent(m.size(), m.size());
   mass(type, points, density, section, consistent);
-  if (cell::topology(type).order == 1)
-    m = consistent.rowwise().sum();
-  else
-    scale_diagonal(consistent, m);
+  lump(type, consistent, m);
+}
+
+void varying_lumped_mass(CellType type, Points points, std::span<const double> densities,
+                         const Section& section, Eigen::Ref<Eigen::VectorXd> m) {
+  Eigen::MatrixXd consistent(m.size(), m.size());
+  varying_mass(type, points, densities, section, consistent);
+  lump(type, consistent, m);
 }
 
 void strains(CellType type, Points points, Physics physics, std::span<const double> displacement,

@@ -10,6 +10,7 @@
 /// cell of the physics (HEXA8 in plane stress, SEG2 ever).
 #pragma once
 
+#include "rubato/cell/shape_table.hpp"
 #include "rubato/cell/topology.hpp"
 #include "rubato/material/law.hpp"
 #include "rubato/study/study.hpp"
@@ -44,12 +45,29 @@ void stiffness(CellType type, std::span<const Eigen::Vector3d> points, const mat
 void mass(CellType type, std::span<const Eigen::Vector3d> points, double density, const Section& section,
           Eigen::Ref<Eigen::MatrixXd> m);
 
+/// Σ N_i x_i at the points of a table, a column each.
+Eigen::Matrix3Xd places(const cell::ShapeTable& table, std::span<const Eigen::Vector3d> points);
+
+/// The stiffness of a D, symmetric, at each point of cell::stiffness_rule.
+void varying_stiffness(CellType type, std::span<const Eigen::Vector3d> points,
+                       std::span<const material::Tangent> tangents, const Section& section,
+                       Eigen::Ref<Eigen::MatrixXd> k);
+
+/// The consistent mass of a density > 0 at each point of cell::mass_rule.
+void varying_mass(CellType type, std::span<const Eigen::Vector3d> points, std::span<const double> densities,
+                  const Section& section, Eigen::Ref<Eigen::MatrixXd> m);
+
 /// Lumped mass of each node into `m` (size nodes), positive and adding up to the cell's mass. Linear cells:
 /// row sums. Quadratic cells, where row sums may be negative: diagonal scaling of E. Hinton, T. Rock, O. C.
 /// Zienkiewicz, A note on mass lumping and related processes in the finite element method, Earthq. Eng.
 /// Struct. Dyn. 4 (1976) 245–249.
 void lumped_mass(CellType type, std::span<const Eigen::Vector3d> points, double density,
                  const Section& section, Eigen::Ref<Eigen::VectorXd> m);
+
+/// The same of a density at each point of cell::mass_rule.
+void varying_lumped_mass(CellType type, std::span<const Eigen::Vector3d> points,
+                         std::span<const double> densities, const Section& section,
+                         Eigen::Ref<Eigen::VectorXd> m);
 
 /// Strains at the points of cell::stiffness_rule into the columns of `strain` (strain_size × points);
 /// `displacement` has nodes · d numbers.

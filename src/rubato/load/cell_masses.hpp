@@ -2,6 +2,7 @@
 /// Consistent masses of cells, for body forces. Only this module includes this.
 #pragma once
 
+#include "rubato/domain/cell_matrices.hpp"
 #include "rubato/load/nodal_forces.hpp"
 
 #include <span>
@@ -17,8 +18,7 @@ void for_each_cell_mass(const mesh::Mesh& mesh, const domain::Bulk& bulk, const 
     const auto nodes = block->cell(index);
     const auto size = static_cast<Eigen::Index>(nodes.size());
     consistent.resize(size, size);
-    element::mass(block->type, domain::CellPoints(mesh, nodes), material::density(bulk.law(i)), bulk.section,
-                  consistent);
+    domain::cell_mass(bulk, i, block->type, domain::CellPoints(mesh, nodes), consistent);
     take(nodes, consistent);
   }
 }

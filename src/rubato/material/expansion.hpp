@@ -8,31 +8,26 @@
 
 #include "rubato/material/law.hpp"
 
-#include <optional>
-
 namespace rubato::material {
 
-struct Expansion {
-  /// α in the axes of the model, xx yy zz and engineering shears xy yz xz [1/temperature].
-  Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();
-  double reference = 0; ///< [temperature]
-};
+/// Six strains per degree in the axes of the model, xx yy zz and engineering shears xy yz xz [1/temperature].
+using FullExpansion = Eigen::Matrix<double, 6, 1>;
 
-/// Nothing where the material has none.
-std::optional<Expansion> make_expansion(const study::Material& material);
+/// α along the axes of the law.
+FullExpansion expansion_strain(const Law& law, const study::ThermalExpansion& expansion);
 
 /// e, of strain_size(physics) [1/temperature].
-Voigt free_strain(const Law& law, study::Physics physics, const Expansion& expansion);
+Voigt free_strain(const Law& law, study::Physics physics, const study::ThermalExpansion& expansion);
 
 /// Twice the energy per volume and degree² where nothing can expand: e·D e, in plane strain + α_z²/S_zz.
-double held_energy(const Law& law, study::Physics physics, const Expansion& expansion);
+double held_energy(const Law& law, study::Physics physics, const study::ThermalExpansion& expansion);
 
 /// All six stresses at a strain of the physics and ϑ degrees above the reference.
 FullStress heated_stress(const Law& law, study::Physics physics, const Voigt& strain,
-                         const Expansion& expansion, double degrees);
+                         const study::ThermalExpansion& expansion, double degrees);
 
 /// All six strains as a tensor, expansion included.
 FullStrain heated_strain(const Law& law, study::Physics physics, const Voigt& strain,
-                         const Expansion& expansion, double degrees);
+                         const study::ThermalExpansion& expansion, double degrees);
 
 } // namespace rubato::material

@@ -50,6 +50,10 @@ FullStrain full_strain(const Law& law, Physics physics, const Voigt& strain) {
   return std::visit([&](const auto& one) { return full_strain(one, physics, strain); }, law);
 }
 
+Eigen::Matrix3d own_axes(const Law& law) {
+  return std::visit([](const auto& one) { return own_axes(one); }, law);
+}
+
 double modulus_along_z(const Law& law) {
   return std::visit([](const auto& one) { return modulus_along_z(one); }, law);
 }

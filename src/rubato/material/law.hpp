@@ -45,6 +45,9 @@ FullStress full_stress(const Law& law, study::Physics physics, const Voigt& stre
 /// All six strains as a tensor, ε_xy = γ_xy/2. In plane stress ε_zz follows from σ_zz = 0.
 FullStrain full_strain(const Law& law, study::Physics physics, const Voigt& strain);
 
+/// x', y', z' of the law in its columns, in the axes of the model.
+Eigen::Matrix3d own_axes(const Law& law);
+
 /// 1/S_zz: stress along z by the strain there where nothing else is stressed [stress].
 double modulus_along_z(const Law& law);
 

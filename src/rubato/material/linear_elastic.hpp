@@ -41,6 +41,9 @@ FullStress full_stress(const LinearElastic& law, study::Physics physics, const V
 /// In plane stress ε_zz = −ν/(1 − ν) (ε_xx + ε_yy).
 FullStrain full_strain(const LinearElastic& law, study::Physics physics, const Voigt& strain);
 
+inline Eigen::Matrix3d own_axes(const LinearElastic&) {
+  return Eigen::Matrix3d::Identity();
+}
 constexpr double modulus_along_z(const LinearElastic& law) {
   return law.young;
 }

@@ -62,12 +62,24 @@ Matrix3d axes_of(const study::Orthotropy& numbers) {
       .toRotationMatrix();
 }
 
-Orthotropic make_orthotropic(const study::Orthotropy& numbers, double density) {
-  const auto to_own = strain_rotation(axes_of(numbers));
+namespace {
+
+Orthotropic with_axes(const study::Orthotropy& numbers, double density, const Matrix3d& axes) {
+  const auto to_own = strain_rotation(axes);
   const Matrix6 own = compliance_in_own_axes(numbers).inverse();
   Matrix6 stiffness = to_own.transpose() * own * to_own; // as energies are the same in all axes
   stiffness = (0.5 * (stiffness + stiffness.transpose())).eval();
-  return {numbers, density, stiffness.inverse(), stiffness};
+  return {numbers, density, axes, stiffness.inverse(), stiffness};
+}
+
+} // namespace
+
+Orthotropic make_orthotropic(const study::Orthotropy& numbers, double density) {
+  return with_axes(numbers, density, axes_of(numbers));
+}
+
+Orthotropic make_orthotropic(const study::Orthotropy& numbers, double density, const Matrix3d& first) {
+  return with_axes(numbers, density, first * axes_of(numbers));
 }
 
 double energy(const Orthotropic& law, Physics physics, const Voigt& strain) {

@@ -20,14 +20,18 @@ struct Orthotropic {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
   study::Orthotropy numbers;
-  double density = 0; ///< [mass/volume]
-  Matrix6 compliance; ///< ε = S σ [1/stress]
-  Matrix6 stiffness;  ///< σ = S⁻¹ ε [stress]
+  double density = 0;   ///< [mass/volume]
+  Eigen::Matrix3d axes; ///< x', y', z' in its columns
+  Matrix6 compliance;   ///< ε = S σ [1/stress]
+  Matrix6 stiffness;    ///< σ = S⁻¹ ε [stress]
 };
 
 /// The numbers are valid (study/validate.hpp). Those that may be left out as they have no effect in the
 /// physics are taken as if the material were alike along z' and x', without ν.
 Orthotropic make_orthotropic(const study::Orthotropy& numbers, double density);
+
+/// The same with axes that are turned before the angles turn them: e' = `first` R e.
+Orthotropic make_orthotropic(const study::Orthotropy& numbers, double density, const Eigen::Matrix3d& first);
 
 /// R, the columns of which are x', y', z' in the axes of the model.
 Eigen::Matrix3d axes_of(const study::Orthotropy& numbers);
@@ -51,6 +55,9 @@ FullStress full_stress(const Orthotropic& law, study::Physics physics, const Voi
 /// In plane stress ε_zz is that of the stresses; ν_xz and ν_yz count as 0 when they are left out.
 FullStrain full_strain(const Orthotropic& law, study::Physics physics, const Voigt& strain);
 
+inline Eigen::Matrix3d own_axes(const Orthotropic& law) {
+  return law.axes;
+}
 inline double modulus_along_z(const Orthotropic& law) {
   return 1 / law.compliance(2, 2);
 }

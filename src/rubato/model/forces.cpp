@@ -204,7 +204,7 @@ private:
   domain::Bulk heavy_part(const Mention& on) {
     if (on.name.empty())
       return bulk_;
-    domain::Bulk part{bulk_.section, {}, bulk_.laws, {}};
+    domain::Bulk part{bulk_.section, {}, bulk_.laws, {}, bulk_.fields};
     const auto* group = cells_named(mesh_, on, faults_);
     if (group == nullptr)
       return part;

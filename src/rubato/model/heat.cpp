@@ -63,8 +63,8 @@ std::shared_ptr<const domain::Heat> make_heat(const study::Study& study, const m
   if (study.temperatures.empty())
     return nullptr;
   try {
-    std::vector<std::optional<material::Expansion>> expansions;
-    std::ranges::transform(study.materials, std::back_inserter(expansions), material::make_expansion);
+    std::vector<std::optional<study::ThermalExpansion>> expansions;
+    std::ranges::transform(study.materials, std::back_inserter(expansions), &study::Material::expansion);
     return std::make_shared<domain::Heat>(mesh, bulk, dofs, std::move(expansions),
                                           heated_nodes(study, mesh, dofs, faults));
   } catch (const InputError& error) {

@@ -105,13 +105,19 @@ domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::v
   domain::Bulk bulk;
   bulk.section = {study.physics, study.thickness};
   Assignment assignment(study, mesh, faults);
+  bool any_field = false;
   for (std::size_t i = 0; i < study.materials.size(); ++i) {
     const auto& material = study.materials[i];
-    bulk.laws.push_back(material::make_law(material));
+    const auto field = material::law_field(material, study.physics);
+    any_field = any_field || field != nullptr;
+    bulk.fields.push_back(field);
+    bulk.laws.push_back(field ? material::Law{} : material::make_law(material));
     assignment.give(static_cast<int>(i));
   }
   if (faults.empty())
     assignment.report_cells_without_material();
+  if (!any_field)
+    bulk.fields.clear();
   bulk.cells = assignment.cells();
   for (const auto cell : bulk.cells)
     bulk.law_of_cell.push_back(std::max(0, assignment.of(cell)));

@@ -179,10 +179,11 @@ mesh::Mesh source_mesh(const study::MeshSource& source) {
 }
 
 /// Everything but the matrices, without the supports that end at `released` or before.
-Model lay_out(const study::Study& study, mesh::Mesh mesh, double released) {
+Model lay_out(const study::Study& asked, mesh::Mesh mesh, double released) {
   Model model;
-  model.study = study;
+  model.study = asked;
   note_releases(model);
+  const auto& study = model.study;
   model.mesh = std::move(mesh);
   if (study.physics == study::Physics::axisymmetric)
     mesh::snap_to_axis(model.mesh);
@@ -192,6 +193,9 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh, double released) {
   check_shapes(study, model.mesh, model.bulk.cells, faults);
   // What comes next integrates over cells.
   if (model.bulk.cells.empty() || faults.size() > known)
+    stop_on(faults);
+  check_law_fields(model.mesh, model.bulk, faults);
+  if (faults.size() > known)
     stop_on(faults);
   auto numbered = rigid_faces(study, model.mesh);
   numbered.insert(numbered.end(), model.bulk.cells.begin(), model.bulk.cells.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/slave_side.hpp"
 
+#include "rubato/domain/cell_matrices.hpp"
 #include "rubato/material/stretching.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/model/rigid_sides.hpp"
@@ -33,7 +34,9 @@ SideMeasures::SideMeasures(const mesh::Mesh& mesh, const domain::Bulk& bulk, con
     of_law.push_back(material::stretching_stiffness(law, bulk.section.physics));
   for (std::size_t i = 0; i < bulk.cells.size(); ++i)
     stiffness_of_cell_[static_cast<std::size_t>(bulk.cells[i])] =
-        of_law[static_cast<std::size_t>(bulk.law_of_cell[i])];
+        bulk.field(i) != nullptr
+            ? material::stretching_stiffness(domain::typical_law(mesh, bulk, i), bulk.section.physics)
+            : of_law[static_cast<std::size_t>(bulk.law_of_cell[i])];
 }
 
 SideMeasures::Side SideMeasures::of(std::span<const mesh::SurfaceFace> faces) const {

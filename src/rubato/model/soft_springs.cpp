@@ -2,6 +2,7 @@
 #include "rubato/model/soft_springs.hpp"
 
 #include "rubato/contact/springs.hpp"
+#include "rubato/domain/cell_matrices.hpp"
 #include "rubato/material/stretching.hpp"
 #include "rubato/model/bodies.hpp"
 
@@ -41,7 +42,7 @@ std::vector<double> softest(const Model& model, const Bodies& bodies) {
   std::vector<double> least(static_cast<std::size_t>(bodies.count()), INFINITY);
   for (std::size_t i = 0; i < model.bulk.cells.size(); ++i) {
     const auto body = bodies.of(model.mesh.nodes_of(model.bulk.cells[i]).front());
-    const auto& law = model.bulk.laws[static_cast<std::size_t>(model.bulk.law_of_cell[i])];
+    const auto law = domain::typical_law(model.mesh, model.bulk, i);
     auto& known = least[static_cast<std::size_t>(body)];
     known = std::min(known, material::stretching_stiffness(law, model.study.physics));
   }

@@ -12,7 +12,7 @@ namespace {
 void require_densities(const study::Study& study) {
   std::vector<Fault> faults;
   for (const auto& material : study.materials)
-    if (!material.density)
+    if (!material.density && !material.in_place.contains("density"))
       faults.push_back(
           fault_at("materials." + material.name, "'density' is missing: vibrations move masses"));
   if (!faults.empty())

@@ -13,6 +13,7 @@ inline constexpr Range within = at_least(0);
 inline constexpr Range normal_angle = {0, 180, false, true};
 inline constexpr Range frequency = above(0);
 inline constexpr Range density = at_least(0);
+inline constexpr Range density_in_place = above(0);
 inline constexpr Range rayleigh = at_least(0);
 inline constexpr Range damping_ratio = at_least(0);
 inline constexpr Range damped_modes = from_to(1, 1000);

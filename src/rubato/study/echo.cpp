@@ -6,21 +6,6 @@
 namespace rubato::study {
 namespace {
 
-Json echo(const Material& material) {
-  Json map{{"law", word(law_words, material.law)}};
-  put_numbers(map, entry_of(material.law), material);
-  put_optional(map, "density", material.density);
-  map["rayleigh"] = {{"stiffness", material.rayleigh_stiffness}, {"mass", material.rayleigh_mass}};
-  if (material.damping)
-    map["damping"] = {{"ratio", material.damping->ratio}, {"at", material.damping->at}};
-  if (const auto& expansion = material.expansion) {
-    map["expansion"] = material.law == LawKind::elastic ? Json(expansion->along[0]) : Json(expansion->along);
-    map["reference_temperature"] = expansion->reference;
-  }
-  map["cells"] = material.everywhere ? Json("all") : Json(material.cells);
-  return map;
-}
-
 Json echo(const LinearTable& table, const char* abscissae) {
   return {{abscissae, table.at}, {"values", table.values}, {"outside", word(outside_words, table.outside)}};
 }
@@ -66,6 +51,13 @@ Json echo(double number) {
   return number;
 }
 
+Json echo(const FileField& field) {
+  Json map{{"field", field.file}, {"name", field.name}};
+  put_name(map, "component", field.component);
+  put_optional(map, "at", field.at);
+  return map;
+}
+
 /// Expressions as they are written.
 Json echo(const FieldValue& value) {
   if (const auto* profile = value.profile()) {
@@ -73,7 +65,40 @@ Json echo(const FieldValue& value) {
     map["along"] = axis_words.at(profile->axis);
     return map;
   }
+  if (const auto* of_file = value.of_file())
+    return echo(*of_file);
   return value.number() != nullptr ? Json(*value.number()) : Json(value.formula()->text);
+}
+
+/// A number of a material that depends on the place, where it does.
+void put_in_place(Json& map, const Material& material) {
+  for (const auto& [key, value] : material.in_place)
+    map[key] = echo(value);
+}
+
+Json echo(const CylindricalAxes& axes, int dimension) {
+  Json map{{"point", first(axes.point, dimension)}};
+  if (dimension == 3)
+    map["direction"] = first(axes.direction, dimension);
+  return {{"cylindrical", map}};
+}
+
+Json echo(const Material& material, int dimension) {
+  Json map{{"law", word(law_words, material.law)}};
+  put_numbers(map, entry_of(material.law), material);
+  put_optional(map, "density", material.density);
+  put_in_place(map, material);
+  if (const auto& axes = material.orthotropy.cylindrical)
+    map["axes"] = echo(*axes, dimension);
+  map["rayleigh"] = {{"stiffness", material.rayleigh_stiffness}, {"mass", material.rayleigh_mass}};
+  if (material.damping)
+    map["damping"] = {{"ratio", material.damping->ratio}, {"at", material.damping->at}};
+  if (const auto& expansion = material.expansion) {
+    map["expansion"] = material.law == LawKind::elastic ? Json(expansion->along[0]) : Json(expansion->along);
+    map["reference_temperature"] = expansion->reference;
+  }
+  map["cells"] = material.everywhere ? Json("all") : Json(material.cells);
+  return map;
 }
 
 /// A value times a function of time.
@@ -415,7 +440,7 @@ std::string to_json(const Study& study) {
   deck["physics"] = word(physics_words, study.physics);
   if (study.physics == Physics::plane_stress || study.physics == Physics::plane_strain)
     deck["thickness"] = study.thickness;
-  deck["materials"] = echo_by_name(study.materials);
+  deck["materials"] = echo_by_name(study.materials, dimension);
   deck["functions"] = Json::object();
   for (const auto& [name, function] : study.functions)
     deck["functions"][name] = echo(function);

@@ -15,6 +15,8 @@ bool is_zero(const Field& field) {
 bool varies_in_time(const Field& field) {
   if (!field.function.empty())
     return true;
+  if (const auto* of_file = field.value.of_file())
+    return !of_file->at && (!of_file->values || of_file->values->varies_in_time());
   const auto* formula = field.value.formula();
   try {
     return formula != nullptr && Expression(formula->text).has('t');
@@ -23,6 +25,16 @@ bool varies_in_time(const Field& field) {
   }
 }
 
+namespace {
+
+std::shared_ptr<const SampledField> values_of(const FileField& field, const std::string& path) {
+  if (!field.values)
+    throw InputError({fault_at(path, path + ": the field of the file has not been read")});
+  return field.values;
+}
+
+} // namespace
+
 FieldFunction field_function(const FieldValue& value, const std::string& function,
                              const std::map<std::string, Function>& functions, std::string path) {
   FieldFunction field;
@@ -30,6 +42,8 @@ FieldFunction field_function(const FieldValue& value, const std::string& functio
     field.expression = Expression(formula->text);
   else if (const auto* profile = value.profile())
     field.profile = *profile;
+  else if (const auto* of_file = value.of_file())
+    field.sampled = values_of(*of_file, path);
   else
     field.number = *value.number();
   if (!function.empty())

@@ -28,6 +28,14 @@ enum class Physics { solid, plane_stress, plane_strain, axisymmetric };
 /// What gives stresses from strains; study/material_laws.hpp has a row for each.
 enum class LawKind { elastic, orthotropic };
 
+/// Axes that turn with the place about a line: x' points away from it, y' around it, z' along it. In the
+/// plane the line stands on the plane at `point`.
+struct CylindricalAxes {
+  std::array<double, 3> point{};            ///< of the line [length]
+  std::array<double, 3> direction{0, 0, 1}; ///< of any length > 0; in the plane z
+  bool operator==(const CylindricalAxes&) const = default;
+};
+
 /// Orthotropic elasticity: moduli along axes x', y', z' and the turn of these. poisson_xy is the contraction
 /// along y' under a stress along x'. Plane stress needs nothing of z', only solids need shear_yz and
 /// shear_xz.
@@ -44,6 +52,8 @@ struct Orthotropy {
   double angle_z = 0; ///< [degrees] of the turn about z, the first; about the new y, about the new x
   double angle_y = 0;
   double angle_x = 0;
+  /// Axes that the angles turn, at each place; those of the model when not given.
+  std::optional<CylindricalAxes> cylindrical;
   bool operator==(const Orthotropy&) const = default;
 };
 
@@ -69,6 +79,9 @@ struct Material {
   double poisson = 0;    ///< elastic: −1 < ν < 0.5
   Orthotropy orthotropy; ///< orthotropic
   std::optional<double> density;
+  /// Numbers of the law, and "density", that depend on the undeformed place, by their keys: they count
+  /// instead of the members.
+  std::map<std::string, FieldValue> in_place;
   double rayleigh_stiffness = 0;        ///< [time]; C = rayleigh_stiffness K + rayleigh_mass M
   double rayleigh_mass = 0;             ///< [1/time]
   std::optional<DampingRatios> damping; ///< instead of the two coefficients

@@ -4,6 +4,8 @@
 
 #include "rubato/core/field_function.hpp"
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -23,19 +25,35 @@ struct Formula {
   bool operator==(const Formula&) const = default;
 };
 
-/// A number, or a number at each place: an expression, which may have the instant too, or a table along an
-/// axis.
+/// A field at the nodes of a file (.med or .rmed, .vtu, .pvd), whose mesh is that of the study: nodes are
+/// matched by their places. Between nodes it has the shape functions of the study's cells.
+struct FileField {
+  std::string file;
+  std::string name;
+  std::string component;    ///< empty: the field is a scalar
+  std::optional<double> at; ///< instant; without one the field runs through those of the file, linearly
+  /// What the file has; the model reads it.
+  std::shared_ptr<const SampledField> values = {};
+  bool operator==(const FileField& other) const {
+    return file == other.file && name == other.name && component == other.component && at == other.at;
+  }
+};
+
+/// A number, or a number at each place: an expression, which may have the instant too, a table along an
+/// axis, or a field of a file.
 struct FieldValue {
   FieldValue(double number = 0) : is(number) {}
   FieldValue(Formula formula) : is(std::move(formula)) {}
   FieldValue(Profile profile) : is(std::move(profile)) {}
+  FieldValue(FileField field) : is(std::move(field)) {}
 
-  std::variant<double, Formula, Profile> is;
+  std::variant<double, Formula, Profile, FileField> is;
 
   /// What it is; null when it is one of the others.
   const double* number() const { return std::get_if<double>(&is); }
   const Formula* formula() const { return std::get_if<Formula>(&is); }
   const Profile* profile() const { return std::get_if<Profile>(&is); }
+  const FileField* of_file() const { return std::get_if<FileField>(&is); }
   bool operator==(const FieldValue&) const = default;
 };
 
@@ -43,7 +61,8 @@ struct FieldValue {
 /// integration over time; the enumerators count the integrals.
 enum class Given { displacement, velocity, acceleration };
 
-/// A number, an expression or a table, times a named function of time when `function` is not empty.
+/// A number, an expression, a table or a field of a file, times a named function of time when `function` is
+/// not empty.
 struct Field {
   Field() = default;
   Field(double number, std::string of_time = {}) : value(number), function(std::move(of_time)) {}
@@ -51,6 +70,7 @@ struct Field {
       : value(std::move(formula)), function(std::move(of_time)) {}
   Field(Profile profile, std::string of_time = {})
       : value(std::move(profile)), function(std::move(of_time)) {}
+  Field(FileField field, std::string of_time = {}) : value(std::move(field)), function(std::move(of_time)) {}
   Field(Amplitude amplitude) : value(amplitude.value), function(std::move(amplitude.function)) {}
 
   FieldValue value;

@@ -45,6 +45,11 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
                                "poisson_yz: 0.2, poisson_xz: 0.1, shear_xy: 3, shear_yz: 2, shear_xz: 1");
   decks.push_back(timber);
   decks.push_back(replaced(timber, "shear_xz: 1", "shear_xz: 1, angle_z: 10, angle_y: -20, angle_x: 30"));
+  decks.push_back(replaced(
+      timber, "shear_xz: 1",
+      "shear_xz: 1+x, angle_x: 30*z, axes: {cylindrical: {point: [1, 2, 3], direction: [0, 1, 1]}}"));
+  decks.push_back(replaced(smallest_deck, "young: 200e9, poisson: 0.3, density: 7800",
+                           "young: 1+x^2, poisson: {along: y, at: [0, 1], values: [0, 0.3]}, density: 3+z"));
   decks.push_back(smallest_deck + "solver: condensed\n");
   for (const auto* zone : {"between: [M, S]", "self: skin", "self: skin, integration: nodes", "all: true"})
     decks.push_back(smallest_deck + "contact: {a: {" + zone + "}}\n");

@@ -69,8 +69,7 @@ const Mistake key_mistakes[] = {
 };
 
 const Mistake type_mistakes[] = {
-    {"young: 200e9", "young: 200GPa", "200GPa",
-     "materials.steel.young: found '200GPa', expected a number > 0"},
+    {"thickness: 0.5", "thickness: 5mm", "5mm", "thickness: found '5mm', expected a number > 0"},
     {"step: 1e-3", "step: 1e-3s", "1e-3s", "time.step: found '1e-3s', expected a number > 0"},
     {"step: 1e-3", "step: '1e-3'", "'1e-3'", "time.step: found the text '1e-3', expected a number > 0"},
     {"step: 1e-3", "step: [1e-3]", "[1e-3]", "time.step: found a list, expected a number > 0"},

@@ -213,6 +213,46 @@ TEST(FrictionOfADeck, MayDependOnThePlace) {
           "tied do not slide"});
 }
 
+TEST(MaterialsOfADeck, MayDependOnThePlace) {
+  const auto deck =
+      test::replaced(smallest_deck, "young: 200e9, poisson: 0.3, density: 7800",
+                     "young: 200e9*(1+x), poisson: {along: y, at: [0, 1], values: [0, 0.3]}, density: 1+z");
+  const auto material = parse_one(deck).materials[0];
+  EXPECT_EQ(material.in_place.at("young"), study::FieldValue(study::Formula{"200e9*(1+x)"}));
+  EXPECT_NE(material.in_place.at("poisson").profile(), nullptr);
+  EXPECT_EQ(material.in_place.size(), 3U);
+  EXPECT_TRUE(parse_one(smallest_deck).materials[0].in_place.empty());
+  EXPECT_EQ(faults_of(test::replaced(smallest_deck, "young: 200e9", "young: 1+t")),
+            Sentences{"study.yaml:3:28: materials.steel.young: found t in '1+t', a number of a material "
+                      "depends on the place only"});
+}
+
+TEST(AxesOfMaterials, TurnWithThePlace) {
+  const auto with_axes = [](const std::string& axes) {
+    return test::replaced(
+        smallest_deck, "young: 200e9, poisson: 0.3, density: 7800",
+        "law: orthotropic, young_x: 9, young_y: 4, young_z: 1, poisson_xy: 0.3, poisson_yz: 0.2, "
+        "poisson_xz: 0.1, shear_xy: 3, shear_yz: 2, shear_xz: 1, axes: " +
+            axes);
+  };
+  const auto study = parse_one(with_axes("{cylindrical: {point: [1, 2, 3], direction: [0, 0, 2]}}"));
+  EXPECT_EQ(study.materials[0].orthotropy.cylindrical, (study::CylindricalAxes{{1, 2, 3}, {0, 0, 2}}));
+  EXPECT_NE(faults_of(with_axes("{cylindrical: {point: [1, 2], direction: [0, 0, 1]}}"))
+                .front()
+                .find("found 2 coordinates"),
+            std::string::npos);
+  EXPECT_NE(faults_of(with_axes("{}")).front().find("'cylindrical' is missing"), std::string::npos);
+  EXPECT_NE(faults_of(test::replaced(with_axes("{cylindrical: {point: [1, 2], direction: [0, 1]}}"), "solid",
+                                     "plane_strain"))
+                .front()
+                .find("in plane_strain the axes turn about z, expected 'point' alone"),
+            std::string::npos);
+  EXPECT_NE(faults_of(test::replaced(smallest_deck, "poisson: 0.3", "poisson: 0.3, axes: {}"))
+                .front()
+                .find("the law elastic takes no axes"),
+            std::string::npos);
+}
+
 TEST(BadTablesAlongAnAxis, AreToldAtTheirPlace) {
   const auto faults = [](const std::string& value) {
     return faults_of(smallest_deck + "supports: [{on: A, x: " + value + "}]\n");

@@ -47,7 +47,8 @@ Voigt all_six(const FullStrain& tensor) {
 class Expanding : public testing::TestWithParam<study::Material> {
 protected:
   Law law_ = make_law(GetParam());
-  Expansion expansion_ = *make_expansion(GetParam());
+  study::ThermalExpansion expansion_ = *GetParam().expansion;
+  FullExpansion strain_ = expansion_strain(law_, expansion_);
   static constexpr double degrees_ = 60;
 };
 
@@ -58,7 +59,7 @@ TEST_P(Expanding, FulfilsTheLawInSpace) {
     const auto strain = some_strain(physics);
     const auto full = heated_stress(law_, physics, strain, expansion_, degrees_);
     const auto tensor = heated_strain(law_, physics, strain, expansion_, degrees_);
-    const Voigt expected = stress(law_, Physics::solid, all_six(tensor) - degrees_ * expansion_.strain);
+    const Voigt expected = stress(law_, Physics::solid, all_six(tensor) - degrees_ * strain_);
     EXPECT_LE((full - expected).lpNorm<Eigen::Infinity>(), 1e-12 * expected.lpNorm<Eigen::Infinity>());
     if (physics == Physics::plane_stress) {
       EXPECT_EQ(full[2], 0);
@@ -79,7 +80,7 @@ TEST_P(Expanding, HasTheEnergyOfTheLawInSpace) {
     const double energy_of_terms = 0.5 * strain.dot(sigma) - degrees_ * free.dot(sigma) +
                                    0.5 * degrees_ * degrees_ * held_energy(law_, physics, expansion_);
     const auto tensor = heated_strain(law_, physics, strain, expansion_, degrees_);
-    const Voigt elastic = all_six(tensor) - degrees_ * expansion_.strain;
+    const Voigt elastic = all_six(tensor) - degrees_ * strain_;
     EXPECT_NEAR(energy_of_terms, energy(law_, Physics::solid, elastic), 1e-12 * energy_of_terms);
   }
 }
@@ -87,7 +88,7 @@ TEST_P(Expanding, HasTheEnergyOfTheLawInSpace) {
 TEST_P(Expanding, IsWithoutStressWhereItIsFree) {
   for (const auto physics : {Physics::solid, Physics::axisymmetric, Physics::plane_stress}) {
     const Voigt strain = degrees_ * free_strain(law_, physics, expansion_);
-    const double scale = modulus_along_z(law_) * degrees_ * expansion_.strain.lpNorm<Eigen::Infinity>();
+    const double scale = modulus_along_z(law_) * degrees_ * strain_.lpNorm<Eigen::Infinity>();
     EXPECT_LE(heated_stress(law_, physics, strain, expansion_, degrees_).lpNorm<Eigen::Infinity>(),
               1e-13 * scale);
   }
@@ -98,16 +99,10 @@ INSTANTIATE_TEST_SUITE_P(Expansion, Expanding, testing::Values(metal(), wood()),
 
 TEST(Expansion, IsThatOfAMetalHeldAlongZ) {
   const auto law = make_law(metal());
-  const auto free = free_strain(law, Physics::plane_strain, *make_expansion(metal()));
+  const auto free = free_strain(law, Physics::plane_strain, *metal().expansion);
   EXPECT_NEAR(free[0], 1.3e-5, 1e-18);
   EXPECT_NEAR(free[1], 1.3e-5, 1e-18);
   EXPECT_EQ(free[2], 0);
-}
-
-TEST(Expansion, IsNoneWithoutACoefficient) {
-  auto material = metal();
-  material.expansion.reset();
-  EXPECT_FALSE(make_expansion(material));
 }
 
 } // namespace

@@ -128,10 +128,10 @@ Forms coordinates() {
 }
 
 void add_number(std::vector<Key>& keys, std::string_view name, std::string_view meaning,
-                const study::Range& range) {
+                const study::Range& range, FormsOfRange forms_of_range) {
   const auto known = std::ranges::find(keys, name, &Key::name);
   if (known == keys.end()) {
-    keys.push_back({std::string(name), std::string(meaning), number(range)});
+    keys.push_back({std::string(name), std::string(meaning), forms_of_range(range)});
     return;
   }
   auto& known_range = known->forms.front().range;

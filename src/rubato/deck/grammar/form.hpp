@@ -36,7 +36,7 @@ struct Form {
   static constexpr auto any_count = std::numeric_limits<std::size_t>::max();
 
   Kind kind = Kind::text;
-  study::Range range{};           ///< of numbers
+  study::Range range{};           ///< of numbers, also of those that may be expressions
   std::vector<std::string> words; ///< of a word
   Forms of{};                     ///< of each item of a list, of each entry of a named map
   std::size_t least = 0;          ///< items of a list
@@ -65,8 +65,8 @@ Forms list(Forms items, std::size_t least = 0, std::size_t most = Form::any_coun
 Forms map(std::string title, std::vector<Key> keys);
 Forms named(Forms entries);
 Forms either(Forms one, Forms other);
-/// A number, an expression, or a table along an axis.
-Forms field_value();
+/// A number within a range, an expression, or a table along an axis.
+Forms field_value(const study::Range& range = {});
 /// A value, or a map of it and the function of time that multiplies it.
 Forms varying(Forms value);
 /// A displacement, or a map of it or of the velocity or acceleration that it follows from, and the function.
@@ -85,15 +85,17 @@ template <class Table> Forms word_of(const Table& table) {
   return word(std::move(words));
 }
 
+/// What the range of a number makes of it: number or field_value.
+using FormsOfRange = Forms (*)(const study::Range& range);
 /// Adds the key of a number, or widens the bounds of the one there is.
 void add_number(std::vector<Key>& keys, std::string_view name, std::string_view meaning,
-                const study::Range& range);
+                const study::Range& range, FormsOfRange forms_of_range);
 /// A key for each number that some rows of a table take, with the bounds of all of them together.
-template <class Rows> std::vector<Key> numbers_of(const Rows& rows) {
+template <class Rows> std::vector<Key> numbers_of(const Rows& rows, FormsOfRange forms_of_range = number) {
   std::vector<Key> keys;
   for (const auto& row : rows)
     for (const auto& entry : row.numbers)
-      add_number(keys, entry.key, entry.meaning, entry.range);
+      add_number(keys, entry.key, entry.meaning, entry.range, forms_of_range);
   return keys;
 }
 

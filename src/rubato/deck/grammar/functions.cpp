@@ -42,10 +42,12 @@ Forms functions() {
   return named(map("a function of time", std::move(keys)));
 }
 
-Forms field_value() {
+Forms field_value(const study::Range& range) {
   std::vector<std::string> axes(study::axis_words.begin(), study::axis_words.end());
+  auto number_or_text = expression();
+  number_or_text.front().range = range;
   return either(
-      expression(),
+      std::move(number_or_text),
       map("a table along an axis",
           {{"along", "axis of the coordinates, undeformed", word(std::move(axes)), true},
            {"at", "coordinates, ascending [length]", list(number(), 1)},

@@ -43,10 +43,18 @@ Forms load(study::LoadKind kind) {
 } // namespace
 
 Forms materials() {
-  auto keys =
-      joined({{"law", "what gives stresses from strains; elastic when not given", word_of(study::law_words)},
-              {"density", "[mass/length³]; not needed by the scheme static", number(study::bounds::density)}},
-             numbers_of(study::material_laws));
+  auto keys = joined(
+      {{"law", "what gives stresses from strains; elastic when not given", word_of(study::law_words)},
+       {"density", "[mass/length³]; not needed by the scheme static", field_value(study::bounds::density)}},
+      numbers_of(study::material_laws, field_value));
+  keys.push_back(
+      {"axes", "of orthotropy where they turn with the place, before the angles turn them",
+       map("axes that turn with the place",
+           {{"cylindrical", "x' away from a line, y' around it, z' along it",
+             map("cylindrical axes",
+                 {{"point", "of the line, in the plane where it stands [length]", coordinates(), true},
+                  {"direction", "of the line, along z'; in the plane none", coordinates()}}),
+             true}})});
   keys.push_back({"rayleigh", "damping matrix from stiffness and mass",
                   map("Rayleigh damping",
                       {{"stiffness", "factor of the stiffness [time]", number(study::bounds::rayleigh)},
@@ -112,8 +120,8 @@ Forms modal_damping() {
   const auto ratio = number(study::bounds::damping_ratio);
   return map("damping of the lowest natural modes, as they are without contact",
              {{"modes", "how many of the lowest ones", whole_number(study::bounds::damped_modes), true},
-              {"ratio", "part of critical damping, of all modes or a list of one each", either(ratio, list(ratio, 1)),
-               true}});
+              {"ratio", "part of critical damping, of all modes or a list of one each",
+               either(ratio, list(ratio, 1)), true}});
 }
 
 Forms springs() {

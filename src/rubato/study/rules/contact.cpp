@@ -68,7 +68,7 @@ private:
                     "and an expression or a table");
     Field field;
     field.value = value;
-    if (varies_in_time(field))
+    if (value.formula() != nullptr && varies_in_time(field))
       rules_.broken({at("friction")}, fmt::format("found t in {}, friction depends on the place only",
                                                   shown(value.formula()->text)));
   }

@@ -5,14 +5,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace rubato::study {
 namespace {
 
-void tell_missing(const Orthotropy& numbers, Physics physics, std::vector<LawFault>& faults) {
+bool is_in_place(const Material& material, std::string_view key) {
+  return material.in_place.contains(std::string(key));
+}
+
+void tell_missing(const Material& material, Physics physics, std::vector<LawFault>& faults) {
+  const auto& numbers = material.orthotropy;
   const auto need = [&](const std::optional<double>& number, std::string_view key) {
-    if (!number)
+    if (!number && !is_in_place(material, key))
       faults.push_back({{key},
                         true,
                         fmt::format("'{}' is missing: the law orthotropic needs it in {}", key,
@@ -29,18 +36,28 @@ void tell_missing(const Orthotropy& numbers, Physics physics, std::vector<LawFau
   }
 }
 
-void tell_turns_out_of_plane(const Orthotropy& numbers, Physics physics, std::vector<LawFault>& faults) {
+void tell_turns_out_of_plane(const Material& material, Physics physics, std::vector<LawFault>& faults) {
   if (physics == Physics::solid)
     return;
   const auto refuse = [&](double angle, std::string_view key) {
-    if (angle != 0)
-      faults.push_back({{key},
-                        false,
-                        fmt::format("found {}, but axes turn in the plane only in {}, expected angle_z",
-                                    angle, word_of(physics_words, physics))});
+    const bool in_place = is_in_place(material, key);
+    if (angle != 0 || in_place)
+      faults.push_back(
+          {{key},
+           false,
+           fmt::format("found {}, but axes turn in the plane only in {}, expected angle_z",
+                       in_place ? "a turn" : fmt::format("{}", angle), word_of(physics_words, physics))});
   };
-  refuse(numbers.angle_y, "angle_y");
-  refuse(numbers.angle_x, "angle_x");
+  refuse(material.orthotropy.angle_y, "angle_y");
+  refuse(material.orthotropy.angle_x, "angle_x");
+}
+
+/// Numbers that depend on the place are judged where they are evaluated.
+bool can_be_judged(const Material& material) {
+  return std::ranges::all_of(orthotropic_numbers, [&](const Number<Material>& number) {
+    const auto value = number.get(material);
+    return !is_in_place(material, number.key) && (!value || number.range.contains(*value));
+  });
 }
 
 /// A ratio between two axes is bounded by their moduli: ν_ab² < E_a/E_b.
@@ -97,16 +114,11 @@ void tell_indefinite(const Orthotropy& o, Physics physics, std::vector<LawFault>
 } // namespace
 
 std::vector<LawFault> orthotropic_faults(const Material& material, Physics physics) {
-  const auto within = [&](const Number<Material>& number) {
-    const auto value = number.get(material);
-    return !value || number.range.contains(*value);
-  };
   std::vector<LawFault> faults;
-  const auto& numbers = material.orthotropy;
-  tell_missing(numbers, physics, faults);
-  tell_turns_out_of_plane(numbers, physics, faults);
-  if (std::ranges::all_of(orthotropic_numbers, within))
-    tell_indefinite(numbers, physics, faults);
+  tell_missing(material, physics, faults);
+  tell_turns_out_of_plane(material, physics, faults);
+  if (can_be_judged(material))
+    tell_indefinite(material.orthotropy, physics, faults);
   return faults;
 }
 

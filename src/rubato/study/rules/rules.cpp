@@ -96,6 +96,8 @@ void Rules::field_value(const std::string& path, const FieldValue& value) {
     axis(path + ".along", profile->axis);
     return table(profile->table, path, "at");
   }
+  if (const auto* of_file = value.of_file())
+    return file_field(path, *of_file);
   const auto& text = value.formula()->text;
   try {
     if (Expression(text).has('z') && dimension_of(study.physics) < 3)
@@ -107,6 +109,13 @@ void Rules::field_value(const std::string& path, const FieldValue& value) {
                                      shown(text), text)
                        : error.faults().front().text);
   }
+}
+
+void Rules::file_field(const std::string& path, const FileField& field) {
+  name(path + ".field", field.file);
+  name(path + ".name", field.name);
+  if (field.at)
+    number(path + ".at", *field.at);
 }
 
 void Rules::field(const std::string& path, const Field& field) {

@@ -51,12 +51,15 @@ public:
   void chosen_name(const std::string& path, const std::string& name, std::span<const std::string> before);
   /// The name of a function that there is; empty: none.
   void function(const std::string& path, const std::string& name);
-  /// A finite number, an expression that can be computed or a table, of coordinates that the physics has.
+  /// A finite number, an expression that can be computed, a table, of coordinates that the physics has, or a
+  /// field of a file.
   void field_value(const std::string& path, const FieldValue& value);
   /// The same, times a function that there is.
   void field(const std::string& path, const Field& field);
   /// The same of a displacement, for which a velocity or an acceleration may stand.
   void motion(const std::string& path, const Field& field);
+  /// A field of a file that is named.
+  void file_field(const std::string& path, const FileField& field);
   /// A component that the physics has.
   void axis(const std::string& path, std::size_t axis);
 

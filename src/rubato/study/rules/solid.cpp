@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Materials, supports, springs, loads, and how the bodies begin.
 #include "rubato/study/damping.hpp"
+#include "rubato/study/fields.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -11,9 +12,65 @@
 namespace rubato::study {
 namespace {
 
+/// A number of a material that depends on the place.
+void check_in_place(Rules& rules, const FieldValue& value, const Range& range, const std::string& path) {
+  if (const auto* number = value.number())
+    return rules.number(path, *number, range);
+  rules.field_value(path, value);
+  Field field;
+  field.value = value;
+  if (value.formula() != nullptr && varies_in_time(field))
+    rules.broken({path}, fmt::format("found t in {}, a number of a material depends on the place only",
+                                     shown(value.formula()->text)));
+}
+
+/// Numbers that depend on the place, and those of the law that do not.
+void check_numbers(Rules& rules, const Material& material, const std::string& path) {
+  const auto& law = entry_of(material.law);
+  for (const auto& number : law.numbers)
+    if (const auto value = number.get(material);
+        value && !material.in_place.contains(std::string(number.key)))
+      rules.number(path + "." + std::string(number.key), *value, number.range);
+  for (const auto& [key, value] : material.in_place) {
+    const auto number = std::ranges::find(law.numbers, key, &Number<Material>::key);
+    if (number != law.numbers.end())
+      check_in_place(rules, value, number->range, path + "." + key);
+    else if (key == "density")
+      check_in_place(rules, value, bounds::density_in_place, path + "." + key);
+    else
+      rules.broken({path + "." + key, path + ".law"}, fmt::format("the law {} takes no {}", law.name, key));
+  }
+}
+
+/// Lines about which the axes of orthotropy turn.
+void check_axes(Rules& rules, const Material& material, const std::string& of_material) {
+  const auto& axes = *material.orthotropy.cylindrical;
+  const auto path = of_material + ".axes";
+  const auto below = path + ".cylindrical";
+  const auto physics = rules.study.physics;
+  if (material.law != LawKind::orthotropic)
+    rules.broken({path, of_material + ".law"},
+                 fmt::format("the law {} takes no axes, orthotropic does", entry_of(material.law).name));
+  if (physics == Physics::axisymmetric)
+    rules.broken({path, "physics"}, "found cylindrical axes in axisymmetric, where x' is radial, y' axial "
+                                    "and z' circumferential already, expected none");
+  for (std::size_t axis = 0; axis < axes.point.size(); ++axis) {
+    rules.number(fmt::format("{}.point.{}", below, axis), axes.point.at(axis));
+    rules.number(fmt::format("{}.direction.{}", below, axis), axes.direction.at(axis));
+  }
+  if (std::ranges::all_of(axes.direction, [](double number) { return number == 0; }))
+    rules.broken({below + ".direction"}, "found a direction without length");
+  else if (dimension_of(physics) == 2 && (axes.direction[0] != 0 || axes.direction[1] != 0))
+    rules.broken({below + ".direction", "physics"},
+                 fmt::format("found a direction in the plane, in {} the axes turn about z",
+                             word_of(physics_words, physics)));
+}
+
 void check_law(Rules& rules, const Material& material, const std::string& path) {
   const auto& law = entry_of(material.law);
-  rules.numbers_of(law, path, material);
+  check_numbers(rules, material, path);
+  if (material.orthotropy.cylindrical)
+    check_axes(rules, material, path);
   if (law.faults == nullptr)
     return;
   for (const auto& fault : law.faults(material, rules.study.physics)) {
@@ -64,10 +121,10 @@ void check_damping(Rules& rules, const Material& material, const std::string& of
 
 void check_material(Rules& rules, const Material& material, const std::string& path) {
   check_law(rules, material, path);
-  if (material.density)
+  if (material.density && !material.in_place.contains("density"))
     rules.number(path + ".density", *material.density,
                  bounds::density); // where 0 is enough only the mesh tells
-  else if (rules.study.time.scheme != SchemeKind::static_steps)
+  else if (rules.study.time.scheme != SchemeKind::static_steps && !material.in_place.contains("density"))
     rules.broken({path, path + ".density", "time.scheme"},
                  fmt::format("'density' is missing: the scheme {} moves masses",
                              word_of(scheme_words, rules.study.time.scheme)));
