@@ -20,4 +20,13 @@ struct LinearTable {
 /// under `linear` too. Throws InputError when the table is empty or its lists differ in length.
 double interpolated(const LinearTable& table, double x);
 
+/// Of the piece that `x` is on, at a corner of the one after it; outside of the table as it goes on there.
+double slope_at(const LinearTable& table, double x);
+
+/// The integral from 0 to `x`.
+double integral_to(const LinearTable& table, double x);
+
+/// The largest magnitude of the slopes of all pieces; 0 of a table of one point.
+double steepest(const LinearTable& table);
+
 } // namespace rubato

@@ -17,6 +17,19 @@ study::Springs read_springs_of(const Value& value) {
   return springs;
 }
 
+/// Force by what `key` has.
+void read_law(const Value& value, std::string_view key, std::optional<LinearTable>& law) {
+  LinearTable table;
+  table.outside = LinearTable::Outside::linear;
+  MapReader map(value);
+  const bool has_places = read(map.require(key), table.at);
+  const bool has_forces = read(map.require("forces"), table.values);
+  read(map.find("outside"), table.outside, study::outside_words);
+  map.finish();
+  if (has_places && has_forces)
+    law = std::move(table);
+}
+
 study::Connector read_connector(const Value& value, const Context& context) {
   study::Connector connector;
   MapReader map(value);
@@ -26,6 +39,10 @@ study::Connector read_connector(const Value& value, const Context& context) {
     connector.along = along;
   read(map.find("stiffness"), connector.stiffness, study::bounds::connector);
   read(map.find("damping"), connector.damping, study::bounds::connector);
+  if (const auto law = map.find("force"))
+    read_law(*law, "elongations", connector.force);
+  if (const auto law = map.find("damper"))
+    read_law(*law, "rates", connector.damper);
   map.finish();
   return connector;
 }

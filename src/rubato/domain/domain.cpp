@@ -20,6 +20,10 @@ double Domain::energy(const VectorXd& u, const VectorXd& forces, double t,
   return std::visit([&](const auto& kind) { return kind.energy(u, forces, t, states); }, kind_);
 }
 
+std::span<const LawSpring> Domain::law_springs() const {
+  return std::visit([](const auto& kind) { return kind.law_springs(); }, kind_);
+}
+
 const Heat* Domain::heat() const {
   return std::visit([](const auto& kind) { return kind.heat(); }, kind_);
 }

@@ -37,11 +37,14 @@ public:
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
 
+  /// Springs by tables.
+  std::span<const LawSpring> law_springs() const;
+
   /// Null where nothing has a temperature. Then internal forces change with time at the same displacements.
   const Heat* heat() const;
 
-  /// Whether forces are the initial tangent times u, but for those of heat, whatever happened before: what is
-  /// made from one tangent, a factor above all, then holds for every step.
+  /// Whether forces are the initial tangent times u, but for those of heat and of springs by tables, whatever
+  /// happened before: what is made from one tangent, a factor above all, then holds for every step.
   bool is_linear() const;
 
   /// ∂f_int/∂u at u = 0 where nothing has happened yet [force/length]. Whoever wants scales, or an elastic

@@ -9,8 +9,9 @@ namespace rubato::domain {
 
 using Eigen::VectorXd;
 
-LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat)
-    : heat_(std::move(heat)), product_(std::in_place, stiffness, components) {
+LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat,
+                           std::vector<LawSpring> springs)
+    : heat_(std::move(heat)), springs_(std::move(springs)), product_(std::in_place, stiffness, components) {
   const auto own = std::make_shared<SparseMatrix>();
   own->swap(stiffness);
   stiffness_ = own;
@@ -29,13 +30,14 @@ void LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, Q
   }
   wanted.forces->resize(step.u1.size());
   product_->multiply(step.u1, *wanted.forces);
+  add_beyond_matrix(springs_, step.u1, *wanted.forces);
   if (heat_)
     *wanted.forces -= heat_->force(step.t1);
 }
 
 double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, double t,
                             const QuadratureStates&) const {
-  const double energy = 0.5 * u.dot(forces);
+  const double energy = 0.5 * u.dot(forces) + energy_beyond_products(springs_, u);
   return heat_ ? energy - 0.5 * u.dot(heat_->force(t)) + heat_->held_energy(t) : energy;
 }
 

@@ -59,6 +59,11 @@ std::vector<Connector> make_connectors(const study::Study& study, const mesh::Me
 void add_connectors(const Model& model, SparseMatrix& stiffness);
 /// Adds the masses of references.
 void add_reference_masses(const Model& model, SparseMatrix& mass);
+/// Springs and dashpots by tables.
+std::vector<domain::LawSpring> law_springs(const Model& model);
+std::vector<domain::LawSpring> law_dampers(const Model& model);
+/// Adds to a matrix of stiffness what it lacks of the slopes of springs at rest.
+void add_slopes_at_rest(const Model& model, SparseMatrix& stiffness);
 /// Adds their damping.
 void add_dashpots(const Model& model, SparseMatrix& damping);
 

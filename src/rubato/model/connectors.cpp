@@ -110,15 +110,19 @@ private:
   }
 
   void add(const study::Connector& connector, const End& end, const End* other, const Vector3d& direction) {
-    Connector made{{}, connector.stiffness, connector.damping};
+    Connector made{{}, connector.stiffness, connector.damping, 0, connector.force, connector.damper};
+    if (made.force)
+      made.stiffness = steepest(*made.force);
+    if (made.damper)
+      made.damping = steepest(*made.damper);
     const auto add_end = [&](const End& at, double sign) {
       const Eigen::RowVectorXd row = sign * direction.head(dofs_.components).transpose() * at.motion;
       for (std::size_t d = 0; d < at.dofs.size(); ++d)
         made.row.push_back({at.dofs[d], row[static_cast<Index>(d)]});
     };
-    add_end(end, 1);
+    add_end(end, other != nullptr ? -1 : 1); // > 0: elongated
     if (other != nullptr)
-      add_end(*other, -1);
+      add_end(*other, 1);
     connectors_.push_back(std::move(made));
   }
 
@@ -128,6 +132,23 @@ private:
   std::vector<Fault>& faults_;
   std::vector<Connector> connectors_;
 };
+
+std::vector<domain::LawSpring> laws_of(const Model& model, std::optional<LinearTable> Connector::*law,
+                                       double Connector::*held) {
+  std::vector<domain::LawSpring> springs;
+  for (const auto& connector : model.connectors) {
+    if (!(connector.*law))
+      continue;
+    domain::LawSpring spring{
+        {}, Eigen::VectorXd(static_cast<Index>(connector.row.size())), *(connector.*law), connector.*held};
+    for (const auto& term : connector.row) {
+      spring.row[static_cast<Index>(spring.dofs.size())] = term.coefficient;
+      spring.dofs.push_back(term.dof);
+    }
+    springs.push_back(std::move(spring));
+  }
+  return springs;
+}
 
 /// Σ factor rᵀ r. Blocks of nodes are whole: what multiplies matrices reads them so.
 SparseMatrix sum_of(const Model& model, double Connector::*factor) {
@@ -193,6 +214,23 @@ void add_connectors(const Model& model, SparseMatrix& stiffness) {
 void add_reference_masses(const Model& model, SparseMatrix& mass) {
   if (std::ranges::any_of(model.connectors, [](const auto& c) { return c.mass > 0; }))
     linalg::add_scaled(1, sum_of(model, &Connector::mass), mass);
+}
+
+std::vector<domain::LawSpring> law_springs(const Model& model) {
+  return laws_of(model, &Connector::force, &Connector::stiffness);
+}
+
+std::vector<domain::LawSpring> law_dampers(const Model& model) {
+  return laws_of(model, &Connector::damper, &Connector::damping);
+}
+
+void add_slopes_at_rest(const Model& model, SparseMatrix& stiffness) {
+  for (const auto& spring : law_springs(model))
+    for (std::size_t i = 0; i < spring.dofs.size(); ++i)
+      for (std::size_t j = 0; j < spring.dofs.size(); ++j)
+        stiffness.coeffRef(spring.dofs[i], spring.dofs[j]) += (slope_at(spring.force, 0) - spring.held) *
+                                                              spring.row[static_cast<Index>(i)] *
+                                                              spring.row[static_cast<Index>(j)];
 }
 
 void add_dashpots(const Model& model, SparseMatrix& damping) {

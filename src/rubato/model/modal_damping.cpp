@@ -23,14 +23,16 @@ double ratio_of(const study::ModalDamping& asked, Index mode) {
 linalg::EigenModes found_modes(const Model& model, int number) {
   const bool floats = model.reduction.prescribed().empty() && model.springs.empty() &&
                       std::ranges::none_of(model.connectors, [](const auto& c) { return c.stiffness > 0; });
-  auto found = linalg::smallest_modes(model.reduction.reduced(model.domain.initial_tangent()),
-                                      model.reduction.reduced(model.mass),
+  auto stiffness = model.domain.initial_tangent();
+  add_slopes_at_rest(model, stiffness);
+  auto found = linalg::smallest_modes(model.reduction.reduced(stiffness), model.reduction.reduced(model.mass),
                                       SparseMatrix(model.reduction.unknown_count(), 0), number,
                                       floats ? linalg::Support::none : linalg::Support::unknown);
   if (!found || !found->converged)
-    throw InputError({fault_at("modal_damping.modes",
-                               "modal_damping.modes: the natural modes of the bodies were not found; expected "
-                               "fewer modes, or 'rayleigh' in the materials")});
+    throw InputError(
+        {fault_at("modal_damping.modes",
+                  "modal_damping.modes: the natural modes of the bodies were not found; expected "
+                  "fewer modes, or 'rayleigh' in the materials")});
   return std::move(*found);
 }
 
@@ -44,9 +46,9 @@ ModalDamping make_modal_damping(const Model& model) {
   const auto modes = found_modes(model, asked->modes);
   const Index count = modes.values.size();
   if (count < asked->modes)
-    throw InputError({fault_at("modal_damping.modes",
-                               fmt::format("modal_damping.modes: found {}, but the bodies have {} modes",
-                                           asked->modes, count))});
+    throw InputError({fault_at(
+        "modal_damping.modes",
+        fmt::format("modal_damping.modes: found {}, but the bodies have {} modes", asked->modes, count))});
   damping.momenta.resize(model.dofs.dof_count, count);
   damping.factors.resize(count);
   for (Index k = 0; k < count; ++k) {

@@ -68,7 +68,7 @@ domain::Domain make_domain(const Model& model, const domain::BlockPattern& patte
     stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
   add_connectors(model, stiffness);
   add_gauges(model, stiffness);
-  return {domain::LinearDomain(std::move(stiffness), model.dofs.components, model.heat),
+  return {domain::LinearDomain(std::move(stiffness), model.dofs.components, model.heat, law_springs(model)),
           domain::initial_states(model.mesh, model.bulk)};
 }
 
@@ -139,6 +139,7 @@ void assemble_matrices(Model& model, const std::vector<study::Material>& materia
   if (damped)
     assemble_rayleigh(model, pattern, by_stiffness, by_mass);
   add_dashpots(model, model.damping);
+  model.dampers = law_dampers(model);
   model.modal_damping = make_modal_damping(model);
 }
 
@@ -332,13 +333,14 @@ VectorXd external_force(const Model& model, double t) {
 }
 
 bool is_damped(const Model& model) {
-  return model.damping.nonZeros() > 0 || !model.modal_damping.empty();
+  return model.damping.nonZeros() > 0 || !model.modal_damping.empty() || !model.dampers.empty();
 }
 
 VectorXd damping_force(const Model& model, const VectorXd& v) {
   VectorXd force = model.damping.nonZeros() > 0 ? VectorXd(model.damping * v) : VectorXd::Zero(v.size());
   if (!model.modal_damping.empty())
     force += model.modal_damping.force(v);
+  domain::add_beyond_matrix(model.dampers, v, force);
   return force;
 }
 

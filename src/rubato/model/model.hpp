@@ -44,12 +44,15 @@ struct Spring {
   bool soft = false;    ///< too soft to say where a body in contact is (model/soft_springs.hpp)
 };
 
-/// A spring, a dashpot and a mass side by side on the displacement Σ row · u.
+/// A spring, a dashpot and a mass side by side on the displacement Σ row · u. Where tables give forces, the
+/// numbers are their steepest slopes, which matrices have.
 struct Connector {
   std::vector<constraint::Term> row;
   double stiffness = 0; ///< [force/length]
   double damping = 0;   ///< [force · time/length]
   double mass = 0;      ///< [mass]
+  std::optional<LinearTable> force = {};
+  std::optional<LinearTable> damper = {};
 };
 
 struct PointMass {
@@ -84,7 +87,8 @@ struct Model {
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
   SparseMatrix damping;        ///< no entries without Rayleigh coefficients and dashpots
   ModalDamping modal_damping;
-  Products products;           ///< with the mass, in an implicit run
+  std::vector<domain::LawSpring> dampers; ///< by tables
+  Products products;                      ///< with the mass, in an implicit run
   std::vector<Force> forces;
   constraint::Reduction reduction; ///< which displacements are unknown, and what supports prescribe
   std::vector<Reference> references;

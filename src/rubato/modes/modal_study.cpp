@@ -47,6 +47,11 @@ study::Study modal_study(const study::Study& asked) {
   study.loads.clear();
   study.modal_damping.reset();
   study.temperatures.clear(); // strains without stress leave stiffness and mass as they are
+  for (auto& connector : study.connectors) {
+    if (connector.force)
+      connector.stiffness = slope_at(*std::exchange(connector.force, std::nullopt), 0);
+    connector.damper.reset();
+  }
   study.initial.clear();
   study.probes.clear();
   study.checks.clear();

@@ -82,6 +82,8 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   ledger_.numerical += scheme_dissipation(moved, committed, trial) -
                        (scheme_->forces.now - 0.5) * (rigid_now - rigid_before) + supports.work -
                        supports.with_step;
+  ledger_.numerical +=
+      domain::missed_between(model_->domain.law_springs(), committed.motion.u, trial.motion.u);
   ledger_.unbalanced += work_of_equation(moved, committed, trial) - scheme_->forces.now * rigid_now -
                         scheme_->forces.before * rigid_before - supports.with_step;
 }

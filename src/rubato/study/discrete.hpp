@@ -2,14 +2,16 @@
 /// Parts that are no cells: springs and dashpots between places, masses at nodes.
 #pragma once
 
+#include "rubato/core/linear_table.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
 
 namespace rubato::study {
 
-/// A linear spring and a dashpot side by side, without force where the nodes are undeformed and at rest: on a
-/// node or a reference and another one; or on each node of a group and the ground.
+/// A spring and a dashpot side by side, without force where the nodes are undeformed and at rest unless a
+/// table says so: on a node or a reference and another one; or on each node of a group and the ground.
 struct Connector {
   std::string on;
   std::string to; ///< empty: the ground
@@ -17,6 +19,10 @@ struct Connector {
   std::optional<std::array<double, 3>> along = {};
   double stiffness = 0; ///< [force/length] ≥ 0
   double damping = 0;   ///< [force · time/length] ≥ 0
+  /// Instead of `stiffness`: force against elongation. That is the displacement of `to` along the direction
+  /// less that of `on`; to the ground that of `on`.
+  std::optional<LinearTable> force = {};
+  std::optional<LinearTable> damper = {}; ///< instead of `damping`: force by the rate of the elongation
   bool operator==(const Connector&) const = default;
 };
 

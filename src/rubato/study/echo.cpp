@@ -204,8 +204,14 @@ Json echo(const Connector& connector, int dimension) {
   put_name(map, "to", connector.to);
   if (connector.along)
     map["along"] = std::vector(connector.along->begin(), connector.along->begin() + dimension);
+  const auto put_law = [&](const char* key, const char* places, const std::optional<LinearTable>& law) {
+    if (law)
+      map[key] = {{places, law->at}, {"forces", law->values}, {"outside", word(outside_words, law->outside)}};
+  };
   map["stiffness"] = connector.stiffness;
   map["damping"] = connector.damping;
+  put_law("force", "elongations", connector.force);
+  put_law("damper", "rates", connector.damper);
   return map;
 }
 

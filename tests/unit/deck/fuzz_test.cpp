@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sample_deck.hpp"
+#include "support/driven_deck.hpp"
 #include <algorithm>
 #include <array>
 #include <random>
@@ -13,17 +14,102 @@
 namespace rubato::deck {
 namespace {
 
-constexpr std::array tokens{
-    "~",        "{",      "}",        "[",         "]",           ": ",       ", ",           "- ",
-    "\n",       "\n  ",   "#",        "&a ",       "*a",          "<<: *a",   "!!str ",       "? ",
-    "'",        "\"",     "|\n",      ">-\n",      "---\n",       "...\n",    "%YAML 1",      "\t",
-    "-1e7",     "1e999",  "nan",      "-0",        "99999999999", "0x1",      "1e-3s",        "",
-    "mesh",     "file",   "generate", "box",       "rectangle",   "refine",   "solid",        "hht",
-    "static",   "alpha",  "step",     "end",       "instants",    "start",    "from",         "runs",
-    "run",      "evol1",  "contact",  "interface", "master",      "slave",    "friction",     "gauss",
-    "probes",   "checks", "tip.y",    "tip",       "functions",   "ramp",     "times",        "values",
-    "supports", "fix",    "x",        "z",         "loads",       "pressure", "gravity",      "all",
-    "\xC3\xA9", "\xFF",   "\x01",     "\\",        "@",           "`",        "\xEF\xBB\xBF", "\r\n"};
+constexpr std::array tokens{"~",
+                            "{",
+                            "}",
+                            "[",
+                            "]",
+                            ": ",
+                            ", ",
+                            "- ",
+                            "\n",
+                            "\n  ",
+                            "#",
+                            "&a ",
+                            "*a",
+                            "<<: *a",
+                            "!!str ",
+                            "? ",
+                            "'",
+                            "\"",
+                            "|\n",
+                            ">-\n",
+                            "---\n",
+                            "...\n",
+                            "%YAML 1",
+                            "\t",
+                            "-1e7",
+                            "1e999",
+                            "nan",
+                            "-0",
+                            "99999999999",
+                            "0x1",
+                            "1e-3s",
+                            "",
+                            "mesh",
+                            "file",
+                            "generate",
+                            "box",
+                            "rectangle",
+                            "refine",
+                            "solid",
+                            "hht",
+                            "static",
+                            "alpha",
+                            "step",
+                            "end",
+                            "instants",
+                            "start",
+                            "from",
+                            "runs",
+                            "run",
+                            "evol1",
+                            "contact",
+                            "interface",
+                            "master",
+                            "slave",
+                            "friction",
+                            "gauss",
+                            "probes",
+                            "checks",
+                            "tip.y",
+                            "tip",
+                            "functions",
+                            "ramp",
+                            "times",
+                            "values",
+                            "supports",
+                            "fix",
+                            "x",
+                            "z",
+                            "loads",
+                            "pressure",
+                            "gravity",
+                            "all",
+                            "along",
+                            "normal",
+                            "turn",
+                            "velocity",
+                            "until",
+                            "rigid",
+                            "embedded",
+                            "at",
+                            "x/0",
+                            "log(t)",
+                            "system(x)",
+                            "acceleration",
+                            "on",
+                            "in",
+                            "expansion",
+                            "modes",
+                            "\xC3\xA9",
+                            "\xFF",
+                            "\x01",
+                            "\\",
+                            "@",
+                            "`",
+                            "\xEF\xBB\xBF",
+                            "\r\n"};
 
 /// Draws that are the same on every machine: the standard's distributions are not.
 class Draw {
@@ -149,12 +235,12 @@ bool reads(const std::string& text, const std::vector<Setting>& settings) {
   }
 }
 
-TEST(DeckFuzz, MutatedDecksAreReadOrRefusedWithASentence) {
-  constexpr int decks = 2000;
+/// Reads mutations of a deck that `draw_deck` chooses, with settings in every fourth; how many are valid.
+template <class DrawDeck> int valid_mutations(int decks, const DrawDeck& draw_deck) {
   int valid = 0;
   for (int i = 0; i < decks; ++i) {
     Draw draw(static_cast<std::uint32_t>(i));
-    auto text = draw.below(4) == 0 ? test::smallest_deck : deck_with_runs;
+    std::string text = draw_deck(draw);
     for (auto mutations = 1 + draw.below(1 + draw.below(10)); mutations > 0; --mutations)
       text = mutated(std::move(text), draw);
     std::vector<Setting> settings;
@@ -162,7 +248,22 @@ TEST(DeckFuzz, MutatedDecksAreReadOrRefusedWithASentence) {
       settings.push_back(drawn_setting(draw));
     valid += reads(text, settings) ? 1 : 0;
   }
-  // Both outcomes must be common, or the mutations test nothing.
+  return valid;
+}
+
+// Both outcomes must be common, or the mutations test nothing.
+TEST(DeckFuzz, MutatedDecksAreReadOrRefusedWithASentence) {
+  constexpr int decks = 2000;
+  const int valid = valid_mutations(
+      decks, [](Draw& draw) { return draw.below(4) == 0 ? test::smallest_deck : deck_with_runs; });
+  EXPECT_GT(valid, decks / 50);
+  EXPECT_LT(valid, decks / 2);
+}
+
+TEST(DeckFuzz, MutatedDecksOfWhatHoldsAndDrivesAreReadOrRefusedWithASentence) {
+  constexpr int decks = 2000;
+  ASSERT_TRUE(reads(test::driven_deck, {}));
+  const int valid = valid_mutations(decks, [](Draw&) { return test::driven_deck; });
   EXPECT_GT(valid, decks / 50);
   EXPECT_LT(valid, decks / 2);
 }

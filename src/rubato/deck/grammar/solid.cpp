@@ -40,6 +40,12 @@ Forms load(study::LoadKind kind) {
   return map(meaning_of(kind), std::move(keys));
 }
 
+Forms connector_law(const std::string& title, const std::string& key, const std::string& meaning) {
+  return map(title, {{key, meaning + ", ascending", list(number(), 2), true},
+                     {"forces", "a force for each, > 0 against it [force]", list(number(), 2), true},
+                     {"outside", "beyond both ends; linear when not given", word_of(study::outside_words)}});
+}
+
 } // namespace
 
 Forms materials() {
@@ -133,13 +139,18 @@ Forms springs() {
 
 Forms connectors() {
   return list(
-      map("a linear spring and a dashpot side by side",
+      map("a spring and a dashpot side by side",
           {{"on", "a node or a reference; without 'to' also a group, node by node", name(), true},
            {"to", "a node or a reference; the ground when not given", name()},
            {"along", "direction; from 'on' to 'to' when not given", coordinates()},
            {"stiffness", "of the spring [force/length]; 0 when not given", number(study::bounds::connector)},
            {"damping", "of the dashpot [force · time/length]; 0 when not given",
-            number(study::bounds::connector)}}));
+            number(study::bounds::connector)},
+           {"force", "of the spring by a table, instead of 'stiffness'",
+            connector_law("a spring by a table", "elongations",
+                          "displacement of 'to' less that of 'on', to the ground that of 'on' [length]")},
+           {"damper", "of the dashpot by a table, instead of 'damping'",
+            connector_law("a dashpot by a table", "rates", "rates of the elongation [length/time]")}}));
 }
 
 Forms masses() {

@@ -165,6 +165,8 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     if (auto factor = factored(model, system.matrix, tell_memory))
       system.compliance =
           std::make_unique<Compliance>(std::move(*factor), model.reduction, related_surface_dofs(model));
+  if (system.compliance)
+    system.slopes = SlopeChanges(model, *system.compliance, system.coefficients);
   return system;
 }
 

@@ -5,6 +5,7 @@
 
 #include "rubato/contact/discretisation.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/step/common/slope_changes.hpp"
 #include "rubato/step/interface/compliance.hpp"
 #include "rubato/time/scheme.hpp"
 
@@ -33,6 +34,7 @@ struct EffectiveSystem {
   std::vector<contact::Discretisation> discretisations; ///< of every zone, kept from one iterate to the next
   /// The factored matrix; nothing when every iteration solves the whole system.
   std::unique_ptr<Compliance> compliance;
+  SlopeChanges slopes; ///< of springs by tables; empty when every iteration solves the whole system
   std::shared_ptr<CondensedScratch> scratch; ///< of condensed steps with this matrix
 };
 

@@ -172,6 +172,8 @@ void ExplicitMotion::step(double end) {
   const double begin = std::exchange(t_, end);
   ++steps_;
   const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
+  if (const auto springs = model_->domain.law_springs(); !springs.empty())
+    energy_.numerical += domain::missed_between(springs, u_ - h_ * v_, u_);
   enter_heat(begin, end);
   enter_contact(begin, end);
   find_forces();
@@ -191,6 +193,7 @@ void ExplicitMotion::find_forces() {
   std::swap(bulk_points_, bulk_points_next_);
   if (damping_) {
     damping_->multiply(v_, damping_force_);
+    domain::add_beyond_matrix(model_->dampers, v_, damping_force_);
     unbalance_ += damping_force_;
   }
   for (const int dof : surface_)

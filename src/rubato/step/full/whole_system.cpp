@@ -67,6 +67,19 @@ void WholeSystem::evaluate_contact(const State& trial, const Frozen& frozen, int
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
     add_zone(z, frozen);
   force_.all = contact_.force;
+  add_slope_changes(trial.motion);
+}
+
+/// To the matrix alone; blocks of contact are weighted when the system is solved.
+void WholeSystem::add_slope_changes(const time::Motion& motion) {
+  for (const auto& connector : model_.connectors) {
+    if (!connector.force && !connector.damper)
+      continue;
+    const double change = slope_change(connector, system_.coefficients, motion) / scheme_.contact_weight();
+    for (const auto& a : connector.row)
+      for (const auto& b : connector.row)
+        contact_.force_by_dof.emplace_back(a.dof, b.dof, change * a.coefficient * b.coefficient);
+  }
 }
 
 void WholeSystem::add_zone(std::size_t z, const Frozen& frozen) {
@@ -98,14 +111,15 @@ bool WholeSystem::within_rounding(const State& trial, const Frozen& frozen) cons
 }
 
 /// Without contact zones the factored matrix is that of the whole system.
-std::optional<LinearSolution> WholeSystem::solution() const {
+std::optional<LinearSolution> WholeSystem::solution(const time::Motion& motion) const {
   if (system_.compliance && model_.zones.empty())
-    return LinearSolution{system_.compliance->solve(-equilibrium_.residual()), {}};
+    return LinearSolution{
+        system_.compliance->solve(-system_.slopes.adjusted(equilibrium_.residual(), motion)), {}};
   return solve_full({model_, system_.matrix, scheme_.contact_weight(), contact_, equilibrium_.residual()});
 }
 
 std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen&, double part) {
-  const auto found = solution();
+  const auto found = solution(trial.motion);
   if (!found || !found->displacement.allFinite() || !found->multipliers.allFinite())
     return Outcome::singular_matrix;
   const VectorXd d = model_.reduction.scatter(part * found->displacement);

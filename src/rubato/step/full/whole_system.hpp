@@ -39,7 +39,8 @@ public:
 private:
   void evaluate_contact(const State& trial, const Frozen& frozen, int iteration);
   void add_zone(std::size_t zone, const Frozen& frozen);
-  std::optional<LinearSolution> solution() const;
+  std::optional<LinearSolution> solution(const time::Motion& motion) const;
+  void add_slope_changes(const time::Motion& motion);
   bool within_rounding(const State& trial, const Frozen& frozen) const;
 
   const model::Model& model_;

@@ -11,12 +11,12 @@ SurfaceMotion::SurfaceMotion(const model::Model& model, const time::Scheme& sche
 
 void SurfaceMotion::start_from(const time::Motion& motion, Equilibrium& equilibrium) {
   equilibrium.evaluate(motion, ContactForce(motion.u.size()));
-  take_base(motion, equilibrium.residual());
+  take_base(motion, system_.slopes.adjusted(equilibrium.residual(), motion));
   carried_.resize(0);
 }
 
 void SurfaceMotion::start_from(const time::Motion& motion, const VectorXd& residual, const VectorXd& force) {
-  take_base(motion, residual);
+  take_base(motion, system_.slopes.adjusted(residual, motion));
   carried_ = applied = force;
 }
 

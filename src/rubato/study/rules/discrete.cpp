@@ -9,11 +9,36 @@
 namespace rubato::study {
 namespace {
 
+/// At most so many connectors with tables: each keeps an answer of all unknowns.
+constexpr std::size_t most_laws = 256;
+
+void check_connector_law(Rules& rules, const std::optional<LinearTable>& law, const std::string& path,
+                         const std::string& key, double beside, const std::string& other) {
+  if (!law)
+    return;
+  rules.ascending(path + "." + key, law->at);
+  rules.numbers(path + ".forces", law->values);
+  if (law->at.size() != law->values.size())
+    rules.broken(
+        {path + ".forces", path + "." + key},
+        fmt::format("found {} forces for {} {}, expected one each", law->values.size(), law->at.size(), key));
+  if (key == "rates" && !law->values.empty() && steepest(*law) == 0)
+    rules.broken({path + ".forces"}, "found a force that no rate changes, expected one that does");
+  if (law->at.size() < 2)
+    rules.broken({path + "." + key}, "found fewer than two, expected at least two");
+  if (beside != 0)
+    rules.broken({path, other}, "found a table beside a number, expected one of the two");
+}
+
 void check_connector(Rules& rules, const Connector& connector, const std::string& path) {
   rules.name(path + ".on", connector.on);
   rules.number(path + ".stiffness", connector.stiffness, bounds::connector);
   rules.number(path + ".damping", connector.damping, bounds::connector);
-  if (connector.stiffness == 0 && connector.damping == 0)
+  check_connector_law(rules, connector.force, path + ".force", "elongations", connector.stiffness,
+                      path + ".stiffness");
+  check_connector_law(rules, connector.damper, path + ".damper", "rates", connector.damping,
+                      path + ".damping");
+  if (connector.stiffness == 0 && connector.damping == 0 && !connector.force && !connector.damper)
     rules.broken({path, path + ".stiffness", path + ".damping"},
                  "has no force, expected a 'stiffness' or 'damping' above 0");
   if (connector.on == connector.to)
@@ -40,23 +65,31 @@ void check_modal_damping(Rules& rules) {
   const auto& [modes, ratios] = *rules.study.modal_damping;
   rules.whole_number("modal_damping.modes", modes, bounds::damped_modes);
   for (std::size_t i = 0; i < ratios.size(); ++i)
-    rules.number(ratios.size() == 1 ? "modal_damping.ratio" : fmt::format("modal_damping.ratio.{}", i), ratios[i],
-                 bounds::damping_ratio);
+    rules.number(ratios.size() == 1 ? "modal_damping.ratio" : fmt::format("modal_damping.ratio.{}", i),
+                 ratios[i], bounds::damping_ratio);
   if (ratios.size() != 1 && ratios.size() != static_cast<std::size_t>(std::max(0, modes)))
-    rules.broken({"modal_damping.ratio", "modal_damping.modes"},
-                 fmt::format("found {} ratios for {} modes, expected one for all or one each", ratios.size(), modes));
+    rules.broken(
+        {"modal_damping.ratio", "modal_damping.modes"},
+        fmt::format("found {} ratios for {} modes, expected one for all or one each", ratios.size(), modes));
   const auto scheme = rules.study.time.scheme;
   if (is_explicit(scheme) || scheme == SchemeKind::static_steps)
-    rules.broken({"modal_damping", "time.scheme"},
-                 fmt::format("the scheme {} takes no modal damping, expected an implicit scheme with inertia such as "
-                             "hht{}",
-                             word_of(scheme_words, scheme),
-                             is_explicit(scheme) ? ", or 'rayleigh' in the materials" : ""));
+    rules.broken(
+        {"modal_damping", "time.scheme"},
+        fmt::format("the scheme {} takes no modal damping, expected an implicit scheme with inertia such as "
+                    "hht{}",
+                    word_of(scheme_words, scheme),
+                    is_explicit(scheme) ? ", or 'rayleigh' in the materials" : ""));
 }
 
 void check_connectors(Rules& rules) {
   for (std::size_t i = 0; i < rules.study.connectors.size(); ++i)
     check_connector(rules, rules.study.connectors[i], fmt::format("connectors.{}", i));
+  const auto laws = std::ranges::count_if(rules.study.connectors, [](const Connector& connector) {
+    return connector.force.has_value() || connector.damper.has_value();
+  });
+  if (static_cast<std::size_t>(laws) > most_laws)
+    rules.broken({"connectors"},
+                 fmt::format("found {} connectors with tables, expected at most {}", laws, most_laws));
 }
 
 void check_point_masses(Rules& rules) {
