@@ -139,6 +139,12 @@ const Form& nearest_map(const Value& value, const std::vector<const Form*>& maps
   return **std::ranges::max_element(maps, {}, known_keys);
 }
 
+/// Maps may have a key of the same name with different forms: the others must not be seen.
+void check_nearest_map(const Value& value, const std::vector<const Form*>& maps, Inside inside) {
+  const grammar::Forms one{nearest_map(value, maps)};
+  check_form(Value(value.tree(), value.path(), value.faults(), one), one.front(), inside);
+}
+
 void check(const Value& value, Inside inside) {
   std::vector<const Form*> alike;
   std::vector<std::string> all;
@@ -150,7 +156,7 @@ void check(const Value& value, Inside inside) {
   if (alike.size() == 1)
     check_form(value, *alike.front(), inside);
   else if (!alike.empty() && std::ranges::all_of(alike, is_map))
-    check_form(value, nearest_map(value, alike), inside);
+    check_nearest_map(value, alike, inside);
   else if (std::ranges::none_of(alike, [&](const Form* form) { return has(value, *form, inside); }))
     value.fault(fmt::format("found {}, expected {}", described(value.tree()), fmt::join(all, " or ")));
 }

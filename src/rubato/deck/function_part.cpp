@@ -315,12 +315,31 @@ bool read_profile(const Value& value, const Context& context, Profile& profile) 
   return good;
 }
 
-bool is_profile(const Tree& tree) {
-  constexpr std::array<std::string_view, 4> keys{"along", "at", "csv", "column"};
-  return tree.is(Tree::Kind::map) && std::ranges::any_of(keys, [&](std::string_view key) {
-           const auto* given = tree.find(key);
-           return given != nullptr && !given->is(Tree::Kind::removed);
-         });
+bool is_given(const Tree& tree, std::string_view key) {
+  const auto* given = tree.find(key);
+  return given != nullptr && !given->is(Tree::Kind::removed);
+}
+
+/// Whether it is a table or a field of a file, not a value beside a function of time.
+bool is_field_value(const Tree& tree) {
+  constexpr std::array<std::string_view, 5> keys{"along", "at", "csv", "column", "field"};
+  return tree.is(Tree::Kind::map) &&
+         std::ranges::any_of(keys, [&](std::string_view key) { return is_given(tree, key); });
+}
+
+/// Nothing when it cannot be read.
+std::optional<study::FileField> read_file_field(const Value& value, const Context& context) {
+  MapReader map(value);
+  study::FileField field;
+  const auto file = map.require("field");
+  bool good = read_name(file, field.file);
+  if (good)
+    field.file = path_of_file(*file, field.file, context).string();
+  good = read_name(map.require("name"), field.name) && good;
+  read_name(map.find("component"), field.component);
+  read(map.find("at"), field.at);
+  map.finish();
+  return good ? std::optional(field) : std::nullopt;
 }
 
 } // namespace
@@ -345,6 +364,12 @@ study::Amplitude read_amplitude(const Value& value) {
 bool read_field_value(const Found& value, const Context& context, study::FieldValue& target) {
   if (!value || !value->tree().is(Tree::Kind::map))
     return read(value, target);
+  if (is_given(value->tree(), "field")) {
+    const auto field = read_file_field(*value, context);
+    if (field)
+      target = *field;
+    return field.has_value();
+  }
   Profile profile;
   const bool good = read_profile(*value, context, profile);
   if (good)
@@ -354,7 +379,7 @@ bool read_field_value(const Found& value, const Context& context, study::FieldVa
 
 study::Field read_field(const Value& value, const Context& context) {
   study::Field field;
-  if (!value.tree().is(Tree::Kind::map) || is_profile(value.tree())) {
+  if (!value.tree().is(Tree::Kind::map) || is_field_value(value.tree())) {
     read_field_value(value, context, field.value);
     return field;
   }

@@ -16,6 +16,10 @@ namespace rubato::model {
 /// The cells that deform and their materials; a cell that got none has the first one.
 domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
 
+/// Reads the fields of files that the study names, for its mesh: the values of FileField. Faults at the paths
+/// of those that cannot be had.
+void read_field_files(study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
+
 /// Evaluates laws that depend on the place at all points of their cells, which must be sound: a fault for the
 /// first place where each is not valid. `bulk.laws` get each such law at one place.
 void check_law_fields(const mesh::Mesh& mesh, domain::Bulk& bulk, std::vector<Fault>& faults);

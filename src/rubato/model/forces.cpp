@@ -80,7 +80,7 @@ private:
     });
   }
 
-  /// Numbers together, each expression or profile by itself.
+  /// Numbers together, each value that depends on the place by itself.
   void add_vector(const study::Load& load, const Mention& on, const std::string& path, Force& force) {
     Vector3d numbers = Vector3d::Zero();
     for (int i = 0; i < dofs_.components; ++i)

@@ -189,6 +189,8 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, double released) {
   if (study.physics == study::Physics::axisymmetric)
     mesh::snap_to_axis(model.mesh);
   std::vector<Fault> faults;
+  read_field_files(model.study, model.mesh, faults);
+  stop_on(faults);
   model.bulk = make_bulk(study, model.mesh, faults);
   const auto known = faults.size();
   check_shapes(study, model.mesh, model.bulk.cells, faults);

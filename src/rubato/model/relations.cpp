@@ -314,6 +314,12 @@ private:
   std::string path_;
 };
 
+/// Whether it changes with time other than by its function.
+bool moves(const FieldFunction& field) {
+  return (field.expression && field.expression->has('t')) ||
+         (field.sampled && field.sampled->varies_in_time());
+}
+
 } // namespace
 
 std::shared_ptr<const FieldFunction> shared_field(const Parts& parts, const study::Field& field,
@@ -327,12 +333,12 @@ std::shared_ptr<const FieldFunction> shared_field(const Parts& parts, const stud
 
 ImposedValue imposed_at(const Parts& parts, const Vector3d& x,
                         const std::shared_ptr<const FieldFunction>& field) {
-  if (!field->expression && !field->profile)
+  if (!field->expression && !field->profile && !field->sampled)
     return {field->number, field->function};
   const std::array place{x[0], x[1], x[2]};
   for (const double t : {parts.study.time.begin, parts.study.time.end})
     field->at(place, t); // throws now rather than in a step
-  if (field->expression && field->expression->has('t'))
+  if (moves(*field))
     return {0, std::nullopt,
             std::make_shared<const constraint::FieldAtPlace>(constraint::FieldAtPlace{field, place})};
   return {field->multiplied_at(place, parts.study.time.begin), field->function};

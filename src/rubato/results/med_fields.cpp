@@ -2,7 +2,6 @@
 #include "rubato/results/med_fields.hpp"
 
 #include "rubato/core/error.hpp"
-#include "rubato/core/naming.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med_file.hpp"
 #include "rubato/mesh/io/med_numbering.hpp"
@@ -158,81 +157,6 @@ std::uintmax_t room_for(std::span<const NodalField> fields, std::span<const Cell
   return bytes;
 }
 
-struct Description {
-  MedField field;
-  med_field_type type = MED_FLOAT64;
-};
-
-Description description_of(const med::File& file, int index) {
-  const auto components = file.plausible(MEDfieldnComponent(file.id(), index), "components of a field");
-  auto name = med::text_buffer(1, med::name_size);
-  auto mesh_name = name;
-  auto names = med::text_buffer(components, med::short_name_size);
-  auto units = names;
-  auto time_unit = med::text_buffer(1, med::short_name_size);
-  med_bool local = MED_FALSE;
-  med_int steps = 0;
-  Description found;
-  file.check(MEDfieldInfo(file.id(), index, name.data(), mesh_name.data(), &local, &found.type, names.data(),
-                          units.data(), time_unit.data(), &steps),
-             "description of a field");
-  found.field.name = med::text_at(name, 0, med::name_size);
-  found.field.mesh_name = med::text_at(mesh_name, 0, med::name_size);
-  for (std::size_t i = 0; i < components; ++i)
-    found.field.component_names.push_back(med::text_at(names, i, med::short_name_size));
-  found.field.unit = med::text_at(units, 0, med::short_name_size);
-  found.field.time_unit = med::text_at(time_unit, 0, med::short_name_size);
-  for (int step = 1; step <= steps; ++step) {
-    med_int number = 0;
-    med_int iteration = 0;
-    med_float time = 0.0;
-    file.check(
-        MEDfieldComputingStepInfo(file.id(), found.field.name.c_str(), step, &number, &iteration, &time),
-        "instants of a field");
-    found.field.instants.push_back({number, time});
-  }
-  found.field.at_nodes = found.field.instants.empty() || MEDfieldnValue(file.id(), found.field.name.c_str(),
-                                                                        found.field.instants.front().number,
-                                                                        MED_NO_IT, MED_NODE, MED_NONE) > 0;
-  return found;
-}
-
-std::vector<MedField> fields_of(const med::File& file) {
-  const auto count = MEDnField(file.id());
-  file.check(count, "list of fields");
-  std::vector<MedField> fields;
-  for (int index = 1; index <= count; ++index)
-    if (auto found = description_of(file, index); found.type == MED_FLOAT64)
-      fields.push_back(std::move(found.field));
-  return fields;
-}
-
-const MedField& field_named(const med::File& file, const std::vector<MedField>& fields,
-                            const std::string& name) {
-  const auto found = std::ranges::find(fields, name, &MedField::name);
-  if (found != fields.end())
-    return *found;
-  std::vector<std::string> names(fields.size());
-  std::ranges::transform(fields, names.begin(), &MedField::name);
-  const auto nearest = nearest_word(name, names);
-  file.refuse(fmt::format("holds no field '{}'{}", name,
-                          nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest)));
-}
-
-std::vector<double> values_of(const med::File& file, const std::string& field, int number) {
-  const auto fields = fields_of(file);
-  const auto& found = field_named(file, fields, field);
-  const auto nodes = MEDfieldnValue(file.id(), field.c_str(), number, MED_NO_IT, MED_NODE, MED_NONE);
-  if (nodes <= 0)
-    file.refuse(fmt::format("holds no values of '{}' at the nodes for instant {}", field, number));
-  std::vector<double> values(file.plausible(nodes, "values") * found.component_names.size());
-  file.check(MEDfieldValueRd(file.id(), field.c_str(), number, MED_NO_IT, MED_NODE, MED_NONE,
-                             MED_FULL_INTERLACE, MED_ALL_CONSTITUENT,
-                             reinterpret_cast<unsigned char*>(values.data())),
-             "values of a field");
-  return values;
-}
-
 } // namespace
 
 void append_med_fields(const std::filesystem::path& path, const std::string& mesh_name, Instant instant,
@@ -255,18 +179,6 @@ void append_med_fields(const std::filesystem::path& path, const std::string& mes
       append_part(file, instant, field, part);
   }
   file.close();
-}
-
-std::vector<MedField> med_fields(const std::filesystem::path& path) {
-  const auto read = [&] { return fields_of(med::File(path, med::File::Access::read)); };
-  med::rehearse(path, read);
-  return read();
-}
-
-std::vector<double> read_med_field(const std::filesystem::path& path, const std::string& field, int number) {
-  const auto read = [&] { return values_of(med::File(path, med::File::Access::read), field, number); };
-  med::rehearse(path, read);
-  return read();
 }
 
 } // namespace rubato::results

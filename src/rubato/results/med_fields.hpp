@@ -2,6 +2,7 @@
 /// Fields in MED files, beside the mesh they belong to (mesh::write_med).
 #pragma once
 
+#include "rubato/mesh/io/med_fields.hpp"
 #include "rubato/results/cell_fields.hpp"
 #include "rubato/results/field.hpp"
 
@@ -13,10 +14,10 @@
 namespace rubato::results {
 
 /// An instant of a computation: MED keeps both the number and the time.
-struct Instant {
-  int number = 0; ///< ≥ 0, another one for every instant
-  double time = 0.0;
-};
+using Instant = mesh::MedInstant;
+using mesh::med_fields;
+using mesh::MedField;
+using mesh::read_med_field;
 
 /// Appends the fields at one instant to a MED file that holds the mesh of that name. The file is closed
 /// afterwards, so that a run that stops leaves a file which can be read. A field is declared when it first
@@ -28,23 +29,5 @@ struct Instant {
 void append_med_fields(const std::filesystem::path& path, const std::string& mesh_name, Instant instant,
                        std::span<const NodalField> fields, const std::string& time_unit = "",
                        std::span<const CellField> cell_fields = {});
-
-/// A field as a MED file holds it.
-struct MedField {
-  std::string name;
-  std::string mesh_name;
-  std::vector<std::string> component_names;
-  std::string unit; ///< of the first component
-  std::string time_unit;
-  std::vector<Instant> instants;
-  bool at_nodes = true; ///< else in cells: it cannot be read back here
-};
-
-/// The fields of real numbers of a MED file. Throws InputError when the file can't be read.
-std::vector<MedField> med_fields(const std::filesystem::path& path);
-
-/// The values at the nodes, node-major, at the instant of that number. Throws InputError when the file can't
-/// be read or has no such field or instant.
-std::vector<double> read_med_field(const std::filesystem::path& path, const std::string& field, int number);
 
 } // namespace rubato::results

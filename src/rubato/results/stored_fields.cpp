@@ -3,9 +3,9 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/mesh/io/med.hpp"
+#include "rubato/mesh/io/vtu_reader.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/run_folder.hpp"
-#include "rubato/results/vtu_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ std::vector<std::string> names_of_components(std::vector<std::string> names) {
 
 /// The values of one array of a file, as many components a node as the layout has: vectors in a plane have a
 /// third one of zeros there.
-std::vector<double> array_values(const VtuArray& array, std::size_t components) {
+std::vector<double> array_values(const mesh::vtk::VtuArray& array, std::size_t components) {
   if (array.component_names.size() == components)
     return array.values;
   const auto stored = array.component_names.size();
@@ -40,7 +40,7 @@ std::vector<double> array_values(const VtuArray& array, std::size_t components) 
 }
 
 /// A vector in a plane has two components.
-FieldLayout layout_of(const VtuArray& array, int dimension) {
+FieldLayout layout_of(const mesh::vtk::VtuArray& array, int dimension) {
   constexpr std::size_t vector_size = 3;
   auto names = array.component_names;
   if (dimension == 2 && names.size() == vector_size && names.back() == "z")
@@ -49,10 +49,10 @@ FieldLayout layout_of(const VtuArray& array, int dimension) {
 }
 
 std::vector<std::vector<double>> vtu_values(const fs::path& file, const std::vector<FieldLayout>& fields) {
-  const auto arrays = read_vtu_arrays(file);
+  const auto arrays = mesh::vtk::read_vtu_arrays(file);
   std::vector<std::vector<double>> values;
   for (const auto& field : fields) {
-    const auto found = std::ranges::find(arrays, field.name, &VtuArray::name);
+    const auto found = std::ranges::find(arrays, field.name, &mesh::vtk::VtuArray::name);
     if (found == arrays.end())
       throw InputError(
           fmt::format("{}: holds no field '{}', other than the files before it", file.string(), field.name));
@@ -75,11 +75,11 @@ std::vector<Instant> common_instants(const std::vector<MedField>& fields) {
 } // namespace
 
 std::optional<StoredFields> stored_vtu_fields(const fs::path& run) {
-  auto series = read_pvd(run / pvd_file);
+  auto series = mesh::vtk::read_pvd(run / pvd_file);
   if (series.empty())
     return std::nullopt;
-  std::ranges::sort(series, {}, &PvdEntry::time);
-  auto first = read_vtu(series.front().file);
+  std::ranges::sort(series, {}, &mesh::vtk::PvdEntry::time);
+  auto first = mesh::vtk::read_vtu(series.front().file);
   StoredFields stored;
   for (const auto& array : first.arrays)
     stored.fields.push_back(layout_of(array, first.mesh.dimension));

@@ -230,7 +230,7 @@ TEST(MaterialsOfADeck, MayDependOnThePlace) {
 TEST(AxesOfMaterials, TurnWithThePlace) {
   const auto with_axes = [](const std::string& axes) {
     return test::replaced(
-        smallest_deck, "young: 200e9, poisson: 0.3, density: 7800",
+        smallest_deck, "young: 200e9, poisson: 0.3",
         "law: orthotropic, young_x: 9, young_y: 4, young_z: 1, poisson_xy: 0.3, poisson_yz: 0.2, "
         "poisson_xz: 0.1, shear_xy: 3, shear_yz: 2, shear_xz: 1, axes: " +
             axes);
@@ -251,6 +251,29 @@ TEST(AxesOfMaterials, TurnWithThePlace) {
                 .front()
                 .find("the law elastic takes no axes"),
             std::string::npos);
+}
+
+TEST(FieldsOfFiles, AreReadWithTheirNames) {
+  const auto with_x = [](const std::string& value) {
+    return smallest_deck + "supports: [{on: A, x: " + value + "}]\n" + "functions: {f: {ramp: [0, 1]}}\n";
+  };
+  const auto read = parse_one(with_x("{field: a.med, name: T, component: b, at: 2}"));
+  EXPECT_EQ(*read.supports[0].components[0]->value.of_file(), (study::FileField{"a.med", "T", "b", 2.0}));
+  EXPECT_EQ(parse_one(study::to_json(read)), read);
+  const auto times =
+      parse_one(with_x("{value: {field: a.vtu, name: T}, function: f}")).supports[0].components[0];
+  EXPECT_EQ(*times->value.of_file(), (study::FileField{"a.vtu", "T", "", {}}));
+  EXPECT_EQ(times->function, "f");
+  EXPECT_EQ(parse_one(test::replaced(smallest_deck, "poisson: 0.3", "poisson: {field: a.vtu, name: nu}"))
+                .materials[0]
+                .in_place.at("poisson")
+                .of_file()
+                ->name,
+            "nu");
+  EXPECT_EQ(faults_of(with_x("{field: a.med}")),
+            Sentences{"study.yaml:5:23: supports.0.x: 'name' is missing"});
+  EXPECT_EQ(faults_of(with_x("{field: a.med, name: T, componnt: b}")),
+            Sentences{"study.yaml:5:47: unknown key 'supports.0.x.componnt'; did you mean 'component'?"});
 }
 
 TEST(BadTablesAlongAnAxis, AreToldAtTheirPlace) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Files that this program wrote, and the other forms that the format allows, made here byte by byte.
 #include "rubato/core/base64.hpp"
+#include "rubato/mesh/io/vtu_reader.hpp"
 #include "rubato/results/vtu.hpp"
-#include "rubato/results/vtu_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,6 +18,8 @@
 namespace rubato::results {
 namespace {
 
+using mesh::vtk::read_pvd;
+using mesh::vtk::read_vtu;
 using test::fault_of;
 using test::ScratchFolder;
 
@@ -111,7 +113,7 @@ private:
 
 class VtuReader : public testing::Test {
 protected:
-  VtuContent read(const std::string& text) const {
+  mesh::vtk::VtuContent read(const std::string& text) const {
     std::ofstream(path_, std::ios::binary) << text;
     return read_vtu(path_);
   }

@@ -65,7 +65,7 @@ Forms list(Forms items, std::size_t least = 0, std::size_t most = Form::any_coun
 Forms map(std::string title, std::vector<Key> keys);
 Forms named(Forms entries);
 Forms either(Forms one, Forms other);
-/// A number within a range, an expression, or a table along an axis.
+/// A number within a range, an expression, a table along an axis, or a field of a file.
 Forms field_value(const study::Range& range = {});
 /// A value, or a map of it and the function of time that multiplies it.
 Forms varying(Forms value);

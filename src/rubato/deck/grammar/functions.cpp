@@ -33,6 +33,26 @@ std::vector<Key> simple_keys() {
           {"expression", "an expression of t", expression()}};
 }
 
+Forms table_along_axis() {
+  std::vector<std::string> axes(study::axis_words.begin(), study::axis_words.end());
+  return map("a table along an axis",
+             {{"along", "axis of the coordinates, undeformed", word(std::move(axes)), true},
+              {"at", "coordinates, ascending [length]", list(number(), 1)},
+              {"values", "values, one for each coordinate", list(number())},
+              {"csv", "file with columns of numbers, relative to the folder of the deck", name()},
+              {"coordinate", "name of the column of coordinates; the first one when not given", name()},
+              {"column", "name of the column of values", name()},
+              outside("before the first and after the last coordinate")});
+}
+
+Forms field_of_file() {
+  return map("a field at the nodes of a file, on the same mesh",
+             {{"field", "file (.med, .rmed, .vtu, .pvd), relative to the folder of the deck", name(), true},
+              {"name", "of the field", name(), true},
+              {"component", "of a field that has several", name()},
+              {"at", "instant of the file [time]; linear between its instants when not given", number()}});
+}
+
 } // namespace
 
 Forms functions() {
@@ -43,19 +63,9 @@ Forms functions() {
 }
 
 Forms field_value(const study::Range& range) {
-  std::vector<std::string> axes(study::axis_words.begin(), study::axis_words.end());
   auto number_or_text = expression();
   number_or_text.front().range = range;
-  return either(
-      std::move(number_or_text),
-      map("a table along an axis",
-          {{"along", "axis of the coordinates, undeformed", word(std::move(axes)), true},
-           {"at", "coordinates, ascending [length]", list(number(), 1)},
-           {"values", "values, one for each coordinate", list(number())},
-           {"csv", "file with columns of numbers, relative to the folder of the deck", name()},
-           {"coordinate", "name of the column of coordinates; the first one when not given", name()},
-           {"column", "name of the column of values", name()},
-           outside("before the first and after the last coordinate")}));
+  return either(std::move(number_or_text), either(table_along_axis(), field_of_file()));
 }
 
 } // namespace rubato::deck::grammar

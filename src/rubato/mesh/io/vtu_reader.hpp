@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::results {
+namespace rubato::mesh::vtk {
 
 /// An array over the nodes; numbers and groups of nodes are not among them.
 struct VtuArray {
@@ -19,7 +19,7 @@ struct VtuArray {
 };
 
 struct VtuContent {
-  mesh::Mesh mesh; ///< dimension: that of its highest cells. Node numbers from "node_number", else from 1
+  Mesh mesh; ///< dimension: that of its highest cells. Node numbers from "node_number", else from 1
   std::vector<VtuArray> arrays;
 };
 
@@ -37,4 +37,4 @@ struct PvdEntry {
 /// The files of a collection; none when there is no such file. Throws InputError when it cannot be read.
 std::vector<PvdEntry> read_pvd(const std::filesystem::path& path);
 
-} // namespace rubato::results
+} // namespace rubato::mesh::vtk

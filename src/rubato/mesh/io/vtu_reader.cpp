@@ -2,7 +2,7 @@
 // Format: VTK file formats, "XML file formats". Binary data begins with its byte count, or, compressed, with
 // the number of blocks, the size of each but the last, that of the last (0: as the others) and the compressed
 // size of each. In base64 the counts of compressed data are encoded apart from the data (vtkXMLDataParser).
-#include "rubato/results/vtu_reader.hpp"
+#include "rubato/mesh/io/vtu_reader.hpp"
 
 #include "rubato/core/base64.hpp"
 #include "rubato/core/error.hpp"
@@ -23,7 +23,7 @@
 #include <string_view>
 #include <zlib.h>
 
-namespace rubato::results {
+namespace rubato::mesh::vtk {
 namespace {
 
 namespace fs = std::filesystem;
@@ -368,4 +368,4 @@ std::vector<PvdEntry> read_pvd(const fs::path& path) {
   });
 }
 
-} // namespace rubato::results
+} // namespace rubato::mesh::vtk
