@@ -21,7 +21,8 @@ using Entries = std::vector<Eigen::Triplet<double, int>>;
 /// What multiplies the function of time, of each node; empty where it changes with time itself.
 std::vector<double> amounts_of(const HeatedNodes& nodes) {
   std::vector<double> amounts;
-  if (nodes.value.expression && nodes.value.expression->has('t'))
+  const auto& value = nodes.value;
+  if ((value.expression && value.expression->has('t')) || (value.sampled && value.sampled->varies_in_time()))
     return amounts;
   for (const auto& place : nodes.places)
     amounts.push_back(nodes.value.multiplied_at(place, 0));

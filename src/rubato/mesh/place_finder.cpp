@@ -31,6 +31,7 @@ constexpr double outside = 1e-6;
 constexpr int most_iterations = 30;
 /// Of a reference coordinate, about rounding.
 constexpr double settled = 1e-13;
+constexpr double nearly_settled = 1e-7;
 constexpr double far_outside = 1e3; ///< likewise
 
 AlignedBox3d box_of(const std::vector<Vector3d>& points) {
@@ -74,15 +75,18 @@ std::optional<Vector3d> reference_place(const cell::ReferenceCell& cell, const M
   Vector3d xi = Vector3d::Zero();
   for (const auto& node : cell.nodes)
     xi += node / static_cast<double>(cell.nodes.size());
+  double left = 0;
   for (int i = 0; i < most_iterations; ++i) {
     const auto step = step_of(cell, x, place, xi);
     xi += step;
     if (!(xi.norm() < far_outside))
       return std::nullopt;
-    if (step.norm() <= settled)
+    left = step.norm();
+    if (left <= settled)
       return xi;
   }
-  return std::nullopt;
+  // Far from the origin places of a small cell are rounded by more.
+  return left <= nearly_settled ? std::optional(xi) : std::nullopt;
 }
 
 /// The shape functions of the corners are all >= 0 inside of a cell and nowhere else near it.
@@ -102,6 +106,21 @@ std::vector<AlignedBox3d> boxes_around(const std::vector<Vector3d>& points, doub
 }
 
 PlaceFinder::PlaceFinder(const Mesh& mesh) {
+  take_nodes(mesh);
+  std::vector<CellIndex> cells;
+  for_each_cell(mesh, [&](CellIndex cell, const cell::CellTopology& shape, std::span<const NodeIndex>) {
+    if (shape.dimension == mesh.dimension && cell::has_reference_cell(shape.type))
+      cells.push_back(cell);
+  });
+  take_cells(mesh, cells);
+}
+
+PlaceFinder::PlaceFinder(const Mesh& mesh, std::span<const CellIndex> cells) {
+  take_nodes(mesh);
+  take_cells(mesh, cells);
+}
+
+void PlaceFinder::take_nodes(const Mesh& mesh) {
   nodes_.dimension = mesh.dimension;
   nodes_.points = mesh.points;
   nodes_.node_numbers = mesh.node_numbers;
@@ -109,17 +128,20 @@ PlaceFinder::PlaceFinder(const Mesh& mesh) {
   if (!mesh.points.empty())
     tolerance_ = same_place * box_of(mesh.points).sizes().norm();
   nodes_tree_ = BoxTree(boxes_around(mesh.points, tolerance_));
+}
+
+void PlaceFinder::take_cells(const Mesh& mesh, std::span<const CellIndex> cells) {
   std::vector<AlignedBox3d> boxes;
-  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, std::span<const NodeIndex> nodes) {
-    if (shape.dimension != mesh.dimension || !cell::has_reference_cell(shape.type))
-      return;
+  for (const auto cell : cells) {
+    const auto& shape = cell::topology(mesh.type_of(cell));
+    const auto nodes = mesh.nodes_of(cell);
     cells_.push_back({shape.type, {nodes.begin(), nodes.end()}});
     AlignedBox3d box;
     for (const auto node : nodes)
       box.extend(mesh.points[static_cast<std::size_t>(node)]);
     const double by = (shape.order == 1 ? same_place : bulge) * box.sizes().norm() + tolerance_;
     boxes.emplace_back(box.min().array() - by, box.max().array() + by);
-  });
+  }
   cells_tree_ = BoxTree(std::move(boxes));
 }
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct CellShare {
 class PlaceFinder {
 public:
   explicit PlaceFinder(const Mesh& mesh);
+  /// Of those cells only, which are of the mesh's dimension.
+  PlaceFinder(const Mesh& mesh, std::span<const CellIndex> cells);
 
   /// The nodes within `tolerance` of the place, ascending: several where bodies touch.
   std::vector<NodeIndex> nodes_at(const Eigen::Vector3d& place) const;
@@ -35,6 +38,9 @@ public:
   std::string label_of(NodeIndex node) const;
 
 private:
+  void take_nodes(const Mesh& mesh);
+  void take_cells(const Mesh& mesh, std::span<const CellIndex> cells);
+
   struct Cell {
     CellType type;
     std::vector<NodeIndex> nodes;

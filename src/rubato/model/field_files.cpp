@@ -116,6 +116,8 @@ void read_field_files(study::Study& study, const mesh::Mesh& mesh, std::vector<F
   for (std::size_t i = 0; i < study.loads.size(); ++i)
     read(files, study.loads[i],
          fmt::format("loads.{}.{}", i, study::word_of(study::load_words, study.loads[i].kind)));
+  for (std::size_t i = 0; i < study.temperatures.size(); ++i)
+    files.read(study.temperatures[i].value.value, fmt::format("temperature.{}.value", i));
   for (auto& zone : study.contact)
     read(files, zone);
 }

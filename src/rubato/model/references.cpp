@@ -67,23 +67,22 @@ std::optional<Reference> embedded_reference(const study::Relation& relation, con
   Reference reference;
   reference.name = relation.name;
   reference.place = Vector3d(relation.at->at(0), relation.at->at(1), relation.at->at(2));
-  const auto found = CellFinder(mesh, cells).find(reference.place);
+  const auto found = cell_at(mesh::PlaceFinder(mesh, cells), reference.place);
   if (!found) {
     faults.push_back(fault_at(path + ".at",
                               fmt::format("({:.6g}, {:.6g}, {:.6g}) lies in no cell{}", reference.place[0],
                                           reference.place[1], reference.place[2], of_group(relation.cells))));
     return std::nullopt;
   }
-  const auto nodes = mesh.nodes_of(found->cell);
-  reference.nodes.assign(nodes.begin(), nodes.end());
+  reference.nodes = found->nodes;
   reference.dofs = dofs_of(reference.nodes, dofs);
   reference.size = size_of(mesh, reference);
   reference.turns = false;
   reference.motion = MatrixXd::Zero(dofs.components + rotations_of(dofs.components),
                                     static_cast<Index>(reference.dofs.size()));
-  for (std::size_t n = 0; n < found->shape.size(); ++n)
+  for (std::size_t n = 0; n < found->weights.size(); ++n)
     for (int i = 0; i < dofs.components; ++i)
-      reference.motion(i, static_cast<Index>(n) * dofs.components + i) = found->shape[n];
+      reference.motion(i, static_cast<Index>(n) * dofs.components + i) = found->weights[n];
   return reference;
 }
 

@@ -253,10 +253,10 @@ private:
         host_cells(parts_.mesh, parts_.dofs.components, {relation_.cells, path_ + ".in"}, faults_);
     if (nodes.empty() || cells.empty())
       return;
-    const CellFinder finder(parts_.mesh, cells);
+    const mesh::PlaceFinder finder(parts_.mesh, cells);
     const auto from = source(path_);
     for (const auto node : nodes) {
-      const auto found = finder.find(place(node), node);
+      const auto found = cell_at(finder, place(node), node);
       if (!found)
         return faults_.push_back(
             fault_at(path_ + ".on",
@@ -266,13 +266,13 @@ private:
     }
   }
 
-  void embed(NodeIndex node, const Embedding& at, std::size_t from) {
-    const auto nodes = parts_.mesh.nodes_of(at.cell);
+  void embed(NodeIndex node, const mesh::CellShare& at, std::size_t from) {
+    const auto& nodes = at.nodes;
     for (int i = 0; i < parts_.dofs.components; ++i) {
       std::vector<Term> terms{{parts_.dofs.dof(node, i), 1}};
       for (std::size_t n = 0; n < nodes.size(); ++n)
-        if (std::abs(at.shape[n]) > coefficient_rounding)
-          terms.push_back({parts_.dofs.dof(nodes[n], i), -at.shape[n]});
+        if (std::abs(at.weights[n]) > coefficient_rounding)
+          terms.push_back({parts_.dofs.dof(nodes[n], i), -at.weights[n]});
       enter({std::move(terms), {}, static_cast<int>(from)});
     }
   }
