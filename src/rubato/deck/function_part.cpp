@@ -392,7 +392,7 @@ study::Field read_field(const Value& value, const Context& context) {
 
 study::Field read_motion(const Value& value, const Context& context) {
   study::Field field;
-  if (!value.tree().is(Tree::Kind::map) || is_profile(value.tree())) {
+  if (!value.tree().is(Tree::Kind::map) || is_field_value(value.tree())) {
     read_field_value(value, context, field.value);
     return field;
   }
