@@ -107,6 +107,28 @@ TEST_F(ResumedRun, GoesOnAcrossTheEndOfASupport) {
     expect_no_seam(by_leaps, end, "5e-4");
 }
 
+TEST_F(ResumedRun, KeepsTheShorteningOfALockedPreload) {
+  const std::string deck = R"(mesh:
+  generate: [{name: bolt, rectangle: {from: [0, 0], to: [1, 4]}, divisions: [2, 8], sides: {bottom: ground, top: head}}]
+physics: plane_stress
+materials: {steel: {young: 2e5, poisson: 0.3, density: 1e-3}}
+functions: {tighten: {ramp: [0, 1]}}
+supports: [{on: ground, fix: [x, y]}]
+springs: [{on: head, y: 1e4}]
+loads: [{surface_force: {on: head, y: 10, function: tighten}}]
+preload: {m1: {cut: {point: [0, 1.7], normal: [0, 1]}, force: 100, function: tighten, lock: 0.2}}
+probes: {cut: {section: {point: [0, 1.7], normal: [0, 1]}}}
+time: {scheme: hht, alpha: -0.1, step: 0.1, end: 0.6}
+)";
+  ASSERT_EQ(run(deck, "whole").exit_code, 0);
+  for (const auto* end : {"0.1", "0.2", "0.4"}) {
+    ASSERT_EQ(run(deck, "out", {"--set", std::string("time.end=") + end}).exit_code, 0);
+    const auto outcome = run(deck, "out", {"--resume"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_same("whole", "out");
+  }
+}
+
 TEST_F(ResumedRun, OfAStoppedRunHasNoSeam) {
   const auto deck = with(test::rubbing_beams, "end: 0.03}", "end: 3}"); // nobody waits for its end
   test::write_text(folder_ / "deck.yaml", deck);

@@ -20,13 +20,6 @@ void check_axes(Rules& rules, const std::array<double, 3>& vector, const std::st
   }
 }
 
-void check_cut(Rules& rules, const Cut& cut, const std::string& path) {
-  check_axes(rules, cut.point, path + ".point");
-  check_axes(rules, cut.normal, path + ".normal");
-  if (std::ranges::all_of(cut.normal, [](double x) { return x == 0; }))
-    rules.broken({path + ".normal"}, "found a vector of length 0, expected one that points somewhere");
-}
-
 /// What a probe is of, but for its place: differences are of two of one kind.
 std::string kind_of(const Probe& probe) {
   return probe.section ? "a section" : std::string(word_of(probe_field_words, probe.field));
@@ -250,6 +243,13 @@ void check_chosen_fields(Rules& rules, const std::vector<std::string>& fields, c
 }
 
 } // namespace
+
+void check_cut(Rules& rules, const Cut& cut, const std::string& path) {
+  check_axes(rules, cut.point, path + ".point");
+  check_axes(rules, cut.normal, path + ".normal");
+  if (std::ranges::all_of(cut.normal, [](double x) { return x == 0; }))
+    rules.broken({path + ".normal"}, "found a vector of length 0, expected one that points somewhere");
+}
 
 void check_probes(Rules& rules) {
   std::vector<std::string> names;
