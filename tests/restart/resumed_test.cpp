@@ -89,11 +89,12 @@ TEST_F(ResumedRun, MeetsMovingObstaclesWhereTheyWouldHaveBeen) {
 
 /// It is stored before, at and after the instant.
 TEST_F(ResumedRun, GoesOnAcrossTheEndOfASupport) {
-  const auto deck = with(test::two_blocks, "  - {on: held, fix: [x, y]}\n",
-                         "  - {on: held, fix: [x, y]}\n  - {on: roof, y: {velocity: -1}, until: 2e-4}\n");
-  const auto by_leaps = with(with(deck, "scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4",
-                                  "scheme: central_difference, record: 6.25e-5, end: 5e-4"),
-                             "until: 2e-4", "until: 1.25e-4");
+  const auto deck = with(four_steps, "  - {on: held, fix: [x, y]}\n",
+                         "  - {on: held, fix: [x, y]}\n  - {on: tip, y: {velocity: -1}, until: 2e-4}\n");
+  auto by_leaps = with(deck, "scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4",
+                       "scheme: central_difference, record: 6.25e-5, end: 5e-4");
+  by_leaps = with(with(by_leaps, "until: 2e-4", "until: 1.25e-4"), "friction: 0.2",
+                  "friction: 0.2, method: penalty");
   const auto expect_no_seam = [&](const std::string& of, const std::string& end, const std::string& longer) {
     ASSERT_EQ(run(of, "whole", {"--set", "time.end=" + longer}).exit_code, 0);
     ASSERT_EQ(run(of, "out", {"--set", "time.end=" + end}).exit_code, 0);
