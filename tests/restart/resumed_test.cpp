@@ -89,11 +89,12 @@ TEST_F(ResumedRun, MeetsMovingObstaclesWhereTheyWouldHaveBeen) {
 
 /// It is stored before, at and after the instant.
 TEST_F(ResumedRun, GoesOnAcrossTheEndOfASupport) {
-  const auto deck = with(test::two_blocks, "  - {on: held, fix: [x, y]}\n",
-                         "  - {on: held, fix: [x, y]}\n  - {on: roof, y: {velocity: -1}, until: 2e-4}\n");
-  const auto by_leaps = with(with(deck, "scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4",
-                                  "scheme: central_difference, record: 6.25e-5, end: 5e-4"),
-                             "until: 2e-4", "until: 1.25e-4");
+  const auto deck = with(four_steps, "  - {on: held, fix: [x, y]}\n",
+                         "  - {on: held, fix: [x, y]}\n  - {on: tip, y: {velocity: -1}, until: 2e-4}\n");
+  auto by_leaps = with(deck, "scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4",
+                       "scheme: central_difference, record: 6.25e-5, end: 5e-4");
+  by_leaps = with(with(by_leaps, "until: 2e-4", "until: 1.25e-4"), "friction: 0.2",
+                  "friction: 0.2, method: penalty");
   const auto expect_no_seam = [&](const std::string& of, const std::string& end, const std::string& longer) {
     ASSERT_EQ(run(of, "whole", {"--set", "time.end=" + longer}).exit_code, 0);
     ASSERT_EQ(run(of, "out", {"--set", "time.end=" + end}).exit_code, 0);
@@ -105,6 +106,28 @@ TEST_F(ResumedRun, GoesOnAcrossTheEndOfASupport) {
     expect_no_seam(deck, end, "6e-4");
   for (const auto* end : {"6.25e-5", "1.25e-4", "2.5e-4"})
     expect_no_seam(by_leaps, end, "5e-4");
+}
+
+TEST_F(ResumedRun, KeepsTheShorteningOfALockedPreload) {
+  const std::string deck = R"(mesh:
+  generate: [{name: bolt, rectangle: {from: [0, 0], to: [1, 4]}, divisions: [2, 8], sides: {bottom: ground, top: head}}]
+physics: plane_stress
+materials: {steel: {young: 2e5, poisson: 0.3, density: 1e-3}}
+functions: {tighten: {ramp: [0, 1]}}
+supports: [{on: ground, fix: [x, y]}]
+springs: [{on: head, y: 1e4}]
+loads: [{surface_force: {on: head, y: 10, function: tighten}}]
+preload: {m1: {cut: {point: [0, 1.7], normal: [0, 1]}, force: 100, function: tighten, lock: 0.2}}
+probes: {cut: {section: {point: [0, 1.7], normal: [0, 1]}}}
+time: {scheme: hht, alpha: -0.1, step: 0.1, end: 0.6}
+)";
+  ASSERT_EQ(run(deck, "whole").exit_code, 0);
+  for (const auto* end : {"0.1", "0.2", "0.4"}) {
+    ASSERT_EQ(run(deck, "out", {"--set", std::string("time.end=") + end}).exit_code, 0);
+    const auto outcome = run(deck, "out", {"--resume"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_same("whole", "out");
+  }
 }
 
 TEST_F(ResumedRun, OfAStoppedRunHasNoSeam) {

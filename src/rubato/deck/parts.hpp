@@ -37,6 +37,9 @@ void read_functions(const Found& value, const Context& context, std::map<std::st
 void read_supports(const Found& value, const Context& context, std::vector<study::Support>& supports);
 void read_base_motion(const Found& value, const Context& context,
                       std::optional<study::BaseMotion>& base_motion);
+void read_preload(const Found& value, const Context& context, std::vector<study::Preload>& preloads);
+/// A plane and the cells that it cuts; who calls finishes the map.
+study::Cut read_cut(MapReader& map, const Context& context);
 void read_relations(const Found& value, const Context& context, std::vector<study::Relation>& relations);
 void read_loads(const Found& value, const Context& context, std::vector<study::Load>& loads);
 void read_modal_damping(const Found& value, std::optional<study::ModalDamping>& damping);

@@ -94,6 +94,7 @@ study::Study read_study(const Tree& tree, const std::filesystem::path& folder, F
   read_functions(map.find("functions"), context, study.functions);
   read_supports(map.find("supports"), context, study.supports);
   read_base_motion(map.find("base_motion"), context, study.base_motion);
+  read_preload(map.find("preload"), context, study.preload);
   read_relations(map.find("relations"), context, study.relations);
   read_springs(map.find("springs"), study.springs);
   read_connectors(map.find("connectors"), context, study.connectors);

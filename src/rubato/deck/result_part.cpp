@@ -15,13 +15,10 @@
 namespace rubato::deck {
 namespace {
 
-study::Cut read_cut(const Value& value, const Context& context) {
-  study::Cut cut;
+study::Cut read_section(const Value& value, const Context& context) {
   MapReader map(value);
-  read_point(map.require("point"), context, cut.point);
-  read_point(map.require("normal"), context, cut.normal);
+  auto cut = read_cut(map, context);
   read_name(map.find("on"), cut.on);
-  read_name(map.find("cells"), cut.cells);
   map.finish();
   return cut;
 }
@@ -74,7 +71,7 @@ study::Probe read_probe(const NamedValue& entry, const Context& context) {
   if (std::array<double, 3> point{}; read_point(places["point"], context, point))
     probe.point = point;
   if (places["section"])
-    probe.section = read_cut(*places["section"], context);
+    probe.section = read_section(*places["section"], context);
   if (places["contact"])
     probe.contact = read_contact_force(*places["contact"], context);
   read_names(places["minus"], probe.minus);
@@ -113,6 +110,14 @@ void read_chosen_fields(const Found& value, std::vector<std::string>& fields) {
 }
 
 } // namespace
+
+study::Cut read_cut(MapReader& map, const Context& context) {
+  study::Cut cut;
+  read_point(map.require("point"), context, cut.point);
+  read_point(map.require("normal"), context, cut.normal);
+  read_name(map.find("cells"), cut.cells);
+  return cut;
+}
 
 void read_probes(const Found& value, const Context& context, std::vector<study::Probe>& probes) {
   for (const auto& entry : named_entries(value))

@@ -8,12 +8,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 namespace rubato::model {
 namespace {
 
 using Base = constraint::Reduction::Base;
+
+/// What is left of a sum below this part of its terms is rounding.
+constexpr double sum_rounding = 1e-12;
 
 std::string path_of(std::size_t axis) {
   return fmt::format("base_motion.{}", study::axis_words.at(axis));
@@ -31,14 +35,51 @@ FieldFunction displacement_of(const study::Study& study, const study::Field& giv
   return integrated(field, static_cast<int>(given.given), study.time.begin, study.time.end);
 }
 
-/// −M r of the direction of an axis.
-Eigen::VectorXd inertia_along(const Model& model, int axis) {
+/// r: 1 on the dofs along an axis.
+Eigen::VectorXd along_axis(const Model& model, int axis) {
   Eigen::VectorXd along = Eigen::VectorXd::Zero(model.dofs.dof_count);
   for (const auto node : model.dofs.nodes)
     along[model.dofs.dof(node, axis)] = 1;
+  return along;
+}
+
+/// −M r
+Eigen::VectorXd inertia_along(const Model& model, int axis) {
+  const auto along = along_axis(model, axis);
   if (model.lumped_mass.size() > 0)
     return -model.lumped_mass.cwiseProduct(along);
   return -(model.mass * along);
+}
+
+/// c (c·r) times a coefficient; 0 of connectors between places, which a translation does not stretch.
+void add_pull(const Connector& connector, double coefficient, const Eigen::VectorXd& along,
+              Eigen::VectorXd& forces) {
+  double sum = 0;
+  double magnitude = 0;
+  for (const auto& term : connector.row) {
+    sum += term.coefficient * along[term.dof];
+    magnitude += std::abs(term.coefficient * along[term.dof]);
+  }
+  if (std::abs(sum) > sum_rounding * magnitude)
+    for (const auto& term : connector.row)
+      forces[term.dof] += coefficient * sum * term.coefficient;
+}
+
+/// Stiffness of what goes to the ground times the direction of an axis: everything else moves along.
+Eigen::VectorXd ground_stiffness(const Model& model, const Eigen::VectorXd& along) {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(model.dofs.dof_count);
+  for (const auto& spring : model.springs)
+    forces[spring.dof] += spring.stiffness * along[spring.dof];
+  for (const auto& connector : model.connectors)
+    add_pull(connector, connector.stiffness, along, forces);
+  return forces;
+}
+
+/// The same of dashpots and of damping by the mass.
+Eigen::VectorXd ground_damping(const Model& model, const Eigen::VectorXd& along) {
+  if (model.damping.nonZeros() == 0)
+    return {};
+  return model.damping * along;
 }
 
 /// An expression of t as a function of time.
@@ -77,6 +118,28 @@ void carry_obstacles(Model& model) {
   for (auto& zone : model.zones)
     if (zone.obstacle)
       zone.obstacle->base = base;
+}
+
+double GroundPull::at(double t) const {
+  constexpr std::array<double, 3> anywhere{};
+  return displacement.at(anywhere, t);
+}
+
+double GroundPull::rate(double t) const {
+  constexpr std::array<double, 3> anywhere{};
+  return displacement.multiplied_at(anywhere, t) * rate_at(displacement.function, t, 1);
+}
+
+void move_ground(Model& model) {
+  std::vector<Fault> told; // with the supports
+  const auto base = make_base(model.study, told);
+  for (int axis = 0; axis < model.dofs.components; ++axis)
+    if (const auto& moved = base.at(static_cast<std::size_t>(axis))) {
+      const auto along = along_axis(model, axis);
+      GroundPull pull{*moved, along, ground_stiffness(model, along), ground_damping(model, along)};
+      if (!pull.stiffness.isZero(0) || pull.damping.size() > 0)
+        model.ground.push_back(std::move(pull));
+    }
 }
 
 void add_base_inertia(Model& model) {

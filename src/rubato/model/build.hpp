@@ -13,6 +13,12 @@
 
 namespace rubato::model {
 
+/// From when on a model holds.
+struct Stage {
+  double released = -std::numeric_limits<double>::infinity(); ///< supports that end by then are gone
+  Eigen::VectorXd shortening = {}; ///< of each preload that is locked by then [length]
+};
+
 /// The cells that deform and their materials; a cell that got none has the first one.
 domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
 
@@ -29,17 +35,20 @@ void check_shapes(const study::Study& study, const mesh::Mesh& mesh, std::span<c
                   std::vector<Fault>& faults);
 
 /// What supports and relations say of the displacements, and which ones are left unknown; faults where they
-/// contradict one another, a note where some of a relation's equations follow from others. Supports that end
-/// at `released` or before are left out.
+/// contradict one another, a note where some of a relation's equations follow from others. Supports that
+/// have ended in the stage are left out, preloads that are locked then keep their shortening.
 constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
                                      const domain::DofMap& dofs, std::span<const Reference> references,
                                      std::vector<Fault>& faults, std::vector<std::string>& notes,
-                                     double released = -std::numeric_limits<double>::infinity());
+                                     std::span<const PreloadedCut> preloads = {}, const Stage& stage = {});
 
 /// How a base moves that displacements are not counted from, s(t); nothing on axes along which it is at rest.
 constraint::Reduction::Base make_base(const study::Study& study, std::vector<Fault>& faults);
 /// Lets the obstacles of the zones move with such a base.
 void carry_obstacles(Model& model);
+/// Lets springs and dashpots to the ground, and damping by the mass, move with such a base; the model has its
+/// matrices.
+void move_ground(Model& model);
 /// Adds −M r a(t), of a base that displacements are counted from; the model has its masses.
 void add_base_inertia(Model& model);
 
@@ -109,7 +118,13 @@ void check_probed_zones(const Model& model, std::vector<Fault>& faults);
 /// The cuts of those probes that are sections, empty ones for the others.
 std::vector<domain::CutForces> make_probe_cuts(const study::Study& study, const mesh::Mesh& mesh,
                                                const domain::DofMap& dofs, const domain::Bulk& bulk,
-                                               const domain::Heat* heat, std::vector<Fault>& faults);
+                                               const domain::Heat* heat, std::vector<Fault>& faults,
+                                               std::span<const PreloadedCut> preloads = {});
+
+/// Adds the forces of preloads that are given by a force and not locked in the stage.
+void add_preload_forces(Model& model, const Stage& stage);
+/// Whether a preload is locked in a stage.
+bool is_locked(const study::Preload& preload, const Stage& stage);
 
 /// Faults for checks on groups or nodes that there are not.
 void check_compared_places(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);

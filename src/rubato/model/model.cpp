@@ -25,8 +25,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <limits>
 #include <set>
 
 namespace rubato::model {
@@ -148,16 +148,20 @@ void stop_on(const std::vector<Fault>& faults) {
     throw InputError(faults);
 }
 
-/// Instants at which supports end. Those of the run are stops of its steps.
+/// Instants at which supports end and preloads are locked, those locked before at the begin. Within the run
+/// they are stops of its steps.
 void note_releases(Model& model) {
   auto& time = model.study.time;
   std::set<double> instants;
   for (const auto& support : model.study.supports)
     if (support.until && *support.until < time.end)
       instants.insert(*support.until);
+  for (const auto& preload : model.study.preload)
+    if (preload.lock && *preload.lock < time.end)
+      instants.insert(std::max(*preload.lock, time.begin));
   model.releases.assign(instants.begin(), instants.end());
   for (const double release : model.releases)
-    if (std::ranges::find(time.stops, release) == time.stops.end())
+    if (release > time.begin && std::ranges::find(time.stops, release) == time.stops.end())
       time.stops.push_back(release);
 }
 
@@ -179,13 +183,15 @@ mesh::Mesh source_mesh(const study::MeshSource& source) {
   return mesh::with_groups(std::move(mesh), source.groups);
 }
 
-/// Everything but the matrices, without the supports that end at `released` or before.
-Model lay_out(const study::Study& asked, mesh::Mesh mesh, double released) {
+/// Everything but the matrices, on a mesh that is cut already.
+Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedCut> preloads,
+              const Stage& stage) {
   Model model;
   model.study = asked;
   note_releases(model);
   const auto& study = model.study;
   model.mesh = std::move(mesh);
+  model.preloads = std::move(preloads);
   if (study.physics == study::Physics::axisymmetric)
     mesh::snap_to_axis(model.mesh);
   std::vector<Fault> faults;
@@ -204,18 +210,21 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, double released) {
   numbered.insert(numbered.end(), model.bulk.cells.begin(), model.bulk.cells.end());
   model.dofs = domain::number_dofs(model.mesh, numbered, element::component_count(study.physics));
   model.references = make_references(study, model.mesh, model.dofs, faults);
-  model.reduction =
-      make_reduction(study, model.mesh, model.dofs, model.references, faults, model.notes, released);
+  model.reduction = make_reduction(study, model.mesh, model.dofs, model.references, faults, model.notes,
+                                   model.preloads, stage);
   model.heat = make_heat(study, model.mesh, model.dofs, model.bulk, faults);
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
   model.connectors = make_connectors(study, model.mesh, model.dofs, model.references, faults);
   model.point_masses = make_point_masses(study, model.mesh, model.dofs, model.references, faults);
-  model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
+  if (std::isinf(stage.released)) // later ones go on from what is
+    model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, model.references, faults);
+  add_preload_forces(model, stage);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
   carry_obstacles(model);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, model.references, faults, model.notes);
-  model.probe_cuts = make_probe_cuts(study, model.mesh, model.dofs, model.bulk, model.heat.get(), faults);
+  model.probe_cuts = make_probe_cuts(study, model.mesh, model.dofs, model.bulk, model.heat.get(), faults,
+                                     model.preloads);
   check_probed_zones(model, faults);
   check_compared_places(study, model.mesh, faults);
   stop_on(faults);
@@ -256,19 +265,21 @@ void check_same_zones(const Model& first, const Model& stage, std::vector<Fault>
 void check_stage(const Model& first, double release) {
   std::vector<Fault> faults;
   try {
-    check_same_zones(first, lay_out(first.study, first.mesh, release), faults);
+    check_same_zones(first, lay_out(first.study, first.mesh, first.preloads, {.released = release}), faults);
   } catch (const InputError& error) {
     faults = error.faults();
   }
   for (auto& fault : faults)
-    fault.text += fmt::format(" (from t = {} on, where a support ends)", release);
+    fault.text += fmt::format(" (from t = {} on, where a support ends or a preload is locked)", release);
   stop_on(faults);
 }
 
 Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   study::validate(study);
-  constexpr double nothing_released = -std::numeric_limits<double>::infinity();
-  auto model = lay_out(study, std::move(mesh), nothing_released);
+  std::vector<Fault> faults;
+  auto preloads = split_at_preloads(study, mesh, faults);
+  stop_on(faults);
+  auto model = lay_out(study, std::move(mesh), std::move(preloads), Stage{});
   for (const double release : model.releases)
     check_stage(model, release);
   return model;
@@ -276,6 +287,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
 
 Model assembled(Model model) {
   assemble_matrices(model, model.study.materials);
+  move_ground(model);
   add_base_inertia(model);
   return model;
 }
@@ -320,8 +332,8 @@ Model build_model(const study::Study& study, mesh::Mesh mesh) {
   return assembled(lay_out(study, std::move(mesh)));
 }
 
-Model build_stage(const Model& first, double release) {
-  return assembled(lay_out(first.study, first.mesh, release));
+Model build_stage(const Model& first, double release, const VectorXd& shortening) {
+  return assembled(lay_out(first.study, first.mesh, first.preloads, {release, shortening}));
 }
 
 VectorXd external_force(const Model& model, double t) {
@@ -330,6 +342,11 @@ VectorXd external_force(const Model& model, double t) {
     force += value_of(part.function, t) * part.pattern;
     for (const auto& field : part.fields)
       load::add_field_force(field, t, force);
+  }
+  for (const auto& pull : model.ground) {
+    force += pull.at(t) * pull.stiffness;
+    if (pull.damping.size() > 0)
+      force += pull.rate(t) * pull.damping;
   }
   return force;
 }

@@ -13,6 +13,7 @@
 #include "rubato/load/field_forces.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/modal_damping.hpp"
+#include "rubato/model/preloads.hpp"
 #include "rubato/model/products.hpp"
 #include "rubato/model/references.hpp"
 #include "rubato/study/study.hpp"
@@ -55,6 +56,18 @@ struct Connector {
   std::optional<LinearTable> damper = {};
 };
 
+/// What springs and dashpots to the ground do to the bodies when it moves by s along an axis: the force
+/// stiffness s + damping ṡ.
+struct GroundPull {
+  FieldFunction displacement; ///< s [length]
+  Eigen::VectorXd along;      ///< r: 1 on dofs along the axis
+  Eigen::VectorXd stiffness;  ///< K r [force/length], one a dof
+  Eigen::VectorXd damping;    ///< C r [force · time/length], one a dof; empty without damping
+
+  double at(double t) const;   ///< s [length]
+  double rate(double t) const; ///< ṡ [length/time]
+};
+
 struct PointMass {
   mesh::NodeIndex node = -1;
   double mass = 0;
@@ -95,7 +108,11 @@ struct Model {
   std::vector<Spring> springs;
   std::vector<Connector> connectors;
   std::vector<PointMass> point_masses;
-  /// Instants within the run at which supports end, ascending; steps end at them.
+  /// Of each axis along which a base moves that displacements are not counted from, where springs, dashpots
+  /// or damping by the mass act against it.
+  std::vector<GroundPull> ground;
+  std::vector<PreloadedCut> preloads; ///< of each preload of the study
+  /// Instants of the run at which supports end or preloads are locked, ascending; steps end at them.
   std::vector<double> releases;
   std::vector<Gauge> gauges; ///< of bodies that in a static run only contact holds
   InitialMotion initial;
@@ -123,9 +140,14 @@ Model build_model(const study::Study& study);
 /// The same on a mesh that is already there.
 Model build_model(const study::Study& study, mesh::Mesh mesh);
 
-/// The discrete problem from one of the releases on: the supports that end by then are gone. Its unknowns and
-/// contact points are those of `first`, the model at the begin of the run.
-Model build_stage(const Model& first, double release);
+/// The discrete problem from one of the releases on: the supports that end by then are gone, preloads that
+/// are locked by then have their shortening. Its dofs and contact points are those of `first`, the model at
+/// the begin of the run. `shortening`: one a preload [length].
+Model build_stage(const Model& first, double release, const Eigen::VectorXd& shortening);
+
+/// What preloads that are locked at one of the releases are shortened by, u being the displacements then;
+/// leaves the others alone.
+void lock_preloads(const Model& first, double release, const Eigen::VectorXd& u, Eigen::VectorXd& shortening);
 
 /// A sentence for each zone whose sides the model has chosen: which one is the slave, and why.
 std::vector<std::string> chosen_sides(std::span<const contact::Zone> zones);

@@ -13,19 +13,8 @@ namespace {
 using Eigen::Vector3d;
 using mesh::NodeIndex;
 
-/// Centres of cells nearer to a plane than this part of its distance to the farthest one are on it.
-constexpr double on_plane = 1e-9;
-
 Vector3d vector_of(const std::array<double, 3>& numbers) {
   return {numbers[0], numbers[1], numbers[2]};
-}
-
-Vector3d centre_of_cell(const mesh::Mesh& mesh, mesh::CellIndex cell) {
-  const auto nodes = mesh.nodes_of(cell);
-  Vector3d sum = Vector3d::Zero();
-  for (const auto node : nodes)
-    sum += mesh.points[static_cast<std::size_t>(node)];
-  return sum / static_cast<double>(nodes.size());
 }
 
 /// Deforming cells by their places in the bulk, on both sides of a plane; those on it are in front.
@@ -37,9 +26,10 @@ struct Sides {
 class CutBuilder {
 public:
   CutBuilder(const study::Probe& probe, const mesh::Mesh& mesh, const domain::DofMap& dofs,
-             const domain::Bulk& bulk, const domain::Heat* heat, std::vector<Fault>& faults)
+             const domain::Bulk& bulk, const domain::Heat* heat, std::vector<Fault>& faults,
+             std::span<const PreloadedCut> preloads)
       : probe_(probe), cut_(*probe.section), path_(fmt::format("probes.{}.section", probe.name)), mesh_(mesh),
-        dofs_(dofs), bulk_(bulk), heat_(heat), faults_(faults) {}
+        dofs_(dofs), bulk_(bulk), heat_(heat), faults_(faults), behind_(nodes_behind(mesh, preloads)) {}
 
   domain::CutForces build() {
     const auto cells = chosen_cells();
@@ -75,16 +65,13 @@ private:
   }
 
   Sides sides_of(const std::vector<std::size_t>& cells) const {
-    const Vector3d normal = vector_of(cut_.normal).normalized();
-    const auto distance = [&](std::size_t cell) {
-      return normal.dot(centre_of_cell(mesh_, bulk_.cells[cell]) - vector_of(cut_.point));
-    };
-    double farthest = 0;
+    std::vector<mesh::CellIndex> of_mesh;
     for (const auto cell : cells)
-      farthest = std::max(farthest, std::abs(distance(cell)));
+      of_mesh.push_back(bulk_.cells[cell]);
+    const auto behind = behind_plane(mesh_, of_mesh, cut_);
     Sides sides;
-    for (const auto cell : cells)
-      (distance(cell) < -on_plane * farthest ? sides.behind : sides.in_front).push_back(cell);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      (behind[i] != 0 ? sides.behind : sides.in_front).push_back(cells[i]);
     return sides;
   }
 
@@ -92,7 +79,7 @@ private:
     std::vector<char> marks(mesh_.points.size(), 0);
     for (const auto cell : cells)
       for (const auto node : mesh_.nodes_of(bulk_.cells[cell]))
-        marks[static_cast<std::size_t>(node)] = 1;
+        marks[static_cast<std::size_t>(behind_[static_cast<std::size_t>(node)])] = 1;
     return marks;
   }
 
@@ -101,7 +88,7 @@ private:
     const auto in_front = marked(sides.in_front);
     std::vector<NodeIndex> nodes;
     for (std::size_t i = 0; i < behind.size(); ++i)
-      if (behind[i] != 0 && in_front[i] != 0)
+      if (const auto node = static_cast<std::size_t>(behind_[i]); behind[node] != 0 && in_front[node] != 0)
         nodes.push_back(static_cast<NodeIndex>(i));
     if (nodes.empty())
       fault(path_,
@@ -115,7 +102,9 @@ private:
     if (nodes.empty())
       return nodes;
     const auto behind = marked(sides.behind);
-    std::erase_if(nodes, [&](NodeIndex node) { return behind[static_cast<std::size_t>(node)] == 0; });
+    std::erase_if(nodes, [&](NodeIndex node) {
+      return behind[static_cast<std::size_t>(behind_[static_cast<std::size_t>(node)])] == 0;
+    });
     if (nodes.empty())
       fault(
           path_ + ".on",
@@ -133,16 +122,18 @@ private:
   const domain::Bulk& bulk_;
   const domain::Heat* heat_;
   std::vector<Fault>& faults_;
+  std::vector<NodeIndex> behind_; ///< of the two nodes of a pair that a preload has cut apart
 };
 
 } // namespace
 
 std::vector<domain::CutForces> make_probe_cuts(const study::Study& study, const mesh::Mesh& mesh,
                                                const domain::DofMap& dofs, const domain::Bulk& bulk,
-                                               const domain::Heat* heat, std::vector<Fault>& faults) {
+                                               const domain::Heat* heat, std::vector<Fault>& faults,
+                                               std::span<const PreloadedCut> preloads) {
   std::vector<domain::CutForces> cuts;
   for (const auto& probe : study.probes)
-    cuts.push_back(probe.section ? CutBuilder(probe, mesh, dofs, bulk, heat, faults).build()
+    cuts.push_back(probe.section ? CutBuilder(probe, mesh, dofs, bulk, heat, faults, preloads).build()
                                  : domain::CutForces{});
   return cuts;
 }

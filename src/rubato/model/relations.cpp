@@ -320,6 +320,14 @@ bool moves(const FieldFunction& field) {
          (field.sampled && field.sampled->varies_in_time());
 }
 
+/// Unit vectors across a normal: one in the plane, two in space.
+std::vector<Vector3d> tangents_of(const Vector3d& normal, int components) {
+  if (components == 2)
+    return {Vector3d(-normal[1], normal[0], 0)};
+  const Vector3d one = normal.unitOrthogonal();
+  return {one, normal.cross(one)};
+}
+
 } // namespace
 
 std::shared_ptr<const FieldFunction> shared_field(const Parts& parts, const study::Field& field,
@@ -393,6 +401,39 @@ void add_held_reference(const Parts& parts, const study::Support& support, const
     enter(direction.head(components).transpose() * reference.motion.topRows(components), along->value,
           path + ".value");
   }
+}
+
+void add_preload(const Parts& parts, const study::Preload& preload, const PreloadedCut& cut,
+                 const std::optional<double>& locked, Equations& equations) {
+  const auto path = "preload." + preload.name;
+  equations.paths.push_back(path);
+  const auto source = equations.paths.size() - 1;
+  const int components = parts.dofs.components;
+  const auto& first = cut.pairs.front();
+  const auto jump = [&](const Vector3d& along) {
+    std::vector<Term> terms;
+    for (int i = 0; i < components; ++i)
+      terms.insert(terms.end(), {{parts.dofs.dof(first.in_front, i), along[i]},
+                                 {parts.dofs.dof(first.behind, i), -along[i]}});
+    return terms;
+  };
+  for (const auto& pair : std::span(cut.pairs).subspan(1))
+    for (int i = 0; i < components; ++i)
+      equations.list.push_back({{{parts.dofs.dof(pair.in_front, i), 1},
+                                 {parts.dofs.dof(pair.behind, i), -1},
+                                 {parts.dofs.dof(first.in_front, i), -1},
+                                 {parts.dofs.dof(first.behind, i), 1}},
+                                {},
+                                static_cast<int>(source)});
+  const auto across = tangents_of(cut.normal, components);
+  for (const auto& tangent : across)
+    equations.list.push_back(equation_of(jump(tangent), {}, source));
+  if (locked)
+    equations.list.push_back(equation_of(jump(-cut.normal), {*locked, std::nullopt}, source));
+  else if (!preload.by_force)
+    equations.list.push_back(
+        equation_of(jump(-cut.normal),
+                    {preload.value.value, function_named(parts.study, preload.value.function)}, source));
 }
 
 void add_relation(const Parts& parts, const study::Relation& relation, Equations& equations,

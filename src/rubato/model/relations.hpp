@@ -47,6 +47,10 @@ void add_oblique(const Parts& parts, const study::Support& support, const std::s
 /// Adds what a support says of a reference.
 void add_held_reference(const Parts& parts, const study::Support& support, const std::string& path,
                         Equations& equations);
+/// Adds what pairs of nodes have at the cut of a preload: one jump, along the normal; the one that is given
+/// by a shortening, or that is locked at one.
+void add_preload(const Parts& parts, const study::Preload& preload, const PreloadedCut& cut,
+                 const std::optional<double>& locked, Equations& equations);
 /// Adds a relation.
 void add_relation(const Parts& parts, const study::Relation& relation, Equations& equations,
                   std::vector<Fault>& faults);

@@ -46,6 +46,14 @@ public:
     }
   }
 
+  void add(const study::Preload& preload, const PreloadedCut& cut, const std::optional<double>& locked) {
+    try {
+      add_preload(parts_, preload, cut, locked, equations_);
+    } catch (const InputError& error) {
+      std::ranges::copy(error.faults(), std::back_inserter(faults_));
+    }
+  }
+
   constraint::Reduction reduction(std::vector<std::string>& notes) {
     std::vector<PrescribedDof> list;
     for (const auto& [dof, prescribed] : by_dof_)
@@ -207,14 +215,20 @@ private:
 constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
                                      const domain::DofMap& dofs, std::span<const Reference> references,
                                      std::vector<Fault>& faults, std::vector<std::string>& notes,
-                                     double released) {
+                                     std::span<const PreloadedCut> preloads, const Stage& stage) {
   const Parts parts{study, mesh, dofs, references};
   SupportCollector collector(parts, faults);
   for (std::size_t i = 0; i < study.supports.size(); ++i)
-    if (const auto& support = study.supports[i]; !(support.until && *support.until <= released))
+    if (const auto& support = study.supports[i]; !(support.until && *support.until <= stage.released))
       collector.add(support, fmt::format("supports.{}", i));
   for (const auto& relation : study.relations)
     collector.add(relation);
+  for (std::size_t i = 0; i < preloads.size(); ++i) {
+    std::optional<double> locked;
+    if (is_locked(study.preload[i], stage))
+      locked = stage.shortening.size() > 0 ? stage.shortening[static_cast<Eigen::Index>(i)] : 0.0;
+    collector.add(study.preload[i], preloads[i], locked);
+  }
   auto reduction = collector.reduction(notes);
   if (auto base = make_base(study, faults);
       std::ranges::any_of(base, [](const auto& component) { return component.has_value(); }))

@@ -192,6 +192,13 @@ Sentences words_on_loads(const Json& study) {
   return sentences;
 }
 
+Sentences words_on_preloads(const Json& study) {
+  Sentences sentences;
+  for (const auto& [name, preload] : part(study, "preload").items())
+    sentences.push_back(fmt::format("{}: {}", name, entries_text(preload, {})));
+  return sentences;
+}
+
 /// "hub, rigid: on bore, at (0, 0)".
 Sentences words_on_relations(const Json& study) {
   Sentences sentences;
@@ -267,6 +274,7 @@ std::vector<Topic> study_in_words(const Json& study) {
                             {"Materials", words_on_materials(study)},
                             {"Supports", on_groups(part(study, "supports"))},
                             {"Base motion", words_on_base(study)},
+                            {"Preload", words_on_preloads(study)},
                             {"Relations", words_on_relations(study)},
                             {"Springs", on_groups(part(study, "springs"))},
                             {"Connectors", on_groups(part(study, "connectors"))},

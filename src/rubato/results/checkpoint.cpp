@@ -89,6 +89,10 @@ public:
     file_->write(name, std::span<const double>(values.data(), static_cast<std::size_t>(values.size())));
   }
   /// Left out where there is nothing: files from before there was such a thing have none.
+  void few_numbers(const std::string& name, Eigen::VectorXd& values) {
+    if (values.size() > 0)
+      numbers(name, values);
+  }
   void states(const std::string& name, domain::QuadratureStates& states) {
     if (!states.values.empty())
       numbers(name, states.values);
@@ -127,6 +131,7 @@ public:
   template <class Vector> void numbers(const std::string&, Vector& values) {
     add(static_cast<std::size_t>(values.size()) * sizeof(double));
   }
+  void few_numbers(const std::string& name, Eigen::VectorXd& values) { numbers(name, values); }
   void states(const std::string& name, domain::QuadratureStates& states) { numbers(name, states.values); }
   template <Whole T> void wholes(const std::string&, std::vector<T>& values) {
     add(values.size() * sizeof(std::int64_t));
@@ -156,6 +161,11 @@ public:
   void numbers(const std::string& name, Eigen::VectorXd& values) {
     const auto read = file_->numbers(name);
     values = Eigen::Map<const Eigen::VectorXd>(read.data(), static_cast<Eigen::Index>(read.size()));
+  }
+  void few_numbers(const std::string& name, Eigen::VectorXd& values) {
+    values.resize(0);
+    if (file_->has(name))
+      numbers(name, values);
   }
   void states(const std::string& name, domain::QuadratureStates& states) {
     states.values = file_->has(name) ? file_->numbers(name) : std::vector<double>();
@@ -200,6 +210,7 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.number("state/force_scale", state.force_scale);
   archive.numbers("state/friction_force", state.friction_force);
   archive.numbers("state/external_force", state.external_force);
+  archive.few_numbers("state/shortening", state.shortening);
   archive.numbers("state/bulk/internal", state.bulk.internal);
   archive.numbers("state/bulk/viscous", state.bulk.viscous);
   archive.numbers("state/bulk/momentum", state.bulk.momentum);

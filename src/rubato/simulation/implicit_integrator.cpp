@@ -63,7 +63,8 @@ void ImplicitIntegrator::prepare() {
 
 /// Where supports have ended at the instant of the state. Doing it again changes nothing.
 void ImplicitIntegrator::begin_stage() {
-  if (!stages_.go_to_begin_at(state_.t))
+  stages_.lock_preloads_at(state_.t, state_.motion.u, state_.shortening);
+  if (!stages_.go_to_begin_at(state_.t, state_.shortening))
     return;
   take_model();
   step::release(model(), scheme_, state_);
@@ -121,7 +122,7 @@ void ImplicitIntegrator::restore(const Memento& memento) {
   auto state = memento.state;
   time::StepControl control(model().study.time, state.t);
   control.go_on(progress.place);
-  if (stages_.go_to_end_at(state.t))
+  if (stages_.go_to_end_at(state.t, state.shortening))
     take_model();
   step::EnergyAccount account(model(), scheme_, progress.energy, progress.overlaps);
   // Copied; from here on nothing fails.

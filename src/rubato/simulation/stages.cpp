@@ -23,17 +23,22 @@ std::size_t Stages::stage_ending_at(double t) const {
   return static_cast<std::size_t>(std::ranges::lower_bound(ends_, t) - ends_.begin());
 }
 
-bool Stages::go_to_begin_at(double t) {
-  return go_to(static_cast<std::size_t>(std::ranges::upper_bound(ends_, t) - ends_.begin()));
+bool Stages::go_to_begin_at(double t, const Eigen::VectorXd& shortening) {
+  return go_to(static_cast<std::size_t>(std::ranges::upper_bound(ends_, t) - ends_.begin()), shortening);
 }
 
-bool Stages::go_to(std::size_t stage) {
+void Stages::lock_preloads_at(double t, const Eigen::VectorXd& u, Eigen::VectorXd& shortening) const {
+  for (std::size_t i = 0; i < ends_.size(); ++i)
+    if (ends_[i] == t)
+      model::lock_preloads(*first_, first_->releases[i], u, shortening);
+}
+
+bool Stages::go_to(std::size_t stage, const Eigen::VectorXd& shortening) {
   if (stage == stage_)
     return false;
-  later_ =
-      stage == 0
-          ? nullptr
-          : std::make_unique<const model::Model>(model::build_stage(*first_, first_->releases[stage - 1]));
+  later_ = stage == 0 ? nullptr
+                      : std::make_unique<const model::Model>(
+                            model::build_stage(*first_, first_->releases[stage - 1], shortening));
   stage_ = stage;
   return true;
 }

@@ -21,11 +21,16 @@ public:
   /// Goes to the stage of steps that end at t, or begin there. Whether that is another one than before: then
   /// the model that was is gone, unless it is the first. Throws what building a model throws, and is as
   /// before then.
-  bool go_to_end_at(double t) { return go_to(stage_ending_at(t)); }
-  bool go_to_begin_at(double t);
+  /// `shortening`: of the preloads that are locked.
+  bool go_to_end_at(double t, const Eigen::VectorXd& shortening) {
+    return go_to(stage_ending_at(t), shortening);
+  }
+  bool go_to_begin_at(double t, const Eigen::VectorXd& shortening);
+  /// What preloads are shortened by that are locked at t.
+  void lock_preloads_at(double t, const Eigen::VectorXd& u, Eigen::VectorXd& shortening) const;
 
 private:
-  bool go_to(std::size_t stage);
+  bool go_to(std::size_t stage, const Eigen::VectorXd& shortening);
   std::size_t stage_ending_at(double t) const;
 
   const model::Model* first_;

@@ -25,6 +25,45 @@ double work(const VectorXd& moved, const VectorXd& before, const VectorXd& now) 
   return 0.5 * (moved.dot(before) + moved.dot(now));
 }
 
+/// −Σ s k·u + ½ Σ Σ s s r·k
+double energy_of_ground(const Model& model, const State& state) {
+  double sum = 0;
+  for (const auto& pull : model.ground) {
+    sum -= pull.at(state.t) * pull.stiffness.dot(state.motion.u);
+    for (const auto& other : model.ground)
+      sum += 0.5 * pull.at(state.t) * other.at(state.t) * other.along.dot(pull.stiffness);
+  }
+  return sum;
+}
+
+/// [u]·{k s} and [u]·{c ṡ}
+std::pair<double, double> work_of_ground(const Model& model, const VectorXd& moved, const State& committed,
+                                         const State& trial) {
+  double by_stiffness = 0;
+  double by_damping = 0;
+  for (const auto& pull : model.ground) {
+    by_stiffness += 0.5 * (pull.at(committed.t) + pull.at(trial.t)) * moved.dot(pull.stiffness);
+    if (pull.damping.size() > 0)
+      by_damping += 0.5 * (pull.rate(committed.t) + pull.rate(trial.t)) * moved.dot(pull.damping);
+  }
+  return {by_stiffness, by_damping};
+}
+
+/// −[s]·{c·v − Σ ṡ r·c}: of the ground.
+double work_on_dashpots(const Model& model, const State& committed, const State& trial) {
+  const auto force = [&](const model::GroundPull& pull, const State& state) {
+    double sum = pull.damping.dot(state.motion.v);
+    for (const auto& other : model.ground)
+      sum -= other.rate(state.t) * other.along.dot(pull.damping);
+    return sum;
+  };
+  double work = 0;
+  for (const auto& pull : model.ground)
+    if (pull.damping.size() > 0)
+      work -= 0.5 * (pull.at(trial.t) - pull.at(committed.t)) * (force(pull, committed) + force(pull, trial));
+  return work;
+}
+
 } // namespace
 
 void EnergyRecord::note(double t, const EnergyLedger& ledger) {
@@ -42,6 +81,7 @@ EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, con
     : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)) {
   ledger_.kinetic = scheme.dynamic ? kinetic_energy(start) : 0;
   ledger_.strain = strain_energy(start, rigid_->resultants(start.bulk.internal));
+  ledger_.strain += energy_of_ground(model, start);
   ledger_.contact = energy_of_springs(model.zones, start.zones);
   ledger_.held_heat = model.domain.heat() != nullptr ? model.domain.heat()->held_energy(start.t) : 0;
   ledger_.start = ledger_.stored();
@@ -62,6 +102,7 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
     ledger_.held_heat = heat->held_energy(trial.t);
   if (damped(trial))
     ledger_.damping += work(moved, before.viscous, now.viscous);
+  enter_ground(moved, committed, trial);
   const auto obstacles = work_of_obstacles(committed, trial);
   const double friction =
       work_of_contact(moved, committed.friction_force, trial.friction_force) + obstacles.tangential;
@@ -86,6 +127,21 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
       domain::missed_between(model_->domain.law_springs(), committed.motion.u, trial.motion.u);
   ledger_.unbalanced += work_of_equation(moved, committed, trial) - scheme_->forces.now * rigid_now -
                         scheme_->forces.before * rigid_before - supports.with_step;
+}
+
+/// Springs and dashpots to the ground have forces of u − s and of v − ṡ, of which K, C and the loads of the
+/// ground are two parts: the energy of springs, −s k·u + ½ s² r·k beside ½ u·K u, the work of the loads, and
+/// what dashpots take, are put together again. What is left is the work of the ground.
+void EnergyAccount::enter_ground(const VectorXd& moved, const State& committed, const State& trial) {
+  if (model_->ground.empty())
+    return;
+  const double stored = energy_of_ground(*model_, trial);
+  const auto [by_stiffness, by_damping] = work_of_ground(*model_, moved, committed, trial);
+  const double taken = work_on_dashpots(*model_, committed, trial);
+  ledger_.strain += stored;
+  ledger_.external_work -= by_stiffness + by_damping;
+  ledger_.support_work += stored - energy_of_ground(*model_, committed) + by_stiffness + taken;
+  ledger_.damping += taken - by_damping;
 }
 
 /// U less ½ r·f_int, r the rigid part of u: rounding, which far away from where it began would hide the

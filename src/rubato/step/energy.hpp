@@ -93,6 +93,7 @@ private:
     double work = 0;      ///< with the mean of the reactions at both ends
     double with_step = 0; ///< with the reaction that the step's equation has
   };
+  void enter_ground(const Eigen::VectorXd& moved, const State& committed, const State& trial);
   struct Obstacles {
     double normal = 0; ///< of their pressures, with the mean of both ends
     double tangential = 0;

@@ -130,6 +130,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
+  state.shortening = VectorXd::Zero(static_cast<Index>(model.preloads.size()));
   for (const auto& zone : model.zones)
     state.zones.push_back(untouched_zone(model, zone, state.motion.u, t));
   if (scheme.dynamic)
@@ -144,6 +145,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
 
 State continued_state(const Model& model, const time::Scheme& scheme, const State& end, double t) {
   State state = end;
+  state.shortening = VectorXd::Zero(static_cast<Index>(model.preloads.size()));
   for (auto& zone : state.zones)
     std::ranges::fill(zone.friction_history, contact::FrictionHistory());
   state.t = t;

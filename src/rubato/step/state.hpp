@@ -33,6 +33,7 @@ struct State {
   Eigen::VectorXd friction_force; ///< the part of it along the surfaces [force]
   Eigen::VectorXd external_force; ///< the loads at t [force]
   Eigen::VectorXd reaction;       ///< of the supports, on constrained dofs [force]
+  Eigen::VectorXd shortening;     ///< of each preload, once it is locked; else 0 [length]
   double force_scale = 0;         ///< the forces that the residual of the last step was measured by [force]
   std::vector<contact::ZoneState> zones;
   /// Of points that overlapped at the start of the step, unpressed, and press at its end: how far the step

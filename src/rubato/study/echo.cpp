@@ -350,6 +350,14 @@ Json echo(const Cut& cut, int dimension) {
   return map;
 }
 
+Json echo(const Preload& preload, int dimension) {
+  Json map{{"cut", echo(preload.cut, dimension)},
+           {preload.by_force ? "force" : "displacement", preload.value.value}};
+  put_name(map, "function", preload.value.function);
+  put_optional(map, "lock", preload.lock);
+  return map;
+}
+
 Json echo(const Probe& probe, int dimension) {
   auto map = Json::object();
   if (probe.take == ProbeTake::node) {
@@ -453,6 +461,7 @@ std::string to_json(const Study& study) {
   deck["supports"] = echo_list(study.supports, dimension);
   if (study.base_motion)
     deck["base_motion"] = echo(*study.base_motion);
+  deck["preload"] = echo_by_name(study.preload, dimension);
   deck["relations"] = echo_by_name(study.relations, dimension);
   deck["springs"] = echo_list(study.springs, dimension);
   deck["connectors"] = echo_list(study.connectors, dimension);

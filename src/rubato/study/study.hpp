@@ -362,6 +362,16 @@ struct ContactForce {
   bool operator==(const ContactForce&) const = default;
 };
 
+/// A bolt that is tightened: it is cut through, and the sides of the cut approach each other.
+struct Preload {
+  std::string name;
+  Cut cut;                    ///< the normal points towards the part that approaches; `on` is empty
+  bool by_force = true;       ///< else by the shortening
+  Amplitude value;            ///< [force], > 0 tightens, or [length], > 0 shortens
+  std::optional<double> lock; ///< instant from which on the shortening stays what it is then
+  bool operator==(const Preload&) const = default;
+};
+
 /// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point; or of
 /// the nodes of a group; or in a cut; or of a contact zone; or the difference of two others.
 struct Probe {
@@ -449,6 +459,7 @@ struct Study {
   std::vector<Material> materials;
   std::vector<Support> supports;
   std::optional<BaseMotion> base_motion;
+  std::vector<Preload> preload;
   std::vector<Relation> relations;
   std::vector<Springs> springs;
   std::vector<Connector> connectors;

@@ -18,6 +18,7 @@ Judgement judge(const Study& study) {
   check_functions(rules);
   check_supports(rules);
   check_base_motion(rules);
+  check_preloads(rules);
   check_relations(rules);
   check_modal_damping(rules);
   check_springs(rules);

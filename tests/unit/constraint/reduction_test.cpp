@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// A made-up reduction against its matrix T.
 #include "rubato/constraint/reduction.hpp"
+#include "rubato/core/time_integral.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -218,6 +219,49 @@ TEST(Reduction, RefusesDofsThatDoNotAscendOrAreNotThere) {
   EXPECT_THROW(Reduction(3, {{2, 0, {}}, {1, 0, {}}}), std::invalid_argument);
   EXPECT_THROW(Reduction(3, {{3, 0, {}}}), std::invalid_argument);
   EXPECT_THROW(Reduction(3, {{-1, 0, {}}}), std::invalid_argument);
+}
+
+/// Three nodes in the plane; the base moves by 2t along x and by t² as the integral of 2t along y.
+Reduction carried() {
+  Reduction reduction{6, {{0, 0.5, {}}}, {{3, {{5, 1}}, {}, {}}, {4, {{2, 2}}, {{0, 1}}, {}}}, {}};
+  FieldFunction along_x{.number = 2, .expression = {}, .function = Function({0, 10}, {0, 10}), .path = "x"};
+  FieldFunction along_y{.number = 2, .expression = {}, .function = Function({0, 10}, {0, 10}), .path = "y"};
+  reduction.carry({along_x, integrated(along_y, 1, 0, 10), std::nullopt}, 2);
+  return reduction;
+}
+
+TEST(CarriedReduction, HasOfDisplacementsRelativeToItsBaseWhatItHadOfAll) {
+  const auto reduction = carried();
+  const double t = 3;
+  VectorXd u = VectorXd::Zero(6);
+  u[1] = 1;
+  u[2] = 0.25;
+  u[5] = -2;
+  reduction.impose(t, u);
+  VectorXd relative = u;
+  for (const int node : {0, 1, 2}) {
+    relative[2 * node] -= 2 * t;
+    relative[2 * node + 1] -= t * t;
+  }
+  EXPECT_NEAR(relative[0], 0.5, 1e-14);
+  EXPECT_NEAR(relative[3], relative[5], 1e-14);
+  EXPECT_NEAR(relative[4], 2 * relative[2] + relative[0], 1e-14);
+  EXPECT_LE((reduction.correction(t, u)).lpNorm<Eigen::Infinity>(), 1e-14);
+  EXPECT_TRUE(reduction.moves(reduction.prescribed()[0]));
+}
+
+/// Velocities of the base that is given by them; the other one says nothing of its rates.
+TEST(CarriedReduction, GivesRatesThatAreGiven) {
+  const auto reduction = carried();
+  VectorXd v = VectorXd::Zero(6);
+  v[5] = 1;
+  reduction.impose_rates(1, 3, v);
+  EXPECT_EQ(v[0], 0);
+  EXPECT_EQ(v[4], 0);
+  EXPECT_EQ(v[5], 1);
+  EXPECT_EQ(v[3], 0); // nothing is given beside what free dofs have: relate() puts it
+  reduction.relate(v);
+  EXPECT_EQ(v[3], 1);
 }
 
 } // namespace

@@ -97,6 +97,11 @@ supports: [{on: a, along: normal, value: {value: 1, function: ramp}}, {on: b, al
             std::string(flat ? "[1, 2]" : "[1, 2, 3]") +
             R"(}, {on: hub, x: 1, turn: {z: {velocity: 0.1}}}, {on: c, x: {velocity: "t^2"}, y: {acceleration: 1, function: ramp}, until: 0.005}]
 base_motion: {x: {velocity: 1, function: ramp}, y: sin(t), frame: absolute}
+preload: {bolt: {cut: {point: )" +
+            std::string(flat ? "[1, 2], normal: [0, 1]" : "[1, 2, 3], normal: [0, 0, 1]") +
+            R"(, cells: c}, force: 3, function: ramp, lock: 0.005}, nut: {cut: {point: )" +
+            std::string(flat ? "[1, 2], normal: [0, 1]" : "[1, 2, 3], normal: [0, 0, 1]") +
+            R"(}, displacement: 0.1}}
 relations:
   lever: {equation: {terms: [{on: N1, y: 1}, {on: N2, x: -2}], value: "t^2"}}
   flat: {equal: {on: top, in: y}}

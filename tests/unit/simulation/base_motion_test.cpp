@@ -24,7 +24,7 @@ std::string bar(const std::string& time, const std::string& more) {
   return fmt::format(
       R"(mesh: {{generate: [{{name: bar, rectangle: {{from: [0, 0], to: [1, 0.25]}}, divisions: [6, 1], cells: quad4, sides: {{left: left, right: right}}}}]}}
 physics: plane_strain
-materials: {{any: {{young: 1, poisson: 0, density: 1}}}}
+materials: {{any: {{young: 1, poisson: 0, density: 1{}}}}}
 functions:
   shake: {{sine: {{frequency: 0.4}}}}
   quake: {{times: [0, 0.2, 0.5, 1], values: [0.1, 1, -0.7, 0.2]}}
@@ -32,7 +32,7 @@ supports: [{{on: left, fix: [x, y]}}]
 newton: {{residual: 1e-13}}
 time: {}
 {})",
-      time, more);
+      more.starts_with("# rayleigh") ? ", rayleigh: {mass: 0.3, stiffness: 0.01}" : "", time, more);
 }
 
 /// u(t) relative to the base under the acceleration −sin(ωt) along x, mode by mode: what K and M say without
@@ -127,6 +127,10 @@ std::vector<Compared> compared() {
        "connectors: [{on: N2, to: N9, damping: 0.1, stiffness: 0.1}]\n"},
       {"ConstantAcceleration", average, "{acceleration: 0.3}",
        "loads: [{surface_force: {on: right, x: 0.01, y: 0.02}}]\n"},
+      {"SpringsAndDashpotsToTheGround", average, "{acceleration: 0.3}",
+       "springs: [{on: right, x: 0.2, y: 0.1}]\n"
+       "connectors: [{on: N3, along: [1, 1], damping: 0.1, stiffness: 0.1}]\n"},
+      {"DampingByTheMass", average, "{acceleration: 0.3}", "# rayleigh\n"},
       {"MoreauJean", "{theta: 0.5, step: 0.01, end: 1}", "{acceleration: 0.3}", ""},
       {"MoreauJeanOnAnObstacle", "{theta: 0.5, step: 0.01, end: 1}", "{acceleration: -0.3}",
        "contact: {wall: {obstacle: {plane: {point: [1.001, 0], normal: [-1, 0]}}, slave: right}}\n"},

@@ -18,6 +18,7 @@ Forms whole() {
               {"functions", "functions of time by name", functions()},
               {"supports", "displacements that are held or imposed", supports()},
               {"base_motion", "how the ground moves that everything stands on", base_motion()},
+              {"preload", "bolts that are tightened, by name", preload()},
               {"relations", "displacements that depend on one another, by name", relations()},
               {"springs", "springs between nodes and the ground", springs()},
               {"connectors", "springs and dashpots between places, or to the ground", connectors()},

@@ -12,6 +12,9 @@ Forms materials();
 Forms functions();
 Forms supports();
 Forms base_motion();
+Forms preload();
+/// Keys of a plane that cuts bodies.
+std::vector<Key> cut();
 Forms relations();
 Forms loads();
 Forms temperatures();

@@ -7,6 +7,21 @@
 
 namespace rubato::deck::grammar {
 
+std::vector<Key> cut() {
+  return {{"point", "of the plane of the cut; moments are about it [length]", coordinates(), true},
+          {"normal", "of the plane, out of the part that the forces act on", coordinates(), true},
+          {"cells", "the group of cells that is cut; all when not given", name()}};
+}
+
+namespace {
+
+std::vector<Key> section() {
+  return joined(cut(),
+                {{"on", "the group whose nodes are the cut; the plane itself when not given", name()}});
+}
+
+} // namespace
+
 Forms probes() {
   return named(map(
       "a history of nodes",
@@ -17,15 +32,21 @@ Forms probes() {
         word_of(study::probe_take_words)},
        {"field", "displacement when not given", word_of(study::probe_field_words)},
        {"section", "a cut through bodies: force and moment that they transmit there",
-        map("a cut, and what is cut",
-            {{"point", "of the plane of the cut; moments are about it [length]", coordinates(), true},
-             {"normal", "of the plane, out of the part that the forces act on", coordinates(), true},
-             {"on", "the group whose nodes are the cut; the plane itself when not given", name()},
-             {"cells", "the group of cells that is cut; all when not given", name()}})},
+        map("a cut, and what is cut", section())},
        {"contact", "the force of a contact zone's master on its slave, and its moment",
         map("a contact zone and a point", {{"zone", "name of the contact zone", name(), true},
                                            {"about", "moments are about it [length]", coordinates(), true}})},
        {"minus", "two other probes: the first minus the second", list(name(), 2, 2)}}));
+}
+
+Forms preload() {
+  return named(
+      map("a bolt that is tightened",
+          {{"cut", "the plane that cuts it", map("a cut, and what is cut", cut()), true},
+           {"force", "tension that the cut transmits [force]", number()},
+           {"displacement", "instead: shortening of the bolt at the cut, > 0 tightens [length]", number()},
+           {"function", "name of a function of time that multiplies it", name()},
+           {"lock", "instant from which on the shortening stays as it is [time]", number()}}));
 }
 
 Forms fields() {

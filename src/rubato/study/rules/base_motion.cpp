@@ -2,6 +2,7 @@
 // How the ground moves.
 #include "rubato/core/error.hpp"
 #include "rubato/study/damping.hpp"
+#include "rubato/study/fields.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -53,23 +54,42 @@ void check_relative(Rules& rules) {
                                motion->given == Given::velocity ? "a velocity" : "a displacement"));
 }
 
-/// What stands on the ground and cannot move with it.
+bool has_springs(const Study& study) {
+  const auto is_grounded = [](const Connector& connector) {
+    return connector.to.empty() && connector.stiffness > 0;
+  };
+  return !study.springs.empty() || std::ranges::any_of(study.connectors, is_grounded);
+}
+
+/// Against the ground, not within the bodies.
+bool has_dampers(const Study& study) {
+  const auto is_grounded = [](const Connector& connector) {
+    return connector.to.empty() && connector.damping > 0;
+  };
+  const auto is_damped = [](const Material& material) { return rayleigh_coefficients(material).mass != 0; };
+  return std::ranges::any_of(study.connectors, is_grounded) ||
+         std::ranges::any_of(study.materials, is_damped);
+}
+
+/// Springs to the ground need its displacement, dampers its velocity.
 void check_absolute(Rules& rules) {
   const auto& study = rules.study;
-  const auto refuse = [&](const std::string& path, std::string_view what) {
+  const bool dampers = has_dampers(study);
+  if (is_explicit(study.time.scheme) && (dampers || has_springs(study)))
     rules.broken(
-        {path, "base_motion.frame"},
-        fmt::format("{} cannot move with a base in the frame absolute, expected frame: relative", what));
-  };
-  if (!study.springs.empty())
-    refuse("springs", "springs to the ground");
-  for (std::size_t i = 0; i < study.connectors.size(); ++i)
-    if (study.connectors[i].to.empty())
-      refuse(fmt::format("connectors.{}", i), "a connector to the ground");
-  for (const auto& material : study.materials)
-    if (rayleigh_coefficients(material).mass != 0)
-      refuse(fmt::format("materials.{}", material.name),
-             "damping by the mass, which acts against the ground,");
+        {"base_motion.frame", "time.scheme"},
+        fmt::format("the scheme {} has no springs and dashpots to a ground that moves, nor damping by the "
+                    "mass against it, expected frame: relative",
+                    word_of(scheme_words, study.time.scheme)));
+  const auto& components = study.base_motion->components;
+  for (std::size_t axis = 0; axis < components.size(); ++axis)
+    if (const auto& motion = components.at(axis); motion && motion->given == Given::displacement &&
+                                                  varies_in_time(*motion) && dampers &&
+                                                  study.time.scheme != SchemeKind::static_steps)
+      rules.broken(
+          {fmt::format("base_motion.{}", axis_words.at(axis)), "base_motion.frame"},
+          "found a displacement, but dashpots to the ground and damping by the mass need the velocity of the "
+          "base, expected 'velocity' or 'acceleration'");
 }
 
 } // namespace

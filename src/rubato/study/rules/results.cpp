@@ -20,13 +20,6 @@ void check_axes(Rules& rules, const std::array<double, 3>& vector, const std::st
   }
 }
 
-void check_cut(Rules& rules, const Cut& cut, const std::string& path) {
-  check_axes(rules, cut.point, path + ".point");
-  check_axes(rules, cut.normal, path + ".normal");
-  if (std::ranges::all_of(cut.normal, [](double x) { return x == 0; }))
-    rules.broken({path + ".normal"}, "found a vector of length 0, expected one that points somewhere");
-}
-
 /// Zones that `all` finds have names that only the model knows.
 void check_zone(Rules& rules, const std::string& zone, const std::string& path) {
   std::vector<std::string> zones;
@@ -266,6 +259,13 @@ void check_chosen_fields(Rules& rules, const std::vector<std::string>& fields, c
 }
 
 } // namespace
+
+void check_cut(Rules& rules, const Cut& cut, const std::string& path) {
+  check_axes(rules, cut.point, path + ".point");
+  check_axes(rules, cut.normal, path + ".normal");
+  if (std::ranges::all_of(cut.normal, [](double x) { return x == 0; }))
+    rules.broken({path + ".normal"}, "found a vector of length 0, expected one that points somewhere");
+}
 
 void check_probes(Rules& rules) {
   std::vector<std::string> names;

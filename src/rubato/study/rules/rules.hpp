@@ -91,6 +91,9 @@ void check_materials(Rules& rules);
 void check_functions(Rules& rules);
 void check_supports(Rules& rules);
 void check_base_motion(Rules& rules);
+void check_preloads(Rules& rules);
+/// A plane that cuts bodies.
+void check_cut(Rules& rules, const Cut& cut, const std::string& path);
 void check_relations(Rules& rules);
 void check_modal_damping(Rules& rules);
 void check_springs(Rules& rules);
