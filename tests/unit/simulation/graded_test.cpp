@@ -144,6 +144,42 @@ TEST(AGradedBody, HasStressesOfItsMaterialAtEachPoint) {
   }
 }
 
+/// Nodal forces of the cells behind the cut hold the load, whatever the material.
+TEST(AGradedBody, TransmitsItsLoadInEveryCut) {
+  for (const auto* cells : {"quad4", "quad8"}) {
+    const auto model =
+        test::model_of(plane_deck(cells, 4, "steel: {young: 100*(1+x*y), poisson: 0.1+0.1*x}", at_rest) +
+                       "probes: {cut: {section: {point: [1, 0.5], normal: [1, 0]}}}\n");
+    Simulation simulation(model);
+    while (!simulation.finished())
+      simulation.advance();
+    const auto force = domain::forces_at(model.probe_cuts.front(), simulation.state().motion.u);
+    EXPECT_NEAR(force[0], 3, 1e-11) << cells;
+  }
+}
+
+/// ∫ σ·ε/2 at the points is ½ u·K u.
+TEST(AGradedBody, StoresTheEnergyOfItsPoints) {
+  const auto model =
+      test::model_of(plane_deck("quad8", 3, "steel: {young: 100*(1+x*y), poisson: 0.1+0.1*x}", at_rest));
+  std::srand(5);
+  const VectorXd u = VectorXd::Random(model.dofs.dof_count);
+  domain::CellTensors tensors(model.mesh, model.bulk, model.dofs, u);
+  double energy = 0;
+  for (std::size_t i = 0; i < model.bulk.cells.size(); ++i) {
+    const auto cell = model.bulk.cells[i];
+    const domain::CellPoints points(model.mesh, model.mesh.nodes_of(cell));
+    const auto stress = tensors.at_points(domain::Tensor::stress, i);
+    const auto strain = tensors.at_points(domain::Tensor::strain, i);
+    VectorXd volume(stress.cols());
+    element::point_volumes(model.mesh.type_of(cell), points, model.bulk.section, volume);
+    for (Eigen::Index q = 0; q < stress.cols(); ++q)
+      energy += 0.5 * volume[q] *
+                (stress(0, q) * strain(0, q) + stress(1, q) * strain(1, q) + 2 * stress(3, q) * strain(3, q));
+  }
+  EXPECT_NEAR(model.domain.energy(u, model.domain.initial_tangent() * u, {}), energy, 1e-12 * energy);
+}
+
 TEST(BadGradedMaterials, AreToldWithPlaceValueAndPath) {
   const auto fault = [](const std::string& material) {
     return test::fault_of(
