@@ -89,6 +89,8 @@ def keys_in(value, path=(), names=False):
     elif isinstance(value, dict):
         if "along" in value and ("at" in value or "csv" in value):
             path = SHARED["a table along an axis"]
+        elif "field" in value and "name" in value:
+            path = SHARED[FIELD_OF_FILE]
         for key, inner in value.items():
             here = path if names else path + (key,)
             yield here, None
@@ -110,7 +112,8 @@ def named_in(schema, path=()):
 NAMED = set(named_in({**SCHEMA, "properties": {k: v for k, v in SCHEMA["properties"].items() if k != "runs"}}))
 
 # What may stand in many places is looked for once, by the title of its map.
-SHARED = {"a table along an axis": ("table",), "a factor": ("functions",)}
+FIELD_OF_FILE = "a field at the nodes of a file, on the same mesh"
+SHARED = {"a table along an axis": ("table",), FIELD_OF_FILE: ("field of a file",), "a factor": ("functions",)}
 
 
 def test_every_key_and_word_of_the_schema_stands_in_a_deck_that_the_program_takes():

@@ -339,7 +339,10 @@ std::optional<study::FileField> read_file_field(const Value& value, const Contex
   read_name(map.find("component"), field.component);
   read(map.find("at"), field.at);
   map.finish();
-  return good ? std::optional(field) : std::nullopt;
+  if (good)
+    return field;
+  value.spoil();
+  return std::nullopt;
 }
 
 } // namespace

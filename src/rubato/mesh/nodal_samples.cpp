@@ -85,7 +85,7 @@ public:
       : cells_(std::move(cells)), called_(samples.called), instants_(samples.instants) {
     take_values(samples);
     for (std::size_t i = 0; i < samples.places.size(); ++i)
-      if (std::ranges::none_of(samples.values, [&](const auto& values) { return std::isnan(values[i]); }))
+      if (std::ranges::none_of(samples.values, [&](const auto& values) { return !std::isfinite(values[i]); }))
         places_.push_back(samples.places[i]);
   }
 
@@ -137,11 +137,12 @@ private:
                       std::size_t node) const {
     double common = none;
     for (const auto i : nodes) {
-      if (!std::isnan(common) && !std::isnan(values[i]) && values[i] != common)
+      if (!std::isfinite(values[i]))
+        continue;
+      if (!std::isnan(common) && values[i] != common)
         throw InputError(fmt::format("{} has several values at {}, {} and {}, expected one", called_,
                                      cells_->label_of(static_cast<NodeIndex>(node)), common, values[i]));
-      if (!std::isnan(values[i]))
-        common = values[i];
+      common = values[i];
     }
     return common;
   }

@@ -18,7 +18,7 @@ struct NodalSamples {
   std::string called;                  ///< by messages: "'T' of 'a.med'"
   std::vector<Eigen::Vector3d> places; ///< of the nodes [length]
   std::vector<double> instants;        ///< ascending, at least one
-  /// Of each instant, one a node; nan where the file has none.
+  /// Of each instant, one a node; not finite where the file has none.
   std::vector<std::vector<double>> values;
 };
 

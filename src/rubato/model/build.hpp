@@ -27,8 +27,10 @@ domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::v
 void read_field_files(study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults);
 
 /// Evaluates laws that depend on the place at all points of their cells, which must be sound: a fault for the
-/// first place where each is not valid. `bulk.laws` get each such law at one place.
-void check_law_fields(const mesh::Mesh& mesh, domain::Bulk& bulk, std::vector<Fault>& faults);
+/// first place where each is not valid, and for a cell that the line crosses about which its axes turn.
+/// `bulk.laws` get each such law at one place.
+void check_law_fields(const study::Study& study, const mesh::Mesh& mesh, domain::Bulk& bulk,
+                      std::vector<Fault>& faults);
 
 /// Faults for cells that cannot be computed with.
 void check_shapes(const study::Study& study, const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,

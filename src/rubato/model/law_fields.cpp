@@ -2,43 +2,90 @@
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/model/build.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <numbers>
+#include <span>
+#include <vector>
 
 namespace rubato::model {
 namespace {
 
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
 /// Points nearer to the line about which axes turn than this part of their cell are on it.
 constexpr double on_axis = 1e-6;
 
-double size_of(const Eigen::Matrix3Xd& places) {
+double size_of(const Matrix3Xd& places) {
   return (places.rowwise().maxCoeff() - places.rowwise().minCoeff()).norm();
 }
 
+Vector3d to_vector(const std::array<double, 3>& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+/// Angles about the line at which the nodes are seen that are not on it, ascending [radians].
+std::vector<double> angles_about(const study::CylindricalAxes& axes, const Matrix3Xd& nodes, double size) {
+  const Vector3d along = to_vector(axes.direction).normalized();
+  const Vector3d across = along.unitOrthogonal();
+  const Vector3d third = along.cross(across);
+  std::vector<double> angles;
+  for (const auto& node : nodes.colwise()) {
+    const Vector3d arm = node - to_vector(axes.point);
+    const double x = arm.dot(across);
+    const double y = arm.dot(third);
+    if (std::hypot(x, y) > on_axis * size)
+      angles.push_back(std::atan2(y, x));
+  }
+  std::ranges::sort(angles);
+  return angles;
+}
+
+/// Whether the line goes through the inside of the cell: its nodes are seen all around the line. A line along
+/// an edge or through a node leaves half of the directions free.
+bool is_crossed(const study::CylindricalAxes& axes, const Matrix3Xd& nodes) {
+  const auto angles = angles_about(axes, nodes, size_of(nodes));
+  if (angles.empty())
+    return true;
+  double gap = angles.front() + 2 * std::numbers::pi - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i)
+    gap = std::max(gap, angles[i] - angles[i - 1]);
+  return gap < std::numbers::pi - on_axis;
+}
+
 void refuse_on_axis(const mesh::Mesh& mesh, mesh::CellIndex cell, const material::LawField& field,
-                    const Eigen::Matrix3Xd& places, double size) {
-  for (const auto& place : places.colwise())
-    if (const auto distance = field.distance_to_axis(place); distance && *distance <= on_axis * size)
-      throw InputError(
-          {fault_at(field.path_of_axes(),
-                    fmt::format("{}: {} has a point on the line about which the axes turn, where they have "
-                                "no direction, expected cells with other axes there",
-                                field.path_of_axes(), domain::cell_label(mesh, cell)))});
+                    const study::CylindricalAxes& axes, const Matrix3Xd& nodes, const Matrix3Xd& points) {
+  const double size = size_of(nodes);
+  const bool is_on_point = std::ranges::any_of(points.colwise(), [&](const auto& place) {
+    return field.distance_to_axis(place).value_or(size) <= on_axis * size;
+  });
+  if (is_on_point || is_crossed(axes, nodes))
+    throw InputError(
+        {fault_at(field.path_of_axes(),
+                  fmt::format("{}: {} lies on the line about which the axes turn, where they have "
+                              "no direction, expected cells with other axes there",
+                              field.path_of_axes(), domain::cell_label(mesh, cell)))});
 }
 
 /// Throws InputError where the law is not valid at a point of the cell.
-void evaluate(const mesh::Mesh& mesh, const domain::Bulk& bulk, std::size_t cell) {
+void evaluate(const study::Material& material, const mesh::Mesh& mesh, const domain::Bulk& bulk,
+              std::size_t cell) {
   const auto& field = *bulk.field(cell);
   const auto index = bulk.cells[cell];
   const auto type = mesh.type_of(index);
   const domain::CellPoints nodes(mesh, mesh.nodes_of(index));
   const std::span<const Eigen::Vector3d> points = nodes;
-  const Eigen::Map<const Eigen::Matrix3Xd> corners(points.front().data(), 3,
-                                                   static_cast<Eigen::Index>(points.size()));
+  const Eigen::Map<const Matrix3Xd> corners(points.front().data(), 3,
+                                            static_cast<Eigen::Index>(points.size()));
   const auto places = element::places(cell::stiffness_table(type), points);
-  refuse_on_axis(mesh, index, field, places, size_of(corners));
+  if (const auto& axes = material.orthotropy.cylindrical; axes && field.distance_to_axis(places.col(0)))
+    refuse_on_axis(mesh, index, field, *axes, corners, places);
   if (field.varies_tangent())
     for (const auto& place : places.colwise())
       field.at(place);
@@ -51,7 +98,8 @@ void evaluate(const mesh::Mesh& mesh, const domain::Bulk& bulk, std::size_t cell
 
 } // namespace
 
-void check_law_fields(const mesh::Mesh& mesh, domain::Bulk& bulk, std::vector<Fault>& faults) {
+void check_law_fields(const study::Study& study, const mesh::Mesh& mesh, domain::Bulk& bulk,
+                      std::vector<Fault>& faults) {
   if (bulk.fields.empty())
     return;
   std::vector<char> seen(bulk.laws.size(), 0);
@@ -61,7 +109,7 @@ void check_law_fields(const mesh::Mesh& mesh, domain::Bulk& bulk, std::vector<Fa
     if (bulk.field(i) == nullptr || told[law] != 0)
       continue;
     try {
-      evaluate(mesh, bulk, i);
+      evaluate(study.materials[law], mesh, bulk, i);
       if (seen[law] == 0)
         bulk.laws[law] = domain::typical_law(mesh, bulk, i);
       seen[law] = 1;

@@ -203,7 +203,7 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   // What comes next integrates over cells.
   if (model.bulk.cells.empty() || faults.size() > known)
     stop_on(faults);
-  check_law_fields(model.mesh, model.bulk, faults);
+  check_law_fields(study, model.mesh, model.bulk, faults);
   if (faults.size() > known)
     stop_on(faults);
   auto numbered = rigid_faces(study, model.mesh);

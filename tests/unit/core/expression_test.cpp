@@ -175,5 +175,70 @@ TEST(AnExpression, IsComputedOrRefusedInOneSentenceWhateverTheText) {
   EXPECT_GT(refused, 500);
 }
 
+/// A sound expression with a few characters left out, doubled, exchanged or put in.
+std::string spoiled_text(std::mt19937& random) {
+  static constexpr std::array<std::string_view, 8> sound{"1e-4*(x-0.5)^2",
+                                                         "if(x<0.5 && y>=1, 200e9*(1+x/2), 210e9)",
+                                                         "-2^-x + min(x, y, z, 3)*max(1, t)",
+                                                         "atan2(y, x)*180/pi - floor(10*t)/10",
+                                                         "((x+y)*(z-t))/(1+abs(x*y))",
+                                                         "sin(2*pi*50*t)*exp(-t/0.1)",
+                                                         "sqrt(x^2+y^2+z^2) <= 1 || sign(x) == -1",
+                                                         "log(1+x)*log10(2)/cosh(y)"};
+  static constexpr std::string_view others = "()+-*/^,.<>=!&|0123456789exyztpi \t\"'?#{}[]";
+  std::string text(sound[random() % sound.size()]);
+  const auto changes = 1 + random() % 4;
+  for (std::size_t i = 0; i < changes && !text.empty(); ++i) {
+    const auto at = random() % text.size();
+    switch (random() % 4) {
+    case 0:
+      text.erase(at, 1 + random() % 3);
+      break;
+    case 1:
+      text.insert(at, text.substr(at, 1 + random() % 6));
+      break;
+    case 2:
+      text[at] = others[random() % others.size()];
+      break;
+    default:
+      text.insert(at, 1, others[random() % others.size()]);
+    }
+  }
+  return text;
+}
+
+TEST(AnExpression, ThatIsSpoiledIsComputedOrRefusedInOneSentence) {
+  std::mt19937 random(20241126); // NOLINT(cert-msc32-c, cert-msc51-cpp): the same texts every time
+  int good = 0;
+  int refused = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const auto text = spoiled_text(random);
+    const auto flaw = flaw_of(text);
+    if (flaw.empty()) {
+      const Expression expression(text);
+      const double value = expression.at(place, instant);
+      EXPECT_TRUE(value == expression.at(place, instant) || std::isnan(value)) << text;
+      ++good;
+    } else {
+      EXPECT_TRUE(flaw.starts_with("found ")) << flaw;
+      EXPECT_EQ(flaw.find('\n'), std::string::npos) << flaw;
+      ++refused;
+    }
+  }
+  EXPECT_GT(good, 50);
+  EXPECT_GT(refused, 300);
+}
+
+TEST(AnExpression, MayBeNestedAsDeeplyAsItIsLong) {
+  const auto nested = [](std::size_t depth) {
+    return std::string(depth, '(') + "x" + std::string(depth, ')');
+  };
+  EXPECT_EQ(value_of(nested(900)), 0.25);
+  EXPECT_NE(flaw_of(std::string(1900, '(')), "");
+  EXPECT_NE(flaw_of(std::string(1900, ')')), "");
+  EXPECT_NE(flaw_of(std::string(1900, '^')), "");
+  EXPECT_NE(flaw_of(std::string(1900, '-') + "1"), "");
+}
+
 } // namespace
 } // namespace rubato

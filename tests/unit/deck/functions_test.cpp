@@ -272,6 +272,8 @@ TEST(FieldsOfFiles, AreReadWithTheirNames) {
             "nu");
   EXPECT_EQ(faults_of(with_x("{field: a.med}")),
             Sentences{"study.yaml:5:23: supports.0.x: 'name' is missing"});
+  EXPECT_EQ(faults_of(test::replaced(smallest_deck, "young: 200e9", "young: {field: a.vtu}")),
+            Sentences{"study.yaml:3:28: materials.steel.young: 'name' is missing"});
   EXPECT_EQ(faults_of(with_x("{field: a.med, name: T, componnt: b}")),
             Sentences{"study.yaml:5:47: unknown key 'supports.0.x.componnt'; did you mean 'component'?"});
 }

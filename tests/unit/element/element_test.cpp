@@ -93,6 +93,47 @@ TEST_P(EveryElement, HasTheStiffnessOfAnySymmetricTangent) {
   EXPECT_LT((k - k.transpose()).norm(), 1e-14 * k.norm());
 }
 
+TEST_P(EveryElement, HasTheStiffnessOfTheEnergyOfTangentsThatDifferAtItsPoints) {
+  const auto size = material::strain_size(section_.physics);
+  std::srand(11);
+  std::vector<material::Tangent> tangents;
+  for (Eigen::Index q = 0; q < rule_size_; ++q) {
+    const MatrixXd any = MatrixXd::Random(size, size);
+    tangents.emplace_back(any * any.transpose());
+  }
+  MatrixXd k(nodes_ * d_, nodes_ * d_);
+  varying_stiffness(type_, points_, tangents, section_, k);
+  EXPECT_EQ(k, k.transpose());
+  VectorXd volume(rule_size_);
+  point_volumes(type_, points_, section_, volume);
+  for (int trial = 0; trial < 5; ++trial) {
+    const VectorXd u = VectorXd::Random(nodes_ * d_);
+    const MatrixXd strain = strains_of(u);
+    double energy = 0;
+    for (Eigen::Index q = 0; q < rule_size_; ++q)
+      energy += 0.5 * volume[q] * strain.col(q).dot(tangents[static_cast<std::size_t>(q)] * strain.col(q));
+    EXPECT_NEAR(0.5 * u.dot(k * u), energy, 1e-12 * energy);
+  }
+}
+
+TEST_P(EveryElement, HasTheSameMatricesFromTangentsAndDensitiesThatAreAlike) {
+  const MatrixXd expected = stiffness_matrix();
+  const std::vector<material::Tangent> tangents(static_cast<std::size_t>(rule_size_),
+                                                material::tangent(law, section_.physics));
+  MatrixXd k(nodes_ * d_, nodes_ * d_);
+  varying_stiffness(type_, points_, tangents, section_, k);
+  EXPECT_LT((k - expected).norm(), 1e-14 * expected.norm());
+  const std::vector<double> densities(cell::mass_rule(type_).size(), law.density);
+  MatrixXd m(nodes_, nodes_);
+  varying_mass(type_, points_, densities, section_, m);
+  EXPECT_EQ(m, mass_matrix());
+  VectorXd lumped(nodes_);
+  VectorXd alike(nodes_);
+  lumped_mass(type_, points_, law.density, section_, lumped);
+  varying_lumped_mass(type_, points_, densities, section_, alike);
+  EXPECT_EQ(alike, lumped);
+}
+
 TEST_P(EveryElement, HasASymmetricStiffnessWithOnlyRigidMotionsFree) {
   const MatrixXd k = stiffness_matrix();
   EXPECT_LT((k - k.transpose()).norm(), 1e-15 * k.norm());

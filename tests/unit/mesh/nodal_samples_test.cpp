@@ -100,7 +100,7 @@ TEST_F(FieldsOnSquares, MayComeInAnotherOrderOfTheNodes) {
 }
 
 TEST_F(FieldsOnSquares, AreRefusedWhereANodeHasNoneWithTheDistanceToTheNearest) {
-  samples_.values[0][0] = std::numeric_limits<double>::quiet_NaN();
+  samples_.values[0][0] = std::numeric_limits<double>::infinity();
   const auto& x = mesh_.points[0];
   double least = 1e9;
   for (std::size_t i = 1; i < mesh_.points.size(); ++i)

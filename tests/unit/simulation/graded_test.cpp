@@ -9,8 +9,11 @@
 #include "support/faults.hpp"
 #include "support/model_of.hpp"
 #include "support/two_blocks.hpp"
+#include <array>
 #include <cmath>
+#include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubato::simulation {
@@ -141,6 +144,42 @@ TEST(AGradedBody, HasStressesOfItsMaterialAtEachPoint) {
   }
 }
 
+/// Nodal forces of the cells behind the cut hold the load, whatever the material.
+TEST(AGradedBody, TransmitsItsLoadInEveryCut) {
+  for (const auto* cells : {"quad4", "quad8"}) {
+    const auto model =
+        test::model_of(plane_deck(cells, 4, "steel: {young: 100*(1+x*y), poisson: 0.1+0.1*x}", at_rest) +
+                       "probes: {cut: {section: {point: [1, 0.5], normal: [1, 0]}}}\n");
+    Simulation simulation(model);
+    while (!simulation.finished())
+      simulation.advance();
+    const auto force = domain::forces_at(model.probe_cuts.front(), simulation.state().motion.u);
+    EXPECT_NEAR(force[0], 3, 1e-11) << cells;
+  }
+}
+
+/// ∫ σ·ε/2 at the points is ½ u·K u.
+TEST(AGradedBody, StoresTheEnergyOfItsPoints) {
+  const auto model =
+      test::model_of(plane_deck("quad8", 3, "steel: {young: 100*(1+x*y), poisson: 0.1+0.1*x}", at_rest));
+  std::srand(5);
+  const VectorXd u = VectorXd::Random(model.dofs.dof_count);
+  domain::CellTensors tensors(model.mesh, model.bulk, model.dofs, u);
+  double energy = 0;
+  for (std::size_t i = 0; i < model.bulk.cells.size(); ++i) {
+    const auto cell = model.bulk.cells[i];
+    const domain::CellPoints points(model.mesh, model.mesh.nodes_of(cell));
+    const auto stress = tensors.at_points(domain::Tensor::stress, i);
+    const auto strain = tensors.at_points(domain::Tensor::strain, i);
+    VectorXd volume(stress.cols());
+    element::point_volumes(model.mesh.type_of(cell), points, model.bulk.section, volume);
+    for (Eigen::Index q = 0; q < stress.cols(); ++q)
+      energy += 0.5 * volume[q] *
+                (stress(0, q) * strain(0, q) + stress(1, q) * strain(1, q) + 2 * stress(3, q) * strain(3, q));
+  }
+  EXPECT_NEAR(model.domain.energy(u, model.domain.initial_tangent() * u, {}), energy, 1e-12 * energy);
+}
+
 TEST(BadGradedMaterials, AreToldWithPlaceValueAndPath) {
   const auto fault = [](const std::string& material) {
     return test::fault_of(
@@ -161,6 +200,47 @@ TEST(BadGradedMaterials, AreToldWithPlaceValueAndPath) {
       fault("law: orthotropic, young_x: 4, young_y: 4-3*y, poisson_xy: 1.2, shear_xy: 1"),
       "materials.steel.poisson_xy: at x = 0.211325, y = 0.105662, z = 0: found 1.2, expected a number "
       "between -1.04215 and 1.04215, the roots of young_x/young_y: else a strain has no positive energy");
+}
+
+/// Of numbers, coordinates, signs and functions.
+std::string random_expression(std::mt19937& random, int depth) {
+  static constexpr std::array<std::string_view, 8> leaves{"x", "y", "1", "0", "2.5", "1e3", "pi", "0.3"};
+  static constexpr std::array<std::string_view, 6> signs{"+", "-", "*", "/", "^", "<"};
+  static constexpr std::array<std::string_view, 6> functions{"sin", "exp", "log", "sqrt", "abs", "floor"};
+  const auto inner = [&] { return random_expression(random, depth - 1); };
+  if (depth == 0)
+    return std::string(leaves[random() % leaves.size()]);
+  if (random() % 3 == 0)
+    return fmt::format("{}({})", functions[random() % functions.size()], inner());
+  return fmt::format("({}{}{})", inner(), signs[random() % signs.size()], inner());
+}
+
+TEST(AnyExpressionOfAMaterial, GivesAModelOrOneSentence) {
+  std::mt19937 random(7); // NOLINT(cert-msc32-c, cert-msc51-cpp): the same texts every time
+  const auto deck = [](const std::string& text) {
+    return plane_deck("quad4", 2, "steel: {young: '" + text + "', poisson: 0.3}", at_rest);
+  };
+  const auto study = deck::parse_deck(deck("1"), "deck.yaml").runs.front();
+  const auto mesh = model::load_mesh(study.mesh);
+  int built = 0;
+  int refused = 0;
+  for (int i = 0; i < 1000; ++i) {
+    auto varied = study;
+    const auto text = random_expression(random, 1 + static_cast<int>(random() % 3));
+    varied.materials[0].in_place["young"] = study::Formula{text};
+    const auto fault = test::fault_of([&] { model::build_model(varied, mesh); });
+    if (fault == "nothing thrown") {
+      ++built;
+      continue;
+    }
+    EXPECT_TRUE(fault.starts_with("materials.steel.young: ") ||
+                fault.find("is not finite") != std::string::npos)
+        << text << ": " << fault;
+    EXPECT_EQ(fault.find('\n'), std::string::npos) << fault;
+    ++refused;
+  }
+  EXPECT_GT(built, 200);
+  EXPECT_GT(refused, 200);
 }
 
 } // namespace

@@ -273,6 +273,10 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) {
               s.supports[0].components[0] = Amplitude{1, "rampe"};
             }},
+        Bad{"supports.0.x.name", "no name",
+            [](Study& s) { s.supports[0].components[0] = Field(FileField{"a.med", "", "", {}}); }},
+        Bad{"supports.0.x.value.at", "expected a number",
+            [](Study& s) { s.supports[0].components[0] = Field(FileField{"a.med", "T", "", nan}, "ramp"); }},
         Bad{"springs.0.x", ">= 0", [](Study& s) { s.springs[0].stiffness[0] = -1; }},
         Bad{"loads.0.pressure.on", "no name", [](Study& s) { s.loads[0].on.clear(); }},
         Bad{"loads.0.pressure.function", "no function is called",
