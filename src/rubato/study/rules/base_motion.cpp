@@ -71,9 +71,26 @@ bool has_dampers(const Study& study) {
          std::ranges::any_of(study.materials, is_damped);
 }
 
+/// What cannot follow the ground: forces by tables and the damping of modes are those of a ground at rest.
+void check_fixed_ground(Rules& rules) {
+  const auto& study = rules.study;
+  const auto by_table = [](const Connector& connector) {
+    return connector.to.empty() && (connector.force.has_value() || connector.damper.has_value());
+  };
+  if (std::ranges::any_of(study.connectors, by_table))
+    rules.broken({"base_motion.frame", "connectors"},
+                 "a connector by a table to the ground cannot move with a base in the frame absolute, "
+                 "expected frame: relative");
+  if (study.modal_damping)
+    rules.broken({"base_motion.frame", "modal_damping"},
+                 "modal damping would resist the motion of the base in the frame absolute, expected frame: "
+                 "relative");
+}
+
 /// Springs to the ground need its displacement, dampers its velocity.
 void check_absolute(Rules& rules) {
   const auto& study = rules.study;
+  check_fixed_ground(rules);
   const bool dampers = has_dampers(study);
   if (is_explicit(study.time.scheme) && (dampers || has_springs(study)))
     rules.broken(
