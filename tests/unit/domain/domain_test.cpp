@@ -51,7 +51,7 @@ protected:
     return answer;
   }
 
-  double energy(const VectorXd& u) const { return domain_.energy(u, forces(u), states_); }
+  double energy(const VectorXd& u) const { return domain_.energy(u, forces(u), 0, states_); }
 
   /// Σ w ψ(ε) over the points of all cells.
   double integral_of_energy(const VectorXd& u) const {
