@@ -295,7 +295,7 @@ const Mistake sense_mistakes[] = {
     {"node: Force", "node: Force, point: [1, 2]", "{node: Force, point",
      "probes.tip: found both 'node' and 'point', expected one of them"},
     {"node: Force, ", "", "{field: velocity",
-     "probes.tip: 'node', 'point', 'on', 'section' or 'minus' is missing"},
+     "probes.tip: 'node', 'point', 'on', 'section', 'contact' or 'minus' is missing"},
     {"node: Force, ", "on: Force, node: Force, ", "{on: Force, node",
      "probes.tip: found both 'node' and 'on', expected one of them"},
     {"node: Force, ", "node: Force, take: sum, ", "sum, field",

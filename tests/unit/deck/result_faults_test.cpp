@@ -35,7 +35,8 @@ TEST(FaultsOfDifferences, SayWhichProbesTheyTake) {
   EXPECT_EQ(fault_of_probe("minus: [tip, tip], node: N1"),
             "probes.p: found both 'node' and 'minus', expected one of them");
   EXPECT_EQ(fault_of_probe("minus: [tip, tip], field: stress"),
-            "probes.p.field: goes with 'node', 'point' or 'on': sections have forces, differences what their "
+            "probes.p.field: goes with 'node', 'point' or 'on': sections and contact have forces, "
+            "differences what their "
             "probes have");
 }
 

@@ -229,16 +229,17 @@ TEST(Relations, OfALineTellNoRotation) {
 
 TEST(Relations, AskForReferencesByTheirNames) {
   const std::string hub = "relations: {hub: {rigid: {on: right}}}\n";
-  EXPECT_EQ(
-      told_by(deck_of(hub + "loads: [{moment: {on: hup, z: 1}}]")),
-      "deck.yaml:10:23: loads.0.moment.on: found 'hup', which is no reference of a rigid or distributed "
-      "relation; did you mean 'hub'?");
+  EXPECT_EQ(told_by(deck_of(hub + "loads: [{moment: {on: hup, z: 1}}]")),
+            "deck.yaml:10:23: loads.0.moment.on: found 'hup', which is no reference of a rigid, distributed "
+            "or embedded relation; did you mean 'hub'?");
   EXPECT_EQ(told_by(deck_of(hub + "supports: [{on: roof, turn: {z: 1}}]")),
-            "deck.yaml:10:29: supports.0.turn: found 'roof', which is no reference of a rigid or distributed "
+            "deck.yaml:10:29: supports.0.turn: found 'roof', which is no reference of a rigid, distributed "
+            "or embedded "
             "relation; "
             "expected one of hub");
   EXPECT_EQ(told_by(deck_of(hub + "probes: {r: {node: tip, field: rotation}}")),
-            "deck.yaml:10:20: probes.r.node: found 'tip', which is no reference of a rigid or distributed "
+            "deck.yaml:10:20: probes.r.node: found 'tip', which is no reference of a rigid, distributed or "
+            "embedded "
             "relation; "
             "expected one of hub");
   EXPECT_EQ(
