@@ -34,8 +34,7 @@ const std::string stepwise = "{scheme: static, step: 0.1, end: 1}";
 
 /// A straight table is a linear spring; so is a straight dashpot.
 TEST(LawSprings, AreLinearOnesWhereTablesAreStraight) {
-  for (const auto& time : {dynamic, stepwise, std::string("{scheme: moreau_jean, step: 5e-4, end: 0.05}"),
-                           std::string("{scheme: central_difference, step: 1e-5, end: 0.02}")}) {
+  for (const auto& time : {dynamic, stepwise, std::string("{scheme: moreau_jean, step: 5e-4, end: 0.05}")}) {
     const auto linear = "{on: left, along: [1, 0], stiffness: 500, damping: 3}";
     const auto table =
         "{on: left, along: [1, 0], force: {elongations: [-1, 0, 2], forces: [-500, 0, 1000]}, damper: "
@@ -58,12 +57,13 @@ double shift_of(const std::string& law) {
   test::Walk walk(fmt::format(
       R"(mesh: {{generate: [{{name: bar, rectangle: {{from: [0, 0], to: [2, 1]}}, divisions: [1, 1], sides: {{left: left, right: right, bottom: bottom}}}}]}}
 physics: plane_stress
-materials: {{any: {{young: 1e9, poisson: 0}}}}
+materials: {{any: {{young: 1e4, poisson: 0}}}}
 functions: {{rise: {{ramp: {{begin: 0, end: 1}}}}}}
 supports: [{{on: bottom, fix: y}}]
 relations: {{hub: {{rigid: {{on: bar}}}}}}
 connectors: [{{on: hub, along: [1, 0], force: {}}}, {{on: hub, along: [1, 0], stiffness: 1}}]
 loads: [{{nodal_force: {{on: hub, x: 100, function: rise}}}}]
+newton: {{residual: 1e-12}}
 time: {{scheme: static, step: 0.25, end: 1}}
 )",
       law));
@@ -84,6 +84,25 @@ TEST(LawSprings, GiveTheElongationOfTheirTable) {
   EXPECT_NEAR(shift_of("{elongations: [-1, 1], forces: [30, 70]}"), 50. / 21, 1e-9);
 }
 
+TEST(LawSprings, AreLinearOnesInExplicitSteps) {
+  const std::string time = "{scheme: central_difference, step: 1e-5, end: 0.02}";
+  const auto end_of = [&](const std::string& connector) {
+    Simulation simulation(
+        model::build_model(deck::parse_deck(plate(connector, time), "deck.yaml").runs.front()));
+    while (!simulation.finished())
+      EXPECT_TRUE(simulation.advance().accepted());
+    const auto energy = simulation.energy();
+    EXPECT_NEAR(energy.balance(), 0, 1e-9 * energy.largest()) << connector;
+    return simulation.state().motion.u;
+  };
+  const auto linear = end_of("{on: left, along: [1, 0], stiffness: 500, damping: 3}");
+  const auto table =
+      end_of("{on: left, along: [1, 0], force: {elongations: [-1, 0, 2], forces: [-500, 0, 1000]}, "
+             "damper: {rates: [-1, 1], forces: [-3, 3]}}");
+  EXPECT_LE((linear - table).lpNorm<Eigen::Infinity>(), 1e-10 * linear.lpNorm<Eigen::Infinity>());
+  end_of("{on: left, along: [1, 0], force: {elongations: [0, 1e-3, 2e-3], forces: [0, 0, 5]}}");
+}
+
 struct Course {
   std::string name;
   std::string time;
@@ -95,7 +114,7 @@ class Bumper : public testing::TestWithParam<Course> {};
 std::string block(const std::string& time, const std::string& solver) {
   return fmt::format(R"(mesh:
   generate:
-    - {{name: low, rectangle: {{from: [0, -1], to: [4, 0]}}, divisions: [8, 2], sides: {{bottom: ground, top: table}}}}
+    - {{name: low, rectangle: {{from: [0, -1], to: [4, 0]}}, divisions: [7, 2], sides: {{bottom: ground, top: table}}}}
     - {{name: up, rectangle: {{from: [1, 0], to: [3, 1]}}, divisions: [5, 3], sides: {{bottom: sole, top: roof, right: face}}}}
 physics: plane_strain
 materials: {{any: {{young: 2e5, poisson: 0.3, density: 7.8e-3}}}}
@@ -123,7 +142,7 @@ TEST_P(Bumper, ClosesItsLedgerAndIsTheSameInWholeSteps) {
   EXPECT_LE((u - condensed.state().motion.u).lpNorm<Eigen::Infinity>(), 1e-9 * u.lpNorm<Eigen::Infinity>());
   const auto energy = condensed.simulation.energy();
   EXPECT_NEAR(energy.balance(), 0, 1e-10 * energy.largest());
-  EXPECT_GT(condensed.displacement(condensed.node_at(3, 0.5), 0), 1e-3) << "the stop is reached";
+  EXPECT_GT(condensed.displacement(condensed.node_at(3, 1), 0), 1e-3) << "the stop is reached";
   for (const auto& report : condensed.reports)
     EXPECT_TRUE(report.converged());
 }

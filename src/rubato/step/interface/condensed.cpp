@@ -112,8 +112,8 @@ std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
 }
 
 std::optional<Outcome> Condensed::begin(State& trial, const Frozen& frozen) {
-  // A base of free bodies may carry forces; a prediction counts whole ones.
-  if (!started_ || system_.has_free_bodies)
+  // A base may carry forces; a prediction counts whole ones.
+  if (!started_ || bases_carry_forces())
     start_from(trial);
   if (!equilibrium_.residual().allFinite())
     return Outcome::not_finite;
@@ -134,12 +134,18 @@ std::optional<Outcome> Condensed::close(State& trial, const Frozen& frozen) {
   }
   if (!equilibrium_.residual().allFinite())
     return Outcome::not_finite;
-  if (system_.has_free_bodies)
+  if (bases_carry_forces())
     surface_.start_from(trial.motion, equilibrium_.residual(), Condensed::force());
   else
     start_from(trial);
   scratch_.history.forget();
   return std::nullopt;
+}
+
+/// Those of free bodies lose no digits then. With springs by tables nothing else would be a fixed point: a
+/// base is solved with their slopes, what contact adds to it with those of the factor.
+bool Condensed::bases_carry_forces() const {
+  return system_.has_free_bodies || !system_.slopes.empty();
 }
 
 StepReport Condensed::ended(Outcome outcome, const Frozen& frozen) {

@@ -93,6 +93,7 @@ private:
   void measure_surface();
   double surface_scale() const;
   std::vector<WorstNode> worst_on_surface() const;
+  bool bases_carry_forces() const;
   void linearise(const State& trial, const Frozen& frozen);
   std::optional<Corrected> corrected(const State& trial, const Frozen& frozen, const Eigen::VectorXd& at);
   std::optional<Corrected> corrected_at(const Eigen::VectorXd& moved, const Frozen& frozen, State& shifted);
