@@ -72,7 +72,8 @@ std::vector<Connector> make_connectors(const study::Study& study, const mesh::Me
                                        std::vector<Fault>& faults);
 /// Adds their stiffness.
 void add_connectors(const Model& model, SparseMatrix& stiffness);
-/// Adds the masses of references.
+/// The masses of references, beside the matrix, and added to it.
+std::vector<AttachedMass> attached_masses(const Model& model);
 void add_reference_masses(const Model& model, SparseMatrix& mass);
 /// Springs and dashpots by tables.
 std::vector<domain::LawSpring> law_springs(const Model& model);

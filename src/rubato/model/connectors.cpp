@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace rubato::model {
 namespace {
@@ -133,19 +134,25 @@ private:
   std::vector<Connector> connectors_;
 };
 
+/// Its row as places and numbers beside each other.
+std::pair<std::vector<int>, Eigen::VectorXd> row_of(const Connector& connector) {
+  std::pair<std::vector<int>, Eigen::VectorXd> row{{},
+                                                   Eigen::VectorXd(static_cast<Index>(connector.row.size()))};
+  for (const auto& term : connector.row) {
+    row.second[static_cast<Index>(row.first.size())] = term.coefficient;
+    row.first.push_back(term.dof);
+  }
+  return row;
+}
+
 std::vector<domain::LawSpring> laws_of(const Model& model, std::optional<LinearTable> Connector::*law,
                                        double Connector::*held) {
   std::vector<domain::LawSpring> springs;
   for (const auto& connector : model.connectors) {
     if (!(connector.*law))
       continue;
-    domain::LawSpring spring{
-        {}, Eigen::VectorXd(static_cast<Index>(connector.row.size())), *(connector.*law), connector.*held};
-    for (const auto& term : connector.row) {
-      spring.row[static_cast<Index>(spring.dofs.size())] = term.coefficient;
-      spring.dofs.push_back(term.dof);
-    }
-    springs.push_back(std::move(spring));
+    auto [dofs, row] = row_of(connector);
+    springs.push_back({std::move(dofs), std::move(row), *(connector.*law), connector.*held});
   }
   return springs;
 }
@@ -209,6 +216,16 @@ void check_point_masses(const Model& model, std::vector<Fault>& faults) {
 void add_connectors(const Model& model, SparseMatrix& stiffness) {
   if (std::ranges::any_of(model.connectors, [](const auto& c) { return c.stiffness > 0; }))
     linalg::add_scaled(1, sum_of(model, &Connector::stiffness), stiffness);
+}
+
+std::vector<AttachedMass> attached_masses(const Model& model) {
+  std::vector<AttachedMass> masses;
+  for (const auto& connector : model.connectors)
+    if (connector.mass > 0) {
+      auto [dofs, row] = row_of(connector);
+      masses.push_back({std::move(dofs), std::move(row), connector.mass});
+    }
+  return masses;
 }
 
 void add_reference_masses(const Model& model, SparseMatrix& mass) {

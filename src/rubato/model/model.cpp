@@ -95,18 +95,7 @@ void add_point_masses(Model& model) {
 
 /// Explicit runs take no relations, and so no references.
 void add_masses_of_references(Model& model) {
-  std::vector<AttachedMass> attached;
-  for (const auto& connector : model.connectors) {
-    if (connector.mass == 0)
-      continue;
-    AttachedMass mass{{}, VectorXd(static_cast<Eigen::Index>(connector.row.size())), connector.mass};
-    for (const auto& term : connector.row) {
-      mass.coefficients[static_cast<Eigen::Index>(mass.dofs.size())] = term.coefficient;
-      mass.dofs.push_back(term.dof);
-    }
-    attached.push_back(std::move(mass));
-  }
-  model.products = Products(model.mass, model.dofs.components, std::move(attached));
+  model.products = Products(model.mass, model.dofs.components, attached_masses(model));
   add_reference_masses(model, model.mass);
 }
 

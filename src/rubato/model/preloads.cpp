@@ -3,6 +3,7 @@
 
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/embedding.hpp"
 
 #include <fmt/format.h>
 
@@ -71,7 +72,7 @@ public:
   PreloadedCut split() {
     PreloadedCut cut;
     cut.normal = as_vector(preload_.cut.normal).normalized();
-    const auto cells = chosen_cells();
+    const auto cells = host_cells(mesh_, mesh_.dimension, {preload_.cut.cells, path_ + ".cells"}, faults_);
     if (cells.empty())
       return cut;
     const auto sides = sides_of(mesh_, cells, preload_.cut);
@@ -89,23 +90,6 @@ public:
 private:
   void fault(const std::string& path, const std::string& text) {
     faults_.push_back(fault_at(path, fmt::format("preload '{}': {}", preload_.name, text)));
-  }
-
-  /// Ascending; empty and a fault where there are none.
-  std::vector<CellIndex> chosen_cells() {
-    std::vector<CellIndex> cells;
-    if (preload_.cut.cells.empty()) {
-      cells = all_cells(mesh_);
-    } else {
-      const auto* group = cells_named(mesh_, {preload_.cut.cells, path_ + ".cells"}, faults_);
-      if (group == nullptr)
-        return cells;
-      cells.assign(group->items.begin(), group->items.end());
-    }
-    std::erase_if(cells, [&](CellIndex cell) { return !fills_space(mesh_, cell); });
-    if (cells.empty())
-      fault(path_ + ".cells", fmt::format("group '{}' holds no cells that deform", preload_.cut.cells));
-    return cells;
   }
 
   /// A body that holds on to the cut from outside would be on one of its sides by chance.

@@ -97,9 +97,7 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   const auto internal = rigid_->resultants(now.internal);
   ledger_.strain = strain_energy(trial, internal);
   ledger_.external_work += work(moved, committed.external_force, trial.external_force);
-  ledger_.heat += work_of_heat(committed, trial);
-  if (const auto* heat = model_->domain.heat())
-    ledger_.held_heat = heat->held_energy(trial.t);
+  enter_heat(committed, trial);
   if (damped(trial))
     ledger_.damping += work(moved, before.viscous, now.viscous);
   enter_ground(moved, committed, trial);
@@ -155,14 +153,16 @@ double EnergyAccount::strain_energy(const State& state, const Eigen::MatrixXd& i
 }
 
 /// [U_held] − {u − r}·[f], r the rigid part of u.
-double EnergyAccount::work_of_heat(const State& committed, const State& trial) const {
+void EnergyAccount::enter_heat(const State& committed, const State& trial) {
   const auto* heat = model_->domain.heat();
   if (heat == nullptr)
-    return 0;
+    return;
   const VectorXd change = heat->force(trial.t) - heat->force(committed.t);
   const VectorXd mean = 0.5 * (committed.motion.u + trial.motion.u);
-  return heat->held_energy(trial.t) - heat->held_energy(committed.t) - mean.dot(change) +
-         rigid_->work(rigid_->resultants(mean), rigid_->resultants(change));
+  const double held = heat->held_energy(trial.t);
+  ledger_.heat += held - ledger_.held_heat - mean.dot(change) +
+                  rigid_->work(rigid_->resultants(mean), rigid_->resultants(change));
+  ledger_.held_heat = held;
 }
 
 /// In the first step that closes them, in the second that the bodies may rebound in.

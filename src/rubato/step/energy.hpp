@@ -101,7 +101,7 @@ private:
   Obstacles work_of_obstacles(const State& committed, const State& trial) const;
   Supports enter_supports(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double strain_energy(const State& state, const Eigen::MatrixXd& internal) const;
-  double work_of_heat(const State& committed, const State& trial) const;
+  void enter_heat(const State& committed, const State& trial);
   double work_of_equation(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
   double enter_overlaps(const State& committed, const State& trial);
   double dissipation_of_inertia(const Eigen::VectorXd& moved, const State& committed,
