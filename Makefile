@@ -11,7 +11,7 @@ CLANG_TIDY ?= clang-tidy
 CCACHE := $(shell command -v ccache)
 LAUNCHER := $(if $(CCACHE),-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE))
 SCRATCH := build/installed
-SOURCES = $(shell find src apps tests bench -name '*.hpp' -o -name '*.cpp' 2>/dev/null)
+SOURCES = $(shell find src apps python tests bench -name '*.hpp' -o -name '*.cpp' 2>/dev/null)
 TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 
 .PHONY: help deps configure build demo picture test installed-test debug-test verify figures bench deb deb-test site format lint clean

@@ -343,6 +343,11 @@ FieldFunction integrated(const FieldFunction& field, int times, double begin, do
         field.path, fmt::format("{}: found {}, which has the place and t, in a velocity or an acceleration; "
                                 "expected an expression of the place times a function of time",
                                 field.path, shown(field.expression->text())))});
+  if (field.sampled && field.sampled->varies_in_time())
+    throw InputError(
+        {fault_at(field.path, field.path + ": found a field that varies in time, in a velocity or "
+                                           "an acceleration; expected one of the place times a "
+                                           "function of time")});
   try {
     result.function = Function(Integral{std::make_shared<const TimeIntegral>(
         field.function, in_time ? field.expression : std::nullopt, times, begin, end)});

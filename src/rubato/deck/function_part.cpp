@@ -320,9 +320,12 @@ bool is_given(const Tree& tree, std::string_view key) {
   return given != nullptr && !given->is(Tree::Kind::removed);
 }
 
-/// Whether it is a table or a field of a file, not a value beside a function of time.
+/// What an echo has for the field of a program.
+constexpr std::string_view given_key = "given";
+
+/// Whether it is a table or a field, not a value beside a function of time.
 bool is_field_value(const Tree& tree) {
-  constexpr std::array<std::string_view, 5> keys{"along", "at", "csv", "column", "field"};
+  constexpr std::array<std::string_view, 6> keys{"along", "at", "csv", "column", "field", given_key};
   return tree.is(Tree::Kind::map) &&
          std::ranges::any_of(keys, [&](std::string_view key) { return is_given(tree, key); });
 }
@@ -367,6 +370,12 @@ study::Amplitude read_amplitude(const Value& value) {
 bool read_field_value(const Found& value, const Context& context, study::FieldValue& target) {
   if (!value || !value->tree().is(Tree::Kind::map))
     return read(value, target);
+  if (is_given(value->tree(), given_key)) {
+    value->fault("found a field that a program gave to the study, expected a number, an expression, a table "
+                 "or a field of a file: no deck has the function that computes it");
+    value->spoil();
+    return false;
+  }
   if (is_given(value->tree(), "field")) {
     const auto field = read_file_field(*value, context);
     if (field)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/naming.hpp"
 #include "rubato/mesh/io/field_file.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/study/words.hpp"
@@ -44,6 +45,12 @@ public:
           fault_at(path, fmt::format("{}: the field '{}' of '{}' has several instants, expected "
                                      "'at' with one of them: the value depends on the place only",
                                      path, field->name, field->file)));
+    if (const auto* field = value.of_program();
+        field != nullptr && field->values && field->values->varies_in_time())
+      faults_.push_back(
+          fault_at(path, fmt::format("{}: the field {} varies in time, expected one that depends on the "
+                                     "place only",
+                                     path, shown(field->name))));
   }
 
 private:

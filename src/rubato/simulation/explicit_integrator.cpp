@@ -109,7 +109,7 @@ Trial ExplicitIntegrator::make(const GoesOn& goes_on) {
 
 /// In steps that the contact as it stands allows. False when it was asked to end.
 bool ExplicitIntegrator::go_to(const Attempt& attempt, const GoesOn& goes_on) {
-  points_in_contact_ = step::points_in_contact(state_);
+  points_in_contact_ = step::points_in_contact(*state_);
   counted_ = std::chrono::steady_clock::now();
   while (true) {
     limit_step(motion_.spectrum());
@@ -135,7 +135,7 @@ bool ExplicitIntegrator::goes_on_from_here(const Attempt& attempt, const GoesOn&
 
 void ExplicitIntegrator::accept(Trial trial) {
   before_.reset();
-  state_ = std::move(trial.state);
+  state_.replace(std::move(trial.state));
   energy_ = trial.energy;
   ++next_;
 }
@@ -162,7 +162,7 @@ void ExplicitIntegrator::restore(const Memento& memento) {
   auto state = memento.state;
   take_stage_of(progress);
   motion_.restore(progress.motion);
-  state_ = std::move(state);
+  state_.replace(std::move(state));
   limit_ = progress.limit;
   energy_ = progress.energy ? *progress.energy : motion_.energy();
   next_ = first_record_ahead();

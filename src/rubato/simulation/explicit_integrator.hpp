@@ -5,6 +5,7 @@
 
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/attempt.hpp"
+#include "rubato/simulation/kept_state.hpp"
 #include "rubato/simulation/memento.hpp"
 #include "rubato/simulation/stages.hpp"
 #include "rubato/simulation/start.hpp"
@@ -16,6 +17,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,11 +29,12 @@ public:
   /// The model must outlive this. Throws InputError when the study's step is longer than the stable one.
   ExplicitIntegrator(const model::Model& model, const Start& start);
 
-  Attempt next() const { return {.begin = state_.t, .end = instants_[next_]}; }
+  Attempt next() const { return {.begin = state_->t, .end = instants_[next_]}; }
   bool finished() const { return next_ >= instants_.size(); }
   double end() const { return time_.end; }
   std::string method() const;
-  const step::State& state() const { return state_; }
+  const step::State& state() const { return *state_; }
+  std::shared_ptr<const step::State> shared_state() const { return state_.shared(); }
   const step::EnergyLedger& energy() const { return energy_; }
 
   /// Goes to the next record in equal stable steps; one of accept, reject or go_back follows unless it was
@@ -55,7 +58,7 @@ private:
 
   const study::TimeStepping& time_;
   step::ExplicitMotion motion_;
-  step::State state_; ///< at the last record
+  KeptState state_; ///< at the last record
   step::EnergyLedger energy_;
   int equal_records_ = 1;
   std::vector<double> instants_; ///< of the records, the begin first; stops among the equal ones

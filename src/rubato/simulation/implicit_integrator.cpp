@@ -43,8 +43,8 @@ step::State first_state(const model::Model& model, const time::Scheme& scheme, c
 ImplicitIntegrator::ImplicitIntegrator(const model::Model& model, const Start& start)
     : stages_(model, time::instants_of(model.study.time)), scheme_(time::make_scheme(model.study.time)),
       tell_memory_(start.tell_memory), systems_(std::in_place, model, scheme_, tell_memory_),
-      state_(first_state(model, scheme_, start)), control_(model.study.time, state_.t),
-      account_(model, scheme_, state_), next_account_(account_),
+      state_(first_state(model, scheme_, start)), control_(model.study.time, state_->t),
+      account_(model, scheme_, *state_), next_account_(account_),
       end_(time::instants_of(model.study.time).back()) {
   if (start.memento != nullptr)
     restore(*start.memento);
@@ -63,11 +63,14 @@ void ImplicitIntegrator::prepare() {
 
 /// Where supports have ended at the instant of the state. Doing it again changes nothing.
 void ImplicitIntegrator::begin_stage() {
-  stages_.lock_preloads_at(state_.t, state_.motion.u, state_.shortening);
-  if (!stages_.go_to_begin_at(state_.t, state_.shortening))
+  auto shortening = state_->shortening;
+  stages_.lock_preloads_at(state_->t, state_->motion.u, shortening);
+  if (shortening != state_->shortening)
+    state_.changeable().shortening = shortening;
+  if (!stages_.go_to_begin_at(state_->t, state_->shortening))
     return;
   take_model();
-  step::release(model(), scheme_, state_);
+  step::release(model(), scheme_, state_.changeable());
 }
 
 /// What belongs to the model of another stage is made anew.
@@ -86,7 +89,7 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
   if (goes_on)
     asked = [&](const step::ProgressState& state) { return goes_on({trial.attempt, state}); };
   trial.state = std::move(spare_);
-  trial.report = step::advance(model(), scheme_, systems_->of(control_.length()), state_, trial.attempt.end,
+  trial.report = step::advance(model(), scheme_, systems_->of(control_.length()), *state_, trial.attempt.end,
                                trial.state, asked);
   if (trial.report.outcome == step::Outcome::interrupted)
     return trial;
@@ -97,7 +100,7 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
     trial.attempt.steps = trial.spent.steps = 1;
     trial.last = trial.attempt.end == end_;
     next_account_ = account_;
-    next_account_.enter(state_, trial.state);
+    next_account_.enter(*state_, trial.state);
     trial.energy = next_account_.ledger();
   } else {
     trial.final = !control_.can_cut();
@@ -109,7 +112,7 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
 void ImplicitIntegrator::accept(Trial trial) {
   control_.accept();
   std::swap(account_, next_account_);
-  spare_ = std::exchange(state_, std::move(trial.state));
+  spare_ = state_.replace(std::move(trial.state));
 }
 
 void ImplicitIntegrator::reject(const Trial& trial) {
@@ -126,7 +129,7 @@ void ImplicitIntegrator::restore(const Memento& memento) {
     take_model();
   step::EnergyAccount account(model(), scheme_, progress.energy, progress.overlaps);
   // Copied; from here on nothing fails.
-  state_ = std::move(state);
+  state_.replace(std::move(state));
   control_ = std::move(control);
   account_ = std::move(account);
 }

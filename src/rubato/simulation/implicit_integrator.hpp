@@ -4,6 +4,7 @@
 
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/attempt.hpp"
+#include "rubato/simulation/kept_state.hpp"
 #include "rubato/simulation/memento.hpp"
 #include "rubato/simulation/stages.hpp"
 #include "rubato/simulation/start.hpp"
@@ -16,6 +17,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -34,7 +36,8 @@ public:
   bool finished() const { return control_.finished(); }
   double end() const { return end_; }
   std::string method() const { return method_; }
-  const step::State& state() const { return state_; }
+  const step::State& state() const { return *state_; }
+  std::shared_ptr<const step::State> shared_state() const { return state_.shared(); }
   const step::EnergyLedger& energy() const { return account_.ledger(); }
 
   /// Makes an attempt; one of accept, reject or go_back follows unless it was interrupted.
@@ -58,8 +61,8 @@ private:
   time::Scheme scheme_;
   std::function<void(std::size_t)> tell_memory_;
   std::optional<step::SystemCache> systems_; ///< of the stage; there is one
-  step::State state_;
-  step::State spare_; ///< storage for the next attempt: that of the state before
+  KeptState state_;
+  step::State spare_; ///< storage for the next attempt: that of the state before, unless others hold it
   time::StepControl control_;
   step::EnergyAccount account_;
   step::EnergyAccount next_account_; ///< with the step that make() has made

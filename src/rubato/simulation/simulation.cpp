@@ -70,6 +70,9 @@ public:
     return ask(
         integrator_, [](const auto& integrator) -> auto& { return integrator.state(); });
   }
+  std::shared_ptr<const step::State> shared_state() const {
+    return ask(integrator_, [](const auto& integrator) { return integrator.shared_state(); });
+  }
   const step::EnergyLedger& energy() const {
     return ask(
         integrator_, [](const auto& integrator) -> auto& { return integrator.energy(); });
@@ -178,6 +181,9 @@ const model::Model& Simulation::model() const {
 }
 const step::State& Simulation::state() const {
   return impl_->state();
+}
+std::shared_ptr<const step::State> Simulation::shared_state() const {
+  return impl_->shared_state();
 }
 const step::EnergyLedger& Simulation::energy() const {
   return impl_->energy();

@@ -56,8 +56,10 @@ public:
   /// Whether the last instant is reached.
   bool finished() const;
   const model::Model& model() const;
-  /// After the last accepted step.
+  /// After the last accepted step. While nobody holds a shared_state(), it stays at its address.
   const step::State& state() const;
+  /// The same, without a copy: it stays as it is whatever steps follow, and when the simulation is gone.
+  std::shared_ptr<const step::State> shared_state() const;
   /// Of that state.
   const step::EnergyLedger& energy() const;
   const Counters& counters() const;

@@ -58,6 +58,11 @@ Json echo(const FileField& field) {
   return map;
 }
 
+/// Its name: the deck refuses it, as it cannot compute it.
+Json echo(const GivenField& field) {
+  return {{"given", field.name}};
+}
+
 /// Expressions as they are written.
 Json echo(const FieldValue& value) {
   if (const auto* profile = value.profile()) {
@@ -67,6 +72,8 @@ Json echo(const FieldValue& value) {
   }
   if (const auto* of_file = value.of_file())
     return echo(*of_file);
+  if (const auto* of_program = value.of_program())
+    return echo(*of_program);
   return value.number() != nullptr ? Json(*value.number()) : Json(value.formula()->text);
 }
 

@@ -2,6 +2,7 @@
 #include "rubato/study/fields.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/core/naming.hpp"
 
 #include <utility>
 
@@ -17,6 +18,8 @@ bool varies_in_time(const Field& field) {
     return true;
   if (const auto* of_file = field.value.of_file())
     return !of_file->at && (!of_file->values || of_file->values->varies_in_time());
+  if (const auto* of_program = field.value.of_program())
+    return of_program->values && of_program->values->varies_in_time();
   const auto* formula = field.value.formula();
   try {
     return formula != nullptr && Expression(formula->text).has('t');
@@ -33,6 +36,12 @@ std::shared_ptr<const SampledField> values_of(const FileField& field, const std:
   return field.values;
 }
 
+std::shared_ptr<const SampledField> values_of(const GivenField& field, const std::string& path) {
+  if (!field.values)
+    throw InputError({fault_at(path, path + ": the field " + shown(field.name) + " has no values")});
+  return field.values;
+}
+
 } // namespace
 
 FieldFunction field_function(const FieldValue& value, const std::string& function,
@@ -44,6 +53,8 @@ FieldFunction field_function(const FieldValue& value, const std::string& functio
     field.profile = *profile;
   else if (const auto* of_file = value.of_file())
     field.sampled = values_of(*of_file, path);
+  else if (const auto* of_program = value.of_program())
+    field.sampled = values_of(*of_program, path);
   else
     field.number = *value.number();
   if (!function.empty())

@@ -39,21 +39,30 @@ struct FileField {
   }
 };
 
+/// A field that the program computes which made the study. No deck has it: an echo has its name only.
+struct GivenField {
+  std::string name; ///< by which messages call it
+  std::shared_ptr<const SampledField> values = {};
+  bool operator==(const GivenField&) const = default;
+};
+
 /// A number, or a number at each place: an expression, which may have the instant too, a table along an
-/// axis, or a field of a file.
+/// axis, a field of a file or one that a program gives.
 struct FieldValue {
   FieldValue(double number = 0) : is(number) {}
   FieldValue(Formula formula) : is(std::move(formula)) {}
   FieldValue(Profile profile) : is(std::move(profile)) {}
   FieldValue(FileField field) : is(std::move(field)) {}
+  FieldValue(GivenField field) : is(std::move(field)) {}
 
-  std::variant<double, Formula, Profile, FileField> is;
+  std::variant<double, Formula, Profile, FileField, GivenField> is;
 
   /// What it is; null when it is one of the others.
   const double* number() const { return std::get_if<double>(&is); }
   const Formula* formula() const { return std::get_if<Formula>(&is); }
   const Profile* profile() const { return std::get_if<Profile>(&is); }
   const FileField* of_file() const { return std::get_if<FileField>(&is); }
+  const GivenField* of_program() const { return std::get_if<GivenField>(&is); }
   bool operator==(const FieldValue&) const = default;
 };
 
@@ -61,8 +70,8 @@ struct FieldValue {
 /// integration over time; the enumerators count the integrals.
 enum class Given { displacement, velocity, acceleration };
 
-/// A number, an expression, a table or a field of a file, times a named function of time when `function` is
-/// not empty.
+/// A number, an expression, a table, a field of a file or of a program, times a named function of time when
+/// `function` is not empty.
 struct Field {
   Field() = default;
   Field(double number, std::string of_time = {}) : value(number), function(std::move(of_time)) {}
@@ -71,6 +80,7 @@ struct Field {
   Field(Profile profile, std::string of_time = {})
       : value(std::move(profile)), function(std::move(of_time)) {}
   Field(FileField field, std::string of_time = {}) : value(std::move(field)), function(std::move(of_time)) {}
+  Field(GivenField field, std::string of_time = {}) : value(std::move(field)), function(std::move(of_time)) {}
   Field(Amplitude amplitude) : value(amplitude.value), function(std::move(amplitude.function)) {}
 
   FieldValue value;

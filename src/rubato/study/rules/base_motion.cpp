@@ -13,7 +13,7 @@ namespace rubato::study {
 namespace {
 
 bool has_place(const Field& motion) {
-  if (motion.value.profile() != nullptr)
+  if (motion.value.profile() != nullptr || motion.value.of_program() != nullptr)
     return true;
   const auto* formula = motion.value.formula();
   if (formula == nullptr)

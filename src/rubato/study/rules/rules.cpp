@@ -98,6 +98,8 @@ void Rules::field_value(const std::string& path, const FieldValue& value) {
   }
   if (const auto* of_file = value.of_file())
     return file_field(path, *of_file);
+  if (const auto* of_program = value.of_program())
+    return given_field(path, *of_program);
   const auto& text = value.formula()->text;
   try {
     if (Expression(text).has('z') && dimension_of(study.physics) < 3)
@@ -116,6 +118,13 @@ void Rules::file_field(const std::string& path, const FileField& field) {
   name(path + ".name", field.name);
   if (field.at)
     number(path + ".at", *field.at);
+}
+
+void Rules::given_field(const std::string& path, const GivenField& field) {
+  name(path + ".given", field.name);
+  if (!field.values)
+    broken({path}, fmt::format("the field {} has no values, expected those that a program gives it",
+                               shown(field.name)));
 }
 
 void Rules::field(const std::string& path, const Field& field) {

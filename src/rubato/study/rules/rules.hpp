@@ -60,6 +60,7 @@ public:
   void motion(const std::string& path, const Field& field);
   /// A field of a file that is named.
   void file_field(const std::string& path, const FileField& field);
+  void given_field(const std::string& path, const GivenField& field);
   /// A component that the physics has.
   void axis(const std::string& path, std::size_t axis);
 
