@@ -260,6 +260,36 @@ void add_mesh(CLI::App& program, Arguments& arguments) {
   command->callback([&arguments] { arguments.work = [&] { return app::mesh(arguments.mesh); }; });
 }
 
+void add_aster(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand(
+      "aster", "run a Code_Aster study; its command file is a Python program and runs with your rights");
+  auto& aster = arguments.aster;
+  command->add_option("study", aster.study, "a command file (.comm) or an .export file")
+      ->required()
+      ->type_name(kind::study);
+  command
+      ->add_option("-o,--output", aster.output,
+                   "run folder, where relative paths of the commands are (default: out/NAME)")
+      ->type_name(kind::folder);
+  command->add_option("--file", aster.files, "the file of a unit")
+      ->allow_extra_args(false)
+      ->type_name(kind::unit);
+  command->add_flag("--check", aster.check, "only look for what is not available");
+  command
+      ->add_option("--time", aster.time,
+                   "largest time of the run in seconds (default: the study's, at least 900)")
+      ->type_name(kind::number);
+  command
+      ->add_option("--memory", aster.memory,
+                   "largest memory of the run in MB (default: four fifths of what is free)")
+      ->type_name(kind::number);
+  command
+      ->add_option("--regression-tolerance", aster.regression_tolerance,
+                   "relative tolerance of values of Code_Aster itself, VALE_CALC (default: 1e-3)")
+      ->type_name(kind::number);
+  command->callback([&arguments] { arguments.work = [&] { return app::aster(arguments.aster); }; });
+}
+
 void add_list(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand("list", "list cells, schemes, methods, laws and formats");
   command->callback([&arguments] { arguments.work = [] { return app::list(); }; });
@@ -328,6 +358,7 @@ void declare(CLI::App& program, Arguments& arguments) {
   add_report(program, arguments);
   add_info(program, arguments);
   add_mesh(program, arguments);
+  add_aster(program, arguments);
   add_list(program, arguments);
   add_schema(program, arguments);
   add_shell(program, arguments);

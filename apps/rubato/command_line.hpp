@@ -21,6 +21,7 @@ struct Arguments {
   ReportArguments report;
   InfoArguments info;
   MeshArguments mesh;
+  AsterArguments aster;
   NewArguments new_deck;
   ShellArguments shell;
   std::function<int()> work;
@@ -44,6 +45,8 @@ inline constexpr auto numbers = "NUMBER,...";
 inline constexpr auto quantity = "QUANTITY";
 inline constexpr auto quantities = "QUANTITY,...";
 inline constexpr auto expression = "EXPRESSION";
+inline constexpr auto study = "STUDY";
+inline constexpr auto unit = "UNIT=FILE";
 } // namespace kind
 
 inline constexpr auto about = "rubato: how elastic bodies move, touch, rub and part";

@@ -95,6 +95,19 @@ struct MeshArguments {
 };
 int mesh(const MeshArguments& arguments);
 
+/// A Code_Aster study. Numbers are handed on as they are written; empty: not given.
+struct AsterArguments {
+  std::filesystem::path study; ///< .comm or .export
+  std::filesystem::path output;
+  std::vector<std::string> files; ///< "UNIT=PATH"
+  std::string time;
+  std::string memory;
+  std::string regression_tolerance;
+  bool check = false;
+};
+/// Ends in another program; returns only by exceptions.
+int aster(const AsterArguments& arguments);
+
 struct NewArguments {
   std::string name; ///< empty: list the templates
   std::filesystem::path output;

@@ -32,6 +32,8 @@ std::string endings_of(const std::string& kind) {
     return mesh_endings();
   if (kind == kind::deck_or_mesh)
     return fmt::format("{}|{}", deck_endings, mesh_endings());
+  if (kind == kind::study)
+    return "comm|export";
   return {};
 }
 

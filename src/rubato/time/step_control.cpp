@@ -84,17 +84,47 @@ std::vector<double> instants_of(const study::TimeStepping& settings) {
   return with_stops(listed_or_even(settings), settings.stops);
 }
 
+namespace {
+
+bool are_same(double length, double usual) {
+  return std::abs(length - usual) <= same_length * usual;
+}
+
+/// Which of ascending lengths it is but for rounding, a part of each of them; their end when it is none.
+auto same_among(const std::vector<double>& lengths, double length, double parts = 1) {
+  auto known = std::ranges::lower_bound(lengths, length * parts * (1 - 2 * same_length));
+  while (known != lengths.end() && *known <= length * parts * (1 + 2 * same_length) &&
+         !are_same(length, *known / parts))
+    ++known;
+  return known != lengths.end() && are_same(length, *known / parts) ? known : lengths.end();
+}
+
+/// The step of the settings, or the lengths between listed instants, each once, ascending.
+std::vector<double> distinct_lengths(const study::TimeStepping& settings, std::span<const double> instants) {
+  if (settings.instants.empty())
+    return {settings.step};
+  std::vector<double> lengths;
+  for (std::size_t i = 1; i < instants.size(); ++i) {
+    const double length = instants[i] - instants[i - 1];
+    if (same_among(lengths, length) == lengths.end())
+      lengths.insert(std::ranges::upper_bound(lengths, length), length);
+  }
+  return lengths;
+}
+
+} // namespace
+
 StepControl::StepControl(const study::TimeStepping& settings, double start)
-    : instants_(instants_of(settings)), now_(start),
-      usual_length_(settings.instants.empty() ? settings.step : 0), parts_(settings.cut_parts),
-      levels_(settings.cut_levels) {
+    : instants_(instants_of(settings)), now_(start), usual_lengths_(distinct_lengths(settings, instants_)),
+      parts_(settings.cut_parts), levels_(settings.cut_levels) {
   next_ = static_cast<std::size_t>(std::ranges::upper_bound(instants_, start) - instants_.begin());
 }
 
 double StepControl::length() const {
   const double difference = target() - now_;
-  const double usual = usual_length_ / std::pow(parts_, level());
-  return std::abs(difference - usual) <= same_length * usual ? usual : difference;
+  const double parts = std::pow(parts_, level());
+  const auto usual = same_among(usual_lengths_, difference, parts);
+  return usual == usual_lengths_.end() ? difference : *usual / parts;
 }
 
 /// The end of a shorter list may differ from an instant of this one by rounding. A cut interval whose end is

@@ -65,7 +65,7 @@ private:
   std::size_t next_ = 1;
   std::vector<End> ends_; ///< ends of the parts of the interval to instants_[next_], the nearest last
   double now_ = 0;
-  double usual_length_ = 0;
+  std::vector<double> usual_lengths_; ///< of intervals that are not cut, each once, ascending
   int parts_ = 2;
   int levels_ = 12;
 };

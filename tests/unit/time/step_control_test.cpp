@@ -195,6 +195,26 @@ TEST(StepControl, HasOneLengthForAllPartsOfALevel) {
   }
 }
 
+TEST(StepControl, HasOneLengthForListedStepsThatDifferByRounding) {
+  Instants instants;
+  for (double t = 0; instants.size() < 1000; instants.push_back(t)) // sums, as lists of other programs are
+    t += 1e-3;
+  for (double t = instants.back(); instants.size() < 2000; instants.push_back(t))
+    t += 3e-4;
+  std::set<double> lengths;
+  for (StepControl control(listed(instants), 0); !control.finished(); control.accept())
+    lengths.insert(control.length());
+  EXPECT_EQ(lengths.size(), 2u);
+
+  Instants graded;
+  for (double length = 1e-3, t = 0; graded.size() < 500; length *= 1.01)
+    graded.push_back(t += length);
+  lengths.clear();
+  for (StepControl control(listed(graded), 0); !control.finished(); control.accept())
+    lengths.insert(control.length());
+  EXPECT_EQ(lengths.size(), 500u);
+}
+
 TEST(StepControl, MeasuresListedStepsOneByOne) {
   StepControl control(listed({0.1, 0.15, 0.7}), 0);
   EXPECT_EQ(control.length(), 0.1);

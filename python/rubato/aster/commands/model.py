@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""AFFE_MODELE, DEFI_MATERIAU, AFFE_MATERIAU, AFFE_CARA_ELEM: what cells are and what they are made of."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..concepts import DiscreteField, MaterialConcept, MaterialField, ModelConcept, ModelPart
+from ..keys import (Arguments, Command, CommandError, Key, concept, factor, harmless, real, reals,
+                    text, texts, words, yes, yes_no)
+
+# ---- model -----------------------------------------------------------------------------------------------------
+
+PHYSICS = {"3D": "solid", "C_PLAN": "plane_stress", "D_PLAN": "plane_strain", "AXIS": "axisymmetric"}
+DISCRETE = ("DIS_T", "2D_DIS_T")
+_reduced = "Cells are integrated fully here: write the kind without _SI, and expect stiffer cells."
+_MISSING_KINDS = {
+    "3D_SI": _reduced, "AXIS_SI": _reduced, "C_PLAN_SI": _reduced, "D_PLAN_SI": _reduced,
+    "DIS_TR": "Discrete elements have no rotations here: DIS_T.", "2D_DIS_TR": "Discrete elements: 2D_DIS_T.",
+    **{kind: "There are solids only: 3D, C_PLAN, D_PLAN, AXIS." for kind in (
+        "DKT", "DST", "Q4G", "COQUE_3D", "COQUE_AXIS", "POU_D_E", "POU_D_T", "POU_D_TG", "POU_D_EM", "BARRE",
+        "2D_BARRE", "CABLE", "MEMBRANE", "GRILLE_MEMBRANE", "DKTG", "PLAN", "3D_INCO_UP", "3D_INCO_UPG",
+        "D_PLAN_INCO_UP", "AXIS_INCO_UP", "3D_GRAD_VARI")},
+}
+
+AFFE_MODELE = {
+    "MAILLAGE": concept("MeshConcept", required=True),
+    "AFFE": factor({
+        "TOUT": yes(), "GROUP_MA": texts(), "MAILLE": texts(), "GROUP_NO": texts(), "NOEUD": texts(),
+        "PHENOMENE": words("MECANIQUE", missing={"THERMIQUE": "Temperatures are given by CREA_RESU or LIRE_RESU.",
+                                                 "ACOUSTIQUE": ""}),
+        "MODELISATION": words(*PHYSICS, *DISCRETE, many=True, missing=_MISSING_KINDS, required=True),
+    }),
+    "DISTRIBUTION": harmless(), "VERI_JACOBIEN": harmless(), "INFO": harmless(), "PARTITION": harmless(),
+    "GRANDEUR_CARA": harmless(), "VERI_PLAN": harmless(), "VERI_NORM_IFS": harmless(),
+}
+
+
+def affe_modele(session: Any, arguments: Arguments) -> ModelConcept:
+    mesh = arguments.MAILLAGE
+    parts = []
+    for item in arguments.AFFE:
+        if len(item.MODELISATION) != 1:
+            raise CommandError("AFFE_MODELE/MODELISATION: expected one word.")
+        parts.append(ModelPart(mesh.cells(item), item.MODELISATION[0]))
+    if not parts:
+        raise CommandError("AFFE_MODELE: keyword AFFE is missing.")
+    kinds = {PHYSICS[part.kind] for part in parts if part.kind in PHYSICS}
+    if len(kinds) > 1:
+        raise CommandError(f"AFFE_MODELE: a model has one kind of solids, found {', '.join(sorted(kinds))}.")
+    return ModelConcept(mesh, parts)
+
+
+# ---- materials -------------------------------------------------------------------------------------------------
+
+_ELAS = {"E": real(required=True), "NU": real(required=True), "RHO": real(), "ALPHA": real(), "AMOR_ALPHA": real(),
+         "AMOR_BETA": real(), "AMOR_HYST": harmless(), "COEF_AMOR": harmless()}
+_ELAS_ORTH = {"E_L": real(required=True), "E_T": real(required=True), "E_N": real(), "NU_LT": real(required=True),
+              "NU_LN": real(), "NU_TN": real(), "G_LT": real(required=True), "G_LN": real(), "G_TN": real(),
+              "RHO": real(), "ALPHA_L": real(), "ALPHA_T": real(), "ALPHA_N": real(), "AMOR_ALPHA": real(),
+              "AMOR_BETA": real()}
+# Laws that no RELATION here asks for: their numbers are kept and say nothing.
+_UNUSED = ("ECRO_LINE", "ECRO_PUIS", "TRACTION", "PRAGER", "CIN1_CHAB", "CIN2_CHAB", "ECRO_NL", "ECRO_COOK",
+           "LEMAITRE", "VISCOCHAB", "THER", "FATIGUE", "WEIBULL", "RCCM", "TAHERI", "BETON_DOMMAGE_SB", "ELAS_HYPER")
+
+DEFI_MATERIAU: dict[str, Key] = {
+    "ELAS": factor(_ELAS, most=1), "ELAS_ORTH": factor(_ELAS_ORTH, most=1), "INFO": harmless(), "TITRE": harmless(),
+    **{law: harmless() for law in _UNUSED},
+}
+
+
+def defi_materiau(session: Any, arguments: Arguments) -> MaterialConcept:
+    laws = {name: getattr(arguments, name)[0] for name in ("ELAS", "ELAS_ORTH") if getattr(arguments, name)}
+    if len(laws) > 1:
+        raise CommandError("DEFI_MATERIAU: expected one of ELAS and ELAS_ORTH.")
+    return MaterialConcept(laws)
+
+
+AFFE_MATERIAU = {
+    "MAILLAGE": concept("MeshConcept"), "MODELE": concept("ModelConcept"),
+    "AFFE": factor({"TOUT": yes(), "GROUP_MA": texts(), "MAILLE": texts(), "GROUP_NO": harmless(),
+                    "MATER": concept("MaterialConcept", many=True, required=True), "TEMP_REF": real()}),
+    "AFFE_COMPOR": harmless(),
+    "AFFE_VARC": factor({"TOUT": yes(), "GROUP_MA": texts(), "MAILLE": texts(), "NOM_VARC": words("TEMP", required=True),
+                         "CHAM_GD": concept("NodalField"), "EVOL": concept("Result"), "NOM_CHAM": words("TEMP"),
+                         "FONC_INST": concept("Function", "RealList"), "PROL_DROITE": text("EXCLU"),
+                         "PROL_GAUCHE": text("EXCLU"), "VALE_REF": real()}),
+    "INFO": harmless(), "LIST_NOM_VARC": harmless(),
+}
+
+
+def affe_materiau(session: Any, arguments: Arguments) -> MaterialField:
+    mesh = arguments.MAILLAGE or (arguments.MODELE.mesh if arguments.MODELE else None)
+    if mesh is None:
+        raise CommandError("AFFE_MATERIAU: keyword MAILLAGE is missing.")
+    parts = []
+    for item in arguments.AFFE:
+        elastic = [material for material in item.MATER if material.laws] or list(item.MATER)
+        if len(elastic) > 1:
+            raise CommandError("AFFE_MATERIAU/MATER: expected one material with ELAS or ELAS_ORTH.")
+        parts.append((mesh.cells(item), elastic[0]))
+    return MaterialField(mesh, parts, list(arguments.AFFE_VARC))
+
+
+# ---- discrete elements -----------------------------------------------------------------------------------------
+
+AFFE_CARA_ELEM = {
+    "MODELE": concept("ModelConcept", required=True), "INFO": harmless(), "VERIF": harmless(),
+    "DISCRET": factor({"CARA": words("K_T_D_L", "K_T_D_N", "M_T_D_N", "M_T_L", "M_T_D_L", "A_T_D_L", "A_T_D_N",
+                                     required=True),
+                       "VALE": reals(required=True), "GROUP_MA": texts(), "MAILLE": texts(), "GROUP_NO": texts(),
+                       "NOEUD": texts(), "REPERE": words("GLOBAL", "LOCAL", default="GLOBAL"), "SYME": harmless()}),
+    "DISCRET_2D": factor({"CARA": words("K_T_D_L", "K_T_D_N", "M_T_D_N", "M_T_L", "M_T_D_L", "A_T_D_L", "A_T_D_N",
+                                        required=True),
+                          "VALE": reals(required=True), "GROUP_MA": texts(), "MAILLE": texts(), "GROUP_NO": texts(),
+                          "NOEUD": texts(), "REPERE": words("GLOBAL", "LOCAL", default="GLOBAL"), "SYME": harmless()}),
+    "ORIENTATION": factor({"CARA": words("ANGL_VRIL", "VECT_Y"), "VALE": reals(), "GROUP_MA": texts(),
+                           "MAILLE": texts()}),
+    "MASSIF": factor({"GROUP_MA": texts(), "MAILLE": texts(), "ANGL_REP": reals(), "ANGL_AXE": reals(),
+                      "ORIG_AXE": reals()}),
+}
+
+
+def affe_cara_elem(session: Any, arguments: Arguments) -> DiscreteField:
+    made = DiscreteField(arguments.MODELE, [*arguments.DISCRET, *arguments.DISCRET_2D])
+    made.axes = list(arguments.MASSIF)
+    for item in arguments.ORIENTATION:
+        if any(item.VALE):
+            raise CommandError("AFFE_CARA_ELEM/ORIENTATION: springs have their x axis along the cell only; "
+                               "a turn about it is not available.")
+    return made
+
+
+COMMANDS = [
+    Command("AFFE_MODELE", AFFE_MODELE, affe_modele),
+    Command("DEFI_MATERIAU", DEFI_MATERIAU, defi_materiau),
+    Command("AFFE_MATERIAU", AFFE_MATERIAU, affe_materiau),
+    Command("AFFE_CARA_ELEM", AFFE_CARA_ELEM, affe_cara_elem),
+]

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Text dumps of Cast3M (GIBI): its meshes become groups of cells, its named points groups of nodes. Nodes are called
+N1, … by their place in the file, cells M1, … by theirs, each once."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, NoReturn
+
+import numpy as np
+
+from ..keys import CommandError
+from .cells import KINDS
+from .pieces import Pieces, built, laid_flat
+
+# Stacks (piles) of objects: meshes, nodes, coordinates.
+MESHES, NODES, COORDINATES = 1, 32, 33
+
+
+def _around(count: int) -> tuple[int, ...]:
+    """Corners and middles take turns round a face: corners first."""
+    return (*range(0, 2 * count, 2), *range(1, 2 * count, 2))
+
+
+# By Cast3M's number: our type, and which of its nodes our nodes are.
+TYPES: dict[int, tuple[str, tuple[int, ...]]] = {
+    1: ("point1", ()), 2: ("seg2", ()), 3: ("seg3", (0, 2, 1)), 4: ("tria3", ()), 6: ("tria6", _around(3)),
+    7: ("tria7", (*_around(3), 6)), 8: ("quad4", ()), 10: ("quad8", _around(4)), 11: ("quad9", (*_around(4), 8)),
+    14: ("hexa8", ()), 16: ("penta6", ()), 23: ("tetra4", ()), 25: ("pyra5", ()),
+    15: ("hexa20", (0, 2, 4, 6, 12, 14, 16, 18, 1, 3, 5, 7, 13, 15, 17, 19, 8, 9, 10, 11)),
+    17: ("penta15", (0, 2, 4, 9, 11, 13, 1, 3, 5, 10, 12, 14, 6, 7, 8)),
+    24: ("tetra10", (0, 2, 4, 9, 1, 3, 5, 6, 7, 8)),
+    26: ("pyra13", (0, 2, 4, 6, 12, 1, 3, 5, 7, 8, 9, 10, 11)),
+}
+
+
+@dataclass
+class _Object:
+    """A mesh of one cell type, or of other meshes. `cells`: indices into those of its type."""
+
+    kind: str = ""
+    cells: list[int] = field(default_factory=list)
+    parts: list[int] = field(default_factory=list)
+
+
+class _Reader:
+    """Numbers and names in Cast3M's columns; every list begins on a line of its own."""
+
+    def __init__(self, path: Path):
+        self.path = path
+        self._lines = path.read_text(encoding="latin-1").splitlines()
+        self._at = 0
+
+    def line(self) -> str:
+        if self._at >= len(self._lines):
+            self.refuse("the file ends too early")
+        self._at += 1
+        return self._lines[self._at - 1]
+
+    def find(self, wanted: str) -> str:
+        """The next line that begins so, or nothing."""
+        while self._at < len(self._lines):
+            line = self.line()
+            if line.strip().startswith(wanted):
+                return line
+        return ""
+
+    def whole_numbers(self, count: int) -> list[int]:
+        return [self._number(int, text) for text in self._columns(count, 8, 10)]
+
+    def reals(self, count: int) -> np.ndarray:
+        return np.array([self._number(float, text.replace("D", "E")) for text in self._columns(count, 22, 3)])
+
+    def names(self, count: int) -> list[str]:
+        return [text.strip() for text in self._columns(count, 9, 8)]
+
+    def skip(self, count: int, on_line: int) -> None:
+        for _ in range(-(-count // on_line)):
+            self.line()
+
+    def _columns(self, count: int, width: int, on_line: int) -> list[str]:
+        texts: list[str] = []
+        while len(texts) < count:
+            line = self.line()
+            here = min(on_line, count - len(texts))
+            texts += [line[width * i:width * (i + 1)] for i in range(here)]
+        return texts
+
+    def _number(self, kind: type, text: str) -> Any:
+        try:
+            number = kind(text)
+        except ValueError:
+            number = np.nan
+        if not np.isfinite(number):
+            self.refuse(f"expected a number, found {text.strip()!r}")
+        return number
+
+    def refuse(self, text: str) -> NoReturn:
+        raise CommandError(f"{self.path}:{self._at}: {text}.")
+
+
+class _Content:
+    """What the stacks hold."""
+
+    def __init__(self) -> None:
+        self.dimension = 0
+        self.objects: list[_Object] = []
+        self.mesh_names: list[tuple[str, int]] = []
+        self.point_names: list[tuple[str, int]] = []
+        self.places: list[int] = []
+        self.coordinates = np.zeros((0, 3))
+        self.cells: dict[str, list[list[int]]] = {}
+        self._known: dict[tuple[str, frozenset[int]], int] = {}
+
+    def cell(self, kind: str, nodes: list[int]) -> int:
+        """The index of a cell among those of its type: several objects may have it."""
+        key = (kind, frozenset(nodes))
+        if key not in self._known:
+            rows = self.cells.setdefault(kind, [])
+            self._known[key] = len(rows)
+            rows.append(nodes)
+        return self._known[key]
+
+
+def read_gibi(path: Path) -> Any:
+    """The mesh of a text dump."""
+    reader, content = _Reader(path), _Content()
+    while True:
+        line = reader.find("ENREGISTREMENT DE TYPE")
+        if not line or line.split()[-1] == "5":
+            break
+        if line.split()[-1] == "4":
+            content.dimension = _dimension(reader)
+        elif line.split()[-1] == "2":
+            _read_stack(reader, content)
+    if not content.dimension or not content.cells or not len(content.coordinates):
+        reader.refuse("this is no dump of Cast3M that has a mesh")
+    return _mesh(reader, content)
+
+
+def _dimension(reader: _Reader) -> int:
+    found = re.search(r"DIMENSION\s+(\d)", reader.line())
+    if not found or found[1] not in "23":
+        reader.refuse("expected a dimension of 2 or 3")
+    return int(found[1])
+
+
+def _read_stack(reader: _Reader, content: _Content) -> None:
+    found = re.search(r"PILE NUMERO\s*(\d+)\D+(\d+)\D+(\d+)", reader.line())
+    if not found:
+        reader.refuse("expected 'PILE NUMERO'")
+    stack, named, count = (int(text) for text in found.groups())
+    if stack not in (MESHES, NODES, COORDINATES):
+        return
+    names = list(zip(reader.names(named), reader.whole_numbers(named)))
+    if stack == MESHES:
+        content.mesh_names = names
+        for _ in range(count):
+            content.objects.append(_read_object(reader, content))
+    elif stack == NODES:
+        content.point_names = names
+        content.places = reader.whole_numbers(reader.whole_numbers(1)[0])
+    else:
+        width = content.dimension + 1  # coordinates and a density
+        values = reader.reals(reader.whole_numbers(1)[0])
+        content.coordinates = values[:len(values) // width * width].reshape(-1, width)[:, :-1]
+
+
+def _read_object(reader: _Reader, content: _Content) -> _Object:
+    code, parts, references, width, count = reader.whole_numbers(5)
+    if min(parts, references, width, count) < 0:
+        reader.refuse("expected numbers of parts, references, nodes and cells")
+    made = _Object(parts=[number - 1 for number in reader.whole_numbers(parts)])
+    reader.skip(references, 10)
+    reader.skip(count, 10)  # colours
+    if code <= 0 or parts:
+        return made
+    rows = np.array(reader.whole_numbers(count * width), dtype=np.int64).reshape(count, width)
+    if code in TYPES:
+        made.kind, order = TYPES[code]
+        if width != KINDS[made.kind].nodes:
+            reader.refuse(f"expected {KINDS[made.kind].nodes} nodes of a cell of type {made.kind}, found {width}")
+        rows = rows[:, order] if order else rows
+        made.cells = [content.cell(made.kind, row) for row in rows.tolist()]
+    return made
+
+
+def _mesh(reader: _Reader, content: _Content) -> Any:
+    used = sorted({node for rows in content.cells.values() for row in rows for node in row})
+    if used[0] < 1 or used[-1] > len(content.places):
+        reader.refuse(f"a cell has node {used[-1]}, but the nodes go from 1 to {len(content.places)}")
+    place = {node: i for i, node in enumerate(used)}
+    rows = np.array([content.places[node - 1] - 1 for node in used])
+    if np.min(rows) < 0 or np.max(rows) >= len(content.coordinates):
+        reader.refuse("a node has no coordinates")
+    points = np.zeros((len(used), 3))
+    points[:, :content.dimension] = content.coordinates[rows]
+    pieces = Pieces(content.dimension, points, np.array(used), [""] * len(used))
+    first: dict[str, int] = {}
+    for kind, nodes in content.cells.items():
+        first[kind] = pieces.cell_count
+        pieces.add_cells(kind, [[place[node] for node in row] for row in nodes])
+    for name, number in content.mesh_names:
+        cells = _cells_of(reader, content, number - 1, first, 0)
+        if cells and not name.startswith("#"):
+            pieces.cell_groups[name] = np.unique(cells)
+    for name, number in content.point_names:
+        if number in place and not name.startswith("#"):
+            pieces.node_groups[name] = np.array([place[number]])
+    return built(laid_flat(pieces))
+
+
+def _cells_of(reader: _Reader, content: _Content, index: int, first: dict[str, int], depth: int) -> list[int]:
+    if not 0 <= index < len(content.objects) or depth > 50:
+        reader.refuse(f"there is no mesh number {index + 1}")
+    item = content.objects[index]
+    cells = [first[item.kind] + cell for cell in item.cells]
+    for part in item.parts:
+        cells += _cells_of(reader, content, part, first, depth + 1)
+    return cells

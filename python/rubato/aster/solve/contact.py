@@ -1,0 +1,275 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""DEFI_CONTACT as contact zones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+import rubato
+
+from ..concepts import ContactConcept, Function
+from ..keys import Arguments, CommandError
+from .cells import dimensions
+from .problem import Problem, check_parameters, evaluate
+
+METHODS = {
+    ("CONTINUE", "STANDARD"): "augmented_lagrangian", ("CONTINUE", "PENALISATION"): "penalty",
+    ("CONTINUE", "LAC"): "augmented_lagrangian", ("DISCRETE", "CONTRAINTE"): "nodal_lagrange",
+    ("DISCRETE", "LAGRANGIEN"): "nodal_lagrange", ("DISCRETE", "PENALISATION"): "nodal_penalty",
+    ("DISCRETE", "GCP"): "nodal_pcg", ("DISCRETE", "VERIF"): "nodal_lagrange",
+}
+USUAL = {"CONTINUE": "STANDARD", "DISCRETE": "CONTRAINTE"}
+NORMALS = {"MAIT": "master", "ESCL": "slave", "MAIT_ESCL": "average"}
+
+
+@dataclass
+class ZoneRecord:
+    """A zone of the study, for what is computed of it. `index`: its place among the zones of the model;
+    `slave_nodes`, `slave_cells`: of the concept's mesh; `friction`: μ; `resolved`: False where only gaps are wanted."""
+
+    index: int
+    formulation: str
+    method: str
+    friction: float
+    slave_nodes: np.ndarray
+    slave_cells: np.ndarray
+    resolved: bool = True
+
+
+def add_contact(problem: Problem, contact: ContactConcept | None) -> None:
+    """The zones; also which nodes only rigid surfaces have, that supports may then move."""
+    if contact is None:
+        return
+    if contact.arguments.FORMULATION == "LIAISON_UNIL":
+        for zone in contact.arguments.ZONE:
+            add_one_sided(problem, zone)
+        return
+    made = []
+    for number, zone in enumerate(contact.arguments.ZONE, 1):
+        made.append(make_zone(problem, contact.arguments, zone, number))
+    problem.study.contact = made
+
+
+def note_rigid_surfaces(problem: Problem, contact: ContactConcept | None) -> None:
+    """Nodes of masters that belong to no body."""
+    if contact is None or contact.arguments.FORMULATION == "LIAISON_UNIL":
+        return
+    masters = [faces_of(problem, zone, "MAIT") for zone in contact.arguments.ZONE]
+    nodes = problem.concept.nodes_of_cells(np.concatenate(masters))
+    problem.rigid_nodes = nodes[~np.isin(nodes, problem.body_nodes)]
+
+
+def faces_of(problem: Problem, zone: Arguments, side: str) -> np.ndarray:
+    mesh = problem.concept
+    parts = [mesh.cells_in(name) for name in zone.get(f"GROUP_MA_{side}")]
+    if zone.get(f"MAILLE_{side}"):
+        parts.append(np.array([mesh.cell_named(name) for name in zone.get(f"MAILLE_{side}")]))
+    cells = np.unique(np.concatenate(parts))
+    faces = cells[dimensions(mesh.mesh)[cells] == problem.dimension - 1]
+    if len(faces) == 0:
+        raise CommandError(f"DEFI_CONTACT/ZONE: GROUP_MA_{side} has no faces.")
+    return faces
+
+
+def make_zone(problem: Problem, contact: Arguments, given: Arguments, number: int) -> Any:
+    formulation = contact.FORMULATION
+    algorithm = given.ALGO_CONT or USUAL[formulation]
+    if (formulation, algorithm) not in METHODS:
+        raise CommandError(f"DEFI_CONTACT/ZONE/ALGO_CONT: {algorithm} is not available with {formulation}.")
+    zone = rubato.ContactZone(name=f"zone_{number}", method=METHODS[formulation, algorithm])
+    master, slave = faces_of(problem, given, "MAIT"), faces_of(problem, given, "ESCL")
+    zone.master, zone.slave = problem.cell_group(master), problem.cell_group(slave)
+    slave_nodes = problem.concept.nodes_of_cells(slave)
+    resolved = given.RESOLUTION == "OUI" and algorithm != "VERIF"
+    set_friction(problem, contact, given, zone, formulation)
+    set_places(problem, given, zone, algorithm)
+    set_coefficients(given, zone, formulation, algorithm, between_nodes(problem, zone, slave))
+    set_levels(contact, zone, formulation)
+    exclude(problem, given, zone, slave_nodes if not resolved else np.zeros(0, dtype=np.int64))
+    zone.bilateral = given.GLISSIERE == "OUI"
+    zone.gap = gap_of(problem, given)
+    zone.history_force = formulation != "DISCRETE"
+    problem.zones.append(ZoneRecord(number - 1, formulation, algorithm, zone.friction, slave_nodes, slave, resolved))
+    return zone
+
+
+def set_friction(problem: Problem, contact: Arguments, given: Arguments, zone: Any, formulation: str) -> None:
+    if formulation == "DISCRETE":
+        zone.friction_method = "nodal_penalty"
+    else:
+        usual = "PENALISATION" if given.ALGO_CONT == "PENALISATION" else "STANDARD"
+        zone.friction_method = ("penalty" if (given.ALGO_FROT or usual) == "PENALISATION" else "augmented_lagrangian")
+    zone.friction = (given.COULOMB or 0.0) if contact.FROTTEMENT == "COULOMB" else 0.0
+    mesh = problem.concept
+    smooth = [mesh.nodes_in(name) for name in given.SANS_GROUP_NO_FR]
+    smooth += [np.array([mesh.node_named(name)]) for name in given.SANS_NOEUD_FR]
+    smooth += [mesh.nodes_of_cells(mesh.cells_in(name)) for name in given.SANS_GROUP_MA_FR]
+    if smooth and zone.friction:
+        # Code_Aster's SANS_GROUP_NO_FR takes one direction of friction away; without any the answer is the same
+        # wherever that direction is the only one.
+        points = points_of(problem)[np.concatenate(smooth)]
+        at = {tuple(point) for point in points}
+        coefficient = zone.friction
+        zone.friction = 1.0
+        zone.friction_in_place = rubato.GivenField(
+            "COULOMB", lambda x, y, z, t: 0.0 if (x, y, z) in at else coefficient, False)
+
+
+def points_of(problem: Problem) -> np.ndarray:
+    points = np.zeros((problem.concept.mesh.node_count, 3))
+    given = np.asarray(problem.concept.mesh.points)
+    points[:, :given.shape[1]] = given
+    return points
+
+
+def between_nodes(problem: Problem, zone: Any, slave: np.ndarray) -> bool:
+    """Whether gaps close on average over faces only: there augmentations are part of the answer."""
+    serendipity = any(block.type in ("tria6", "quad8")
+                    and np.any((slave >= block.first) & (slave < block.first + len(block.nodes)))
+                    for block in problem.concept.mesh.blocks)
+    return zone.integration.by != rubato.ContactIntegration.mortar and (
+        serendipity or zone.integration.by != rubato.ContactIntegration.nodes)
+
+
+def set_coefficients(given: Arguments, zone: Any, formulation: str, algorithm: str, averaged: bool) -> None:
+    """Stiffnesses of penalties, which the answer depends on; augmentations only where they count."""
+    if formulation == "CONTINUE" and algorithm == "STANDARD" and averaged:
+        zone.normal_coefficient = given.COEF_CONT
+        if zone.friction:
+            zone.tangential_coefficient = given.COEF_FROT
+    if formulation == "DISCRETE":
+        if algorithm == "PENALISATION":
+            zone.normal_coefficient = required(given, "E_N")
+        if zone.friction:
+            zone.tangential_coefficient = required(given, "E_T")
+        return
+    if algorithm == "PENALISATION":
+        zone.normal_coefficient = required(given, "COEF_PENA_CONT")
+    if zone.friction and str(zone.friction_method).endswith("penalty"):
+        zone.tangential_coefficient = required(given, "COEF_PENA_FROT")
+
+
+def required(given: Arguments, name: str) -> float:
+    value = given.get(name)
+    if value is None:
+        raise CommandError(f"DEFI_CONTACT/ZONE: keyword {name} is missing.")
+    return value
+
+
+def set_places(problem: Problem, given: Arguments, zone: Any, algorithm: str) -> None:
+    """Where contact points stand, and whose normals count."""
+    kind, order = "nodes", 0
+    if algorithm == "LAC":
+        kind = "mortar"
+    elif given.INTEGRATION == "GAUSS":
+        kind, order = "gauss", given.ORDRE_INT or 3
+    elif given.INTEGRATION == "SIMPSON":
+        kind, order = "simpson", given.ORDRE_INT or 1
+    elif given.INTEGRATION == "NCOTES":
+        # Closed rules both: ends and points between them. Orders of Newton and Cotes count points less one.
+        kind, order = "simpson", max(1, (given.ORDRE_INT or 3) // 2)
+    zone.integration = rubato.ContactRule(by=kind, order=order)
+    if kind != "mortar":
+        zone.normal = NORMALS[given.NORMALE]
+        zone.clamped_normal = "code_aster"
+
+
+def set_levels(contact: Arguments, zone: Any, formulation: str) -> None:
+    """Levels of geometry, friction and status: by Newton's method, or in loops."""
+    loops = formulation == "DISCRETE" or contact.ALGO_RESO_GEOM == "POINT_FIXE"
+    if contact.REAC_GEOM == "SANS":
+        zone.freeze = formulation != "DISCRETE"
+        loops = formulation == "DISCRETE"
+    if loops:
+        tolerance = contact.RESI_GEOM if contact.RESI_GEOM is not None else 0.01
+        zone.geometry = rubato.Level(by="fixed_point", tolerance=tolerance, max_loops=contact.ITER_GEOM_MAXI)
+    if formulation == "DISCRETE":
+        return
+    if contact.ALGO_RESO_FROT == "POINT_FIXE" and zone.friction:
+        zone.threshold = rubato.Level(by="fixed_point", tolerance=contact.RESI_FROT, max_loops=contact.ITER_FROT_MAXI)
+    if contact.ALGO_RESO_CONT == "POINT_FIXE":
+        zone.status = rubato.Level(by="fixed_point", tolerance=0.0, max_loops=contact.ITER_CONT_MAXI)
+
+
+def exclude(problem: Problem, given: Arguments, zone: Any, others: np.ndarray) -> None:
+    mesh = problem.concept
+    out = [others]
+    out += [mesh.nodes_in(name) for name in given.SANS_GROUP_NO]
+    out += [np.array([mesh.node_named(name)]) for name in given.SANS_NOEUD]
+    out += [mesh.nodes_of_cells(mesh.cells_in(name)) for name in given.SANS_GROUP_MA]
+    out += [mesh.nodes_of_cells([mesh.cell_named(name)]) for name in given.SANS_MAILLE]
+    nodes = np.unique(np.concatenate(out))
+    if len(nodes):
+        zone.exclude_nodes = [problem.node_group(nodes)]
+
+
+def gap_of(problem: Problem, given: Arguments) -> Any:
+    """DIST_MAIT and DIST_ESCL are material that the mesh does not have: the gap is smaller by them."""
+    functions: list[Function] = [value for value in (given.DIST_MAIT, given.DIST_ESCL) if value is not None]
+    if not functions:
+        return 0.0
+    for function in functions:
+        check_parameters(function)
+    evaluated = [evaluate(function) for function in functions]
+    varies = any("INST" in function.parameters for function in functions)
+    closer = rubato.GivenField("DIST", lambda x, y, z, t: -sum(one(x, y, z, t) for one in evaluated), varies)
+    return rubato.Field(closer)
+
+
+def add_one_sided(problem: Problem, given: Arguments) -> None:
+    """LIAISON_UNIL: Σ COEF_MULT · u ≤ COEF_IMPO at each node. That is the distance (c − a·u)/|a| from a plane of normal
+    −a/|a|, whose gap is counted from the displacement alone."""
+    mesh = problem.concept
+    nodes = mesh.nodes(given)
+    faces = faces_within(problem, nodes)
+    covered = mesh.nodes_of_cells(faces)
+    if not np.all(np.isin(nodes, covered)):
+        missing = int(nodes[~np.isin(nodes, covered)][0])
+        raise CommandError(f"DEFI_CONTACT/ZONE: LIAISON_UNIL at node {mesh.node_name(missing)}, which no skin cell has "
+                           "whose nodes are all named, is not available.")
+    if len(given.NOM_CMP) != len(given.COEF_MULT):
+        raise CommandError("DEFI_CONTACT/ZONE: expected a COEF_MULT for each NOM_CMP.")
+    factors = np.zeros(3)
+    for name, function in zip(given.NOM_CMP, given.COEF_MULT):
+        factors[("DX", "DY", "DZ").index(name)] += constant(function)
+    size = float(np.linalg.norm(factors))
+    if size == 0 or given.COEF_IMPO is None:
+        raise CommandError("DEFI_CONTACT/ZONE: COEF_MULT is zero, or COEF_IMPO is missing.")
+    normal = -factors / size
+    check_parameters(given.COEF_IMPO)
+    bound = evaluate(given.COEF_IMPO)
+    zone = rubato.ContactZone(name=f"zone_{len(problem.zones) + 1}", method="nodal_lagrange")
+    zone.friction_method = "nodal_penalty"
+    zone.slave = problem.cell_group(faces)
+    zone.obstacle = rubato.Obstacle(kind="plane", point=(0.0, 0.0, 0.0), direction=tuple(normal))
+    zone.integration = rubato.ContactRule(by="nodes")
+    zone.geometry = rubato.Level(by="fixed_point", tolerance=0.01, max_loops=10)
+    zone.gap = rubato.Field(rubato.GivenField(
+        "LIAISON_UNIL", lambda x, y, z, t: bound(x, y, z, t) / size - float(normal @ (x, y, z)),
+        "INST" in given.COEF_IMPO.parameters))
+    problem.zones.append(ZoneRecord(len(problem.zones), "LIAISON_UNIL", "CONTRAINTE", 0.0, nodes, faces))
+    problem.study.contact = [*problem.study.contact, zone]
+
+
+def faces_within(problem: Problem, nodes: np.ndarray) -> np.ndarray:
+    """Skin cells all of whose nodes are among these."""
+    found = []
+    for block in problem.concept.mesh.blocks:
+        first = np.arange(block.first, block.first + len(block.nodes))
+        inside = np.all(np.isin(np.asarray(block.nodes), nodes), axis=1)
+        found.append(first[inside])
+    cells = np.concatenate(found)
+    return cells[dimensions(problem.concept.mesh)[cells] == problem.dimension - 1]
+
+
+def constant(function: Function) -> float:
+    """The value of a function that does not depend on anything."""
+    try:
+        return float(function(*(0.0 for _ in function.parameters)))
+    except CommandError:
+        raise
+    except Exception as error:
+        raise CommandError(f"DEFI_CONTACT/ZONE/COEF_MULT: expected a constant: {error}") from error

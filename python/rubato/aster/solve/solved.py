@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""What was solved, for the fields of its states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from ..concepts import MaterialField, MeshConcept
+from .contact import ZoneRecord
+from .discrete import Spring
+
+
+@dataclass
+class Solved:
+    """`model`: the rubato.Model; `mesh`: the mesh that the command file has; `cell_of`: which of its cells each cell of
+    the model's mesh is; `zones`: contact zones in the order of the model; `springs`, and
+    the displacements of their `ends` that belong to no body, by node and axis, of time; `dynamic`: whether there is inertia."""
+
+    model: Any
+    mesh: MeshConcept
+    cell_of: np.ndarray
+    physics: str
+    zones: list[ZoneRecord]
+    springs: list[Spring]
+    ends: dict[int, dict[int, Any]]
+    materials: MaterialField
+    dynamic: bool
+    formulation: str = ""
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def axisymmetric(self) -> bool:
+        return self.physics == "axisymmetric"
+
+    @property
+    def ring(self) -> float:
+        """Forces of the study are of the whole ring, Code_Aster's per radian."""
+        return 2 * np.pi if self.axisymmetric else 1.0
+
+    def displacement(self, state: Any) -> np.ndarray:
+        """Nodes × 3, with the ends of springs."""
+        values = np.array(state.displacement(self.model), dtype=float)
+        for node, axes in self.ends.items():
+            for axis, at in axes.items():
+                values[node, axis] = at(state.t)
+        return values
+
+    def spring_forces(self, state: Any) -> np.ndarray:
+        """What springs add to the internal forces: nodes × 3."""
+        moved = self.displacement(state)
+        forces = np.zeros_like(moved)
+        for spring in self.springs:
+            far = moved[spring.far] if spring.far >= 0 else np.zeros(3)
+            force = spring.stiffness * spring.along * float(spring.along @ (moved[spring.node] - far))
+            forces[spring.node] += force
+            if spring.far >= 0:
+                forces[spring.far] -= force
+        return forces
+
+    def pulls(self, t: float) -> np.ndarray:
+        """The loads that stand for ends of springs that move: nodes × 3."""
+        forces = np.zeros((self.mesh.mesh.node_count, 3))
+        for spring in self.springs:
+            for axis, at in self.ends.get(spring.far, {}).items():
+                forces[spring.node] += spring.stiffness * spring.along * spring.along[axis] * at(t)
+        return forces
