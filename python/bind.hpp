@@ -17,5 +17,7 @@ void bind_state(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_fields(pybind11::module_& module);
 void bind_runs(pybind11::module_& module);
+void bind_stored(pybind11::module_& module);
+void bind_comparison(pybind11::module_& module);
 
 } // namespace rubato::python

@@ -21,8 +21,10 @@ PYBIND11_MODULE(_rubato, module) {
   python::bind_mesh_report(module);
   python::bind_mesh(module);
   python::bind_state(module);
-  python::bind_model(module);
   python::bind_fields(module);
+  python::bind_model(module);
   python::bind_simulation(module);
   python::bind_runs(module);
+  python::bind_stored(module);
+  python::bind_comparison(module);
 }
