@@ -7,7 +7,6 @@
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/simulation/memento.hpp"
 
-#include "bind.hpp"
 #include "model_class.hpp"
 #include "values.hpp"
 #include "views.hpp"
@@ -151,9 +150,12 @@ std::size_t zone_of(const Model& model, const py::object& zone) {
   return static_cast<std::size_t>(found - names.begin());
 }
 
-void bind_model(py::module_& module) {
-  ModelClass type(module, "Model",
-                  "The discrete problem of a study: numbered unknowns, matrices, loads, contact zones.");
+ModelClass declare_model(py::module_& module) {
+  return {module, "Model",
+          "The discrete problem of a study: numbered unknowns, matrices, loads, contact zones."};
+}
+
+void bind_model(ModelClass& type) {
   type.def(py::init([](const py::object& study, const mesh::Mesh* mesh) {
              return make_model(study, mesh != nullptr ? std::optional(*mesh) : std::nullopt);
            }),

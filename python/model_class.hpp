@@ -25,6 +25,9 @@ void check_fits(const model::Model& model, const step::State& state);
 /// The index of a zone that is given by its name or its index. Throws InputError, IndexError and TypeError.
 std::size_t zone_of(const model::Model& model, const pybind11::object& zone);
 
+/// The class without its methods, for those of other classes that take models.
+ModelClass declare_model(pybind11::module_& module);
+void bind_model(ModelClass& type);
 /// Adds the fields of states to the class.
 void bind_model_fields(ModelClass& type);
 

@@ -3,6 +3,7 @@
 #include "rubato/version.hpp"
 
 #include "bind.hpp"
+#include "model_class.hpp"
 #include <pybind11/stl.h>
 #include <string>
 #include <vector>
@@ -20,9 +21,12 @@ PYBIND11_MODULE(_rubato, module) {
   python::bind_deck(module);
   python::bind_mesh_report(module);
   python::bind_mesh(module);
+  auto model = python::declare_model(module); // states name it
   python::bind_state(module);
-  python::bind_model(module);
   python::bind_fields(module);
+  python::bind_model(model);
   python::bind_simulation(module);
   python::bind_runs(module);
+  python::bind_stored(module);
+  python::bind_comparison(module);
 }

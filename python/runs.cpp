@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Runs with a folder of results, and what is read of such folders.
-#include "rubato/deck/read.hpp"
+// Runs with a folder of results.
 #include "rubato/results/checks.hpp"
-#include "rubato/results/compare.hpp"
-#include "rubato/results/csv.hpp"
-#include "rubato/results/stored_fields.hpp"
-#include "rubato/results/stored_run.hpp"
 #include "rubato/run/time_loop.hpp"
 
 #include "bind.hpp"
 #include "model_class.hpp"
 #include "values.hpp"
-#include "views.hpp"
+#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <pybind11/stl.h>
@@ -96,17 +91,6 @@ RunResult run_study(const py::object& record, const std::filesystem::path& folde
   return result;
 }
 
-py::dict columns_of(const results::Table& table) {
-  py::dict result;
-  for (std::size_t column = 0; column < table.columns.size(); ++column) {
-    py::array_t<double> values(static_cast<py::ssize_t>(table.rows.size()));
-    for (std::size_t row = 0; row < table.rows.size(); ++row)
-      values.mutable_at(static_cast<py::ssize_t>(row)) = table.rows[row][column];
-    result[py::str(table.columns[column])] = values;
-  }
-  return result;
-}
-
 void bind_progress(py::module_& module) {
   py::class_<Progress>(module, "Progress", "What a run tells after each attempt at a step.")
       .def_property_readonly(
@@ -161,37 +145,11 @@ void bind_results(py::module_& module) {
       });
 }
 
-void bind_stored(py::module_& module) {
-  module.def(
-      "_read_stored_run",
-      [](const std::filesystem::path& folder) {
-        const auto run = results::read_stored_run(folder);
-        return py::make_tuple(run.name, run.study, std::string(results::to_string(run.status)), run.reason,
-                              columns_of(run.probes));
-      },
-      py::arg("folder"));
-  module.def(
-      "_parse_echo",
-      [](const std::string& text, const std::string& file) {
-        return Codec<study::Study>::to(deck::parse_echo(text, file));
-      },
-      py::arg("text"), py::arg("file"));
-  module.def(
-      "read_csv", [](const std::filesystem::path& path) { return columns_of(results::read_csv(path)); },
-      py::arg("path"), "A table that a run wrote: arrays of its columns by their names. Raises InputError.");
-  module.def(
-      "run_folders", [](const std::filesystem::path& folder) { return results::run_folders(folder); },
-      py::arg("folder"),
-      "The folder itself when it holds a run, else its subfolders that do, by name. Raises InputError when "
-      "none does.");
-}
-
 } // namespace
 
 void bind_runs(py::module_& module) {
   bind_progress(module);
   bind_results(module);
-  bind_stored(module);
   module.def("run", &run_study, py::arg("study"), py::arg("folder"), py::arg("progress") = py::none(),
              py::arg("resume") = false, py::arg("previous") = py::none(), py::arg("say") = py::none(),
              py::arg("warn") = py::none(),

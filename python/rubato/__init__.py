@@ -11,11 +11,12 @@ from . import _rubato
 from ._errors import Fault, InputError, StepError
 from ._records import Record, records as _records, words as _words
 from ._rubato import *  # noqa: F403
+from ._stored import StoredRun, open_run
 
 globals().update(_words)
 globals().update(_records)
 
 __version__ = _rubato.__version__
 __all__ = sorted(
-    {"Fault", "InputError", "Record", "StepError", *_words, *_records, *(n for n in vars(_rubato) if not n.startswith("_"))}
+    {"Fault", "InputError", "Record", "StepError", "StoredRun", "open_run", *_words, *_records, *(n for n in vars(_rubato) if not n.startswith("_"))}
 )
