@@ -49,6 +49,8 @@ int check_run(const std::filesystem::path& folder, bool markdown) {
 /// The deck alone, without its mesh.
 int check_deck(const std::filesystem::path& file) {
   const auto deck = read_deck(file);
+  for (const auto& note : deck.notes)
+    fmt::print(stderr, "{}\n", note);
   std::vector<std::string> names;
   for (const auto& run : deck.runs)
     names.push_back(run.name);

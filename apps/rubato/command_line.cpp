@@ -16,7 +16,10 @@ namespace {
 void add_run(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand("run", "run a study");
   auto& run = arguments.run;
-  command->add_option("deck", run.deck, "the study, a YAML file; - reads it from standard input")
+  command
+      ->add_option(
+          "deck", run.deck,
+          "the study, a YAML file or an .inp file (Abaqus, CalculiX); - reads YAML from standard input")
       ->required()
       ->type_name(kind::deck);
   command
@@ -43,7 +46,9 @@ void add_run(CLI::App& program, Arguments& arguments) {
 void add_modes(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand("modes", "natural frequencies and shapes of a study's bodies");
   auto& modes = arguments.modes;
-  command->add_option("deck", modes.deck, "the study, a YAML file; - reads it from standard input")
+  command
+      ->add_option("deck", modes.deck,
+                   "the study, a YAML file or an .inp file with *FREQUENCY; - reads YAML from standard input")
       ->required()
       ->type_name(kind::deck);
   command->add_option("--number", modes.number, "how many of the lowest modes (default: 10)")
@@ -68,12 +73,32 @@ void add_modes(CLI::App& program, Arguments& arguments) {
   command->callback([&arguments] { arguments.work = [&] { return app::modes(arguments.modes); }; });
 }
 
+void add_deck(CLI::App& program, Arguments& arguments) {
+  auto* command = program.add_subcommand(
+      "deck", "write the steps of an .inp file (Abaqus, CalculiX) as a deck, or a deck with its changes");
+  auto& deck = arguments.deck;
+  command->add_option("source", deck.source, "an .inp file, or a YAML deck; - reads it from standard input")
+      ->required()
+      ->type_name(kind::deck);
+  command->add_option("--only", deck.only, "these runs of it alone, and those they start from")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name(kind::runs);
+  command->add_option("--set", deck.settings, "change the deck: path.to.key=value")
+      ->allow_extra_args(false)
+      ->type_name(kind::setting);
+  command->add_option("-o,--output", deck.output, "file to write (default: standard output)")
+      ->type_name(kind::file);
+  command->callback([&arguments] { arguments.work = [&] { return app::write_deck(arguments.deck); }; });
+}
+
 void add_check(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand(
       "check", "look for faults in a deck, or hold a finished run against its references again");
   command
-      ->add_option("what", arguments.check.what,
-                   "a deck (- reads it from standard input), a run's folder, or a folder of runs")
+      ->add_option(
+          "what", arguments.check.what,
+          "a deck or an .inp file (- reads a deck from standard input), a run's folder, or a folder of runs")
       ->required()
       ->type_name(kind::deck_or_folder);
   command->add_flag("--markdown", arguments.check.markdown,
@@ -352,6 +377,7 @@ void declare(CLI::App& program, Arguments& arguments) {
   add_run(program, arguments);
   add_modes(program, arguments);
   add_new(program, arguments);
+  add_deck(program, arguments);
   add_check(program, arguments);
   add_compare(program, arguments);
   add_plot(program, arguments);

@@ -15,6 +15,7 @@ namespace rubato::app {
 struct Arguments {
   RunArguments run;
   ModesArguments modes;
+  DeckArguments deck;
   CheckArguments check;
   CompareArguments compare;
   PlotArguments plot;

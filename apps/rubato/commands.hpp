@@ -33,6 +33,15 @@ struct ModesArguments {
 };
 int modes(const ModesArguments& arguments);
 
+/// What a deck is written of: the steps of an .inp file, or the runs of a deck with their changes.
+struct DeckArguments {
+  std::filesystem::path source;
+  std::filesystem::path output; ///< empty: standard output
+  std::vector<std::string> settings;
+  std::vector<std::string> only;
+};
+int write_deck(const DeckArguments& arguments);
+
 struct CheckArguments {
   std::filesystem::path what; ///< a deck, or a folder of results
   bool markdown = false;      ///< checks as a table in Markdown

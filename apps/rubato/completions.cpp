@@ -12,7 +12,8 @@
 namespace rubato::app {
 namespace {
 
-constexpr auto deck_endings = "yaml|yml";
+constexpr auto deck_endings = "yaml|yml|inp";
+constexpr auto yaml_endings = "yaml|yml";
 
 /// "med|msh": of the mesh files that are read.
 std::string mesh_endings() {
@@ -31,7 +32,7 @@ std::string endings_of(const std::string& kind) {
   if (kind == kind::mesh)
     return mesh_endings();
   if (kind == kind::deck_or_mesh)
-    return fmt::format("{}|{}", deck_endings, mesh_endings());
+    return fmt::format("{}|{}", yaml_endings, mesh_endings()); // .inp is among these
   if (kind == kind::study)
     return "comm|export";
   return {};

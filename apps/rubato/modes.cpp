@@ -100,7 +100,10 @@ int modes(const ModesArguments& arguments) {
   if (arguments.number < 1)
     throw InputError(fmt::format("--number: found {}, expected 1 or more", arguments.number));
   const rubato::modes::ModeRequest request{arguments.number, contact_named(arguments.contact)};
-  const auto deck = read_deck(arguments.deck, arguments.settings, arguments.only);
+  const auto deck = read_deck(arguments.deck, arguments.settings, arguments.only, inp::Purpose::modes);
+  if (is_inp(arguments.deck))
+    for (const auto& note : deck.notes)
+      fmt::print(stderr, "{}\n", note);
   int worst = done;
   for (std::size_t i = 0; i < deck.runs.size(); ++i) {
     const auto& study = deck.runs[i];

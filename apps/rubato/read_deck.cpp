@@ -1,25 +1,85 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "read_deck.hpp"
 
+#include "rubato/study/echo.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <iterator>
 #include <vector>
 
 namespace rubato::app {
+namespace {
+
+deck::Deck deck_of(inp::Input input) {
+  deck::Deck deck{std::move(input.title), std::move(input.runs), {}, std::move(input.notes)};
+  for (auto& places : input.places)
+    deck.places.emplace_back(std::move(places));
+  return deck;
+}
+
+/// The deck that the steps make, with changes. Lines of that text mean nothing to whoever wrote the .inp
+/// file.
+deck::Deck changed(deck::Deck deck, const std::filesystem::path& file, std::span<const deck::Setting> changes,
+                   std::span<const std::string> only) {
+  for (auto& study : deck.runs)
+    study.mesh.file = file.filename().string();
+  try {
+    auto with_changes = deck::parse_deck(deck_text(deck.runs), file.string(), changes, only);
+    with_changes.title = deck.title;
+    with_changes.notes.insert(with_changes.notes.begin(), deck.notes.begin(), deck.notes.end());
+    with_changes.places.clear();
+    for (const auto& study : with_changes.runs) {
+      const auto run = std::ranges::find(deck.runs, study.name, &study::Study::name);
+      with_changes.places.push_back(deck.places[static_cast<std::size_t>(run - deck.runs.begin())]);
+    }
+    return with_changes;
+  } catch (const InputError& error) {
+    auto faults = error.faults();
+    for (auto& fault : faults)
+      if (fault.at.file == file.string())
+        fault.at = {file.string(), 0, 0};
+    throw InputError(std::move(faults));
+  }
+}
+
+} // namespace
 
 bool is_standard_input(const std::filesystem::path& argument) {
   return argument == "-";
 }
 
+bool is_inp(const std::filesystem::path& argument) {
+  auto ending = argument.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return ending == ".inp";
+}
+
 deck::Deck read_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
-                     std::span<const std::string> only) {
+                     std::span<const std::string> only, inp::Purpose purpose) {
   std::vector<deck::Setting> changes;
   for (const auto& text : settings)
     changes.push_back(deck::parse_setting(text));
+  if (is_inp(argument)) {
+    auto deck = deck_of(inp::read_input(argument, purpose));
+    return changes.empty() && only.empty() ? deck : changed(std::move(deck), argument, changes, only);
+  }
   if (!is_standard_input(argument))
     return deck::read_deck(argument, changes, only);
   const std::string text(std::istreambuf_iterator<char>(std::cin), {});
   return deck::parse_deck(text, "<stdin>", changes, only);
+}
+
+std::string deck_text(std::span<const study::Study> runs) {
+  if (runs.size() == 1 && runs.front().name == "run")
+    return study::to_json(runs.front());
+  std::string text;
+  for (const auto& study : runs)
+    text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ",\n", study.name, study::to_json(study));
+  return fmt::format("{{\"runs\": {{\n{}\n}}}}\n", text);
 }
 
 } // namespace rubato::app

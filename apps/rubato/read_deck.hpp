@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/deck/read.hpp"
+#include "rubato/inp/read.hpp"
 
 #include <filesystem>
 #include <span>
@@ -13,9 +14,16 @@ namespace rubato::app {
 /// Whether the argument is "-", which stands for standard input.
 bool is_standard_input(const std::filesystem::path& argument);
 
-/// Reads a deck from a file or from standard input, whose mesh files are then relative to the current folder.
-/// `settings`: "path.to.key=value". Throws as deck::read_deck does.
+/// Whether the argument is an input file of Abaqus or CalculiX, by its ending.
+bool is_inp(const std::filesystem::path& argument);
+
+/// Reads a deck from a file or from standard input, whose mesh files are then relative to the current folder,
+/// or the steps of an .inp file as runs of a deck. `settings`: "path.to.key=value". `purpose`: which steps of
+/// an .inp file are meant. Throws as deck::read_deck and inp::read_input do.
 deck::Deck read_deck(const std::filesystem::path& argument, std::span<const std::string> settings = {},
-                     std::span<const std::string> only = {});
+                     std::span<const std::string> only = {}, inp::Purpose purpose = inp::Purpose::run);
+
+/// The runs as the text of one deck, whose mesh files are those named in the studies.
+std::string deck_text(std::span<const study::Study> runs);
 
 } // namespace rubato::app

@@ -190,7 +190,10 @@ def test_dumps_of_cast3m(session, tmp_path):
     assert mesh.dimension == 2
     assert sorted(mesh.mesh.cell_groups) == ["ALL", "LINE", "QUADR"]
     assert len(mesh.cells_in("ALL")) == 2
-    assert groups(mesh, "P1") == [["N1"]]
+    # The place of the coordinates of node 1, and cells by their place in the file.
+    assert groups(mesh, "P1") == [["N8"]]
+    assert cell_names(mesh, "ALL") == ["M1", "M2"]
+    assert cell_names(mesh, "LINE") == ["M3"]
     triangle = mesh.nodes_of_cell(int(np.setdiff1d(mesh.cells_in("ALL"), mesh.cells_in("QUADR"))[0]))
     places = mesh.mesh.points[triangle][:, :2].tolist()
     assert places[:3] == [[1.0, 0.0], [2.0, 1.0], [1.0, 1.0]]

@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/mesh/io/gmsh.hpp"
+#include "rubato/mesh/io/inp.hpp"
 #include "rubato/mesh/io/mail.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/msh.hpp"
@@ -40,6 +41,11 @@ const std::vector<Format>& formats() {
        [](const fs::path& path, const std::string&) { return read_mail(path); },
        [](const fs::path& path, const Mesh& mesh) { write_mail(path, mesh); },
        "Code_Aster, read and written"},
+      {{".inp"},
+       {"*HEADING", "*Heading", "*NODE", "*Node"},
+       [](const fs::path& path, const std::string&) { return read_inp(path); },
+       nullptr,
+       "Abaqus and CalculiX, read"},
       {{".vtu"},
        {},
        nullptr,

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/writing.hpp"
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "read_deck.hpp"
+#include <fstream>
+
+namespace rubato::app {
+
+int write_deck(const DeckArguments& arguments) {
+  auto deck = read_deck(arguments.source, arguments.settings, arguments.only, inp::Purpose::run);
+  const bool to_file = !arguments.output.empty() && !is_standard_input(arguments.output);
+  const auto folder =
+      to_file ? std::filesystem::absolute(arguments.output).parent_path() : std::filesystem::current_path();
+  for (auto& study : deck.runs)
+    if (!study.mesh.file.empty())
+      study.mesh.file = std::filesystem::absolute(study.mesh.file).lexically_proximate(folder).string();
+  const auto text = deck_text(deck.runs);
+  for (const auto& note : deck.notes)
+    fmt::print(stderr, "{}\n", note);
+  if (!to_file) {
+    fmt::print("{}", text);
+    return done;
+  }
+  write_whole(arguments.output, [&](const std::filesystem::path& beside) {
+    std::ofstream stream(beside, std::ios::binary);
+    if (!stream)
+      throw InputError(
+          fmt::format("file '{}' cannot be written: is there such a folder, and may you write into it?",
+                      arguments.output.string()));
+    stream << text;
+    finish_writing(stream, arguments.output);
+  });
+  return done;
+}
+
+} // namespace rubato::app

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// How lines of loads replace those of steps before.
+#include "rubato/inp/load_lines.hpp"
+
+#include "rubato/core/naming.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rubato::inp {
+
+using mesh::inp::compact;
+
+Options options_of(Reading& reading, const Block& block) {
+  Options options;
+  if (const auto* op = block.find("OP"); op != nullptr) {
+    const auto word = compact(op->value.text);
+    options.replace_all = word == "NEW";
+    if (word != "NEW" && word != "MOD") {
+      reading.faults.add(op->value.empty() ? op->name : op->value,
+                         fmt::format("found OP={}, expected NEW or MOD", word));
+      options.sound = false;
+    }
+  }
+  if (const auto* amplitude = block.find("AMPLITUDE"); amplitude != nullptr) {
+    options.curve = named(reading.curves, amplitude->value, "an *AMPLITUDE", reading.faults);
+    options.sound = options.sound && options.curve != nullptr;
+  }
+  return options;
+}
+
+/// OP=NEW takes all of the kind away that earlier steps gave, at its first keyword of the step.
+void begin_block(const Block& block, const Options& options, const Step& step, std::string_view kind,
+                 std::vector<Active>& actives, History& history, Reading& reading) {
+  if (!options.replace_all || !history.replaced_by_new.insert(std::string(kind)).second)
+    return;
+  std::vector<Active> left;
+  for (auto& active : actives) {
+    if (active.kind != kind || active.step == step.number) {
+      left.push_back(std::move(active));
+      continue;
+    }
+    const double value = active.course.to;
+    if (kind == "BOUNDARY" && step.number > 1)
+      note(reading, block.at,
+           "supports that OP=NEW takes away let go at the begin of the step; Abaqus takes their "
+           "forces away over a static step");
+    if (kind == "BOUNDARY" || !step.ramp || value == 0)
+      continue;
+    active.course = {value, 0, nullptr, 1, history.time};
+    left.push_back(std::move(active));
+    note(reading, block.at,
+         "loads that OP=NEW takes away in a static step fall to 0 over the step, as in Abaqus; "
+         "CalculiX takes them away at its begin");
+  }
+  actives = std::move(left);
+}
+
+/// The value that what has this key had at the end of the step before.
+std::optional<double> value_before(const History& history, const std::string& key) {
+  std::optional<double> sum;
+  for (const auto& active : history.before)
+    if (active.key == key)
+      sum = sum.value_or(0) + active.course.to;
+  return sum;
+}
+
+/// Puts a line in: it replaces those of former steps with its key and adds to those of the step.
+void put(Reading& reading, Active active, const Options& options, const Step& step, double magnitude,
+         std::vector<Active>& actives, const History& history) {
+  std::erase_if(actives,
+                [&](const Active& other) { return other.key == active.key && other.step != step.number; });
+  const bool overlaps = std::ranges::any_of(actives, [&](const Active& other) {
+    return other.step != step.number && other.kind == active.kind && other.dof == active.dof &&
+           other.load == active.load && other.direction == active.direction &&
+           share(other.items, active.items);
+  });
+  if (overlaps && active.kind != "BOUNDARY")
+    return reading.faults.add(active.at,
+                              "found a load on a part of what another step loads, expected the same set: it "
+                              "is not known which of its loads it replaces");
+  const auto same = std::ranges::find(actives, active.key, &Active::key);
+  const double before = value_before(history, active.key).value_or(0);
+  active.course = {step.ramp ? before : magnitude, magnitude, options.curve, magnitude, history.time};
+  if (same == actives.end())
+    return actives.push_back(std::move(active));
+  if (same->course.curve != options.curve)
+    return reading.faults.add(active.at,
+                              fmt::format("found a second load on the same place with another amplitude, "
+                                          "expected one; the other is in line {}",
+                                          same->at.line));
+  same->course.to += magnitude;
+  same->course.scale += magnitude;
+  if (!step.ramp)
+    same->course.from = same->course.to;
+}
+
+} // namespace rubato::inp

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The inp module: an input file of Abaqus or CalculiX becomes studies, one for each step. A front end, as
+/// deck is.
+#pragma once
+
+#include "rubato/core/error.hpp"
+#include "rubato/study/study.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rubato::inp {
+
+/// What the file is read for: steps that are computed in time, or the step that asks for natural modes.
+enum class Purpose { run, modes };
+
+/// Where the values of a study are written, by their paths: "contact.top_base", "supports.0".
+using Places = std::map<std::string, Location, std::less<>>;
+
+struct Input {
+  std::string title;              ///< the heading's first line
+  std::vector<study::Study> runs; ///< of each step, at least one; each starts from the end of the one before
+  std::vector<Places> places;     ///< of each run
+  std::vector<std::string> notes; ///< what whoever runs it should read: what was left out or differs
+};
+
+/// Reads a file and those it includes. Its mesh is that of mesh::read_inp, which the studies name as their
+/// file. Whatever has no counterpart in rubato and changes the answer is a fault. Throws one InputError with
+/// every fault, each at file:line:column.
+Input read_input(const std::filesystem::path& file, Purpose purpose = Purpose::run);
+/// The same of text; `name` stands in the places of faults and is the file of the mesh.
+Input parse_input(std::string text, const std::string& name, Purpose purpose = Purpose::run);
+
+} // namespace rubato::inp

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Inside the module only: what has been read so far, and the functions that read keywords into it.
+#pragma once
+
+#include "rubato/inp/read.hpp"
+#include "rubato/mesh/io/inp_content.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubato::inp {
+
+using mesh::inp::Block;
+using mesh::inp::Content;
+using mesh::inp::Faults;
+using mesh::inp::Found;
+using mesh::inp::Placed;
+using mesh::inp::Word;
+
+/// A function of time, of the step or of all steps: a table, or an expression of T.
+struct Curve {
+  std::string name;
+  LinearTable table;
+  std::string formula;     ///< empty: the table
+  bool total_time = false; ///< else the time of the step
+};
+
+struct MaterialData {
+  study::Material material; ///< without cells
+  bool has_law = false;
+  bool plane_only = false; ///< moduli of a lamina
+  Word at;
+};
+
+/// Axes of a material.
+struct Axes {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< columns: x', y', z' in those that it turns
+  std::optional<study::CylindricalAxes> cylindrical;
+  Word at;
+};
+
+/// A contact property.
+struct Interaction {
+  study::ContactZone numbers; ///< friction and method
+  Word at;
+};
+
+/// The relation that a node is the reference of; of a node for rotations alone its displacements are
+/// rotations.
+struct ReferenceNode {
+  std::string relation;
+  bool rotations = false;
+};
+
+/// What of a body the lines of *BOUNDARY and *CLOAD are about.
+struct Target {
+  std::string name; ///< in a study
+  std::vector<std::int32_t> nodes;
+  const ReferenceNode* reference = nullptr;
+};
+
+struct Reading {
+  Reading(const Content& all, Faults& told) : content(all), faults(told) {}
+
+  const Content& content;
+  Faults& faults;
+  std::vector<std::string> notes;
+  std::map<std::string, std::vector<int>> harmless; ///< lines of keywords and values that change nothing
+  std::string title;
+
+  study::Study study; ///< what all steps share
+  Places places;
+  std::map<std::string, Curve> curves; ///< by folded label, as all below
+  std::map<std::string, MaterialData> materials;
+  std::map<std::string, Axes> axes;
+  std::map<std::string, Interaction> interactions;
+  std::map<std::int32_t, ReferenceNode> references; ///< by node
+  std::set<std::string> names;                      ///< taken, of what a study names
+  std::map<std::string, double> densities;          ///< by folded label of the element set
+  std::vector<std::int32_t> with_section;           ///< elements
+  std::optional<double> initial_temperature;
+  std::vector<std::int32_t> nodes_with_initial_temperature;
+
+  int dimension() const { return content.dimension; }
+};
+
+/// A name that a study may have, made of a label, that nothing else has.
+std::string chosen_name(Reading& reading, std::string_view label);
+/// A note, once.
+void note(Reading& reading, const Word& at, const std::string& text);
+/// Tells once that something changes nothing.
+void leave_out(Reading& reading, const Word& at, const std::string& what);
+/// Sorted lists share an item.
+bool share(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b);
+
+/// The entry of that label; nullptr and a fault with the nearest label.
+template <class Entry>
+const Entry* named(const std::map<std::string, Entry>& entries, const Word& label, std::string_view what,
+                   Faults& faults);
+void refuse_label(const Word& label, std::string_view what, const std::vector<std::string>& known,
+                  Faults& faults);
+template <class Entry>
+const Entry* named(const std::map<std::string, Entry>& entries, const Word& label, std::string_view what,
+                   Faults& faults) {
+  const auto found = entries.find(mesh::inp::folded(label.text));
+  if (found != entries.end())
+    return &found->second;
+  std::vector<std::string> known;
+  for (const auto& [name, entry] : entries)
+    known.push_back(name);
+  refuse_label(label, what, known, faults);
+  return nullptr;
+}
+
+/// A node, a set, or the reference that a node is; nothing and a fault where there is none.
+std::optional<Target> find_target(Reading& reading, int scope, const Word& word);
+/// What a study calls a single node.
+std::string node_name(const Reading& reading, std::int32_t node);
+/// The keyword above that this one completes: the nearest block before `index` of one of these names that no
+/// other keyword than those in `between` separates; nullptr and a fault when there is none.
+const Placed* parent_of(Reading& reading, std::size_t index, std::string_view parent,
+                        std::initializer_list<std::string_view> between);
+
+// ---- keywords outside of steps; `index`: of the block in content.layout.blocks
+
+void read_amplitude(Reading& reading, std::size_t index);
+void read_material(Reading& reading, std::size_t index);
+void read_elastic(Reading& reading, std::size_t index);
+void read_density(Reading& reading, std::size_t index);
+void read_expansion(Reading& reading, std::size_t index);
+void read_damping(Reading& reading, std::size_t index);
+void read_orientation(Reading& reading, std::size_t index);
+void read_solid_section(Reading& reading, std::size_t index);
+void read_initial_conditions(Reading& reading, std::size_t index);
+void read_coupling(Reading& reading, std::size_t index);
+void read_kinematic_coupling(Reading& reading, std::size_t index);
+void read_rigid_body(Reading& reading, std::size_t index);
+void read_embedded(Reading& reading, std::size_t index);
+void read_equation(Reading& reading, std::size_t index);
+void read_mpc(Reading& reading, std::size_t index);
+void read_spring(Reading& reading, std::size_t index);
+void read_dashpot(Reading& reading, std::size_t index);
+void read_mass(Reading& reading, std::size_t index);
+void read_tie(Reading& reading, std::size_t index);
+void read_interaction(Reading& reading, std::size_t index);
+void read_surface_behavior(Reading& reading, std::size_t index);
+void read_friction(Reading& reading, std::size_t index);
+void read_contact_pair(Reading& reading, std::size_t index);
+void read_general_contact(Reading& reading, std::size_t index);
+
+/// What is wrong with the elements as a whole, and what their formulations differ in.
+void check_elements(Reading& reading);
+/// Elements of springs, dashpots and masses without their keyword, cells without a section.
+void check_properties(Reading& reading);
+
+} // namespace rubato::inp

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/inp/steps.hpp"
+
+#include "rubato/core/naming.hpp"
+#include "rubato/study/contact_methods.hpp"
+#include "rubato/study/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace rubato::inp {
+namespace {
+
+using mesh::inp::compact;
+using mesh::inp::Use;
+
+struct StepKeyword {
+  std::string_view name;
+  void (*read)(Reading&, const Placed&, Step&);
+};
+/// Keywords that say what the step is, read before its loads.
+constexpr std::array procedures{StepKeyword{"STATIC", read_static}, StepKeyword{"DYNAMIC", read_dynamic},
+                                StepKeyword{"FREQUENCY", read_frequency}};
+constexpr std::array requests{
+    StepKeyword{"NODE PRINT", read_node_history}, StepKeyword{"NODE OUTPUT", read_node_history},
+    StepKeyword{"NODE FILE", read_field_request}, StepKeyword{"EL FILE", read_field_request},
+    StepKeyword{"OUTPUT", read_field_request}};
+
+struct LoadKeyword {
+  std::string_view name;
+  void (*read)(Reading&, const Placed&, const Step&, History&);
+};
+constexpr std::array loads{LoadKeyword{"BOUNDARY", read_boundary}, LoadKeyword{"CLOAD", read_cload},
+                           LoadKeyword{"DLOAD", read_dload}, LoadKeyword{"DSLOAD", read_dsload},
+                           LoadKeyword{"TEMPERATURE", read_temperature}};
+
+template <class Table> auto find(const Table& table, std::string_view name) {
+  const auto found = std::ranges::find(table, name, &Table::value_type::name);
+  return found == table.end() ? nullptr : &*found;
+}
+
+/// Blocks of a step, without its begin and end.
+struct StepBlocks {
+  const Placed* begin = nullptr;
+  std::vector<const Placed*> blocks;
+};
+
+std::vector<StepBlocks> split(Reading& reading) {
+  std::vector<StepBlocks> steps;
+  bool open = false;
+  for (const auto& placed : reading.content.layout.blocks) {
+    const auto& block = *placed.block;
+    if (block.is("STEP")) {
+      if (open)
+        reading.faults.add(block.at,
+                           fmt::format("found {} inside of that of line {}, expected *END STEP before it",
+                                       block.at.text, steps.back().begin->block->at.line));
+      steps.push_back({&placed, {}});
+      open = true;
+    } else if (block.is("END STEP")) {
+      if (!open)
+        reading.faults.add(block.at, "found *END STEP without its begin, expected *STEP before it");
+      open = false;
+    } else if (open) {
+      steps.back().blocks.push_back(&placed);
+    }
+  }
+  if (open)
+    reading.faults.add(steps.back().begin->block->at,
+                       "found *STEP without its end, expected *END STEP after it");
+  return steps;
+}
+
+void check_nonlinear(Reading& reading, const Block& block) {
+  const auto* const nlgeom = block.find("NLGEOM");
+  if (nlgeom != nullptr && compact(nlgeom->value.text) != "NO")
+    reading.faults.add(nlgeom->name,
+                       "found NLGEOM, but bodies have small strains and rotations in rubato (contact slides "
+                       "as far as it likes), expected NLGEOM=NO");
+}
+
+void read_head(Reading& reading, const Block& block, Step& step) {
+  mesh::inp::check_parameters(block, reading.faults);
+  check_nonlinear(reading, block);
+  if (const auto* amplitude = block.find("AMPLITUDE"); amplitude != nullptr) {
+    const auto word = compact(amplitude->value.text);
+    step.ramp = word == "RAMP";
+    if (word != "RAMP" && word != "STEP")
+      reading.faults.add(amplitude->value,
+                         fmt::format("found AMPLITUDE={}, expected RAMP or STEP", amplitude->value.text));
+  }
+  if (block.find("PERTURBATION") != nullptr && step.procedure != Procedure::modes)
+    reading.faults.add(block.find("PERTURBATION")->name,
+                       "found PERTURBATION, which *FREQUENCY takes alone, expected a "
+                       "step without it");
+}
+
+/// Keywords that are no part of a step, or of the file outside of steps.
+void refuse(Reading& reading, const Placed& placed, bool in_step) {
+  const auto& block = *placed.block;
+  const auto& row = *block.keyword;
+  if (row.use == Use::harmless)
+    return leave_out(reading, block.at, fmt::format("*{}", row.name));
+  if (row.use == Use::unavailable)
+    return reading.faults.add(block.at, fmt::format("found *{}, which rubato does not have{}{}", row.name,
+                                                    row.note.empty() ? "" : ": ", row.note));
+  reading.faults.add(block.at,
+                     fmt::format("found *{} {} a step, expected it {} one", row.name,
+                                 in_step ? "in" : "outside of", in_step ? "before the first" : "in"));
+}
+
+// ---- a study of a step
+
+std::array<study::FieldValue, 3> times(const std::array<study::FieldValue, 3>& direction, double factor) {
+  auto product = direction;
+  for (auto& component : product) {
+    if (const auto* number = component.number())
+      component = *number * factor;
+    else if (factor != 1)
+      component = study::Formula{fmt::format("({})*({})", factor, component.formula()->text)};
+  }
+  return product;
+}
+
+void add_loads(study::Study& study, Places& places, const History& history, const Step& step) {
+  for (const auto& active : history.loads) {
+    const auto [value, function] =
+        value_in(study, active.course, step.time.begin, step.time.end, step.number);
+    if (value == 0)
+      continue;
+    study::Load load;
+    load.kind = active.load;
+    load.on = active.on;
+    load.components = times(active.direction, value);
+    load.function = function;
+    places[fmt::format("loads.{}", study.loads.size())] = active.at.at();
+    study.loads.push_back(std::move(load));
+  }
+}
+
+/// Displacements and rotations of one target in one entry.
+void add_supports(study::Study& study, Places& places, const History& history, const Step& step) {
+  for (const auto& active : history.supports) {
+    const auto dof = static_cast<std::size_t>(active.dof);
+    const auto component = [&](study::Support& support) -> std::optional<study::Field>& {
+      return dof < 3 ? support.components.at(dof) : support.turns.at(dof - 3);
+    };
+    const auto [value, function] =
+        value_in(study, active.course, step.time.begin, step.time.end, step.number);
+    study::Field field(value, function);
+    field.given = active.given;
+    const auto entry = std::ranges::find(study.supports, active.on, &study::Support::on);
+    if (entry != study.supports.end()) {
+      component(*entry) = field;
+      continue;
+    }
+    study::Support support;
+    support.on = active.on;
+    component(support) = field;
+    places[fmt::format("supports.{}", study.supports.size())] = active.at.at();
+    study.supports.push_back(std::move(support));
+  }
+}
+
+void add_temperatures(study::Study& study, Places& places, const History& history, const Step& step,
+                      const Reading& reading) {
+  if (history.temperatures.empty())
+    return;
+  study.temperatures.push_back(
+      {std::string(study::everywhere), study::Field(reading.initial_temperature.value_or(0))});
+  for (const auto& active : history.temperatures) {
+    const auto [value, function] =
+        value_in(study, active.course, step.time.begin, step.time.end, step.number);
+    places[fmt::format("temperature.{}", study.temperatures.size())] = active.at.at();
+    study.temperatures.push_back({active.on, study::Field(value, function)});
+  }
+  for (auto& material : study.materials)
+    if (material.expansion)
+      material.expansion->reference = reading.initial_temperature.value_or(0);
+}
+
+/// Explicit steps take contact by penalty on the nodes alone.
+void fit_contact(Reading& reading, study::Study& study, const Step& step) {
+  if (step.procedure != Procedure::explicit_steps)
+    return;
+  for (auto& zone : study.contact)
+    if (!zone.tie && study::entry_of(zone.method).exact) {
+      zone.method = study::ContactMethod::penalty;
+      zone.friction_method = study::FrictionMethod::penalty;
+      zone.integration.by = study::ContactIntegration::nodes;
+      note(reading, step.procedure_at, "contact of explicit steps is by penalty on the nodes");
+    }
+}
+
+void add_probes_and_fields(study::Study& study, const Requests& asked) {
+  study.probes = asked.probes;
+  if (study.temperatures.empty())
+    std::erase_if(study.probes,
+                  [](const auto& probe) { return probe.field == study::ProbeField::temperature; });
+  study.fields = asked.fields;
+  if (!study.fields.vtu)
+    study.fields = {};
+  study.time.stops = study.fields.at;
+}
+
+study::Study study_of(Reading& reading, const History& history, const Step& step, const std::string& previous,
+                      Places& places) {
+  auto study = reading.study;
+  study.name = step.name;
+  study.title = reading.title;
+  study.time = step.time;
+  if (!previous.empty()) {
+    study.time.start = study::StartKind::from_run;
+    study.time.start_run = previous;
+    study.initial.clear();
+  }
+  places["time"] = step.procedure_at.at();
+  places[""] = step.at.at();
+  add_supports(study, places, history, step);
+  add_loads(study, places, history, step);
+  add_temperatures(study, places, history, step, reading);
+  fit_contact(reading, study, step);
+  add_probes_and_fields(study, history.requests);
+  return study;
+}
+
+// ---- the steps one after another
+
+void finish_step(History& history, const Step& step) {
+  history.before.clear();
+  for (auto* actives : {&history.loads, &history.supports, &history.temperatures})
+    for (auto& active : *actives) {
+      auto& course = active.course;
+      course.to = value_at_end(course, step.time.begin, step.time.end);
+      course.from = course.to;
+      if (course.curve != nullptr && !course.curve->total_time)
+        course.curve = nullptr;
+      history.before.push_back(active);
+    }
+  std::erase_if(history.loads,
+                [](const Active& active) { return active.course.curve == nullptr && active.course.to == 0; });
+  history.time = step.time.end;
+}
+
+void read_loads(Reading& reading, const StepBlocks& blocks, const Step& step, History& history) {
+  history.replaced_by_new.clear();
+  for (const auto* placed : blocks.blocks)
+    if (const auto* row = find(loads, placed->block->keyword->name); row != nullptr)
+      row->read(reading, *placed, step, history);
+}
+
+Step read_step(Reading& reading, const StepBlocks& blocks, int number, double begin) {
+  Step step;
+  step.number = number;
+  step.at = blocks.begin->block->at;
+  for (const auto* placed : blocks.blocks) {
+    const auto& name = placed->block->keyword->name;
+    if (const auto* row = find(procedures, name); row != nullptr) {
+      mesh::inp::check_parameters(*placed->block, reading.faults);
+      row->read(reading, *placed, step);
+    }
+  }
+  read_head(reading, *blocks.begin->block, step);
+  if (step.procedure == Procedure::none)
+    reading.faults.add(step.at, "found a step without *STATIC, *DYNAMIC or *FREQUENCY, expected one of them");
+  step.time.begin = begin;
+  step.time.end += begin;
+  for (const auto* placed : blocks.blocks) {
+    const auto& block = *placed->block;
+    const auto& name = block.keyword->name;
+    const auto* const request = find(requests, name);
+    const bool known =
+        request != nullptr || find(loads, name) != nullptr || find(procedures, name) != nullptr;
+    if (block.keyword->use == Use::study)
+      mesh::inp::check_parameters(block, reading.faults);
+    if (request != nullptr)
+      request->read(reading, *placed, step);
+    else if (!known && name != "AMPLITUDE" && block.keyword->use != Use::mesh)
+      refuse(reading, *placed, true);
+  }
+  return step;
+}
+
+std::string step_name(Reading& reading, const Block& block, int number, std::size_t count) {
+  const auto* const name = block.find("NAME");
+  if (name != nullptr && !name->value.empty())
+    return chosen_name(reading, name->value.text);
+  return chosen_name(reading, count == 1 ? "run" : fmt::format("step{}", number));
+}
+
+void judge(Reading& reading, const study::Study& study, const Places& places) {
+  for (const auto& rule : study::broken_rules(study)) {
+    std::string_view path = rule.paths.front();
+    while (!path.empty() && !places.contains(path)) {
+      const auto dot = path.rfind('.');
+      path = dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
+    }
+    const auto at = places.find(path);
+    reading.faults.add(at == places.end() ? Location{} : at->second,
+                       rule.paths.front() + ": " + rule.text);
+  }
+}
+
+} // namespace
+
+void read_steps(Reading& reading, Purpose purpose, Input& input) {
+  const auto steps = split(reading);
+  History history;
+  const Step before_steps;
+  bool in_step = false;
+  for (const auto& placed : reading.content.layout.blocks) {
+    in_step = placed.block->is("STEP") || (in_step && !placed.block->is("END STEP"));
+    if (placed.block->is("BOUNDARY") && !in_step)
+      read_boundary(reading, placed, before_steps, history);
+    else if (!in_step && (find(loads, placed.block->keyword->name) != nullptr ||
+                          find(procedures, placed.block->keyword->name) != nullptr ||
+                          find(requests, placed.block->keyword->name) != nullptr))
+      refuse(reading, placed, false);
+  }
+  if (steps.empty())
+    reading.faults.add(reading.places.at("mesh"), "found no *STEP in the file, expected at least one");
+  std::string previous;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto number = static_cast<int>(i) + 1;
+    auto step = read_step(reading, steps[i], number, history.time);
+    step.name = step_name(reading, *steps[i].begin->block, number, steps.size());
+    read_loads(reading, steps[i], step, history);
+    if (step.requests.some || i == 0)
+      history.requests = step.requests;
+    const bool is_modes = step.procedure == Procedure::modes;
+    if (is_modes && purpose == Purpose::run)
+      reading.faults.add(step.procedure_at,
+                         fmt::format("found {}, which 'rubato modes' computes, expected *STATIC or "
+                                     "*DYNAMIC",
+                                     step.procedure_at.text));
+    const bool wanted = purpose == Purpose::run || is_modes;
+    if (wanted && reading.faults.empty()) {
+      auto places = reading.places;
+      input.runs.push_back(study_of(reading, history, step, is_modes ? "" : previous, places));
+      judge(reading, input.runs.back(), places);
+      input.places.push_back(std::move(places));
+    }
+    if (is_modes)
+      continue;
+    previous = step.name;
+    if (reading.faults.empty())
+      finish_step(history, step);
+  }
+  if (purpose == Purpose::modes && input.runs.empty() && reading.faults.empty() && !steps.empty())
+    reading.faults.add(steps.front().begin->block->at,
+                       "found no *FREQUENCY in the file, expected a step with it");
+}
+
+} // namespace rubato::inp

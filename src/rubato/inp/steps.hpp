@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Inside the module only: loads and supports that go on from step to step.
+#pragma once
+
+#include "rubato/inp/reading.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rubato::inp {
+
+/// How a magnitude goes: a straight line over the step in which it was given, or a curve times a factor.
+struct Course {
+  double from = 0;
+  double to = 0;
+  const Curve* curve = nullptr; ///< instead
+  double scale = 1;
+  double origin = 0; ///< total time at which the step began that gave it
+};
+
+/// A load or a support of one kind on one target.
+struct Active {
+  std::string key; ///< kind, target and direction: what a later line replaces
+  std::string kind;
+  std::string on;
+  std::vector<std::int32_t> items; ///< nodes or elements it acts on, ascending
+  Course course;
+  int step = 0; ///< that gave it
+  Word at;
+  study::LoadKind load = study::LoadKind::nodal_force;
+  std::array<study::FieldValue, 3> direction{}; ///< of a load, for the magnitude 1
+  int dof = 0;                                  ///< of a support: 0 to 2 displacements, 3 to 5 rotations
+  study::Given given = study::Given::displacement;
+};
+
+enum class Procedure { none, steps, explicit_steps, dynamic, modes };
+
+/// What is asked for of results.
+struct Requests {
+  std::vector<study::Probe> probes;
+  study::FieldOutput fields;
+  bool some = false; ///< whether the step asks for any
+};
+
+struct Step {
+  int number = 0; ///< from 1
+  Word at;        ///< *STEP
+  std::string name;
+  Procedure procedure = Procedure::none;
+  Word procedure_at;
+  study::TimeStepping time;
+  bool ramp = true; ///< default of loads
+  Requests requests;
+};
+
+/// What goes on from step to step.
+struct History {
+  double time = 0; ///< total, at the begin of the step
+  std::vector<Active> loads;
+  std::vector<Active> supports;
+  std::vector<Active> temperatures;
+  std::vector<Active> before; ///< all of these at the end of the step before
+  Requests requests;
+  std::set<std::string> replaced_by_new; ///< keywords with OP=NEW in this step
+};
+
+// ---- keywords of a step
+
+void read_static(Reading& reading, const Placed& placed, Step& step);
+void read_dynamic(Reading& reading, const Placed& placed, Step& step);
+void read_frequency(Reading& reading, const Placed& placed, Step& step);
+
+void read_boundary(Reading& reading, const Placed& placed, const Step& step, History& history);
+void read_cload(Reading& reading, const Placed& placed, const Step& step, History& history);
+void read_dload(Reading& reading, const Placed& placed, const Step& step, History& history);
+void read_dsload(Reading& reading, const Placed& placed, const Step& step, History& history);
+void read_temperature(Reading& reading, const Placed& placed, const Step& step, History& history);
+
+void read_node_history(Reading& reading, const Placed& placed, Step& step);
+void read_field_request(Reading& reading, const Placed& placed, Step& step);
+
+/// The value of an active load or support at the end of a step.
+double value_at_end(const Course& course, double begin, double end);
+/// Its value and the name of its function in a run from `begin` to `end`, which the study gets.
+std::pair<double, std::string> value_in(study::Study& study, const Course& course, double begin, double end,
+                                        int step);
+
+/// Every step as a study of its own.
+void read_steps(Reading& reading, Purpose purpose, Input& input);
+
+} // namespace rubato::inp

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/mesh/io/inp_keywords.hpp"
+
+#include "rubato/core/naming.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <unordered_map>
+#include <vector>
+
+namespace rubato::mesh::inp {
+namespace {
+
+constexpr std::string_view is_linear = "materials are linear elastic";
+constexpr std::string_view no_shells = "there are no shells, membranes, beams and trusses";
+constexpr std::string_view no_heat = "heat and other fields are not computed";
+constexpr std::string_view no_flow = "fluids are not computed";
+constexpr std::string_view no_script = "its work is done with a deck (rubato deck)";
+constexpr std::string_view no_user = "there are no user subroutines";
+constexpr std::string_view other_step = "there is no such analysis";
+constexpr std::string_view elsewhere = "write the numbers into the file";
+
+constexpr std::array keyword_rows{
+    // ---- what others stand in
+    Keyword{"ASSEMBLY", Use::structure, "NAME", "", "parts at their places"},
+    Keyword{"END ASSEMBLY", Use::structure},
+    Keyword{"END INSTANCE", Use::structure},
+    Keyword{"END PART", Use::structure},
+    Keyword{"END STEP", Use::structure},
+    Keyword{"INCLUDE", Use::structure, "INPUT", "", "the lines of another file"},
+    Keyword{"INSTANCE", Use::structure, "NAME,PART", "", "a part, moved and turned"},
+    Keyword{"PART", Use::structure, "NAME", "", "nodes, cells, groups of an instance"},
+    Keyword{"STEP", Use::structure, "NAME,NLGEOM,AMPLITUDE,PERTURBATION",
+            "INC,INCF,UNSYMM,CONVERTSDI,EXTRAPOLATION", "a run; it starts from the end of the one before"},
+    // ---- mesh
+    Keyword{"ELEMENT", Use::mesh, "TYPE,ELSET,INPUT", "", "cells"},
+    Keyword{"ELSET", Use::mesh, "ELSET,GENERATE,INSTANCE", "INTERNAL,UNSORTED", "groups of cells"},
+    Keyword{"NODE", Use::mesh, "NSET,SYSTEM,INPUT", "", "nodes"},
+    Keyword{"NSET", Use::mesh, "NSET,ELSET,GENERATE,INSTANCE", "INTERNAL,UNSORTED", "groups of nodes"},
+    Keyword{"SURFACE", Use::mesh, "NAME,TYPE,INSTANCE", "INTERNAL", "groups of faces, or of nodes"},
+    // ---- materials and sections
+    Keyword{"DAMPING", Use::study, "ALPHA,BETA", "", "materials: rayleigh"},
+    Keyword{"DENSITY", Use::study, "", "", "materials: density"},
+    Keyword{"ELASTIC", Use::study, "TYPE", "MODULI", "materials: elastic, orthotropic"},
+    Keyword{"EXPANSION", Use::study, "TYPE,ZERO", "", "materials: expansion"},
+    Keyword{"MATERIAL", Use::study, "NAME", "SRATEFACTOR", "materials"},
+    Keyword{"ORIENTATION", Use::study, "NAME,SYSTEM,DEFINITION", "LOCALDIRECTIONS",
+            "materials: angles, axes"},
+    Keyword{"SOLID SECTION", Use::study, "ELSET,MATERIAL,ORIENTATION", "CONTROLS,STACKDIRECTION,SYMMETRIC",
+            "materials: cells; thickness"},
+    // ---- loads and supports
+    Keyword{"AMPLITUDE", Use::study,
+            "NAME,TIME,DEFINITION,VALUE,SMOOTH,FIXEDINTERVAL,BEGIN,SHIFTX,SHIFTY,INPUT", "", "functions"},
+    Keyword{"BOUNDARY", Use::study, "OP,AMPLITUDE,TYPE", "", "supports"},
+    Keyword{"CLOAD", Use::study, "OP,AMPLITUDE", "", "loads: nodal_force, moment"},
+    Keyword{"DLOAD", Use::study, "OP,AMPLITUDE", "", "loads: pressure, gravity"},
+    Keyword{"DSLOAD", Use::study, "OP,AMPLITUDE,FOLLOWER,CONSTANTRESULTANT", "",
+            "loads: pressure, surface_force"},
+    Keyword{"INITIAL CONDITIONS", Use::study, "TYPE", "", "initial, reference_temperature"},
+    Keyword{"TEMPERATURE", Use::study, "OP,AMPLITUDE", "", "temperature"},
+    // ---- constraints and parts that are no cells
+    Keyword{"COUPLING", Use::study, "CONSTRAINTNAME,REFNODE,SURFACE", "", "relations: rigid, distributed"},
+    Keyword{"DASHPOT", Use::study, "ELSET", "", "connectors: damping"},
+    Keyword{"DISTRIBUTING", Use::study, "WEIGHTINGMETHOD,COUPLING", "", "relations: distributed"},
+    Keyword{"EMBEDDED ELEMENT", Use::study, "HOSTELSET",
+            "ABSOLUTEEXTERIORTOLERANCE,EXTERIORTOLERANCE,ROUNDOFFTOLERANCE", "relations: embedded"},
+    Keyword{"EQUATION", Use::study, "", "", "relations: equation"},
+    Keyword{"KINEMATIC", Use::study, "", "", "relations: rigid"},
+    Keyword{"KINEMATIC COUPLING", Use::study, "REFNODE", "", "relations: rigid"},
+    Keyword{"MASS", Use::study, "ELSET", "TYPE", "masses"},
+    Keyword{"MPC", Use::study, "", "", "relations: equation"},
+    Keyword{"RIGID BODY", Use::study, "REFNODE,ROTNODE,NSET,ELSET,TIENSET", "", "relations: rigid"},
+    Keyword{"SPRING", Use::study, "ELSET,NONLINEAR", "", "connectors: stiffness, force"},
+    Keyword{"TIE", Use::study, "NAME,ADJUST,TYPE,POSITIONTOLERANCE", "NOROTATION", "contact: tie"},
+    // ---- contact
+    Keyword{"CONTACT", Use::study, "", "", "contact: all, between"},
+    Keyword{"CONTACT INCLUSIONS", Use::study, "ALLEXTERIOR", "", "contact: all, between"},
+    Keyword{"CONTACT PAIR", Use::study, "INTERACTION,TYPE,SMALLSLIDING", "MECHANICALCONSTRAINT,TRACKING",
+            "contact: master, slave"},
+    Keyword{"CONTACT PROPERTY ASSIGNMENT", Use::study, "", "", "contact: numbers of all"},
+    Keyword{"FRICTION", Use::study, "LAGRANGE,SLIPTOLERANCE,ELASTICSLIP", "", "contact: friction"},
+    Keyword{"SURFACE BEHAVIOR", Use::study,
+            "PRESSUREOVERCLOSURE,NOSEPARATION,PENALTY,DIRECT,AUGMENTEDLAGRANGE", "", "contact: method"},
+    Keyword{"SURFACE INTERACTION", Use::study, "NAME", "", "contact"},
+    // ---- steps
+    Keyword{"DYNAMIC", Use::study, "ALPHA,DIRECT,EXPLICIT,APPLICATION",
+            "NOHAF,HAFTOL,INITIAL,SOLVER,HALFINCSCALEFACTOR", "time: hht, central_difference"},
+    Keyword{"FREQUENCY", Use::study, "EIGENSOLVER,SOLVER", "NORMALIZATION,STORAGE,GLOBAL", "rubato modes"},
+    Keyword{"STATIC", Use::study, "DIRECT", "SOLVER", "time: static"},
+    // ---- results
+    Keyword{"EL FILE", Use::study, "FREQUENCY,TIMEPOINTS",
+            "OUTPUT,TOTALS,NSET,ELSET,POSITION,DIRECTIONS,OUTPUTALL,LASTITERATIONS,CONTACTELEMENTS,OUTPUT3D,"
+            "OUTPUT2D,SECTIONFORCES",
+            "fields"},
+    Keyword{"NODE FILE", Use::study, "FREQUENCY,TIMEPOINTS",
+            "OUTPUT,TOTALS,NSET,ELSET,GLOBAL,OUTPUTALL,LASTITERATIONS,CONTACTELEMENTS,OUTPUT3D,OUTPUT2D",
+            "fields"},
+    Keyword{"NODE OUTPUT", Use::study, "NSET", "VARIABLE,EXTERIOR,ELSET", "probes"},
+    Keyword{"NODE PRINT", Use::study, "NSET,TOTALS",
+            "FREQUENCY,SUMMARY,GLOBAL,TIMEPOINTS,FREQUENCYF,EXTERIOR", "probes"},
+    Keyword{"OUTPUT", Use::study, "FIELD,HISTORY,FREQUENCY,TIMEINTERVAL,NUMBERINTERVAL",
+            "VARIABLE,TIMEMARKS,OP,NAME,SENSOR", "fields"},
+    // ---- harmless
+    Keyword{"CONDUCTIVITY", Use::harmless},
+    Keyword{"CONTACT CONTROLS", Use::harmless},
+    Keyword{"CONTACT FILE", Use::harmless},
+    Keyword{"CONTACT OUTPUT", Use::harmless},
+    Keyword{"CONTACT PRINT", Use::harmless},
+    Keyword{"CONTROLS", Use::harmless},
+    Keyword{"DIAGNOSTICS", Use::harmless},
+    Keyword{"ELEMENT OUTPUT", Use::harmless},
+    Keyword{"EL PRINT", Use::harmless},
+    Keyword{"ENERGY FILE", Use::harmless},
+    Keyword{"ENERGY OUTPUT", Use::harmless},
+    Keyword{"ENERGY PRINT", Use::harmless},
+    Keyword{"FILE FORMAT", Use::harmless},
+    Keyword{"FILE OUTPUT", Use::harmless},
+    Keyword{"FILTER", Use::harmless},
+    Keyword{"HEADING", Use::harmless},
+    Keyword{"HOURGLASS STIFFNESS", Use::harmless},
+    Keyword{"INTEGRATED OUTPUT", Use::harmless},
+    Keyword{"INTEGRATED OUTPUT SECTION", Use::harmless},
+    Keyword{"MODAL OUTPUT", Use::harmless},
+    Keyword{"MONITOR", Use::harmless},
+    Keyword{"PREPRINT", Use::harmless},
+    Keyword{"PRINT", Use::harmless},
+    Keyword{"RESTART", Use::harmless},
+    Keyword{"SECTION CONTROLS", Use::harmless},
+    Keyword{"SECTION FILE", Use::harmless},
+    Keyword{"SECTION PRINT", Use::harmless},
+    Keyword{"SOLVER CONTROLS", Use::harmless},
+    Keyword{"SPECIFIC HEAT", Use::harmless},
+    Keyword{"SURFACE OUTPUT", Use::harmless},
+    Keyword{"TIME POINTS", Use::harmless},
+    Keyword{"USER OUTPUT VARIABLES", Use::harmless},
+    // ---- not available
+    Keyword{"ACOUSTIC MEDIUM", Use::unavailable, "", "", no_flow},
+    Keyword{"ADAPTIVE MESH", Use::unavailable},
+    Keyword{"ANNEAL", Use::unavailable, "", "", other_step},
+    Keyword{"ANISOTROPIC HYPERELASTIC", Use::unavailable, "", "", is_linear},
+    Keyword{"BASE MOTION", Use::unavailable, "", "", no_script},
+    Keyword{"BEAM GENERAL SECTION", Use::unavailable, "", "", no_shells},
+    Keyword{"BEAM SECTION", Use::unavailable, "", "", no_shells},
+    Keyword{"BLACKBODY", Use::unavailable, "", "", no_heat},
+    Keyword{"BRITTLE CRACKING", Use::unavailable, "", "", is_linear},
+    Keyword{"BUCKLE", Use::unavailable, "", "", other_step},
+    Keyword{"BULK VISCOSITY", Use::unavailable},
+    Keyword{"CAP PLASTICITY", Use::unavailable, "", "", is_linear},
+    Keyword{"CAST IRON PLASTICITY", Use::unavailable, "", "", is_linear},
+    Keyword{"CFLUX", Use::unavailable, "", "", no_heat},
+    Keyword{"CHANGE CONTACT TYPE", Use::unavailable},
+    Keyword{"CHANGE FRICTION", Use::unavailable},
+    Keyword{"CHANGE MATERIAL", Use::unavailable},
+    Keyword{"CHANGE PLASTIC", Use::unavailable, "", "", is_linear},
+    Keyword{"CHANGE SOLID SECTION", Use::unavailable},
+    Keyword{"CHANGE SURFACE BEHAVIOR", Use::unavailable},
+    Keyword{"CLAY PLASTICITY", Use::unavailable, "", "", is_linear},
+    Keyword{"CLEARANCE", Use::unavailable, "", "", no_script},
+    Keyword{"COHESIVE BEHAVIOR", Use::unavailable},
+    Keyword{"COHESIVE SECTION", Use::unavailable},
+    Keyword{"COMPLEX FREQUENCY", Use::unavailable, "", "", other_step},
+    Keyword{"CONCRETE", Use::unavailable, "", "", is_linear},
+    Keyword{"CONCRETE DAMAGED PLASTICITY", Use::unavailable, "", "", is_linear},
+    Keyword{"CONNECTOR BEHAVIOR", Use::unavailable},
+    Keyword{"CONNECTOR DAMPING", Use::unavailable},
+    Keyword{"CONNECTOR ELASTICITY", Use::unavailable},
+    Keyword{"CONNECTOR LOAD", Use::unavailable},
+    Keyword{"CONNECTOR MOTION", Use::unavailable},
+    Keyword{"CONNECTOR SECTION", Use::unavailable},
+    Keyword{"CONSTRAINT CONTROLS", Use::unavailable},
+    Keyword{"CONTACT CLEARANCE", Use::unavailable, "", "", no_script},
+    Keyword{"CONTACT CLEARANCE ASSIGNMENT", Use::unavailable, "", "", no_script},
+    Keyword{"CONTACT CONTROLS ASSIGNMENT", Use::unavailable},
+    Keyword{"CONTACT DAMPING", Use::unavailable},
+    Keyword{"CONTACT EXCLUSIONS", Use::unavailable, "", "", no_script},
+    Keyword{"CONTACT FORMULATION", Use::unavailable},
+    Keyword{"CONTACT INITIALIZATION ASSIGNMENT", Use::unavailable},
+    Keyword{"CONTACT INITIALIZATION DATA", Use::unavailable},
+    Keyword{"CONTACT INTERFERENCE", Use::unavailable, "", "", no_script},
+    Keyword{"CONTACT STABILIZATION", Use::unavailable},
+    Keyword{"CORRELATION", Use::unavailable},
+    Keyword{"COUPLED TEMPERATURE-DISPLACEMENT", Use::unavailable, "", "", no_heat},
+    Keyword{"CRACK PROPAGATION", Use::unavailable},
+    Keyword{"CREEP", Use::unavailable, "", "", is_linear},
+    Keyword{"CYCLIC", Use::unavailable, "", "", is_linear},
+    Keyword{"CYCLIC HARDENING", Use::unavailable, "", "", is_linear},
+    Keyword{"CYCLIC SYMMETRY MODEL", Use::unavailable},
+    Keyword{"D ADDED MASS", Use::unavailable},
+    Keyword{"DAMAGE EVOLUTION", Use::unavailable, "", "", is_linear},
+    Keyword{"DAMAGE INITIATION", Use::unavailable, "", "", is_linear},
+    Keyword{"DEBOND", Use::unavailable},
+    Keyword{"DEFORMATION PLASTICITY", Use::unavailable, "", "", is_linear},
+    Keyword{"DEPVAR", Use::unavailable, "", "", no_user},
+    Keyword{"DESIGN VARIABLES", Use::unavailable},
+    Keyword{"DFLUX", Use::unavailable, "", "", no_heat},
+    Keyword{"DIRECT CYCLIC", Use::unavailable, "", "", other_step},
+    Keyword{"DISTRIBUTING COUPLING", Use::unavailable, "", "", "write *COUPLING with *DISTRIBUTING"},
+    Keyword{"DISTRIBUTION", Use::unavailable, "", "", no_script},
+    Keyword{"DISTRIBUTION TABLE", Use::unavailable, "", "", no_script},
+    Keyword{"DRUCKER PRAGER", Use::unavailable, "", "", is_linear},
+    Keyword{"DSFLUX", Use::unavailable, "", "", no_heat},
+    Keyword{"DYNAMIC TEMPERATURE-DISPLACEMENT", Use::unavailable, "", "", no_heat},
+    Keyword{"ELCOPY", Use::unavailable, "", "", elsewhere},
+    Keyword{"ELECTRICAL CONDUCTIVITY", Use::unavailable, "", "", no_heat},
+    Keyword{"ELECTROMAGNETICS", Use::unavailable, "", "", no_heat},
+    Keyword{"ELGEN", Use::unavailable, "", "", elsewhere},
+    Keyword{"EOS", Use::unavailable, "", "", is_linear},
+    Keyword{"EXTREME VALUE", Use::unavailable},
+    Keyword{"FASTENER", Use::unavailable},
+    Keyword{"FIELD", Use::unavailable},
+    Keyword{"FILM", Use::unavailable, "", "", no_heat},
+    Keyword{"FLUID CONSTANTS", Use::unavailable, "", "", no_flow},
+    Keyword{"FLUID SECTION", Use::unavailable, "", "", no_flow},
+    Keyword{"FOUNDATION", Use::unavailable, "", "", no_script},
+    Keyword{"FRACTURE CRITERION", Use::unavailable},
+    Keyword{"GAP", Use::unavailable, "", "", no_script},
+    Keyword{"GAP CONDUCTANCE", Use::unavailable, "", "", no_heat},
+    Keyword{"GAP HEAT GENERATION", Use::unavailable, "", "", no_heat},
+    Keyword{"GAP UNIT", Use::unavailable, "", "", no_script},
+    Keyword{"GASKET BEHAVIOR", Use::unavailable},
+    Keyword{"GASKET SECTION", Use::unavailable},
+    Keyword{"GEOSTATIC", Use::unavailable, "", "", other_step},
+    Keyword{"GREEN", Use::unavailable, "", "", other_step},
+    Keyword{"HCF", Use::unavailable, "", "", other_step},
+    Keyword{"HEAT GENERATION", Use::unavailable, "", "", no_heat},
+    Keyword{"HEAT TRANSFER", Use::unavailable, "", "", no_heat},
+    Keyword{"HYPERELASTIC", Use::unavailable, "", "", is_linear},
+    Keyword{"HYPERFOAM", Use::unavailable, "", "", is_linear},
+    Keyword{"HYPOELASTIC", Use::unavailable, "", "", is_linear},
+    Keyword{"HYSTERESIS", Use::unavailable, "", "", is_linear},
+    Keyword{"IMPERFECTION", Use::unavailable},
+    Keyword{"IMPORT", Use::unavailable},
+    Keyword{"INCIDENT WAVE", Use::unavailable, "", "", no_flow},
+    Keyword{"INELASTIC HEAT FRACTION", Use::unavailable, "", "", no_heat},
+    Keyword{"INERTIA RELIEF", Use::unavailable},
+    Keyword{"JOINT", Use::unavailable},
+    Keyword{"JOINTED MATERIAL", Use::unavailable, "", "", is_linear},
+    Keyword{"LOAD CASE", Use::unavailable},
+    Keyword{"MASS DIFFUSION", Use::unavailable, "", "", no_heat},
+    Keyword{"MASS FLOW", Use::unavailable, "", "", no_flow},
+    Keyword{"MASS SCALING", Use::unavailable},
+    Keyword{"MATRIX ASSEMBLE", Use::unavailable},
+    Keyword{"MATRIX INPUT", Use::unavailable},
+    Keyword{"MEMBRANE SECTION", Use::unavailable, "", "", no_shells},
+    Keyword{"MODAL DAMPING", Use::unavailable, "", "", no_script},
+    Keyword{"MODAL DYNAMIC", Use::unavailable, "", "", other_step},
+    Keyword{"MODEL CHANGE", Use::unavailable},
+    Keyword{"MOHR COULOMB", Use::unavailable, "", "", is_linear},
+    Keyword{"MOHR COULOMB HARDENING", Use::unavailable, "", "", is_linear},
+    Keyword{"MOTION", Use::unavailable},
+    Keyword{"MULLINS EFFECT", Use::unavailable, "", "", is_linear},
+    Keyword{"NCOPY", Use::unavailable, "", "", elsewhere},
+    Keyword{"NETWORK MPC", Use::unavailable, "", "", no_flow},
+    Keyword{"NFILL", Use::unavailable, "", "", elsewhere},
+    Keyword{"NGEN", Use::unavailable, "", "", elsewhere},
+    Keyword{"NMAP", Use::unavailable, "", "", elsewhere},
+    Keyword{"NO COMPRESSION", Use::unavailable, "", "", is_linear},
+    Keyword{"NO TENSION", Use::unavailable, "", "", is_linear},
+    Keyword{"NODAL THICKNESS", Use::unavailable, "", "", no_shells},
+    Keyword{"NONSTRUCTURAL MASS", Use::unavailable, "", "", no_script},
+    Keyword{"NORMAL", Use::unavailable},
+    Keyword{"OBJECTIVE", Use::unavailable},
+    Keyword{"PARAMETER", Use::unavailable, "", "", elsewhere},
+    Keyword{"PERIODIC", Use::unavailable},
+    Keyword{"PERMEABILITY", Use::unavailable, "", "", no_flow},
+    Keyword{"PERMANENT SET", Use::unavailable, "", "", is_linear},
+    Keyword{"PHYSICAL CONSTANTS", Use::unavailable, "", "", no_heat},
+    Keyword{"PIEZOELECTRIC", Use::unavailable, "", "", no_heat},
+    Keyword{"PLASTIC", Use::unavailable, "", "", is_linear},
+    Keyword{"POROUS ELASTIC", Use::unavailable, "", "", is_linear},
+    Keyword{"POROUS METAL PLASTICITY", Use::unavailable, "", "", is_linear},
+    Keyword{"POTENTIAL", Use::unavailable, "", "", is_linear},
+    Keyword{"PRE-TENSION SECTION", Use::unavailable, "", "", "write preload in a deck (rubato deck)"},
+    Keyword{"RADIATE", Use::unavailable, "", "", no_heat},
+    Keyword{"RANDOM RESPONSE", Use::unavailable, "", "", other_step},
+    Keyword{"RATE DEPENDENT", Use::unavailable, "", "", is_linear},
+    Keyword{"REBAR", Use::unavailable, "", "", no_shells},
+    Keyword{"REBAR LAYER", Use::unavailable, "", "", no_shells},
+    Keyword{"REFINE MESH", Use::unavailable, "", "", no_script},
+    Keyword{"RELEASE", Use::unavailable, "", "", no_shells},
+    Keyword{"RESPONSE SPECTRUM", Use::unavailable, "", "", other_step},
+    Keyword{"RETAINED NODAL DOFS", Use::unavailable, "", "", other_step},
+    Keyword{"RIGID SURFACE", Use::unavailable, "", "",
+            "write contact with an obstacle in a deck (rubato deck)"},
+    Keyword{"ROBUST DESIGN", Use::unavailable},
+    Keyword{"ROTARY INERTIA", Use::unavailable, "", "", no_script},
+    Keyword{"SENSITIVITY", Use::unavailable, "", "", other_step},
+    Keyword{"SHELL GENERAL SECTION", Use::unavailable, "", "", no_shells},
+    Keyword{"SHELL SECTION", Use::unavailable, "", "", no_shells},
+    Keyword{"SHELL TO SOLID COUPLING", Use::unavailable, "", "", no_shells},
+    Keyword{"SOILS", Use::unavailable, "", "", no_flow},
+    Keyword{"SPECIFIC GAS CONSTANT", Use::unavailable, "", "", no_flow},
+    Keyword{"STEADY STATE DYNAMICS", Use::unavailable, "", "", other_step},
+    Keyword{"STEADY STATE TRANSPORT", Use::unavailable, "", "", other_step},
+    Keyword{"SUBMODEL", Use::unavailable},
+    Keyword{"SUBSTRUCTURE GENERATE", Use::unavailable, "", "", other_step},
+    Keyword{"SUBSTRUCTURE LOAD CASE", Use::unavailable},
+    Keyword{"SUBSTRUCTURE PATH", Use::unavailable},
+    Keyword{"SUPER ELASTIC", Use::unavailable, "", "", is_linear},
+    Keyword{"SURFACE FLAW", Use::unavailable},
+    Keyword{"SURFACE SECTION", Use::unavailable, "", "", no_shells},
+    Keyword{"SWELLING", Use::unavailable, "", "", is_linear},
+    Keyword{"SYMMETRIC MODEL GENERATION", Use::unavailable, "", "", elsewhere},
+    Keyword{"SYSTEM", Use::unavailable, "", "", elsewhere},
+    Keyword{"TRANSFORM", Use::unavailable, "", "", no_script},
+    Keyword{"TRIAXIAL TEST DATA", Use::unavailable, "", "", is_linear},
+    Keyword{"TRS", Use::unavailable, "", "", is_linear},
+    Keyword{"UNCOUPLED TEMPERATURE-DISPLACEMENT", Use::unavailable, "", "", no_heat},
+    Keyword{"UNIAXIAL TEST DATA", Use::unavailable, "", "", is_linear},
+    Keyword{"USER DEFINED FIELD", Use::unavailable, "", "", no_user},
+    Keyword{"USER ELEMENT", Use::unavailable, "", "", no_user},
+    Keyword{"USER MATERIAL", Use::unavailable, "", "", no_user},
+    Keyword{"VALUES AT INFINITY", Use::unavailable, "", "", no_flow},
+    Keyword{"VIEWFACTOR", Use::unavailable, "", "", no_heat},
+    Keyword{"VISCO", Use::unavailable, "", "", other_step},
+    Keyword{"VISCOELASTIC", Use::unavailable, "", "", is_linear},
+    Keyword{"VISCOUS", Use::unavailable, "", "", is_linear},
+};
+
+} // namespace
+
+std::span<const Keyword> all_keywords() {
+  return keyword_rows;
+}
+
+std::string compact(std::string_view text) {
+  auto word = folded(text);
+  std::erase_if(word, [](char letter) { return letter == '-' || letter == '_'; });
+  return word;
+}
+
+std::string folded(std::string_view label) {
+  std::string word;
+  for (const char letter : label)
+    if (letter != ' ' && letter != '\t')
+      word += static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  return word;
+}
+
+const Keyword* keyword_named(std::string_view name) {
+  static const auto by_name = [] {
+    std::unordered_map<std::string, const Keyword*> all;
+    for (const auto& row : keyword_rows)
+      all.emplace(compact(row.name), &row);
+    return all;
+  }();
+  const auto found = by_name.find(compact(name));
+  return found == by_name.end() ? nullptr : found->second;
+}
+
+std::string nearest_keyword(std::string_view name) {
+  std::vector<std::string> names;
+  for (const auto& row : keyword_rows)
+    names.emplace_back(row.name);
+  const auto nearest = nearest_word(std::string(name.substr(0, 60)), names);
+  return nearest.empty() ? "" : fmt::format("; did you mean '*{}'?", nearest);
+}
+
+} // namespace rubato::mesh::inp
