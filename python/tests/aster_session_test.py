@@ -262,3 +262,69 @@ FIN()
                                                                         "CRITERE='RELATIF', PRECISION=1e-9))\nFIN"))
     assert wrong.returncode == 1
     assert "NOOK" in wrong.stdout
+
+
+def test_a_step_that_is_not_solved_leaves_what_was_before(tmp_path):
+    """A block that only friction holds is pulled off: the first half of the pull is solved."""
+    (tmp_path / "study.mail").write_text(BLOCKS)
+    text = """DEBUT()
+mesh = LIRE_MAILLAGE(FORMAT='ASTER')
+model = AFFE_MODELE(MAILLAGE=mesh, AFFE=_F(TOUT='OUI', PHENOMENE='MECANIQUE', MODELISATION='C_PLAN'))
+steel = DEFI_MATERIAU(ELAS=_F(E=1000., NU=0.))
+material = AFFE_MATERIAU(MAILLAGE=mesh, AFFE=_F(TOUT='OUI', MATER=steel))
+held = AFFE_CHAR_MECA(MODELE=model, DDL_IMPO=_F(GROUP_MA='bottom', DX=0., DY=0.))
+press = AFFE_CHAR_MECA(MODELE=model, PRES_REP=_F(GROUP_MA='top', PRES=10.))
+pull = AFFE_CHAR_MECA(MODELE=model, FORCE_CONTOUR=_F(GROUP_MA='top', FX=4.))
+ramp = DEFI_FONCTION(NOM_PARA='INST', VALE=(0., 0., 2., 2.), PROL_DROITE='LINEAIRE')
+steps = DEFI_LIST_REEL(DEBUT=0., INTERVALLE=_F(JUSQU_A=2., NOMBRE=4))
+contact = DEFI_CONTACT(MODELE=model, FORMULATION='CONTINUE', FROTTEMENT='COULOMB',
+                       ZONE=_F(GROUP_MA_MAIT='lower', GROUP_MA_ESCL='upper', COULOMB=0.5))
+part = STAT_NON_LINE(MODELE=model, CHAM_MATER=material, CONTACT=contact, INCREMENT=_F(LIST_INST=steps),
+                     EXCIT=(_F(CHARGE=held), _F(CHARGE=press), _F(CHARGE=pull, FONC_MULT=ramp)))
+FIN()
+"""
+    done = run(tmp_path, text, "-o", "results")
+    assert done.returncode == 3
+    assert "study.comm:13: STAT_NON_LINE: " in done.stderr
+    assert "What was solved before is in part.med." in done.stderr
+    assert (tmp_path / "results" / "part.med").stat().st_size > 0
+    caught = text.replace("part = STAT", "import aster\ntry:\n  part = STAT").replace(
+        "FIN()", "except aster.NonConvergenceError:\n  solved = part.LIST_VARI_ACCES()['INST']\nassert solved[-1] == 1.0")
+    done = run(tmp_path, caught, "-o", "results")
+    assert done.returncode == 0, done.stderr
+
+
+BLOCKS = """COOR_2D
+A1 0. 0.
+A2 1. 0.
+A3 1. 1.
+A4 0. 1.
+B1 0. 1.
+B2 1. 1.
+B3 1. 2.
+B4 0. 2.
+FINSF
+QUAD4
+M1 A1 A2 A3 A4
+M2 B1 B2 B3 B4
+FINSF
+SEG2
+S1 A1 A2
+S2 A3 A4
+S3 B1 B2
+S4 B3 B4
+FINSF
+GROUP_MA
+bottom S1
+FINSF
+GROUP_MA
+lower S2
+FINSF
+GROUP_MA
+upper S3
+FINSF
+GROUP_MA
+top S4
+FINSF
+FIN
+"""

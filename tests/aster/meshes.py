@@ -70,6 +70,13 @@ def sliding_block() -> rubato.Mesh:
                   points={"left_bottom": "SL", "right_bottom": "SR", "left_top": "TL"})])
 
 
+def sliding_cube(cells: str, above: str = "") -> rubato.Mesh:
+    """The same in space."""
+    sides = {"left": "SIDE_L", "right": "SIDE_R", "back": "SIDE_B", "front": "SIDE_F", "bottom": "SLAVE", "top": "TOP"}
+    return rubato.generate([box("LOWER", (-0.5, 0, -0.5), (1.5, 1, 1.5), (3, 1, 3), cells, sides={"top": "MASTER"}),
+                            box("UPPER", (0, 1, 0), (1, 2, 1), (2, 1, 2), above or cells, sides=sides)])
+
+
 def three_layers() -> rubato.Mesh:
     """Three rectangles on one another, two contact zones, meshes that do not match."""
     middle = {"bottom": "SLAVE1", "top": "MASTER2", "left": "LEFT"}
@@ -180,12 +187,14 @@ def tied_bars() -> rubato.Mesh:
 
 
 SOLIDS = ("hexa8", "hexa20", "hexa27", "tetra4", "tetra10", "penta6", "penta15")
+FACES = ("hexa8", "hexa20", "hexa27", "tetra10", "penta6", "penta15")
 PLANES = ("quad4", "quad8", "quad9", "tria3", "tria6")
 
 MESHES: dict[str, Callable[[], rubato.Mesh]] = {
     "press.med": lambda: stack((4, 2), (4, 2)),
     "quadratic.med": lambda: stack((2, 1), (2, 1), "quad8"),
     "friction.med": sliding_block,
+    "restart.med": sliding_block,
     "mortar.med": lambda: stack((3, 1), (4, 1), "quad4", "tria3"),
     "mortar3d.med": lambda: boxes((2, 1, 2), (3, 1, 3)),
     "mixed3d.med": lambda: boxes((2, 1, 2), (2, 1, 2), "hexa8", "tetra4"),
@@ -195,6 +204,7 @@ MESHES: dict[str, Callable[[], rubato.Mesh]] = {
     "slide.med": lambda: stack((2, 1), (2, 1)),
     "onesided.med": lambda: one_rectangle((2, 1), (4, 2)),
     "thermal.med": lambda: one_rectangle((2, 1), (4, 2), "quad8"),
+    "fields.med": lambda: one_rectangle((2, 1), (4, 2), "quad8"),
     "square.med": lambda: one_rectangle((2, 1), (4, 2), "quad8"),
     **{f"{name}.med": lambda: one_rectangle((1, 1), (1, 1)) for name in ("oscillator", "damping", "explicit", "errors")},
     "one.med": lambda: one_rectangle((1, 1), (1, 1)),
@@ -203,6 +213,10 @@ MESHES: dict[str, Callable[[], rubato.Mesh]] = {
     "legs.med": cube_with_legs,
     "relations.med": lambda: one_rectangle((1, 1), (1, 1)),
     "tied.med": tied_bars,
+    "form15.med": lambda: one_box((1, 1, 1), (2, 2, 2)),
+    **{f"{kind}.med": lambda kind=kind: sliding_cube(kind) for kind in FACES},
+    "settle.med": lambda: stack((2, 1), (2, 1), gap=0.01),
+    "excluded.med": lambda: stack((4, 1), (4, 1)),
     "cube.med": lambda: one_box((1, 1, 1), (2, 2, 2)),
     "tubes.med": tubes,
     "pyramids5.med": lambda: pyramids("pyra5"),

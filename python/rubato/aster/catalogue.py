@@ -22,9 +22,21 @@ def _include(session: Any, arguments: Any) -> None:
     session.include(arguments.UNITE)
 
 
+def _associate(session: Any, arguments: Any) -> int:
+    """DEFI_FICHIER: the file of a unit, which is its result; of a free unit where none is given."""
+    unit = arguments.UNITE
+    if unit is None:
+        unit = next(number for number in range(99, 0, -1) if number not in session.files)
+    if arguments.ACTION == "LIBERER":
+        session.files.pop(unit, None)
+    elif arguments.FICHIER is not None:
+        session.files[unit] = session.folder / arguments.FICHIER
+    return unit
+
+
 def session_commands() -> list[Command]:
     """Commands about the session itself."""
-    from .keys import integer
+    from .keys import integer, text, words
 
     start = {name: harmless() for name in ("CODE", "DEBUG", "IMPR_MACRO", "LANG", "PAR_LOT", "IGNORE_ALARM", "ERREUR",
                                            "BASE", "CATALOGUE", "MEMOIRE", "MESURE_TEMPS", "RESERVE_CPU", "FORMAT_HDF",
@@ -35,6 +47,9 @@ def session_commands() -> list[Command]:
         Command("FIN", {name: harmless() for name in ("FORMAT_HDF", "RETASSAGE", "INFO_RESU", "PROC0", "INFO_BASE",
                                                       "INFO")}, _end),
         Command("INCLUDE", {"UNITE": integer(required=True), "INFO": harmless()}, _include),
+        Command("DEFI_FICHIER", {
+            "ACTION": words("ASSOCIER", "RESERVER", "LIBERER", default="ASSOCIER"), "UNITE": integer(),
+            "FICHIER": text(), "TYPE": harmless(), "ACCES": harmless(), "INFO": harmless()}, _associate),
     ]
 
 

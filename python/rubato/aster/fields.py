@@ -138,15 +138,16 @@ def nodal_values(stored: Stored, name: str) -> np.ndarray:
 
 def nodal_forces(result: Result, stored: Stored) -> NodalField:
     """FORC_NODA: ∫ Bᵀσ and the forces of springs, in axisymmetric models per radian."""
-    forces = internal_force(stored) + stored.solved.spring_forces(stored.state)
-    return _vector(stored, forces / stored.solved.ring, "DEPL_R")
+    solved = stored.solved
+    forces = internal_force(stored) - solved.pulls(stored.state.t) + solved.end_forces(stored.state)
+    return _vector(stored, forces / solved.ring, "DEPL_R")
 
 
 def reactions(result: Result, stored: Stored) -> NodalField:
     """REAC_NODA: FORC_NODA without the loads. Supports, contact, inertia and damping are what is left."""
-    solved, t = stored.solved, stored.state.t
-    loads = at_nodes(stored, solved.model.external_force(t)) - solved.pulls(t)
-    forces = internal_force(stored) + solved.spring_forces(stored.state)
+    solved = stored.solved
+    loads = at_nodes(stored, solved.model.external_force(stored.state.t))
+    forces = internal_force(stored) + solved.end_forces(stored.state)
     return _vector(stored, (forces - loads) / solved.ring, "DEPL_R")
 
 

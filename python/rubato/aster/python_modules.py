@@ -13,9 +13,13 @@ from .keys import CommandError
 
 
 class NotConverged(CommandError):
-    """A step was not solved. Code_Aster: aster.NonConvergenceError; results up to there are kept."""
+    """A step was not solved. Code_Aster: aster.NonConvergenceError. `result`: what was solved up to there."""
 
     exit_code = 3
+
+    def __init__(self, text: str, id_message: str = "", result: Any = None):
+        super().__init__(text, id_message)
+        self.result = result
 
 
 class TimeLimit(CommandError):

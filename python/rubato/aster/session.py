@@ -13,7 +13,7 @@ from typing import Any
 from .checks import CheckTable
 from .concepts import Named
 from .keys import Command, CommandError, check
-from .python_modules import install_modules
+from .python_modules import NotConverged, install_modules
 
 
 class EndOfFile(Exception):
@@ -107,12 +107,20 @@ class Session:
         place = self.place_of(error)
         if isinstance(error, CommandError):
             code = getattr(error, "exit_code", 2)
-            return StudyFailed(f"{place}: {error}", code)
+            return StudyFailed(f"{place}: {error}{self._kept(error)}", code)
         if isinstance(error, SystemExit):
             return StudyFailed(f"{place}: the command file called exit.", 4)
         if isinstance(error, MemoryError):
             return StudyFailed(f"{place}: there is not enough memory; --memory gives the study more.", 4)
         return StudyFailed(f"{place}: {type(error).__name__}: {error}", 2)
+
+    def _kept(self, error: CommandError) -> str:
+        """Writes what a step that could not be solved leaves, and says where."""
+        if not isinstance(error, NotConverged) or error.result is None or not error.result.stored:
+            return ""
+        from .commands.output import keep
+
+        return f" What was solved before is in {keep(self, error.result).name}."
 
     def place_of(self, error: BaseException) -> str:
         """file:line of the last line of the study's own files that an error went through."""
@@ -147,6 +155,9 @@ class Session:
             before, self.assigned = self.assigned, self._assigned_name(frame) or ""
             try:
                 made = command.run(self, arguments)
+            except NotConverged as error:
+                self._keep_part(error, frame)
+                raise
             finally:
                 self.assigned = before
             if isinstance(made, Named):
@@ -156,6 +167,14 @@ class Session:
         call.__name__ = command.name
         return call
 
+    def _keep_part(self, error: NotConverged, frame: Any) -> None:
+        """What was solved up to the failure is a result, as in Code_Aster: the file may go on with it."""
+        if error.result is None:
+            return
+        self._register(error.result, frame)
+        if error.result.name.isidentifier():
+            self.namespace[error.result.name] = error.result
+
     def _register(self, made: Named, frame: Any) -> None:
         """Names a concept after the variable it is assigned to. Code_Aster's supervisor knows concepts that functions
         make by that name everywhere, so they become variables of the files."""
@@ -163,8 +182,9 @@ class Session:
         if name is None:
             return
         made.name = name
-        if frame.f_code.co_name != "<module>" and name.isidentifier():
-            self.namespace.setdefault(name, made)
+        known = self.namespace.get(name)
+        if frame.f_code.co_name != "<module>" and name.isidentifier() and (known is None or isinstance(known, Named)):
+            self.namespace[name] = made
 
     def _assigned_name(self, frame: Any) -> str | None:
         tree = self._sources.get(frame.f_code.co_filename)

@@ -151,6 +151,15 @@ def _columns(field: Field, item: Arguments) -> list[int]:
     return chosen if item.NOM_CMP else list(range(len(field.components)))
 
 
+def keep(session: Any, result: Result) -> Path:
+    """Writes what there is of a result that could not be finished into the run folder."""
+    path = session.folder / f"{result.name or 'result'}.med"
+    keys = KEYS["RESU"].takes.keys  # type: ignore[union-attr]
+    values = {name: () if key.many else key.default for name, key in keys.items()}
+    write_med(session, path, Arguments({**values, "RESULTAT": result, "TOUT_ORDRE": "OUI"}, {"RESULTAT"}))
+    return path
+
+
 # ---- RESULTAT ----------------------------------------------------------------------------------------------------
 
 

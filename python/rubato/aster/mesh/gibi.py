@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Text dumps of Cast3M (GIBI): its named meshes become groups of cells, its named points groups of nodes. As in
-Code_Aster nodes are called N1, … by the place of their coordinates, cells M1, … by their place among the cells of all
-meshes of the file; meshes without a name, and that none with a name is made of, are left out."""
+Code_Aster nodes are called N1, … by the place of their coordinates, cells M1, … by their place among the cells of
+all meshes of the file; meshes without a name, and that none with a name is made of, are left out."""
 
 from __future__ import annotations
 

@@ -21,7 +21,8 @@ from .supports import Imposed, ImposedDisplacements
 
 @dataclass(frozen=True)
 class Spring:
-    """A spring along one direction, for the forces at its ends. `far`: -1 for springs of one node."""
+    """A spring along one direction from a node of a body to an end that belongs to none: rubato knows the ground only,
+    so results need the force on the end, and the load that stands for its displacement."""
 
     node: int
     far: int
@@ -89,12 +90,6 @@ def add_to_node(problem: Problem, node: int, kind: str, item: Arguments, ring: f
     for axis, amount in enumerate(item.VALE):
         if amount:
             connect(problem, on, "", np.eye(3)[axis], kind, amount * ring)
-            note_spring(problem, node, -1, np.eye(3)[axis], kind, amount * ring)
-
-
-def note_spring(problem: Problem, node: int, far: int, along: np.ndarray, kind: str, amount: float) -> None:
-    if NUMBERS[kind] == "stiffness":
-        problem.springs.append(Spring(node, far, along, amount))
 
 
 def check_size(problem: Problem, kind: str, item: Arguments) -> None:
@@ -119,14 +114,15 @@ def add_spring(problem: Problem, nodes: list[int], kind: str, item: Arguments, i
     for axis, amount in enumerate(item.VALE):
         if not amount:
             continue
-        node = on_bodies[0]
-        far = nodes[1] if nodes[0] == node else nodes[0]
-        note_spring(problem, node, far, axes[axis], kind, amount * problem.ring)
         if len(on_bodies) == 2:
             connect(problem, problem.node_group([nodes[0]]), problem.node_group([nodes[1]]), axes[axis], kind,
                     amount * problem.ring)
         else:
+            node = on_bodies[0]
             connect(problem, problem.node_group([node]), "", axes[axis], kind, amount * problem.ring)
+            far = nodes[1] if nodes[0] == node else nodes[0]
+            if NUMBERS[kind] == "stiffness":
+                problem.springs.append(Spring(node, far, axes[axis], amount * problem.ring))
             pull_from(problem, node, far, axes[axis], kind, amount * problem.ring, imposed)
 
 

@@ -34,7 +34,7 @@ def meca_statique(session: Any, arguments: Arguments) -> Result:
     while not simulation.finished:
         step = advance(simulation)
         if not step.accepted:
-            raise NotConverged(f"MECA_STATIQUE: {step.report}")
+            raise NotConverged(f"MECA_STATIQUE: {step.report}", "", result)
         order += 1
         result.stored.append(Stored(order, simulation.state.t, solved, simulation.state))
     return result

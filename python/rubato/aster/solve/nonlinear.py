@@ -289,7 +289,7 @@ def march(session: Any, command: str, arguments: Arguments, result: Result, solv
     while not simulation.finished:
         step = advance(simulation)
         if not step.accepted:
-            raise NotConverged(f"{command}: {step.report}", "MECANONLINE9_7")
+            raise NotConverged(f"{command}: {step.report}", "MECANONLINE9_7", result)
         iterations = step.iterations
         state = simulation.state
         stored = Stored(order + 1, state.t, solved, state, iterations, parameters={"ITER_GLOB": iterations})

@@ -39,8 +39,8 @@ class Problem:
         self.rigid_nodes: np.ndarray = np.zeros(0, dtype=np.int64)
         self.physics = "solid"
         self.zones: list[Any] = []
-        self.springs: list[Any] = []  # discrete.Spring
-        # Ends of springs that belong to no body: by node and axis the displacement as a function of time.
+        self.springs: list[Any] = []  # discrete.Spring: those to ends that belong to no body
+        # These ends: by node and axis the displacement as a function of time.
         self.ends: dict[int, dict[int, Any]] = {}
         self._node_groups: dict[bytes, str] = {}
         self._cell_groups: dict[bytes, str] = {}

@@ -16,8 +16,8 @@ from .discrete import Spring
 @dataclass
 class Solved:
     """`model`: the rubato.Model; `mesh`: the mesh that the command file has; `cell_of`: which of its cells each cell of
-    the model's mesh is; `zones`: contact zones in the order of the model; `springs`, and
-    the displacements of their `ends` that belong to no body, by node and axis, of time; `dynamic`: whether there is inertia."""
+    the model's mesh is; `zones`: contact zones in the order of the model; `springs`: those to ends that belong to no
+    body; `ends`: the displacements of these, functions of time by node and axis; `dynamic`: whether there is inertia."""
 
     model: Any
     mesh: MeshConcept
@@ -48,20 +48,17 @@ class Solved:
                 values[node, axis] = at(state.t)
         return values
 
-    def spring_forces(self, state: Any) -> np.ndarray:
-        """What springs add to the internal forces: nodes × 3."""
+    def end_forces(self, state: Any) -> np.ndarray:
+        """Internal forces at the ends of springs that belong to no body: nodes × 3."""
         moved = self.displacement(state)
         forces = np.zeros_like(moved)
         for spring in self.springs:
-            far = moved[spring.far] if spring.far >= 0 else np.zeros(3)
-            force = spring.stiffness * spring.along * float(spring.along @ (moved[spring.node] - far))
-            forces[spring.node] += force
-            if spring.far >= 0:
-                forces[spring.far] -= force
+            longer = float(spring.along @ (moved[spring.far] - moved[spring.node]))
+            forces[spring.far] += spring.stiffness * longer * spring.along
         return forces
 
     def pulls(self, t: float) -> np.ndarray:
-        """The loads that stand for ends of springs that move: nodes × 3."""
+        """The loads on bodies that stand for the displacements of these ends: nodes × 3."""
         forces = np.zeros((self.mesh.mesh.node_count, 3))
         for spring in self.springs:
             for axis, at in self.ends.get(spring.far, {}).items():

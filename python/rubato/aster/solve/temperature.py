@@ -20,10 +20,21 @@ def add_temperatures(problem: Problem, materials: MaterialField) -> None:
     for item in materials.variables:
         cells = problem.concept.cells(item) if (item.GROUP_MA or item.MAILLE or item.TOUT) else problem.solid
         cells = np.intersect1d(cells, problem.solid)
-        nodes = problem.concept.nodes_of_cells(cells)
-        made.append(rubato.Temperature(on=problem.node_group(nodes), value=field_of(problem, item, nodes)))
+        for nodes in layers(problem, problem.concept.nodes_of_cells(cells)):
+            made.append(rubato.Temperature(on=problem.node_group(nodes), value=field_of(problem, item, nodes)))
         set_reference(problem, item, cells)
     problem.study.temperatures = made
+
+
+def layers(problem: Problem, nodes: np.ndarray) -> list[np.ndarray]:
+    """The nodes, so that no two of a layer stand at one place, as those of bodies that touch do."""
+    places = np.asarray(problem.concept.mesh.points)[nodes]
+    _, of_node = np.unique(places, axis=0, return_inverse=True)
+    seen: dict[int, int] = {}
+    level = np.zeros(len(nodes), dtype=np.int64)
+    for i, place in enumerate(of_node.ravel()):
+        level[i] = seen[place] = seen.get(place, -1) + 1
+    return [nodes[level == number] for number in range(int(level.max(initial=-1)) + 1)]
 
 
 def set_reference(problem: Problem, item: Arguments, cells: np.ndarray) -> None:
@@ -85,15 +96,10 @@ def check_instant(item: Arguments, instants: np.ndarray, t: float) -> None:
 
 
 def by_place(problem: Problem, values: np.ndarray, nodes: np.ndarray) -> Callable[[float, float, float], float]:
-    """The value of the node at a place. Nodes of two bodies at one place must have the same."""
-    points = np.zeros((problem.concept.mesh.node_count, 3))
-    points[:, :np.asarray(problem.concept.mesh.points).shape[1]] = problem.concept.mesh.points
-    at: dict[tuple[float, float, float], float] = {}
-    for node in nodes:
-        key = tuple(points[node])
-        if np.isnan(values[node]):
-            raise CommandError(f"AFFE_VARC: node {problem.concept.node_name(int(node))} has no temperature.")
-        if at.setdefault(key, values[node]) != values[node]:
-            raise CommandError(f"AFFE_VARC: two nodes at the place of {problem.concept.node_name(int(node))} have "
-                               "different temperatures: that is not available.")
+    """The value of the node at a place; no two of the nodes stand at one."""
+    points = np.asarray(problem.concept.mesh.points)
+    missing = nodes[np.isnan(values[nodes])]
+    if len(missing):
+        raise CommandError(f"AFFE_VARC: node {problem.concept.node_name(int(missing[0]))} has no temperature.")
+    at = {tuple(points[node]): float(values[node]) for node in nodes}
     return lambda x, y, z: at[x, y, z]
