@@ -38,6 +38,7 @@ def stub_classes(path):
         if isinstance(node, ast.ClassDef):
             names = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
             names |= {target.id for item in node.body if isinstance(item, ast.Assign) for target in item.targets}
+            names |= {item.target.id for item in node.body if isinstance(item, ast.AnnAssign)}
             classes[node.name] = (public(names), [ast.unparse(base) for base in node.bases])
         elif isinstance(node, ast.FunctionDef):
             functions.add(node.name)
@@ -109,6 +110,7 @@ BAD = {
     'rubato.Material(young="stiff")': "incompatible type",
     "rubato.Simulation(3)": "incompatible type",
     "step.acepted": "has no attribute",
+    "step.attempt.end = 1": "final attribute",
     "rubato.lod('a')": "has no attribute",
 }
 
