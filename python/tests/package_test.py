@@ -173,3 +173,9 @@ def test_every_module_of_the_package_is_built_and_installed(prefix):
     for path in source.rglob("*.py"):
         for root in (PACKAGE, prefix / "lib/python3/dist-packages/rubato"):
             assert (root / path.relative_to(source)).read_bytes() == path.read_bytes(), path
+
+
+def test_records_show_their_members_to_editors():
+    parameters = inspect.signature(rubato.Material).parameters
+    assert list(parameters)[:3] == ["name", "law", "young"] and parameters["young"].annotation == "float"
+    assert "> 0 [pressure]" in inspect.getdoc(rubato.Material.young)
