@@ -21,8 +21,32 @@ template <class T, class Value> struct Member {
 template <class T, class Value> Member(std::string_view, Value T::*, std::string_view) -> Member<T, Value>;
 
 /// `name`, `meaning`, and `members`, a tuple of Member; it may have `other`, which makes a record of another
-/// value that stands for one, or gives nothing: py::object other(py::handle, const Path&).
+/// value that stands for one, or gives nothing: py::object other(py::handle, const Path&); and `hidden`, the
+/// number of members that Python does not see.
 template <class T> struct Description;
+
+/// Stands for a value of whatever type a member has.
+struct AnyValue {
+  template <class T> operator T() const; // never called
+};
+template <class T, std::size_t... I> consteval bool takes(std::index_sequence<I...>) {
+  return requires {
+    T{(static_cast<void>(I), AnyValue{})...};
+  };
+}
+/// Members of a struct without constructors: as many as an initialisation takes.
+template <class T, std::size_t count = 64> consteval std::size_t member_count() {
+  if constexpr (takes<T>(std::make_index_sequence<count>()))
+    return count;
+  else
+    return member_count<T, count - 1>();
+}
+template <class T> consteval std::size_t hidden_count() {
+  if constexpr (requires { Description<T>::hidden; })
+    return Description<T>::hidden;
+  else
+    return 0;
+}
 
 /// A member without its type.
 struct MemberEntry {
@@ -99,6 +123,10 @@ template <class T> std::string RecordCodec<T>::type() {
 }
 
 template <class T> RecordEntry record_entry() {
+  if constexpr (std::is_aggregate_v<T>)
+    static_assert(std::tuple_size_v<decltype(Description<T>::members)> + hidden_count<T>() ==
+                      member_count<T>(),
+                  "Python has every member of the struct");
   RecordEntry entry{Description<T>::name, Description<T>::meaning, {}, [] {
                       py::list values;
                       const T value;

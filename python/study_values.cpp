@@ -71,6 +71,7 @@ template struct RecordCodec<Profile>;
 
 template <> struct Description<FileField> {
   static constexpr std::string_view name = "FileField";
+  static constexpr std::size_t hidden = 1; // what the model has read
   static constexpr std::string_view meaning = "A field at the nodes of a file (.med, .rmed, .vtu, .pvd) with "
                                               "the mesh of the study; between nodes it has "
                                               "the shape functions of the study's cells.";

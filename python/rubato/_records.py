@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import copy
 import enum
+import inspect
 import json
 import textwrap
 
@@ -113,6 +114,12 @@ def _documented(meaning, members):
     return "\n".join([meaning, "", *lines])
 
 
+def _signature(members):
+    """Each member by its position or its name; `...` stands for its default."""
+    kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    return inspect.Signature([inspect.Parameter(name, kind, default=..., annotation=type_) for name, type_, _ in members])
+
+
 def _make_record(name, meaning, members):
     base = _StudyMethods if name == "Study" else Record
     names = tuple(member for member, _, _ in members)
@@ -120,10 +127,11 @@ def _make_record(name, meaning, members):
         name,
         (base,),
         {
-            "__slots__": names,
+            "__slots__": {member: f"{type_}; {text}" if text else type_ for member, type_, text in members},
             "__doc__": _documented(meaning, members),
             "__module__": "rubato",
             "_members": names,
+            "__signature__": _signature(members),
             "_is_record": True,
         },
     )

@@ -38,6 +38,7 @@ def stub_classes(path):
         if isinstance(node, ast.ClassDef):
             names = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
             names |= {target.id for item in node.body if isinstance(item, ast.Assign) for target in item.targets}
+            names |= {item.target.id for item in node.body if isinstance(item, ast.AnnAssign)}
             classes[node.name] = (public(names), [ast.unparse(base) for base in node.bases])
         elif isinstance(node, ast.FunctionDef):
             functions.add(node.name)
@@ -109,6 +110,7 @@ BAD = {
     'rubato.Material(young="stiff")': "incompatible type",
     "rubato.Simulation(3)": "incompatible type",
     "step.acepted": "has no attribute",
+    "step.attempt.end = 1": "final attribute",
     "rubato.lod('a')": "has no attribute",
 }
 
@@ -171,3 +173,9 @@ def test_every_module_of_the_package_is_built_and_installed(prefix):
     for path in source.rglob("*.py"):
         for root in (PACKAGE, prefix / "lib/python3/dist-packages/rubato"):
             assert (root / path.relative_to(source)).read_bytes() == path.read_bytes(), path
+
+
+def test_records_show_their_members_to_editors():
+    parameters = inspect.signature(rubato.Material).parameters
+    assert list(parameters)[:3] == ["name", "law", "young"] and parameters["young"].annotation == "float"
+    assert "> 0 [pressure]" in inspect.getdoc(rubato.Material.young)

@@ -133,6 +133,20 @@ def test_what_progress_raises_ends_the_run_with_a_folder_that_can_be_resumed(tmp
     assert (tmp_path / "a/probes.csv").read_bytes() == (tmp_path / "b/probes.csv").read_bytes()
 
 
+def test_a_function_that_raises_ends_the_run_with_its_name(tmp_path):
+    def fails(x, y, z, t):
+        if 0.4 < t < 0.6:
+            raise ZeroDivisionError("no more")
+        return 0.0
+
+    study = studies.bar(scheme="static", step=0.25, end=1)
+    study.supports.append(rubato.Support(on="end", components=(rubato.GivenField("mine", fails, True), None)))
+    with pytest.raises(rubato.InputError, match=r"the field 'mine' raised ZeroDivisionError \(no more\)"):
+        rubato.run(study, tmp_path / "a")
+    stored = rubato.open_run(tmp_path / "a")
+    assert stored.status == "interrupted" and "the last whole step ends at t = 0.25" in stored.reason
+
+
 def test_a_study_that_cannot_be_run_leaves_no_folder(tmp_path):
     study = studies.case()
     study.supports[0].on = "Encastremnt"

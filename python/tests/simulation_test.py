@@ -88,6 +88,22 @@ def test_supports_that_end_and_locked_preloads_leave_states_alone():
         assert numpy.array_equal(a, a_then) and numpy.array_equal(reaction, reaction_then)
 
 
+def test_a_preload_that_is_locked_leaves_states_alone():
+    study = studies.bar(scheme="static", step=0.25, end=1)
+    study.loads = []
+    cut = rubato.Cut(point=(1, 0.5), normal=(1, 0))
+    study.preload = [rubato.Preload("bolt", cut, True, rubato.Amplitude(1, "tighten"), lock=0.5)]
+    study.supports.append(rubato.Support(on="end", components=(0, 0)))
+    study.functions["tighten"] = ([0, 0.5], [0, 1])
+    simulation = rubato.Simulation(study)
+    seen = []
+    for _ in simulation:
+        seen.append((simulation.state, [array.copy() for array in numbers_of(simulation.state)]))
+    for state, copies in seen:
+        assert all(numpy.array_equal(one, other) for one, other in zip(numbers_of(state), copies))
+    assert len(seen) == 4 and numpy.abs(seen[1][0].u).max() > 1e-4
+
+
 def test_a_callback_is_told_where_a_step_stands_and_may_end_it():
     simulation = rubato.Simulation(studies.blocks())
     told = []

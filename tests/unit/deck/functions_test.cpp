@@ -278,6 +278,15 @@ TEST(FieldsOfFiles, AreReadWithTheirNames) {
             Sentences{"study.yaml:5:47: unknown key 'supports.0.x.componnt'; did you mean 'component'?"});
 }
 
+TEST(FieldsOfPrograms, AreRefused) {
+  const auto faults = faults_of(smallest_deck + "supports: [{on: A, x: {given: mine}}]\n");
+  ASSERT_FALSE(faults.empty());
+  EXPECT_EQ(
+      faults.front(),
+      "study.yaml:5:23: supports.0.x: found a field that a program gave to the study, expected a number, "
+      "an expression, a table or a field of a file: no deck has the function that computes it");
+}
+
 TEST(BadTablesAlongAnAxis, AreToldAtTheirPlace) {
   const auto faults = [](const std::string& value) {
     return faults_of(smallest_deck + "supports: [{on: A, x: " + value + "}]\n");

@@ -8,7 +8,9 @@
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace rubato::simulation {
 namespace {
@@ -65,6 +67,19 @@ TEST(Release, LetsAnOscillatorSwingAsItsSchemeDoesExactly) {
     EXPECT_LE(found.off, 1e-13) << time;
     EXPECT_LE(found.balance, 1e-12) << time;
   }
+}
+
+TEST(Release, LeavesStatesAloneThatOthersHold) {
+  Simulation simulation(test::model_of(oscillator("{scheme: newmark, step: 0.02, end: 0.2}")));
+  std::vector<std::shared_ptr<const step::State>> held;
+  std::vector<Eigen::VectorXd> accelerations;
+  while (!simulation.finished()) {
+    held.push_back(simulation.shared_state());
+    accelerations.push_back(simulation.state().motion.a);
+    ASSERT_TRUE(simulation.advance().accepted());
+  }
+  for (std::size_t i = 0; i < held.size(); ++i)
+    EXPECT_EQ(held[i]->motion.a, accelerations[i]) << i;
 }
 
 /// Central differences by 2 asin(ωh/2), with the lumped mass.

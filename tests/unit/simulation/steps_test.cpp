@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Step by step to the end, on from mementos, and interrupted.
 #include "support/simulated_blocks.hpp"
+#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -116,6 +117,43 @@ TEST_P(Simulated, StaysWhereItWasWhenWhoeverIsAskedThrows) {
   expect_same(blocks.memento(), start);
   ASSERT_TRUE(blocks.advance().accepted());
   expect_same(blocks, whole);
+}
+
+TEST_P(Simulated, LeavesStatesAloneThatOthersHold) {
+  Simulation blocks(study());
+  std::vector<std::shared_ptr<const step::State>> held;
+  std::vector<step::State> copies;
+  const auto hold = [&] {
+    held.push_back(blocks.shared_state());
+    copies.push_back(blocks.state());
+    EXPECT_EQ(held.back().get(), &blocks.state()) << "it is no copy";
+  };
+  hold();
+  const auto begin = blocks.memento();
+  while (!blocks.finished()) {
+    ASSERT_TRUE(blocks.advance().accepted());
+    hold();
+  }
+  blocks.restore(begin);
+  blocks.advance();
+  blocks = Simulation(study());
+  for (std::size_t i = 0; i < held.size(); ++i)
+    expect_same(*held[i], copies[i]);
+  EXPECT_NE(held[1]->motion.u, held[2]->motion.u);
+}
+
+TEST_P(Simulated, ComesToTheSameBitsWhetherStatesAreHeldOrNot) {
+  Simulation blocks(study());
+  Simulation others(study());
+  const auto* place = &others.state();
+  std::vector<std::shared_ptr<const step::State>> held;
+  while (!blocks.finished()) {
+    held.push_back(blocks.shared_state());
+    blocks.advance();
+    others.advance();
+    EXPECT_EQ(&others.state(), place) << "nobody holds it";
+  }
+  expect_same(blocks, others);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Simulated, test::both_kinds(), test::name_of_kind);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Values of a study that are expressions of place and time.
 #include "rubato/core/error.hpp"
+#include "rubato/study/echo.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/validate.hpp"
 
@@ -8,6 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <memory>
+#include <span>
 #include <string>
 
 namespace rubato::study {
@@ -91,6 +95,61 @@ TEST(AField, IsWhatItsValueAndItsFunctionSay) {
   EXPECT_TRUE(varies_in_time(Formula{"x+t"}));
   EXPECT_FALSE(varies_in_time(Formula{"x+"})) << "what is broken does not";
   EXPECT_EQ(Field(Amplitude{2, "ramp"}), Field(2, "ramp"));
+}
+
+/// t x, as a program may compute it.
+class Computed : public SampledField {
+public:
+  explicit Computed(bool in_time) : in_time_(in_time) {}
+  double at(std::span<const double, 3> place, double t) const override {
+    return in_time_ ? t * place[0] : place[0];
+  }
+  bool varies_in_time() const override { return in_time_; }
+
+private:
+  bool in_time_;
+};
+
+GivenField given(bool in_time) {
+  return {"mine", std::make_shared<const Computed>(in_time)};
+}
+
+TEST(AFieldOfAProgram, IsWhatItsFunctionSays) {
+  const std::map<std::string, Function> functions{{"ramp", {{0, 1}, {0, 1}}}};
+  constexpr std::array place{2.0, 3.0, 4.0};
+  EXPECT_EQ(field_function(Field(given(true)), functions, "a").at(place, 0.5), 1);
+  EXPECT_EQ(field_function(Field(given(true), "ramp"), functions, "a").at(place, 0.5), 0.5);
+  EXPECT_TRUE(varies_in_time(given(true)));
+  EXPECT_FALSE(varies_in_time(given(false)));
+  EXPECT_TRUE(varies_in_time(Field(given(false), "ramp")));
+  EXPECT_THROW(field_function(Field(GivenField{"mine"}), functions, "a"), InputError);
+}
+
+TEST(AFieldOfAProgram, IsEqualToItselfAlone) {
+  const auto one = given(false);
+  EXPECT_EQ(one, GivenField(one));
+  EXPECT_NE(one, given(false)) << "another function";
+  EXPECT_NE(one, (GivenField{"other", one.values}));
+  EXPECT_NE(FieldValue(one), FieldValue(0));
+}
+
+TEST(AFieldOfAProgram, IsJudgedByItsNameAndItsValues) {
+  const auto with = [](const Field& gap) { return [gap](Study& s) { s.contact[0].gap = gap; }; };
+  EXPECT_EQ(flaw_at("contact.joint.gap", with(given(true))), "");
+  EXPECT_EQ(flaw_at("contact.joint.gap", with(GivenField{"mine"})),
+            "the field 'mine' has no values, expected those that a program gives it");
+  EXPECT_EQ(flaw_at("contact.joint.gap.given", with(GivenField{"", given(true).values})),
+            "found no name, expected one");
+  EXPECT_EQ(
+      flaw_at("base_motion.x", [](Study& s) { s.base_motion.emplace().components[0] = Field(given(false)); }),
+      "found a motion that depends on the place, expected a number or an expression of t: the base moves "
+      "as a whole");
+}
+
+TEST(AFieldOfAProgram, IsEchoedByItsName) {
+  Study study;
+  study.loads = {{LoadKind::pressure, "above", {given(false), 0, 0}, ""}};
+  EXPECT_NE(to_json(study).find("\"given\": \"mine\""), std::string::npos);
 }
 
 } // namespace
