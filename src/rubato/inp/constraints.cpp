@@ -99,7 +99,7 @@ std::string add_reference(Reading& reading, study::RelationKind kind, const Foll
   }
   study::Relation relation;
   relation.kind = kind;
-  relation.name = chosen_name(reading, label);
+  relation.name = chosen_name(reading, relation_kind, label);
   relation.on = followers.group;
   relation.at = place_of(reading, node);
   if (!reading.references.try_emplace(node, ReferenceNode{relation.name, false}).second)
@@ -221,7 +221,7 @@ void read_embedded(Reading& reading, std::size_t index) {
       const auto followers = set_followers(reading, placed.scope, word, true);
       study::Relation relation;
       relation.kind = study::RelationKind::embedded;
-      relation.name = chosen_name(reading, fmt::format("{}_embedded", word.text));
+      relation.name = chosen_name(reading, relation_kind, fmt::format("{}_embedded", word.text));
       if (host != nullptr)
         if (const auto in = set_followers(reading, placed.scope, host->value, true); in)
           relation.cells = in->group;
@@ -251,7 +251,7 @@ void read_equation(Reading& reading, std::size_t index) {
       return faults.add(at, "expected the number of terms of an equation alone on its line");
     study::Relation relation;
     relation.kind = study::RelationKind::equation;
-    relation.name = chosen_name(reading, "equation");
+    relation.name = chosen_name(reading, relation_kind, "equation");
     std::vector<Word> terms;
     while (terms.size() < 3 * static_cast<std::size_t>(*count) && next_line())
       terms.insert(terms.end(), words.begin(), words.end());
@@ -307,7 +307,7 @@ void read_mpc(Reading& reading, std::size_t index) {
     for (int axis = 0; axis < reading.dimension(); ++axis) {
       study::Relation relation;
       relation.kind = study::RelationKind::equation;
-      relation.name = chosen_name(reading, "mpc");
+      relation.name = chosen_name(reading, relation_kind, "mpc");
       for (const auto& [node, coefficient] : {std::pair(*a, 1.0), std::pair(*b, -1.0)}) {
         study::RelationTerm term;
         term.on = node_name(reading, node);

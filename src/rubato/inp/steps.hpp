@@ -51,6 +51,7 @@ struct Step {
   Word procedure_at;
   study::TimeStepping time;
   bool ramp = true; ///< default of loads
+  std::optional<int> mode_count;
   Requests requests;
 };
 
