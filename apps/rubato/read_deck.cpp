@@ -14,6 +14,26 @@
 namespace rubato::app {
 namespace {
 
+/// A tree that has a value at each path, where it is written: that deck::Places is made of.
+deck::Tree tree_of(const inp::Places& places) {
+  deck::Tree tree;
+  for (const auto& [path, at] : places) {
+    auto* node = &tree;
+    for (std::size_t begin = 0; begin < path.size();) {
+      const auto end = std::min(path.find('.', begin), path.size());
+      const auto key = path.substr(begin, end - begin);
+      auto* child = node->find(key);
+      if (child == nullptr)
+        child = &node->entries.emplace_back(deck::Tree::Entry{key, at, {}}).value;
+      child->at = child->at.file.empty() ? at : child->at;
+      node = child;
+      begin = end + 1;
+    }
+    node->at = at;
+  }
+  return tree;
+}
+
 /// The deck that the steps make, with changes. Lines of that text mean nothing to whoever wrote the .inp
 /// file.
 deck::Deck changed(deck::Deck deck, const std::filesystem::path& file, std::span<const deck::Setting> changes,
@@ -42,8 +62,8 @@ deck::Deck changed(deck::Deck deck, const std::filesystem::path& file, std::span
 deck::Deck deck_of(inp::Input input, const std::filesystem::path& file,
                    std::span<const deck::Setting> changes, std::span<const std::string> only) {
   deck::Deck deck{std::move(input.title), std::move(input.runs), {}, std::move(input.notes)};
-  for (auto& places : input.places)
-    deck.places.emplace_back(std::move(places));
+  for (const auto& places : input.places)
+    deck.places.emplace_back(tree_of(places));
   return changes.empty() && only.empty() ? deck : changed(std::move(deck), file, changes, only);
 }
 

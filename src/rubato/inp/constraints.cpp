@@ -123,8 +123,8 @@ void require_all_dofs(Reading& reading, const Block& block, std::size_t first_fi
     const auto last = field(fields, first_field + 1, fields[0]);
     const auto to =
         last.empty() ? from : mesh::inp::require_integer(last, "a degree of freedom, 1 to 6", reading.faults);
-    for (auto dof = from.value_or(1); dof <= std::min<std::int64_t>(to.value_or(0), 6); ++dof)
-      if (dof >= 1)
+    for (std::int64_t dof = 1; dof <= 6; ++dof)
+      if (from && to && dof >= *from && dof <= *to)
         held[static_cast<std::size_t>(dof) - 1] = true;
   }
   const bool all = std::all_of(held.begin(), held.begin() + reading.dimension(), [](bool is) { return is; });
@@ -247,8 +247,11 @@ void read_equation(Reading& reading, std::size_t index) {
   while (next_line()) {
     const auto at = words[0];
     const auto count = mesh::inp::require_integer(at, "the number of terms", faults);
-    if (!count || *count < 1 || words.size() > 1)
-      return faults.add(at, "expected the number of terms of an equation alone on its line");
+    constexpr std::int64_t most_terms = 100'000;
+    if (count && (*count < 1 || *count > most_terms || words.size() > 1))
+      faults.add(at, "expected the number of terms of an equation, 1 or more, alone on its line");
+    if (!faults.empty())
+      return;
     study::Relation relation;
     relation.kind = study::RelationKind::equation;
     relation.name = chosen_name(reading, relation_kind, "equation");

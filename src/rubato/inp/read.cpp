@@ -89,7 +89,7 @@ void read_model(Reading& reading) {
     if (inside[i])
       continue;
     if (block.keyword->use == Use::harmless)
-      leave_out(reading, block.at, fmt::format("*{}", block.keyword->name));
+      leave_out(reading, block);
     else if (block.keyword->use == Use::unavailable)
       reading.faults.add(block.at,
                          fmt::format("found *{}, which rubato does not have{}{}", block.keyword->name,

@@ -58,6 +58,14 @@ void leave_out(Reading& reading, const Word& at, const std::string& what) {
     lines.push_back(at.line);
 }
 
+void leave_out(Reading& reading, const Block& block) {
+  if (block.is("RESTART") && block.find("READ") != nullptr)
+    return reading.faults.add(block.find("READ")->name,
+                              "found a restart from another analysis, which rubato does not read, "
+                              "expected a file that begins anew");
+  leave_out(reading, block.at, fmt::format("*{}", block.keyword->name));
+}
+
 bool share(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {
   std::vector<std::int32_t> both;
   std::ranges::set_intersection(a, b, std::back_inserter(both));

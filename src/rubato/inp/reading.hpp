@@ -99,6 +99,8 @@ inline constexpr std::string_view relation_kind = "relation";
 void note(Reading& reading, const Word& at, const std::string& text);
 /// Tells once that something changes nothing.
 void leave_out(Reading& reading, const Word& at, const std::string& what);
+/// A keyword that changes nothing; a fault where it does all the same.
+void leave_out(Reading& reading, const Block& block);
 /// Sorted lists share an item.
 bool share(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b);
 

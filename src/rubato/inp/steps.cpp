@@ -102,7 +102,7 @@ void refuse(Reading& reading, const Placed& placed, bool in_step) {
   const auto& block = *placed.block;
   const auto& row = *block.keyword;
   if (row.use == Use::harmless)
-    return leave_out(reading, block.at, fmt::format("*{}", row.name));
+    return leave_out(reading, block);
   if (row.use == Use::unavailable)
     return reading.faults.add(block.at, fmt::format("found *{}, which rubato does not have{}{}", row.name,
                                                     row.note.empty() ? "" : ": ", row.note));

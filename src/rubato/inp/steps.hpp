@@ -53,6 +53,7 @@ struct Step {
   bool ramp = true; ///< default of loads
   std::optional<int> mode_count;
   Requests requests;
+  bool of_fields = false; ///< the last *OUTPUT is one of fields
 };
 
 /// What goes on from step to step.
