@@ -51,7 +51,9 @@ void add_modes(CLI::App& program, Arguments& arguments) {
                    "the study, a YAML file or an .inp file with *FREQUENCY; - reads YAML from standard input")
       ->required()
       ->type_name(kind::deck);
-  command->add_option("--number", modes.number, "how many of the lowest modes (default: 10)")
+  command
+      ->add_option("--number", modes.number,
+                   "how many of the lowest modes (default: 10, or as *FREQUENCY says)")
       ->type_name(kind::number);
   command
       ->add_option(

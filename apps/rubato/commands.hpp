@@ -28,7 +28,7 @@ struct ModesArguments {
   std::filesystem::path output;
   std::vector<std::string> settings; ///< "path.to.key=value"
   std::vector<std::string> only;     ///< names of runs; empty: the first
-  int number = 10;
+  std::optional<int> number;         ///< 10, or what an .inp file asks for
   std::string contact = "open";
 };
 int modes(const ModesArguments& arguments);

@@ -2,6 +2,7 @@
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/obstacle.hpp"
 #include "rubato/deck/schema.hpp"
+#include "rubato/mesh/io/inp_keywords.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/study/contact_methods.hpp"
 #include "rubato/study/material_laws.hpp"
@@ -20,6 +21,19 @@ int schema() {
   fmt::print("{}", deck::schema());
   return done;
 }
+
+namespace {
+
+/// Those of .inp files that become something.
+void list_keywords() {
+  using rubato::mesh::inp::Use;
+  fmt::print("\nKeywords of .inp files (Abaqus, CalculiX) and what they become\n");
+  for (const auto& keyword : rubato::mesh::inp::all_keywords())
+    if (!keyword.note.empty() && keyword.use != Use::unavailable)
+      fmt::print("  {:<31} {}\n", fmt::format("*{}", keyword.name), keyword.note);
+}
+
+} // namespace
 
 int list() {
   fmt::print("Cells\n");
@@ -60,6 +74,7 @@ int list() {
   fmt::print("\nMesh files\n");
   for (const auto& format : rubato::mesh::all_formats())
     fmt::print("  {:<31} {}\n", fmt::format("{}", fmt::join(format.endings, ", ")), format.summary);
+  list_keywords();
   return done;
 }
 

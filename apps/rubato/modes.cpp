@@ -97,10 +97,12 @@ int show_modes(const study::Study& study, const rubato::modes::ModeRequest& requ
 } // namespace
 
 int modes(const ModesArguments& arguments) {
-  if (arguments.number < 1)
-    throw InputError(fmt::format("--number: found {}, expected 1 or more", arguments.number));
-  const rubato::modes::ModeRequest request{arguments.number, contact_named(arguments.contact)};
-  const auto deck = read_deck(arguments.deck, arguments.settings, arguments.only, inp::Purpose::modes);
+  if (arguments.number && *arguments.number < 1)
+    throw InputError(fmt::format("--number: found {}, expected 1 or more", *arguments.number));
+  const auto contact = contact_named(arguments.contact);
+  const auto [deck, asked] = read_modes_deck(arguments.deck, arguments.settings, arguments.only);
+  constexpr int usual_number = 10;
+  const rubato::modes::ModeRequest request{arguments.number.value_or(asked.value_or(usual_number)), contact};
   if (is_inp(arguments.deck))
     for (const auto& note : deck.notes)
       fmt::print(stderr, "{}\n", note);

@@ -14,11 +14,24 @@
 namespace rubato::app {
 namespace {
 
-deck::Deck deck_of(inp::Input input) {
-  deck::Deck deck{std::move(input.title), std::move(input.runs), {}, std::move(input.notes)};
-  for (auto& places : input.places)
-    deck.places.emplace_back(std::move(places));
-  return deck;
+/// A tree that has a value at each path, where it is written: that deck::Places is made of.
+deck::Tree tree_of(const inp::Places& places) {
+  deck::Tree tree;
+  for (const auto& [path, at] : places) {
+    auto* node = &tree;
+    for (std::size_t begin = 0; begin < path.size();) {
+      const auto end = std::min(path.find('.', begin), path.size());
+      const auto key = path.substr(begin, end - begin);
+      auto* child = node->find(key);
+      if (child == nullptr)
+        child = &node->entries.emplace_back(deck::Tree::Entry{key, at, {}}).value;
+      child->at = child->at.file.empty() ? at : child->at;
+      node = child;
+      begin = end + 1;
+    }
+    node->at = at;
+  }
+  return tree;
 }
 
 /// The deck that the steps make, with changes. Lines of that text mean nothing to whoever wrote the .inp
@@ -46,6 +59,21 @@ deck::Deck changed(deck::Deck deck, const std::filesystem::path& file, std::span
   }
 }
 
+deck::Deck deck_of(inp::Input input, const std::filesystem::path& file,
+                   std::span<const deck::Setting> changes, std::span<const std::string> only) {
+  deck::Deck deck{std::move(input.title), std::move(input.runs), {}, std::move(input.notes)};
+  for (const auto& places : input.places)
+    deck.places.emplace_back(tree_of(places));
+  return changes.empty() && only.empty() ? deck : changed(std::move(deck), file, changes, only);
+}
+
+std::vector<deck::Setting> changes_of(std::span<const std::string> settings) {
+  std::vector<deck::Setting> changes;
+  for (const auto& text : settings)
+    changes.push_back(deck::parse_setting(text));
+  return changes;
+}
+
 } // namespace
 
 bool is_standard_input(const std::filesystem::path& argument) {
@@ -59,18 +87,23 @@ bool is_inp(const std::filesystem::path& argument) {
 }
 
 deck::Deck read_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
-                     std::span<const std::string> only, inp::Purpose purpose) {
-  std::vector<deck::Setting> changes;
-  for (const auto& text : settings)
-    changes.push_back(deck::parse_setting(text));
-  if (is_inp(argument)) {
-    auto deck = deck_of(inp::read_input(argument, purpose));
-    return changes.empty() && only.empty() ? deck : changed(std::move(deck), argument, changes, only);
-  }
+                     std::span<const std::string> only) {
+  const auto changes = changes_of(settings);
+  if (is_inp(argument))
+    return deck_of(inp::read_input(argument), argument, changes, only);
   if (!is_standard_input(argument))
     return deck::read_deck(argument, changes, only);
   const std::string text(std::istreambuf_iterator<char>(std::cin), {});
   return deck::parse_deck(text, "<stdin>", changes, only);
+}
+
+ModesDeck read_modes_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
+                          std::span<const std::string> only) {
+  if (!is_inp(argument))
+    return {read_deck(argument, settings, only), std::nullopt};
+  auto input = inp::read_input(argument, inp::Purpose::modes);
+  const auto number = input.mode_count;
+  return {deck_of(std::move(input), argument, changes_of(settings), only), number};
 }
 
 std::string deck_text(std::span<const study::Study> runs) {

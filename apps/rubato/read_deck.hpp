@@ -18,10 +18,18 @@ bool is_standard_input(const std::filesystem::path& argument);
 bool is_inp(const std::filesystem::path& argument);
 
 /// Reads a deck from a file or from standard input, whose mesh files are then relative to the current folder,
-/// or the steps of an .inp file as runs of a deck. `settings`: "path.to.key=value". `purpose`: which steps of
-/// an .inp file are meant. Throws as deck::read_deck and inp::read_input do.
+/// or the steps of an .inp file as runs of a deck. `settings`: "path.to.key=value". Throws as deck::read_deck
+/// and inp::read_input do.
 deck::Deck read_deck(const std::filesystem::path& argument, std::span<const std::string> settings = {},
-                     std::span<const std::string> only = {}, inp::Purpose purpose = inp::Purpose::run);
+                     std::span<const std::string> only = {});
+
+/// What modes are computed of.
+struct ModesDeck {
+  deck::Deck deck;
+  std::optional<int> number; ///< of modes, that an .inp file asks for
+};
+ModesDeck read_modes_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
+                          std::span<const std::string> only);
 
 /// The runs as the text of one deck, whose mesh files are those named in the studies.
 std::string deck_text(std::span<const study::Study> runs);

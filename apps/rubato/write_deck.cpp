@@ -10,7 +10,7 @@
 namespace rubato::app {
 
 int write_deck(const DeckArguments& arguments) {
-  auto deck = read_deck(arguments.source, arguments.settings, arguments.only, inp::Purpose::run);
+  auto deck = read_deck(arguments.source, arguments.settings, arguments.only);
   const bool to_file = !arguments.output.empty() && !is_standard_input(arguments.output);
   const auto folder =
       to_file ? std::filesystem::absolute(arguments.output).parent_path() : std::filesystem::current_path();

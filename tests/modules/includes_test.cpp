@@ -18,13 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Each module may include those before it. `deck` is a front end, beside the mechanics: it sees the study
-/// and what a study needs, and only programs see it.
+/// Each module may include those before it. `deck` and `inp` are front ends, beside the mechanics: they see
+/// the study and what a study needs, `inp` also the mesh that its files have, and only programs see them.
 constexpr std::array<std::string_view, 21> order{
     "core",   "cell",       "study",      "mesh",    "linalg", "material", "element",
     "domain", "load",       "constraint", "contact", "time",   "model",    "modes",
     "step",   "simulation", "results",    "plot",    "run",    "report",   "apps"};
 constexpr std::array<std::string_view, 3> seen_by_deck{"core", "cell", "study"};
+constexpr std::array<std::string_view, 4> seen_by_inp{"core", "cell", "study", "mesh"};
 /// Libraries of matrices know of no mechanics.
 constexpr std::string_view leaf = "linalg";
 /// Folders in modules whose headers all may include.
@@ -75,7 +76,9 @@ bool may_see(const std::string& module, const std::string& other) {
     return true;
   if (module == "deck")
     return std::ranges::find(seen_by_deck, other) != seen_by_deck.end();
-  if (other == "deck")
+  if (module == "inp")
+    return std::ranges::find(seen_by_inp, other) != seen_by_inp.end();
+  if (other == "deck" || other == "inp")
     return module == "apps";
   return module != leaf && std::ranges::find(order, other) < std::ranges::find(order, module);
 }
@@ -88,6 +91,7 @@ TEST(Modules, AreAllNamedInTheirOrder) {
   std::set<std::string> named(order.begin(), order.end());
   named.erase("apps");
   named.insert("deck");
+  named.insert("inp");
   EXPECT_EQ(modules, named);
 }
 

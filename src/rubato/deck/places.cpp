@@ -17,8 +17,6 @@ Places::Places(const Tree& tree) {
   add("", tree.at, tree);
 }
 
-Places::Places(std::map<std::string, Location, std::less<>> by_path) : by_path_(std::move(by_path)) {}
-
 void Places::add(const std::string& path, const Location& at, const Tree& tree) {
   by_path_[path] = at;
   const bool has_names = std::ranges::find(parts_of_named, path) != parts_of_named.end();

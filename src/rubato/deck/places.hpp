@@ -18,8 +18,6 @@ class Places {
 public:
   Places() = default;
   explicit Places(const Tree& tree);
-  /// Of another front end, which knows where each value is written.
-  explicit Places(std::map<std::string, Location, std::less<>> by_path);
 
   /// Of the value, or of the nearest one around it that is written. Entries of maps whose keys are names the
   /// user chose are where their names are.

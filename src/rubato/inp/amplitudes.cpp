@@ -99,8 +99,8 @@ void read_smooth_step(const Block& block, const std::vector<double>& numbers, Cu
 /// a0 + Σ A_n cos nω(t − t0) + B_n sin nω(t − t0) from t0 on, a0 before.
 void read_periodic(const Block& block, const std::vector<double>& numbers, Curve& curve, Faults& faults) {
   constexpr std::size_t head = 4;
-  if (numbers.size() < head ||
-      numbers.size() != head + 2 * static_cast<std::size_t>(std::max(numbers[0], 0.0)))
+  const bool whole = numbers.size() > head && numbers.size() % 2 == 0;
+  if (!whole || numbers[0] != static_cast<double>((numbers.size() - head) / 2))
     return faults.add(block.at,
                       fmt::format("found {} numbers of a periodic amplitude, expected N, the frequency, t0, "
                                   "A0 and N pairs",

@@ -99,7 +99,7 @@ std::string add_reference(Reading& reading, study::RelationKind kind, const Foll
   }
   study::Relation relation;
   relation.kind = kind;
-  relation.name = chosen_name(reading, label);
+  relation.name = chosen_name(reading, relation_kind, label);
   relation.on = followers.group;
   relation.at = place_of(reading, node);
   if (!reading.references.try_emplace(node, ReferenceNode{relation.name, false}).second)
@@ -123,8 +123,8 @@ void require_all_dofs(Reading& reading, const Block& block, std::size_t first_fi
     const auto last = field(fields, first_field + 1, fields[0]);
     const auto to =
         last.empty() ? from : mesh::inp::require_integer(last, "a degree of freedom, 1 to 6", reading.faults);
-    for (auto dof = from.value_or(1); dof <= std::min<std::int64_t>(to.value_or(0), 6); ++dof)
-      if (dof >= 1)
+    for (std::int64_t dof = 1; dof <= 6; ++dof)
+      if (from && to && dof >= *from && dof <= *to)
         held[static_cast<std::size_t>(dof) - 1] = true;
   }
   const bool all = std::all_of(held.begin(), held.begin() + reading.dimension(), [](bool is) { return is; });
@@ -221,7 +221,7 @@ void read_embedded(Reading& reading, std::size_t index) {
       const auto followers = set_followers(reading, placed.scope, word, true);
       study::Relation relation;
       relation.kind = study::RelationKind::embedded;
-      relation.name = chosen_name(reading, fmt::format("{}_embedded", word.text));
+      relation.name = chosen_name(reading, relation_kind, fmt::format("{}_embedded", word.text));
       if (host != nullptr)
         if (const auto in = set_followers(reading, placed.scope, host->value, true); in)
           relation.cells = in->group;
@@ -247,11 +247,14 @@ void read_equation(Reading& reading, std::size_t index) {
   while (next_line()) {
     const auto at = words[0];
     const auto count = mesh::inp::require_integer(at, "the number of terms", faults);
-    if (!count || *count < 1 || words.size() > 1)
-      return faults.add(at, "expected the number of terms of an equation alone on its line");
+    constexpr std::int64_t most_terms = 100'000;
+    if (count && (*count < 1 || *count > most_terms || words.size() > 1))
+      faults.add(at, "expected the number of terms of an equation, 1 or more, alone on its line");
+    if (!faults.empty())
+      return;
     study::Relation relation;
     relation.kind = study::RelationKind::equation;
-    relation.name = chosen_name(reading, "equation");
+    relation.name = chosen_name(reading, relation_kind, "equation");
     std::vector<Word> terms;
     while (terms.size() < 3 * static_cast<std::size_t>(*count) && next_line())
       terms.insert(terms.end(), words.begin(), words.end());
@@ -307,7 +310,7 @@ void read_mpc(Reading& reading, std::size_t index) {
     for (int axis = 0; axis < reading.dimension(); ++axis) {
       study::Relation relation;
       relation.kind = study::RelationKind::equation;
-      relation.name = chosen_name(reading, "mpc");
+      relation.name = chosen_name(reading, relation_kind, "mpc");
       for (const auto& [node, coefficient] : {std::pair(*a, 1.0), std::pair(*b, -1.0)}) {
         study::RelationTerm term;
         term.on = node_name(reading, node);

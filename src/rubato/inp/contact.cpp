@@ -50,7 +50,7 @@ std::optional<std::string> faces_group(Reading& reading, int scope, const Word& 
 }
 
 void add_zone(Reading& reading, study::ContactZone zone, std::string_view label, const Word& at) {
-  zone.name = chosen_name(reading, label);
+  zone.name = chosen_name(reading, "contact", label);
   reading.places["contact." + zone.name] = at.at();
   reading.study.contact.push_back(std::move(zone));
 }

@@ -54,7 +54,8 @@ std::pair<double, std::string> value_in(study::Study& study, const Course& cours
   const auto wanted = fmt::format("step{}_ramp", step);
   if (course.to == 0)
     return {course.from, function_name(study, fmt::format("step{}_fall", step), {Ramp{begin, end, 1, 0}})};
-  return {course.to, function_name(study, wanted, {Ramp{begin, end, course.from == 0 ? 0 : course.from / course.to, 1}})};
+  return {course.to, function_name(study, wanted,
+                                   {Ramp{begin, end, course.from == 0 ? 0 : course.from / course.to, 1}})};
 }
 
 } // namespace rubato::inp

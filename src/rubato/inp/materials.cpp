@@ -361,7 +361,7 @@ study::Material* material_for(Reading& reading, const Word& name, const Word& or
   });
   if (same != reading.study.materials.end())
     return &*same;
-  material.name = chosen_name(reading, wanted);
+  material.name = chosen_name(reading, "material", wanted);
   reading.places["materials." + material.name] = data->at.at();
   reading.study.materials.push_back(std::move(material));
   return &reading.study.materials.back();

@@ -106,6 +106,17 @@ void read_frequency(Reading& reading, const Placed& placed, Step& step) {
     return;
   step.time.scheme = study::SchemeKind::newmark;
   step.time.step = step.time.end = 1;
+  const auto fields = mesh::inp::fields_at(*placed.block, 0);
+  if (fields.empty() || fields[0].empty())
+    return;
+  constexpr std::int64_t most_modes = 1'000'000;
+  const auto count = mesh::inp::require_integer(fields[0], "the number of modes", reading.faults);
+  if (count && (*count < 1 || *count > most_modes))
+    reading.faults.add(fields[0], fmt::format("found {} modes, expected 1 or more", *count));
+  else if (count)
+    step.mode_count = static_cast<int>(*count);
+  if (std::any_of(fields.begin() + 1, fields.end(), [](const Word& word) { return !word.empty(); }))
+    leave_out(reading, fields[0], "limits of frequencies");
 }
 
 } // namespace rubato::inp

@@ -89,7 +89,7 @@ void read_model(Reading& reading) {
     if (inside[i])
       continue;
     if (block.keyword->use == Use::harmless)
-      leave_out(reading, block.at, fmt::format("*{}", block.keyword->name));
+      leave_out(reading, block);
     else if (block.keyword->use == Use::unavailable)
       reading.faults.add(block.at,
                          fmt::format("found *{}, which rubato does not have{}{}", block.keyword->name,
@@ -156,26 +156,26 @@ void check_temperatures(Reading& reading, const Input& input) {
 }
 
 Input finished(const Content& content, const std::string& file, Purpose purpose) {
-      Faults faults;
-      Reading reading(content, faults);
-      reading.study.mesh.file = file;
-      reading.places["mesh"] = {file, 0, 0};
-      Input input;
-      const auto physics = physics_of(content);
-      if (!physics)
-        throw InputError("found no solid, plane or axisymmetric elements in the file, expected some", {file});
-      reading.study.physics = *physics;
-      read_title(reading);
-      check_elements(reading);
-      read_model(reading);
-      check_properties(reading);
-      read_steps(reading, purpose, input);
-      check_temperatures(reading, input);
-      faults.throw_if_any();
-      tell_harmless(reading);
-      input.title = reading.title;
-      input.notes = std::move(reading.notes);
-      return input;
+  Faults faults;
+  Reading reading(content, faults);
+  reading.study.mesh.file = file;
+  reading.places["mesh"] = {file, 0, 0};
+  Input input;
+  const auto physics = physics_of(content);
+  if (!physics)
+    throw InputError("found no solid, plane or axisymmetric elements in the file, expected some", {file});
+  reading.study.physics = *physics;
+  read_title(reading);
+  check_elements(reading);
+  read_model(reading);
+  check_properties(reading);
+  read_steps(reading, purpose, input);
+  check_temperatures(reading, input);
+  faults.throw_if_any();
+  tell_harmless(reading);
+  input.title = reading.title;
+  input.notes = std::move(reading.notes);
+  return input;
 }
 
 } // namespace

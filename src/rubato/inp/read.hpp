@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Input {
   std::string title;              ///< the heading's first line
   std::vector<study::Study> runs; ///< of each step, at least one; each starts from the end of the one before
   std::vector<Places> places;     ///< of each run
+  std::optional<int> mode_count;  ///< that the step of modes asks for
   std::vector<std::string> notes; ///< what whoever runs it should read: what was left out or differs
 };
 

@@ -10,7 +10,20 @@
 
 namespace rubato::inp {
 
-std::string chosen_name(Reading& reading, std::string_view label) {
+namespace {
+
+bool is_group(const Content& content, const std::string& name) {
+  const auto called = [&](const auto& labelled) {
+    return std::ranges::any_of(labelled, [&](const auto& entry) {
+      return mesh::inp::folded(entry.second.group) == mesh::inp::folded(name);
+    });
+  };
+  return called(content.node_sets) || called(content.element_sets) || called(content.surfaces);
+}
+
+} // namespace
+
+std::string chosen_name(Reading& reading, std::string_view kind, std::string_view label) {
   constexpr std::size_t longest = 90;
   std::string name;
   for (const char letter : label.substr(0, longest)) {
@@ -21,7 +34,11 @@ std::string chosen_name(Reading& reading, std::string_view label) {
   if (name.empty())
     name = "unnamed";
   auto unique = name;
-  for (int i = 2; !reading.names.insert(mesh::inp::folded(unique)).second; ++i)
+  const auto is_taken = [&] {
+    return (kind == relation_kind && is_group(reading.content, unique)) ||
+           !reading.names.insert(fmt::format("{} {}", kind, mesh::inp::folded(unique))).second;
+  };
+  for (int i = 2; is_taken(); ++i)
     unique = fmt::format("{}_{}", name, i);
   return unique;
 }
@@ -39,6 +56,14 @@ void leave_out(Reading& reading, const Word& at, const std::string& what) {
   auto& lines = reading.harmless[what];
   if (lines.empty() || lines.back() != at.line)
     lines.push_back(at.line);
+}
+
+void leave_out(Reading& reading, const Block& block) {
+  if (block.is("RESTART") && block.find("READ") != nullptr)
+    return reading.faults.add(block.find("READ")->name,
+                              "found a restart from another analysis, which rubato does not read, "
+                              "expected a file that begins anew");
+  leave_out(reading, block.at, fmt::format("*{}", block.keyword->name));
 }
 
 bool share(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {

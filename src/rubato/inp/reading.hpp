@@ -91,12 +91,16 @@ struct Reading {
   int dimension() const { return content.dimension; }
 };
 
-/// A name that a study may have, made of a label, that nothing else has.
-std::string chosen_name(Reading& reading, std::string_view label);
+/// A name that a study may have, made of a label, that nothing else of the kind has; of a relation, which
+/// stands for a point, no set or surface either.
+std::string chosen_name(Reading& reading, std::string_view kind, std::string_view label);
+inline constexpr std::string_view relation_kind = "relation";
 /// A note, once.
 void note(Reading& reading, const Word& at, const std::string& text);
 /// Tells once that something changes nothing.
 void leave_out(Reading& reading, const Word& at, const std::string& what);
+/// A keyword that changes nothing; a fault where it does all the same.
+void leave_out(Reading& reading, const Block& block);
 /// Sorted lists share an item.
 bool share(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b);
 

@@ -85,6 +85,8 @@ void add_probes(Reading& reading, const Target& target, std::string_view label, 
 
 void read_node_history(Reading& reading, const Placed& placed, Step& step) {
   const auto& block = *placed.block;
+  if (block.is("NODE OUTPUT") && step.of_fields)
+    return; // the files have every node
   const auto* const set = block.find("NSET");
   if (set == nullptr)
     return leave_out(reading, block.at, fmt::format("{} without NSET", block.at.text));
@@ -102,8 +104,11 @@ void read_node_history(Reading& reading, const Placed& placed, Step& step) {
 
 void read_field_request(Reading& reading, const Placed& placed, Step& step) {
   const auto& block = *placed.block;
-  if (block.find("HISTORY") != nullptr)
-    return;
+  if (block.is("OUTPUT")) {
+    step.of_fields = block.find("FIELD") != nullptr;
+    if (!step.of_fields)
+      return;
+  }
   auto& fields = step.requests.fields;
   step.requests.some = true;
   fields.vtu = true;

@@ -102,7 +102,7 @@ void refuse(Reading& reading, const Placed& placed, bool in_step) {
   const auto& block = *placed.block;
   const auto& row = *block.keyword;
   if (row.use == Use::harmless)
-    return leave_out(reading, block.at, fmt::format("*{}", row.name));
+    return leave_out(reading, block);
   if (row.use == Use::unavailable)
     return reading.faults.add(block.at, fmt::format("found *{}, which rubato does not have{}{}", row.name,
                                                     row.note.empty() ? "" : ": ", row.note));
@@ -286,8 +286,8 @@ Step read_step(Reading& reading, const StepBlocks& blocks, int number, double be
 std::string step_name(Reading& reading, const Block& block, int number, std::size_t count) {
   const auto* const name = block.find("NAME");
   if (name != nullptr && !name->value.empty())
-    return chosen_name(reading, name->value.text);
-  return chosen_name(reading, count == 1 ? "run" : fmt::format("step{}", number));
+    return chosen_name(reading, "run", name->value.text);
+  return chosen_name(reading, "run", count == 1 ? "run" : fmt::format("step{}", number));
 }
 
 void judge(Reading& reading, const study::Study& study, const Places& places) {
@@ -298,8 +298,7 @@ void judge(Reading& reading, const study::Study& study, const Places& places) {
       path = dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
     }
     const auto at = places.find(path);
-    reading.faults.add(at == places.end() ? Location{} : at->second,
-                       rule.paths.front() + ": " + rule.text);
+    reading.faults.add(at == places.end() ? Location{} : at->second, rule.paths.front() + ": " + rule.text);
   }
 }
 
@@ -339,6 +338,7 @@ void read_steps(Reading& reading, Purpose purpose, Input& input) {
     if (wanted && reading.faults.empty()) {
       auto places = reading.places;
       input.runs.push_back(study_of(reading, history, step, is_modes ? "" : previous, places));
+      input.mode_count = step.mode_count;
       judge(reading, input.runs.back(), places);
       input.places.push_back(std::move(places));
     }

@@ -51,7 +51,9 @@ struct Step {
   Word procedure_at;
   study::TimeStepping time;
   bool ramp = true; ///< default of loads
+  std::optional<int> mode_count;
   Requests requests;
+  bool of_fields = false; ///< the last *OUTPUT is one of fields
 };
 
 /// What goes on from step to step.

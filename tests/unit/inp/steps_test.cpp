@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What steps become beside their answers: names, times, results, notes.
+#include "rubato/inp/read.hpp"
+
+#include <gtest/gtest.h>
+
+#include "computed.hpp"
+#include "small_files.hpp"
+#include <algorithm>
+
+namespace rubato {
+namespace {
+
+using test::with_step;
+
+inp::Input parsed(const std::string& text) {
+  return inp::parse_input(text, "a.inp");
+}
+
+TEST(StepsOfFiles, AreRunsThatStartFromOneAnother) {
+  const auto input = inp::read_input(test::inp_file("two_steps"));
+  ASSERT_EQ(input.runs.size(), 3U);
+  EXPECT_EQ(input.runs[0].name, "Load");
+  EXPECT_EQ(input.runs[2].name, "Off");
+  EXPECT_EQ(input.runs[1].time.start_run, "Load");
+  EXPECT_EQ(input.runs[1].time.begin, 1);
+  EXPECT_EQ(input.runs[1].time.end, 5);
+  EXPECT_EQ(input.runs[2].time.begin, 5);
+  EXPECT_EQ(input.title,
+            "Loads go on from step to step: 1e6 N at the end of the first, 3e6 N at that of the second");
+  // Requests of results go on, too.
+  for (const auto& study : input.runs)
+    ASSERT_EQ(study.probes.size(), 1U);
+  EXPECT_EQ(input.runs[2].probes[0].name, "CORNER_U");
+  EXPECT_TRUE(std::ranges::any_of(input.notes, [](const std::string& note) {
+    return note.find("OP=NEW takes away in a static step fall to 0") != std::string::npos;
+  }));
+}
+
+TEST(StepsOfFiles, HaveTheirRequestsAsProbesAndFields) {
+  const auto study = parsed(with_step(R"(*STATIC, DIRECT
+ 0.1, 1.
+*NODE PRINT, NSET=ALL, TOTALS=ONLY
+ RF
+*NODE PRINT, NSET=ONE
+ U, V
+*NODE FILE, FREQUENCY=3
+ U
+*EL PRINT, ELSET=E
+ S
+)"))
+                         .runs.front();
+  ASSERT_EQ(study.probes.size(), 3U);
+  EXPECT_EQ(study.probes[0].take, study::ProbeTake::sum);
+  EXPECT_EQ(study.probes[0].field, study::ProbeField::reaction);
+  EXPECT_EQ(study.probes[1].name, "ONE_U");
+  EXPECT_EQ(study.probes[1].node, "ONE");
+  EXPECT_TRUE(study.fields.vtu);
+  EXPECT_EQ(study.fields.every, 3);
+}
+
+TEST(StepsOfFiles, HaveFieldsAtIntervals) {
+  const auto study = parsed(with_step("*STATIC\n*OUTPUT, FIELD, NUMBER INTERVAL=4\n")).runs.front();
+  EXPECT_EQ(study.fields.at, (std::vector<double>{0.25, 0.5, 0.75}));
+  EXPECT_EQ(study.time.stops, study.fields.at);
+}
+
+TEST(StepsOfFiles, SayWhatWasLeftOutAndWhatDiffers) {
+  const auto notes =
+      parsed("*PREPRINT, ECHO=NO\n" + with_step("*STATIC\n 0.1, 1.\n*EL PRINT\n S\n*MONITOR, NODE=1\n"))
+          .notes;
+  ASSERT_EQ(notes.size(), 3U);
+  EXPECT_NE(notes[0].find("C3D8R has reduced integration"), std::string::npos) << notes[0];
+  EXPECT_NE(notes[1].find("increments are 0.1 throughout"), std::string::npos) << notes[1];
+  EXPECT_EQ(notes[2],
+            "a.inp: left out, without effect on the answer: *EL PRINT (line 28), *MONITOR (line 30), "
+            "*PREPRINT (line 1)");
+}
+
+TEST(StepsOfFiles, TakeTheirSchemeFromAlpha) {
+  const auto dynamic = parsed(with_step("*DYNAMIC\n 0.1, 1.\n"));
+  EXPECT_EQ(dynamic.runs[0].time.scheme, study::SchemeKind::hht);
+  EXPECT_EQ(dynamic.runs[0].time.alpha, -0.05);
+  EXPECT_EQ(dynamic.runs[0].time.contact_mass, study::ContactMass::consistent);
+  EXPECT_EQ(parsed(with_step("*DYNAMIC, ALPHA=-0.2\n 0.1, 1.\n")).runs[0].time.alpha, -0.2);
+}
+
+TEST(LoadsOfSteps, RampInStaticStepsAndAreThereAtOnceInDynamicOnes) {
+  const std::string load = "*CLOAD\n ONE, 1, 5.\n";
+  const auto ramped = parsed(with_step("*STATIC\n" + load)).runs[0];
+  ASSERT_EQ(ramped.loads.size(), 1U);
+  EXPECT_EQ(value_at(ramped.functions.at(ramped.loads[0].function), 0.25), 0.25);
+  EXPECT_EQ(*ramped.loads[0].components[0].number(), 5);
+  EXPECT_EQ(parsed(with_step("*DYNAMIC, ALPHA=0.\n 0.1, 1.\n" + load)).runs[0].loads[0].function, "");
+  EXPECT_EQ(parsed(with_step("*STATIC\n" + load, "*STEP, AMPLITUDE=STEP")).runs[0].loads[0].function, "");
+  // Lines of one step add up.
+  EXPECT_EQ(*parsed(with_step("*STATIC\n" + load + load)).runs[0].loads[0].components[0].number(), 10);
+}
+
+TEST(AmplitudesOfSteps, HaveTheirForms) {
+  const auto at = [](const std::string& amplitude, double t) {
+    const auto study = parsed(with_step("*STATIC, DIRECT\n 1., 4.\n*AMPLITUDE, NAME=A" + amplitude +
+                                        "\n*CLOAD, AMPLITUDE=A\n ONE, 1, 1.\n"))
+                           .runs[0];
+    return value_at(study.functions.at(study.loads.at(0).function), t);
+  };
+  EXPECT_EQ(at("\n 0., 1., 2., 5.\n", 1), 3);
+  EXPECT_EQ(at("\n 0., 1., 2., 5.\n", 4), 5);
+  EXPECT_EQ(at(", SHIFTX=1., SHIFTY=10.\n 0., 1., 2., 5.\n", 2), 13);
+  EXPECT_EQ(at(", DEFINITION=EQUALLY SPACED, FIXED INTERVAL=0.5, BEGIN=1.\n 1., 3.\n", 1.25), 2);
+  EXPECT_DOUBLE_EQ(at(", DEFINITION=SMOOTH STEP\n 1., 2., 3., 4.\n", 0), 2);
+  EXPECT_DOUBLE_EQ(at(", DEFINITION=SMOOTH STEP\n 1., 2., 3., 4.\n", 2), 3);
+  EXPECT_NEAR(at(", DEFINITION=SMOOTH STEP\n 1., 2., 3., 4.\n", 1.5),
+              2 + 2 * (10 / 64. - 15 / 256. + 6 / 1024.), 1e-14);
+  EXPECT_NEAR(at(", DEFINITION=PERIODIC\n 2, 3., 0.5, 7.\n 1., 2., 3., 4.\n", 2),
+              7 + std::cos(4.5) + 2 * std::sin(4.5) + 3 * std::cos(9) + 4 * std::sin(9), 1e-14);
+  EXPECT_NEAR(at(", DEFINITION=DECAY\n 1., 2., 0.5, 3.\n", 2), 1 + 2 * std::exp(-0.5), 1e-14);
+  EXPECT_EQ(at(", DEFINITION=DECAY\n 1., 2., 0.5, 3.\n", 0.25), 1);
+  EXPECT_NEAR(at(", DEFINITION=MODULATED\n 1., 2., 0.5, 3., 4.\n", 2), 1 + 2 * std::sin(4.5) * std::sin(6),
+              1e-14);
+}
+
+} // namespace
+} // namespace rubato
