@@ -97,6 +97,26 @@ def block_on_sheet() -> rubato.Mesh:
     return builder.build()
 
 
+def cube_on_sheet() -> rubato.Mesh:
+    """A unit cube on a square of two by two faces that no body has behind it."""
+    builder = copied(one_box((1, 1, 1), (2, 2, 2)))
+    side = (-2.0, 0.5, 3.0)
+    nodes = builder.add_nodes(np.array([[x, 0.0, z] for z in side for x in side]))
+    for row, column in itertools.product((0, 1), (0, 1)):
+        first = 3 * row + column
+        corners = [int(nodes[first + shift]) for shift in (0, 3, 4, 1)]
+        builder.add_to_cell_group("SHEET", [builder.add_cell("quad4", corners)])
+    return builder.build()
+
+
+def ring_on_sheet() -> rubato.Mesh:
+    """A ring of square section, radius 1 to 2, above a disc that no body has behind it, in an axial section."""
+    builder = copied(one_rectangle((2, 1), (2, 2), start=(1, 0)))
+    ends = builder.add_nodes(np.array([[0.5, 0.0, 0.0], [3.0, 0.0, 0.0]]))
+    builder.add_to_cell_group("SHEET", [builder.add_cell("seg2", [int(ends[1]), int(ends[0])])])
+    return builder.build()
+
+
 def copied(mesh: rubato.Mesh) -> Any:
     """A builder that has the nodes, cells and groups of a mesh."""
     builder = rubato.MeshBuilder(mesh.dimension)
@@ -188,6 +208,8 @@ def tied_bars() -> rubato.Mesh:
 
 SOLIDS = ("hexa8", "hexa20", "hexa27", "tetra4", "tetra10", "penta6", "penta15")
 FACES = ("hexa8", "hexa20", "hexa27", "tetra10", "penta6", "penta15")
+# Studies of one square cell.
+UNIT_SQUARES = ("one", "relations", "oscillator", "damping", "explicit", "errors", "excit")
 PLANES = ("quad4", "quad8", "quad9", "tria3", "tria6")
 
 MESHES: dict[str, Callable[[], rubato.Mesh]] = {
@@ -200,18 +222,18 @@ MESHES: dict[str, Callable[[], rubato.Mesh]] = {
     "mixed3d.med": lambda: boxes((2, 1, 2), (2, 1, 2), "hexa8", "tetra4"),
     "gaps.med": lambda: stack((2, 1), (2, 1), gap=0.01),
     "sheet.med": block_on_sheet,
+    "cube_on_sheet.med": cube_on_sheet,
+    "ring_on_sheet.med": ring_on_sheet,
     "layers.med": three_layers,
     "slide.med": lambda: stack((2, 1), (2, 1)),
     "onesided.med": lambda: one_rectangle((2, 1), (4, 2)),
     "thermal.med": lambda: one_rectangle((2, 1), (4, 2), "quad8"),
     "fields.med": lambda: one_rectangle((2, 1), (4, 2), "quad8"),
     "square.med": lambda: one_rectangle((2, 1), (4, 2), "quad8"),
-    **{f"{name}.med": lambda: one_rectangle((1, 1), (1, 1)) for name in ("oscillator", "damping", "explicit", "errors")},
-    "one.med": lambda: one_rectangle((1, 1), (1, 1)),
+    **{f"{name}.med": lambda: one_rectangle((1, 1), (1, 1)) for name in UNIT_SQUARES},
     "bar.med": lambda: one_rectangle((4, 1), (8, 1), "quad8"),
     "springs.med": two_bars_and_springs,
     "legs.med": cube_with_legs,
-    "relations.med": lambda: one_rectangle((1, 1), (1, 1)),
     "tied.med": tied_bars,
     "form15.med": lambda: one_box((1, 1, 1), (2, 2, 2)),
     **{f"{kind}.med": lambda kind=kind: sliding_cube(kind) for kind in FACES},

@@ -81,10 +81,10 @@ AFFE_MATERIAU = {
     "AFFE": factor({"TOUT": yes(), "GROUP_MA": texts(), "MAILLE": texts(), "GROUP_NO": harmless(),
                     "MATER": concept("MaterialConcept", many=True, required=True), "TEMP_REF": real()}),
     "AFFE_COMPOR": harmless(),
-    "AFFE_VARC": factor({"TOUT": yes(), "GROUP_MA": texts(), "MAILLE": texts(), "NOM_VARC": words("TEMP", required=True),
-                         "CHAM_GD": concept("NodalField"), "EVOL": concept("Result"), "NOM_CHAM": words("TEMP"),
-                         "FONC_INST": concept("Function", "RealList"), "PROL_DROITE": text("EXCLU"),
-                         "PROL_GAUCHE": text("EXCLU"), "VALE_REF": real()}),
+    "AFFE_VARC": factor({"TOUT": yes(), "GROUP_MA": texts(), "MAILLE": texts(), "NOM_CHAM": words("TEMP"),
+                         "NOM_VARC": words("TEMP", required=True), "CHAM_GD": concept("NodalField"),
+                         "EVOL": concept("Result"), "FONC_INST": concept("Function", "RealList"),
+                         "PROL_DROITE": text("EXCLU"), "PROL_GAUCHE": text("EXCLU"), "VALE_REF": real()}),
     "INFO": harmless(), "LIST_NOM_VARC": harmless(),
 }
 

@@ -13,6 +13,7 @@ import rubato
 from ..concepts import ContactConcept, Function
 from ..keys import Arguments, CommandError
 from .cells import dimensions
+from .middle_nodes import keeps_sides_straight, middle_nodes, straight_sides
 from .problem import Problem, check_parameters, evaluate
 
 METHODS = {
@@ -47,10 +48,19 @@ def add_contact(problem: Problem, contact: ContactConcept | None) -> None:
         for zone in contact.arguments.ZONE:
             add_one_sided(problem, zone)
         return
-    made = []
-    for number, zone in enumerate(contact.arguments.ZONE, 1):
-        made.append(make_zone(problem, contact.arguments, zone, number))
-    problem.study.contact = made
+    zones = contact.arguments.ZONE
+    problem.study.contact = [make_zone(problem, contact.arguments, zone, number) for number, zone in enumerate(zones, 1)]
+    tie_middle_nodes(problem, contact.arguments)
+
+
+def tie_middle_nodes(problem: Problem, contact: Arguments) -> None:
+    middles: dict[int, tuple[int, int]] = {}
+    for zone in contact.ZONE:
+        if keeps_sides_straight(contact, zone):
+            faces = [faces_of(problem, zone, side) for side in ("MAIT", "ESCL")]
+            middles.update(middle_nodes(problem, np.concatenate(faces)))
+    excluded = np.concatenate([excluded_nodes(problem, zone) for zone in contact.ZONE])
+    problem.study.relations = [*problem.study.relations, *straight_sides(problem, middles, excluded)]
 
 
 def note_rigid_surfaces(problem: Problem, contact: ContactConcept | None) -> None:
@@ -88,7 +98,14 @@ def make_zone(problem: Problem, contact: Arguments, given: Arguments, number: in
     set_places(problem, given, zone, algorithm)
     set_coefficients(given, zone, formulation, algorithm, between_nodes(problem, zone, slave))
     set_levels(contact, zone, formulation)
-    exclude(problem, given, zone, slave_nodes if not resolved else np.zeros(0, dtype=np.int64))
+    out = [excluded_nodes(problem, given)]
+    if not resolved:
+        out.append(slave_nodes)
+    elif keeps_sides_straight(contact, given):
+        out.append(np.array(list(middle_nodes(problem, slave)), dtype=np.int64))
+    nodes = np.unique(np.concatenate(out))
+    if len(nodes):
+        zone.exclude_nodes = [problem.node_group(nodes)]
     zone.bilateral = given.GLISSIERE == "OUI"
     zone.gap = gap_of(problem, given)
     zone.history_force = formulation != "DISCRETE"
@@ -194,16 +211,15 @@ def set_levels(contact: Arguments, zone: Any, formulation: str) -> None:
         zone.status = rubato.Level(by="fixed_point", tolerance=0.0, max_loops=contact.ITER_CONT_MAXI)
 
 
-def exclude(problem: Problem, given: Arguments, zone: Any, others: np.ndarray) -> None:
+def excluded_nodes(problem: Problem, given: Arguments) -> np.ndarray:
+    """Of SANS_GROUP_NO and the like."""
     mesh = problem.concept
-    out = [others]
+    out = [np.zeros(0, dtype=np.int64)]
     out += [mesh.nodes_in(name) for name in given.SANS_GROUP_NO]
     out += [np.array([mesh.node_named(name)]) for name in given.SANS_NOEUD]
     out += [mesh.nodes_of_cells(mesh.cells_in(name)) for name in given.SANS_GROUP_MA]
     out += [mesh.nodes_of_cells([mesh.cell_named(name)]) for name in given.SANS_MAILLE]
-    nodes = np.unique(np.concatenate(out))
-    if len(nodes):
-        zone.exclude_nodes = [problem.node_group(nodes)]
+    return np.unique(np.concatenate(out))
 
 
 def gap_of(problem: Problem, given: Arguments) -> Any:
@@ -224,12 +240,7 @@ def add_one_sided(problem: Problem, given: Arguments) -> None:
     −a/|a|, whose gap is counted from the displacement alone."""
     mesh = problem.concept
     nodes = mesh.nodes(given)
-    faces = faces_within(problem, nodes)
-    covered = mesh.nodes_of_cells(faces)
-    if not np.all(np.isin(nodes, covered)):
-        missing = int(nodes[~np.isin(nodes, covered)][0])
-        raise CommandError(f"DEFI_CONTACT/ZONE: LIAISON_UNIL at node {mesh.node_name(missing)}, which no skin cell has "
-                           "whose nodes are all named, is not available.")
+    faces = faces_for(problem, nodes)
     if len(given.NOM_CMP) != len(given.COEF_MULT):
         raise CommandError("DEFI_CONTACT/ZONE: expected a COEF_MULT for each NOM_CMP.")
     factors = np.zeros(3)
@@ -244,25 +255,38 @@ def add_one_sided(problem: Problem, given: Arguments) -> None:
     zone = rubato.ContactZone(name=f"zone_{len(problem.zones) + 1}", method="nodal_lagrange")
     zone.friction_method = "nodal_penalty"
     zone.slave = problem.cell_group(faces)
+    others = np.setdiff1d(mesh.nodes_of_cells(faces), nodes)
+    if len(others):
+        zone.exclude_nodes = [problem.node_group(others)]
     zone.obstacle = rubato.Obstacle(kind="plane", point=(0.0, 0.0, 0.0), direction=tuple(normal))
     zone.integration = rubato.ContactRule(by="nodes")
     zone.geometry = rubato.Level(by="fixed_point", tolerance=0.01, max_loops=10)
     zone.gap = rubato.Field(rubato.GivenField(
         "LIAISON_UNIL", lambda x, y, z, t: bound(x, y, z, t) / size - float(normal @ (x, y, z)),
         "INST" in given.COEF_IMPO.parameters))
-    problem.zones.append(ZoneRecord(len(problem.zones), "LIAISON_UNIL", "CONTRAINTE", 0.0, nodes, faces))
+    slave = mesh.nodes_of_cells(faces)
+    problem.zones.append(ZoneRecord(len(problem.zones), "LIAISON_UNIL", "CONTRAINTE", 0.0, slave, faces))
     problem.study.contact = [*problem.study.contact, zone]
 
 
-def faces_within(problem: Problem, nodes: np.ndarray) -> np.ndarray:
-    """Skin cells all of whose nodes are among these."""
-    found = []
+def faces_for(problem: Problem, nodes: np.ndarray) -> np.ndarray:
+    """Skin cells that have the nodes: those with these nodes only; for nodes that none of them has, all of theirs."""
+    whole, touching = [], []
     for block in problem.concept.mesh.blocks:
         first = np.arange(block.first, block.first + len(block.nodes))
-        inside = np.all(np.isin(np.asarray(block.nodes), nodes), axis=1)
-        found.append(first[inside])
-    cells = np.concatenate(found)
-    return cells[dimensions(problem.concept.mesh)[cells] == problem.dimension - 1]
+        among = np.isin(np.asarray(block.nodes), nodes)
+        whole.append(first[np.all(among, axis=1)])
+        touching.append(first[np.any(among, axis=1)])
+    flat = dimensions(problem.concept.mesh) == problem.dimension - 1
+    faces, others = (cells[flat[cells]] for cells in (np.concatenate(whole), np.concatenate(touching)))
+    missing = np.setdiff1d(nodes, problem.concept.nodes_of_cells(faces))
+    more = [cell for cell in others if np.any(np.isin(problem.concept.nodes_of_cell(cell), missing))]
+    faces = np.union1d(faces, np.array(more, dtype=np.int64))
+    bare = np.setdiff1d(nodes, problem.concept.nodes_of_cells(faces))
+    if len(bare):
+        name = problem.concept.node_name(int(bare[0]))
+        raise CommandError(f"DEFI_CONTACT/ZONE: LIAISON_UNIL at node {name}, which no skin cell has, is not available.")
+    return faces
 
 
 def constant(function: Function) -> float:

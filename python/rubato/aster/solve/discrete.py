@@ -43,8 +43,9 @@ def add_discrete(problem: Problem, discrete: DiscreteField | None, imposed: Impo
     for item in discrete.parts:
         for cell in cells_of(problem, item):
             if not is_discrete[cell]:
-                raise CommandError(f"AFFE_CARA_ELEM/DISCRET: cell {problem.concept.cell_name(int(cell))} is no discrete "
-                                   f"element of model {problem.model.name}.")
+                name = problem.concept.cell_name(int(cell))
+                raise CommandError(f"AFFE_CARA_ELEM/DISCRET: cell {name} is no discrete element of model "
+                                   f"{problem.model.name}.")
             last[int(cell), item.CARA] = item
     for (cell, kind), item in last.items():
         add_cell(problem, cell, kind, item, imposed)

@@ -46,8 +46,8 @@ def nodal_forces(problem: Problem, load: LoadConcept, multiplier: Function | Non
     for place, item in enumerate(items):
         nodes = problem.concept.nodes(item)
         if len(nodes) and len(problem.moving(nodes)) == 0:
-            raise CommandError(f"{load.command}/FORCE_NODALE: node {problem.concept.node_name(int(nodes[0]))} belongs to "
-                               "no body.")
+            name = problem.concept.node_name(int(nodes[0]))
+            raise CommandError(f"{load.command}/FORCE_NODALE: node {name} belongs to no body.")
         for axis, name in enumerate(FORCES[:problem.dimension]):
             if item.get(name) is not None:
                 source.update({(int(node), axis): place for node in problem.moving(nodes)})
@@ -71,7 +71,8 @@ def same_components(keys: set[tuple[int, int]]) -> list[tuple[list[int], tuple[i
 
 
 def distributed_forces(problem: Problem, load: LoadConcept, multiplier: Function | None) -> list[Any]:
-    kinds = {"FORCE_ARETE": ("line_force", 1), "FORCE_CONTOUR": ("surface_force", 1), "FORCE_FACE": ("surface_force", 2)}
+    kinds = {"FORCE_ARETE": ("line_force", 1), "FORCE_CONTOUR": ("surface_force", 1),
+             "FORCE_FACE": ("surface_force", 2)}
     made = []
     for keyword, (kind, dimension) in kinds.items():
         items = load.arguments.get(keyword) or []

@@ -207,8 +207,8 @@ def begin(session: Any, problem: Problem, arguments: Arguments, start: Start, dy
     for note in model.notes:
         session.note(note)
     contact = arguments.get("CONTACT")
-    solved = Solved(model, problem.concept, problem.cell_of, problem.physics, problem.zones, problem.springs, problem.ends,
-                    arguments.CHAM_MATER, dynamic, contact.arguments.FORMULATION if contact else "")
+    solved = Solved(model, problem.concept, problem.cell_of, problem.physics, problem.zones, problem.springs,
+                    problem.ends, arguments.CHAM_MATER, dynamic, contact.arguments.FORMULATION if contact else "")
     if "DEPL" in start.fields or start.stress is not None:
         check_initial_stress(problem, start, Stored(0, simulation.state.t, solved, simulation.state))
     return solved, simulation
@@ -243,7 +243,7 @@ def give_motion(problem: Problem, model: Any, start: Start) -> None:
 
 def check_initial_stress(problem: Problem, start: Start, first: Stored) -> None:
     """Code_Aster begins with the stresses of SIGM, else without any, whatever DEPL is; bodies here are under the stress
-    of their strain, and springs under the force of their ends' displacements. Raises CommandError where these differ."""
+    of their strain, and springs under the force of their ends. Raises CommandError where these differ."""
     from ..fields import field_of, nodal_forces
 
     result = Result("EVOL_NOLI", problem.concept)
@@ -258,9 +258,9 @@ def check_initial_stress(problem: Problem, start: Start, first: Stored) -> None:
             wanted = np.nan_to_num(given.get(int(cell), np.zeros(values.shape)))
             size = max(np.max(np.abs(values)), np.max(np.abs(wanted)))
             if wanted.shape != values.shape or np.max(np.abs(values - wanted)) > allowed + 1e-6 * size:
-                raise CommandError(f"ETAT_INIT: the stress of cell {problem.concept.cell_name(int(cell))} (SIGM, else 0) "
-                                   "is not that of the strain of DEPL: such initial states are not available; a state "
-                                   "of EVOL_NOLI is.")
+                name = problem.concept.cell_name(int(cell))
+                raise CommandError(f"ETAT_INIT: the stress of cell {name} (SIGM, else 0) is not that of the strain of "
+                                   "DEPL: such initial states are not available; a state of EVOL_NOLI is.")
     moved = np.nan_to_num(start.fields["DEPL"].values) if "DEPL" in start.fields else np.zeros(1)
     if problem.study.connectors and np.any(moved):
         raise CommandError("ETAT_INIT/DEPL: springs have no force at the beginning then: that is not available.")

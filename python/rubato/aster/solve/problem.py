@@ -224,8 +224,8 @@ class Problem:
 def check_parameters(function: Function) -> None:
     for parameter in function.parameters:
         if parameter not in PARAMETERS:
-            raise CommandError(f"function {function.name}: expected a function of X, Y, Z and INST, found the parameter "
-                               f"{parameter}.")
+            raise CommandError(f"function {function.name}: expected a function of X, Y, Z and INST, found the "
+                               f"parameter {parameter}.")
 
 
 def evaluate(function: Function) -> Any:

@@ -26,7 +26,8 @@ def add_relations(problem: Problem, loads: list[tuple[LoadConcept, Function | No
         for item in arguments.get("LIAISON_GROUP") or []:
             made += paired(problem, load.command, item, multiplier)
         for item in arguments.get("LIAISON_SOLIDE") or []:
-            made.append(rubato.Relation(kind="rigid", on=problem.node_group(problem.moving(problem.concept.nodes(item)))))
+            nodes = problem.moving(problem.concept.nodes(item))
+            made.append(rubato.Relation(kind="rigid", on=problem.node_group(nodes)))
         for item in arguments.get("LIAISON_MAIL") or []:
             made.append(embedded(problem, load.command, item))
     for number, relation in enumerate(made, 1):
@@ -106,8 +107,8 @@ def partners(problem: Problem, command: str, item: Arguments, first: np.ndarray,
     for node, place in zip(first, moved):
         nearest = int(np.argmin(np.linalg.norm(points[second] - place, axis=1)))
         if nearest in taken:
-            raise CommandError(f"{command}/LIAISON_GROUP: node {problem.concept.node_name(int(second[nearest]))} is the "
-                               "partner of two nodes.")
+            name = problem.concept.node_name(int(second[nearest]))
+            raise CommandError(f"{command}/LIAISON_GROUP: node {name} is the partner of two nodes.")
         taken.add(nearest)
         found.append((int(node), int(second[nearest])))
     return found

@@ -17,7 +17,7 @@ from .discrete import Spring
 class Solved:
     """`model`: the rubato.Model; `mesh`: the mesh that the command file has; `cell_of`: which of its cells each cell of
     the model's mesh is; `zones`: contact zones in the order of the model; `springs`: those to ends that belong to no
-    body; `ends`: the displacements of these, functions of time by node and axis; `dynamic`: whether there is inertia."""
+    body; `ends`: their displacements, functions of time by node and axis; `dynamic`: whether there is inertia."""
 
     model: Any
     mesh: MeshConcept

@@ -39,8 +39,8 @@ class ImposedDisplacements:
             there = self.of.get(key)
             if there is not None and (there.value, there.multiplier) != (source.value, source.multiplier):
                 node, axis = key
-                raise CommandError(f"EXCIT: loads {there.load} and {source.load} both impose {COMPONENTS[axis]} of node "
-                                   f"{mesh.node_name(node)}.")
+                raise CommandError(f"EXCIT: loads {there.load} and {source.load} both impose {COMPONENTS[axis]} of "
+                                   f"node {mesh.node_name(node)}.")
             self.of[key] = source
 
     def at(self, node: int, axis: int) -> Imposed | None:
@@ -124,7 +124,8 @@ def oblique_supports(problem: Problem, load: LoadConcept, multiplier: Function |
         group = problem.node_group(problem.moving(problem.concept.nodes(item)))
         for axis, value in values_of(problem, item).items():
             support = rubato.Support(on=group)
-            support.along = rubato.ObliqueSupport(direction=tuple(axes[axis]), value=problem.displacement(value, multiplier))
+            imposed = problem.displacement(value, multiplier)
+            support.along = rubato.ObliqueSupport(direction=tuple(axes[axis]), value=imposed)
             made.append(support)
     return made
 
