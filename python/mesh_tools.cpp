@@ -61,6 +61,24 @@ SharedMesh with_cell_group(const Mesh& mesh, const std::string& name, const py::
   return result;
 }
 
+SharedMesh with_node_groups(const Mesh& mesh, const py::dict& groups) {
+  auto result = shared(mesh);
+  for (const auto& [name, nodes] : groups)
+    put_group(result->node_groups,
+              group_of(name.cast<std::string>(),
+                       indices_of(nodes.cast<py::object>(), mesh.node_count(), "nodes"), false));
+  return result;
+}
+
+SharedMesh with_cell_groups(const Mesh& mesh, const py::dict& groups) {
+  auto result = shared(mesh);
+  for (const auto& [name, cells] : groups)
+    put_group(result->cell_groups,
+              group_of(name.cast<std::string>(),
+                       indices_of(cells.cast<py::object>(), mesh.cell_count(), "cells"), false));
+  return result;
+}
+
 SharedMesh without_group(const Mesh& mesh, const std::string& name) {
   auto result = shared(mesh);
   const auto is_meant = [&](const mesh::Group& group) { return group.name == name; };
@@ -212,6 +230,10 @@ void bind_mesh_tools(py::module_& module, MeshClass& type) {
            "The mesh with this group of nodes, in the place of one of that name. ordered: the order counts.")
       .def("with_cell_group", &with_cell_group, py::arg("name"), py::arg("cells"),
            "The mesh with this group of cells, in the place of one of that name.")
+      .def("with_node_groups", &with_node_groups, py::arg("groups"),
+           "The mesh with groups of nodes by their names, in the place of those of these names: one copy for "
+           "all.")
+      .def("with_cell_groups", &with_cell_groups, py::arg("groups"), "The same with groups of cells.")
       .def("without_group", &without_group, py::arg("name"),
            "The mesh without the groups of that name, of nodes and of cells. Raises KeyError when there is "
            "none.")

@@ -120,6 +120,11 @@ def test_a_syntax_error_is_told_with_its_line(tmp_path):
     assert "Traceback" not in done.stderr
 
 
+def test_the_guide_names_every_command():
+    guide = (Path(__file__).parents[2] / "docs" / "guide" / "aster.md").read_text()
+    assert [name for name in all_commands() if f"`{name}`" not in guide] == []
+
+
 # ---- the namespace -----------------------------------------------------------------------------------------
 
 

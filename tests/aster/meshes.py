@@ -97,6 +97,15 @@ def block_on_sheet() -> rubato.Mesh:
     return builder.build()
 
 
+def block_on_edge() -> rubato.Mesh:
+    """A block on a line that is flat up to x = 0.6 and then falls."""
+    builder = copied(one_rectangle((0.5, 1), (1, 1)))
+    ends = builder.add_nodes(np.array([[-1.0, 0.0, 0.0], [0.6, 0.0, 0.0], [2.0, -0.5, 0.0]]))
+    for first, second in itertools.pairwise(ends):
+        builder.add_to_cell_group("SHEET", [builder.add_cell("seg2", [int(second), int(first)])])
+    return builder.build()
+
+
 def cube_on_sheet() -> rubato.Mesh:
     """A unit cube on a square of two by two faces that no body has behind it."""
     builder = copied(one_box((1, 1, 1), (2, 2, 2)))
@@ -208,6 +217,7 @@ def tied_bars() -> rubato.Mesh:
 
 SOLIDS = ("hexa8", "hexa20", "hexa27", "tetra4", "tetra10", "penta6", "penta15")
 FACES = ("hexa8", "hexa20", "hexa27", "tetra10", "penta6", "penta15")
+PRESSED = ("hexa8", "hexa20", "hexa27", "tetra4", "tetra10")
 # Studies of one square cell.
 UNIT_SQUARES = ("one", "relations", "oscillator", "damping", "explicit", "errors", "excit")
 PLANES = ("quad4", "quad8", "quad9", "tria3", "tria6")
@@ -238,6 +248,9 @@ MESHES: dict[str, Callable[[], rubato.Mesh]] = {
     "form15.med": lambda: one_box((1, 1, 1), (2, 2, 2)),
     **{f"{kind}.med": lambda kind=kind: sliding_cube(kind) for kind in FACES},
     "settle.med": lambda: stack((2, 1), (2, 1), gap=0.01),
+    **{f"press_{kind}.med": lambda kind=kind: boxes((2, 1, 2), (2, 1, 2), kind) for kind in PRESSED},
+    "frozen.med": block_on_edge,
+    "failing.med": lambda: stack((4, 1), (4, 1)),
     "excluded.med": lambda: stack((4, 1), (4, 1)),
     "cube.med": lambda: one_box((1, 1, 1), (2, 2, 2)),
     "tubes.med": tubes,

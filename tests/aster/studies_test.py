@@ -18,13 +18,13 @@ HERE = Path(__file__).parent
 # The studies, and how many values each compares with a number from outside (VALE_REFE).
 STUDIES = {
     "bar.comm": 22, "damping.comm": 15, "errors.comm": 2, "excit.comm": 140, "excluded.comm": 13,
-    "explicit.comm": 10, "fields.comm": 25, "form15.comm": 3, "friction.comm": 60, "functions.comm": 12,
-    "gaps.comm": 28, "gmsh.comm": 2, "groups.export": 23, "layers.comm": 8, "legs.comm": 4, "mortar.comm": 17,
-    "mortar3d.export": 10, "onesided.comm": 14, "ortho.export": 22, "oscillator.comm": 94, "pairs.export": 17,
-    "patch2d.export": 440, "patch3d.export": 259, "press.comm": 72, "printing.export": 3, "quadratic.comm": 29,
-    "relations.comm": 19, "restart.comm": 13, "settle.comm": 18, "sheet.comm": 24, "sheets.export": 17,
-    "slide.comm": 23, "springs.comm": 18, "surfaces.export": 54, "textmesh.comm": 6, "thermal.comm": 16,
-    "tied.comm": 8, "tubes.comm": 49,
+    "explicit.comm": 10, "failing.comm": 1, "fields.comm": 25, "form15.comm": 3, "friction.comm": 60,
+    "functions.comm": 12, "gaps.comm": 28, "gmsh.comm": 2, "groups.export": 23, "layers.comm": 8, "legs.comm": 4,
+    "mortar.comm": 17, "mortar3d.export": 10, "onesided.comm": 14, "ortho.export": 22, "oscillator.comm": 94,
+    "pairs.export": 17, "patch2d.export": 440, "patch3d.export": 259, "press.comm": 72, "press3d.export": 175,
+    "printing.export": 3, "quadratic.comm": 29, "relations.comm": 19, "restart.comm": 13, "settle.comm": 18,
+    "sheet.comm": 24, "sheets.export": 17, "slide.comm": 23, "springs.comm": 18, "surfaces.export": 54,
+    "textmesh.comm": 6, "thermal.comm": 16, "tied.comm": 8, "tubes.comm": 49,
 }
 COUNT = re.compile(r"outside references \(VALE_REFE\): (\d+) of (\d+) hold")
 
@@ -157,3 +157,11 @@ def test_an_error_that_nothing_expects_ends_the_run(tmp_path: Path) -> None:
                      "raise AssertionError('not reached')", tmp_path)
     assert done.returncode == 2
     assert "one.comm:14: " in done.stderr and "'NOWHERE'" in done.stderr and "not reached" not in done.stderr
+
+
+def test_a_run_that_does_not_converge_has_its_own_exit_code(tmp_path: Path) -> None:
+    study = prepare("failing.comm", tmp_path)
+    study.write_text(study.read_text().replace("aster.NonConvergenceError", "ZeroDivisionError"))
+    done = run(study)
+    assert done.returncode == 3
+    assert "no convergence" in done.stderr and "failing.comm:17" in done.stderr

@@ -59,6 +59,9 @@ def tie_middle_nodes(problem: Problem, contact: Arguments) -> None:
         if keeps_sides_straight(contact, zone):
             faces = [faces_of(problem, zone, side) for side in ("MAIT", "ESCL")]
             middles.update(middle_nodes(problem, np.concatenate(faces)))
+    if not middles:
+        return
+    problem.notes.append("DEFI_CONTACT: sides of QUAD8 faces stay straight, as in DISCRETE contact of Code_Aster.")
     excluded = np.concatenate([excluded_nodes(problem, zone) for zone in contact.ZONE])
     problem.study.relations = [*problem.study.relations, *straight_sides(problem, middles, excluded)]
 
@@ -95,7 +98,7 @@ def make_zone(problem: Problem, contact: Arguments, given: Arguments, number: in
     slave_nodes = problem.concept.nodes_of_cells(slave)
     resolved = given.RESOLUTION == "OUI" and algorithm != "VERIF"
     set_friction(problem, contact, given, zone, formulation)
-    set_places(problem, given, zone, algorithm)
+    set_places(problem, given, zone, algorithm, slave)
     set_coefficients(given, zone, formulation, algorithm, between_nodes(problem, zone, slave))
     set_levels(contact, zone, formulation)
     out = [excluded_nodes(problem, given)]
@@ -176,7 +179,7 @@ def required(given: Arguments, name: str) -> float:
     return value
 
 
-def set_places(problem: Problem, given: Arguments, zone: Any, algorithm: str) -> None:
+def set_places(problem: Problem, given: Arguments, zone: Any, algorithm: str, slave: np.ndarray) -> None:
     """Where contact points stand, and whose normals count."""
     kind, order = "nodes", 0
     if algorithm == "LAC":
@@ -188,18 +191,25 @@ def set_places(problem: Problem, given: Arguments, zone: Any, algorithm: str) ->
     elif given.INTEGRATION == "NCOTES":
         # Closed rules both: ends and points between them. Orders of Newton and Cotes count points less one.
         kind, order = "simpson", max(1, (given.ORDRE_INT or 3) // 2)
+    if kind == "simpson" and has_triangles(problem, slave):
+        kind, order = "gauss", 3
+        problem.notes.append("DEFI_CONTACT: SIMPSON and NCOTES are solved by GAUSS of order 3 on triangular faces.")
     zone.integration = rubato.ContactRule(by=kind, order=order)
     if kind != "mortar":
         zone.normal = NORMALS[given.NORMALE]
         zone.clamped_normal = "code_aster"
 
 
+def has_triangles(problem: Problem, faces: np.ndarray) -> bool:
+    return any(block.type.startswith("tria") and np.any((faces >= block.first) & (faces < block.first + len(block.nodes)))
+               for block in problem.concept.mesh.blocks)
+
+
 def set_levels(contact: Arguments, zone: Any, formulation: str) -> None:
     """Levels of geometry, friction and status: by Newton's method, or in loops."""
-    loops = formulation == "DISCRETE" or contact.ALGO_RESO_GEOM == "POINT_FIXE"
-    if contact.REAC_GEOM == "SANS":
-        zone.freeze = formulation != "DISCRETE"
-        loops = formulation == "DISCRETE"
+    zone.freeze = contact.REAC_GEOM == "SANS"
+    # Nodal methods always have the level of geometry; with frozen surfaces it is done at once.
+    loops = formulation == "DISCRETE" or (contact.ALGO_RESO_GEOM == "POINT_FIXE" and not zone.freeze)
     if loops:
         tolerance = contact.RESI_GEOM if contact.RESI_GEOM is not None else 0.01
         zone.geometry = rubato.Level(by="fixed_point", tolerance=tolerance, max_loops=contact.ITER_GEOM_MAXI)

@@ -14,6 +14,8 @@ from ..keys import Arguments
 from .problem import Problem
 from .relations import term
 
+SIDE = "side_"  # how names of these relations begin
+
 
 def middle_nodes(problem: Problem, faces: np.ndarray) -> dict[int, tuple[int, int]]:
     """Middle nodes of the QUAD8 among the faces, each with the corners beside it."""
@@ -38,7 +40,7 @@ def straight_sides(problem: Problem, middles: dict[int, tuple[int, int]],
             continue
         for axis in range(3):
             terms = [term(problem, middle, axis, 1.0), *(term(problem, corner, axis, -0.5) for corner in corners)]
-            yield rubato.Relation(name=f"side_{middle}_{axis}", kind="equation", terms=terms)
+            yield rubato.Relation(name=f"{SIDE}{middle}_{axis}", kind="equation", terms=terms)
 
 
 def keeps_sides_straight(contact: Arguments, zone: Arguments) -> bool:

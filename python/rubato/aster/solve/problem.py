@@ -39,11 +39,15 @@ class Problem:
         self.rigid_nodes: np.ndarray = np.zeros(0, dtype=np.int64)
         self.physics = "solid"
         self.zones: list[Any] = []
+        self.notes: list[str] = []  # what is done otherwise than asked for
         self.springs: list[Any] = []  # discrete.Spring: those to ends that belong to no body
         # These ends: by node and axis the displacement as a function of time.
         self.ends: dict[int, dict[int, Any]] = {}
-        self._node_groups: dict[bytes, str] = {}
-        self._cell_groups: dict[bytes, str] = {}
+        self._node_groups: dict[str, np.ndarray] = {}  # groups that the file does not have
+        self._cell_groups: dict[str, np.ndarray] = {}
+        self._names: dict[tuple[str, bytes], str] = {}
+        self._own_nodes: dict[bytes, str] | None = None  # those of the file, by their items
+        self._own_cells: dict[bytes, str] | None = None
         self._place_in_mesh: np.ndarray | None = None
         self._functions: dict[int, str] = {}
         self.tables: dict[str, tuple[np.ndarray, np.ndarray]] = {}  # functions of time, by their names in the study
@@ -83,21 +87,48 @@ class Problem:
         return places[places >= 0]
 
     def node_group(self, nodes: Any) -> str:
-        """A group of these nodes, made where there is none yet."""
-        nodes = np.asarray(nodes, dtype=np.int32)
-        return self._group(self._node_groups, nodes, "nodes", "with_node_group")
+        """A group of these nodes: one of the file's own, that messages name, or a new one."""
+        nodes = np.unique(np.asarray(nodes, dtype=np.int64))
+        if self._own_nodes is None:
+            self._own_nodes = {np.unique(items).tobytes(): name for name, items in self._named_nodes().items()}
+        return self._own_nodes.get(nodes.tobytes()) or self._new_group(self._node_groups, nodes, "nodes")
+
+    def _named_nodes(self) -> dict[str, np.ndarray]:
+        """The nodes of each group of the file whose name means nothing else."""
+        mesh = self.concept.mesh
+        groups = {name: np.asarray(items, dtype=np.int64) for name, items in mesh.node_groups.items()}
+        for name, items in mesh.cell_groups.items():
+            nodes = self.concept.nodes_of_cells(items)
+            if name in groups and not np.array_equal(np.unique(groups[name]), nodes):
+                groups.pop(name)
+            elif name not in groups:
+                groups[name] = nodes
+        known = {self.concept.node_name(i) for i in range(mesh.node_count)} & set(groups)
+        return {name: nodes for name, nodes in groups.items() if name not in known and len(nodes)}
 
     def cell_group(self, cells: Any) -> str:
-        """A group of these cells of the concept's mesh."""
-        cells = np.sort(self.in_mesh(cells)).astype(np.int32)
-        return self._group(self._cell_groups, cells, "cells", "with_cell_group")
+        """A group of these cells of the concept's mesh, likewise."""
+        cells = np.unique(self.in_mesh(cells)).astype(np.int64)
+        if self._own_cells is None:
+            own = {name: np.unique(self.in_mesh(items)) for name, items in self.concept.mesh.cell_groups.items()}
+            self._own_cells = {items.astype(np.int64).tobytes(): name for name, items in own.items() if len(items)}
+        return self._own_cells.get(cells.tobytes()) or self._new_group(self._cell_groups, cells, "cells")
 
-    def _group(self, made: dict[bytes, str], items: np.ndarray, kind: str, add: str) -> str:
-        key = items.tobytes()
-        if key not in made:
-            made[key] = f"rubato_{kind}_{len(made) + 1}"
-            self.mesh = getattr(self.mesh, add)(made[key], items)
-        return made[key]
+    def _new_group(self, made: dict[str, np.ndarray], items: np.ndarray, kind: str) -> str:
+        key = kind, items.tobytes()
+        if key not in self._names:
+            self._names[key] = f"rubato_{kind}_{len(made) + 1}"
+        made[self._names[key]] = items
+        return self._names[key]
+
+    def cells_named(self, name: str) -> np.ndarray:
+        """Cells of the mesh that is solved on."""
+        groups = self._cell_groups if name in self._cell_groups else self.mesh.cell_groups
+        return np.asarray(groups[name])
+
+    def finished_mesh(self) -> rubato.Mesh:
+        """The mesh that is solved on, with all groups that the study names."""
+        return self.mesh.with_node_groups(self._node_groups).with_cell_groups(self._cell_groups).mended()
 
     def moving(self, nodes: Any) -> np.ndarray:
         """Those of the nodes that have displacements: nodes of bodies and of rigid surfaces."""

@@ -44,7 +44,7 @@ def set_reference(problem: Problem, item: Arguments, cells: np.ndarray) -> None:
     for material in problem.study.materials:
         if material.expansion is None:
             continue
-        of_material = {int(cell) for name in material.cells for cell in problem.mesh.cell_groups[name]}
+        of_material = {int(cell) for name in material.cells for cell in problem.cells_named(name)}
         shared = of_material & {int(cell) for cell in problem.in_mesh(cells)}
         if shared and shared != of_material:
             raise CommandError("AFFE_VARC/VALE_REF: a material whose cells have two of them is not available.")
