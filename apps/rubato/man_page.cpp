@@ -73,7 +73,7 @@ std::string man_page(const CLI::App& program) {
     pages.push_back(fmt::format("\\fBrubato\\-{}\\fR(1)", escaped(command->get_name())));
   }
   text += options_text(program) + exit_codes(program);
-  text += fmt::format(".SH SEE ALSO\n{}\n", fmt::join(pages, ", "));
+  text += fmt::format(".SH SEE ALSO\n.nh\n{}\n", fmt::join(pages, ", ")); // names stay whole
   return text;
 }
 

@@ -74,6 +74,13 @@ std::vector<deck::Setting> changes_of(std::span<const std::string> settings) {
   return changes;
 }
 
+/// The echo of a run without the name of the run, which comes last.
+std::string entries_of(const study::Study& study) {
+  auto text = study::to_json(study);
+  text.erase(text.rfind(",\n  \"runs\":"));
+  return text + "\n}";
+}
+
 } // namespace
 
 bool is_standard_input(const std::filesystem::path& argument) {
@@ -107,11 +114,11 @@ ModesDeck read_modes_deck(const std::filesystem::path& argument, std::span<const
 }
 
 std::string deck_text(std::span<const study::Study> runs) {
-  if (runs.size() == 1 && runs.front().name == "run")
+  if (runs.size() == 1)
     return study::to_json(runs.front());
   std::string text;
   for (const auto& study : runs)
-    text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ",\n", study.name, study::to_json(study));
+    text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ",\n", study.name, entries_of(study));
   return fmt::format("{{\"runs\": {{\n{}\n}}}}\n", text);
 }
 

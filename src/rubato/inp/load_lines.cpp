@@ -72,14 +72,13 @@ void put(Reading& reading, Active active, const Options& options, const Step& st
   std::erase_if(actives,
                 [&](const Active& other) { return other.key == active.key && other.step != step.number; });
   const bool overlaps = std::ranges::any_of(actives, [&](const Active& other) {
-    return other.step != step.number && other.kind == active.kind && other.dof == active.dof &&
-           other.load == active.load && other.direction == active.direction &&
+    return other.step != step.number && other.kind == active.kind && other.label == active.label &&
            share(other.items, active.items);
   });
-  if (overlaps && active.kind != "BOUNDARY")
+  if (overlaps && !history.replaced_by_new.contains(active.kind))
     return reading.faults.add(active.at,
-                              "found a load on a part of what another step loads, expected the same set: it "
-                              "is not known which of its loads it replaces");
+                              "found a load on a part of what another step loads, expected the same set and "
+                              "direction, or OP=NEW: it is not known which of its loads it replaces");
   const auto same = std::ranges::find(actives, active.key, &Active::key);
   const double before = value_before(history, active.key).value_or(0);
   active.course = {step.ramp ? before : magnitude, magnitude, options.curve, magnitude, history.time};

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace rubato::inp {
 namespace {
@@ -38,6 +39,7 @@ Active active_load(const LoadLine& line, study::LoadKind kind, std::string on, s
   active.kind = of;
   active.load = kind;
   active.on = std::move(on);
+  active.label = compact(line.label.text);
   active.items = line.elements == nullptr ? std::vector<std::int32_t>{} : line.elements->items;
   active.step = step.number;
   active.at = line.fields[0].empty() ? line.label : line.fields[0];
@@ -64,6 +66,15 @@ direction_in(Reading& reading, const std::vector<Word>& fields, std::size_t firs
   }
   direction.normalize();
   return std::array<study::FieldValue, 3>{direction[0], direction[1], direction[2]};
+}
+
+/// Loads in different directions are different loads.
+std::string shown_direction(const std::array<study::FieldValue, 3>& direction) {
+  std::string text;
+  for (const auto& component : direction)
+    text += component.number() != nullptr ? fmt::format("{} ", *component.number())
+                                          : component.formula()->text + " ";
+  return text;
 }
 
 /// ω² times the distance from the axis, as expressions of the place.
@@ -130,7 +141,10 @@ void add_body_load(Reading& reading, const LoadLine& line, const Options& option
     return reading.faults.add(line.fields[0], "found a single element with a load by volume, expected a set");
   auto active = active_load(line, study::LoadKind::gravity,
                             line.elements == nullptr ? "" : line.elements->name, "DLOAD", step);
-  active.key = fmt::format("DLOAD {} {}", folded(active.on), word);
+  if (line.elements == nullptr) {
+    active.items.resize(reading.content.elements.size());
+    std::iota(active.items.begin(), active.items.end(), 0);
+  }
   double magnitude = line.magnitude;
   std::optional<std::array<study::FieldValue, 3>> direction;
   if (word == "GRAV") {
@@ -150,6 +164,7 @@ void add_body_load(Reading& reading, const LoadLine& line, const Options& option
   if (!direction)
     return;
   active.direction = *direction;
+  active.key = fmt::format("DLOAD {} {} {}", folded(active.on), word, shown_direction(*direction));
   put(reading, std::move(active), options, step, magnitude, history.loads, history);
 }
 
@@ -191,7 +206,8 @@ void read_cload(Reading& reading, const Placed& placed, const Step& step, Histor
     active.step = step.number;
     active.at = fields[0];
     active.direction = unit(number % 3);
-    active.key = fmt::format("CLOAD {} {} {}", folded(target->name), moment, number % 3);
+    active.label = fmt::format("{} {}", moment, number % 3);
+    active.key = fmt::format("CLOAD {} {}", folded(target->name), active.label);
     put(reading, std::move(active), options, step, *magnitude, history.loads, history);
   }
 }
@@ -221,7 +237,6 @@ void read_dload(Reading& reading, const Placed& placed, const Step& step, Histor
       auto active = active_load(line, study::LoadKind::pressure,
                                 mesh::inp::loaded_group(*elements, word[1] - '0'), "DLOAD", step);
       active.direction = unit(0);
-      active.dof = word[1] - '0';
       active.key = fmt::format("DLOAD {}", folded(active.on));
       put(reading, std::move(active), options, step, *magnitude, history.loads, history);
     } else {
@@ -270,7 +285,7 @@ void read_dsload(Reading& reading, const Placed& placed, const Step& step, Histo
     if (!direction)
       continue;
     active.direction = *direction;
-    active.key = fmt::format("DSLOAD {} {}", folded(active.on), word);
+    active.key = fmt::format("DSLOAD {} {} {}", folded(active.on), word, shown_direction(*direction));
     put(reading, std::move(active), options, step, *magnitude, history.loads, history);
   }
 }

@@ -283,6 +283,16 @@ Step read_step(Reading& reading, const StepBlocks& blocks, int number, double be
   return step;
 }
 
+/// The motion that follows from a velocity begins anew with each run.
+void check_velocities(Reading& reading, const Step& step, const History& history) {
+  for (const auto& active : history.supports)
+    if (step.number > 1 && step.procedure != Procedure::modes && active.given != study::Given::displacement)
+      reading.faults.add(
+          active.at, fmt::format("found a velocity or an acceleration of a support that goes on in step {}, "
+                                 "expected a displacement with an amplitude in files of several steps",
+                                 step.number));
+}
+
 std::string step_name(Reading& reading, const Block& block, int number, std::size_t count) {
   const auto* const name = block.find("NAME");
   if (name != nullptr && !name->value.empty())
@@ -326,6 +336,7 @@ void read_steps(Reading& reading, Purpose purpose, Input& input) {
     auto step = read_step(reading, steps[i], number, history.time);
     step.name = step_name(reading, *steps[i].begin->block, number, steps.size());
     read_loads(reading, steps[i], step, history);
+    check_velocities(reading, step, history);
     if (step.requests.some || i == 0)
       history.requests = step.requests;
     const bool is_modes = step.procedure == Procedure::modes;

@@ -21,8 +21,9 @@ struct Course {
 
 /// A load or a support of one kind on one target.
 struct Active {
-  std::string key; ///< kind, target and direction: what a later line replaces
-  std::string kind;
+  std::string key;   ///< kind, target and direction: what a later line replaces
+  std::string kind;  ///< the keyword
+  std::string label; ///< what of the kind: "P3", "GRAV", the axis of a force
   std::string on;
   std::vector<std::int32_t> items; ///< nodes or elements it acts on, ascending
   Course course;

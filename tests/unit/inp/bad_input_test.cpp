@@ -164,6 +164,15 @@ TEST(BadInp, Steps) {
        "a.inp:30:2: found a support of 'N1' that begins in step 2"},
       {with_step("*STATIC\n*CLOAD\n ONE, 1, 1.\n*END STEP\n*STEP\n*STATIC\n*CLOAD\n ALL, 1, 1.\n"),
        "a.inp:32:2: found a load on a part of what another step loads, expected the same set"},
+      {with_step("*STATIC\n*DLOAD\n E, GRAV, 1., 1., 0., 0.\n*END STEP\n*STEP\n*STATIC\n*DLOAD\n E, GRAV, "
+                 "1., 0., 1., 0.\n"),
+       "a.inp:32:2: found a load on a part of what another step loads, expected the same set and direction, "
+       "or OP=NEW"},
+      {with_step("*DYNAMIC, ALPHA=0.\n 0.1, 1.\n*BOUNDARY, TYPE=VELOCITY\n 1, 1, 1, 2.\n*END "
+                 "STEP\n*STEP\n*DYNAMIC, ALPHA=0.\n 0.1, 1.\n"),
+       "a.inp:28:2: found a velocity or an acceleration of a support that goes on in step 2"},
+      {"*RESTART, READ, STEP=1\n" + with_step("*STATIC\n"),
+       "a.inp:1:11: found a restart from another analysis"},
       {with_step("*STATIC\n 1., -1.\n"),
        "a.inp:26:2: found a negative time of a step, expected times above 0"},
       {with_step("*STATIC\n*AMPLITUDE, NAME=A\n 0., 0., 0., 1.\n*CLOAD, AMPLITUDE=A\n ONE, 1, 1.\n"),
@@ -174,7 +183,8 @@ TEST(BadInp, Steps) {
 TEST(BadInp, WhatFollowsFromAFaultIsToldWithIt) {
   EXPECT_EQ(fault_of([] { inp::parse_input(changed("*NSET, NSET=ONE", "*NSET, NST=ONE"), "a.inp"); }),
             "a.inp:12:1: found *NSET without NSET=, expected the name of the set\n"
-            "a.inp:12:8: found the parameter 'NST' of *NSET, which has no counterpart in rubato; did you mean 'NSET'?");
+            "a.inp:12:8: found the parameter 'NST' of *NSET, which has no counterpart in rubato; did you "
+            "mean 'NSET'?");
   EXPECT_EQ(fault_of([] { inp::parse_input(changed("MATERIAL=STEEL", "MATERIAL=STEAL"), "a.inp"); }),
             "a.inp:11:2: found element 1 (C3D8R) in no set of a *SOLID SECTION, expected one\n"
             "a.inp:19:35: found 'STEAL', expected the name of a material of the file; did you mean 'STEEL'?");

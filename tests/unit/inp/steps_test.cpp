@@ -97,6 +97,42 @@ TEST(LoadsOfSteps, RampInStaticStepsAndAreThereAtOnceInDynamicOnes) {
   EXPECT_EQ(*parsed(with_step("*STATIC\n" + load + load)).runs[0].loads[0].components[0].number(), 10);
 }
 
+TEST(LoadsOfSteps, InSeveralDirectionsAreSeveral) {
+  const auto study =
+      parsed(with_step("*STATIC\n*DLOAD\n E, GRAV, 2., 1., 0., 0.\n E, GRAV, 3., 0., 1., 0.\n")).runs[0];
+  ASSERT_EQ(study.loads.size(), 2U);
+  EXPECT_EQ(*study.loads[0].components[0].number(), 2);
+  EXPECT_EQ(*study.loads[1].components[1].number(), 3);
+  EXPECT_EQ(*study.loads[1].components[0].number(), 0);
+}
+
+TEST(LoadsOfSteps, AreReplacedByThoseOfTheSameSetAndTakenAwayByOpNew) {
+  const auto second = [](const std::string& first, const std::string& next) {
+    return parsed(with_step("*STATIC\n" + first + "*END STEP\n*STEP\n*STATIC\n" + next)).runs.at(1);
+  };
+  const auto value = [](const study::Study& study, std::size_t load, double t) {
+    const auto& function = study.loads.at(load).function;
+    return *study.loads.at(load).components[0].number() *
+           (function.empty() ? 1 : value_at(study.functions.at(function), t));
+  };
+  // Kept, replaced, taken away, and given to another set.
+  const auto kept = second("*CLOAD\n ONE, 1, 5.\n", "");
+  EXPECT_EQ(value(kept, 0, 1), 5);
+  EXPECT_EQ(value(kept, 0, 2), 5);
+  const auto replaced = second("*CLOAD\n ONE, 1, 5.\n", "*CLOAD\n ONE, 1, 8.\n");
+  EXPECT_EQ(replaced.loads.size(), 1U);
+  EXPECT_EQ(value(replaced, 0, 1), 5);
+  EXPECT_EQ(value(replaced, 0, 2), 8);
+  const auto gone = second("*CLOAD\n ONE, 1, 5.\n", "*CLOAD, OP=NEW\n");
+  EXPECT_EQ(value(gone, 0, 1), 5);
+  EXPECT_EQ(value(gone, 0, 2), 0);
+  const auto other = second("*CLOAD\n ONE, 1, 5.\n", "*CLOAD, OP=NEW\n ALL, 1, 2.\n");
+  ASSERT_EQ(other.loads.size(), 2U);
+  EXPECT_EQ(value(other, 0, 2), 0);
+  EXPECT_EQ(value(other, 1, 1), 0);
+  EXPECT_EQ(value(other, 1, 2), 2);
+}
+
 TEST(AmplitudesOfSteps, HaveTheirForms) {
   const auto at = [](const std::string& amplitude, double t) {
     const auto study = parsed(with_step("*STATIC, DIRECT\n 1., 4.\n*AMPLITUDE, NAME=A" + amplitude +

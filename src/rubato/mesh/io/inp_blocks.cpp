@@ -96,7 +96,7 @@ void add_parameter(const Line& line, std::string_view text, Block& block) {
   const auto name = trimmed(text.substr(0, equals));
   if (name.empty() && equals == std::string_view::npos)
     return;
-  Parameter parameter{compact(name), part_of(line, name), {}};
+  Parameter parameter{compact(name), part_of(line, name), part_of(line, name.substr(name.size()))};
   if (equals != std::string_view::npos)
     parameter.value = part_of(line, unquoted(trimmed(text.substr(equals + 1))));
   block.parameters.push_back(std::move(parameter));
@@ -349,7 +349,9 @@ Word require_value(const Block& block, std::string_view key, std::string_view ex
     return parameter->value;
   faults.add(parameter == nullptr ? block.at : parameter->name,
              fmt::format("found {} without {}=, expected {}", block.at.text, key, expected));
-  return {};
+  auto nothing = parameter == nullptr ? block.at : parameter->name;
+  nothing.text = nothing.text.substr(0, 0);
+  return nothing;
 }
 
 Word field(const std::vector<Word>& fields, std::size_t place, const Word& otherwise) {
