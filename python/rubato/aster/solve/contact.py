@@ -49,7 +49,8 @@ def add_contact(problem: Problem, contact: ContactConcept | None) -> None:
             add_one_sided(problem, zone)
         return
     zones = contact.arguments.ZONE
-    problem.study.contact = [make_zone(problem, contact.arguments, zone, number) for number, zone in enumerate(zones, 1)]
+    problem.study.contact = [make_zone(problem, contact.arguments, zone, number)
+                             for number, zone in enumerate(zones, 1)]
     tie_middle_nodes(problem, contact.arguments)
 
 
@@ -130,6 +131,9 @@ def set_friction(problem: Problem, contact: Arguments, given: Arguments, zone: A
     if smooth and zone.friction:
         # Code_Aster's SANS_GROUP_NO_FR takes one direction of friction away; without any the answer is the same
         # wherever that direction is the only one.
+        if given.INTEGRATION not in ("AUTO", "NOEUD"):
+            problem.notes.append("DEFI_CONTACT: SANS_GROUP_NO_FR is not followed with contact points between the nodes "
+                                 f"(INTEGRATION='{given.INTEGRATION}').")
         points = points_of(problem)[np.concatenate(smooth)]
         at = {tuple(point) for point in points}
         coefficient = zone.friction
@@ -201,8 +205,8 @@ def set_places(problem: Problem, given: Arguments, zone: Any, algorithm: str, sl
 
 
 def has_triangles(problem: Problem, faces: np.ndarray) -> bool:
-    return any(block.type.startswith("tria") and np.any((faces >= block.first) & (faces < block.first + len(block.nodes)))
-               for block in problem.concept.mesh.blocks)
+    blocks = [block for block in problem.concept.mesh.blocks if block.type.startswith("tria")]
+    return any(np.any((faces >= block.first) & (faces < block.first + len(block.nodes))) for block in blocks)
 
 
 def set_levels(contact: Arguments, zone: Any, formulation: str) -> None:

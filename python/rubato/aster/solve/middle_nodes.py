@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Middle nodes of QUAD8 faces in discrete contact. A uniform pressure pulls at the corners of such a face, so Code_Aster
-keeps its sides straight: a middle node is at the mean of the corners beside it, and only corners touch."""
+"""Middle nodes of QUAD8 faces in discrete contact. A uniform pressure pulls at the corners of such a face, so
+Code_Aster keeps its sides straight: a middle node is at the mean of the corners beside it, and only corners touch."""
 
 from __future__ import annotations
 

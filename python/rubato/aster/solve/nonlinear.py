@@ -59,6 +59,8 @@ def solve(session: Any, command: str, arguments: Arguments, dynamic: bool) -> Re
         except NotConverged:
             if residual == residuals[-1]:
                 raise
+            session.note(f"{command}: {session.assigned}: a residual of {residual:g} is not reached; solved again for "
+                         f"{residuals[-1]:g}, as the file asks.")
     return result
 
 
@@ -259,13 +261,14 @@ def give_motion(problem: Problem, model: Any, start: Start) -> None:
 def check_initial_stress(problem: Problem, start: Start, first: Stored) -> None:
     """Code_Aster begins with the stresses of SIGM, else without any, whatever DEPL is; bodies here are under the stress
     of their strain, and springs under the force of their ends. Raises CommandError where these differ."""
-    from ..fields import field_of, nodal_forces
+    from ..fields import field_of
 
     result = Result("EVOL_NOLI", problem.concept)
     own = field_of(result, first, "SIEF_ELGA")
     assert isinstance(own, CellField)
     # Rounding of displacements: strains of this size are none.
-    allowed = 1e-9 * max(max(material.young, 0.0) for material in problem.study.materials) + 1e-300
+    allowed = 1e-9 * max(max(material.young or 0.0, getattr(material.orthotropy, "young_x", 0.0) or 0.0)
+                         for material in problem.study.materials)
     given = {int(cell): values for part in (start.stress.parts if start.stress else [])
              for cell, values in zip(part.cells, part.values)}
     for part in own.parts:
