@@ -400,6 +400,7 @@ def run(
     progress: Callable[[Progress], None] | None = ...,
     resume: bool = ...,
     previous: State | None = ...,
+    mesh: Mesh | None = ...,
     say: Callable[[str], None] | None = ...,
     warn: Callable[[str], None] | None = ...,
 ) -> RunResult: ...
