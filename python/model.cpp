@@ -21,15 +21,6 @@ using model::Model;
 /// What an echo has where a program gave the mesh.
 constexpr const char* given_mesh = "(mesh of a program)";
 
-Model on_mesh(study::Study study, mesh::Mesh mesh) {
-  mesh::mend_orientation(mesh);
-  if (study.mesh.file.empty() && study.mesh.bodies.empty())
-    study.mesh.file = given_mesh;
-  if (!study.mesh.groups.empty())
-    mesh = mesh::with_groups(std::move(mesh), study.mesh.groups);
-  return model::build_model(study, std::move(mesh));
-}
-
 py::array dofs_of(const Model& model) {
   const auto& dofs = model.dofs;
   py::array_t<std::int32_t> numbers(
@@ -125,10 +116,23 @@ void bind_initial(ModelClass& type) {
 
 } // namespace
 
+study::Study on_given_mesh(study::Study study) {
+  if (study.mesh.file.empty() && study.mesh.bodies.empty())
+    study.mesh.file = given_mesh;
+  return study;
+}
+
+mesh::Mesh as_run(mesh::Mesh mesh, const study::MeshSource& source) {
+  mesh::mend_orientation(mesh);
+  return source.groups.empty() ? std::move(mesh) : mesh::with_groups(std::move(mesh), source.groups);
+}
+
 SharedModel make_model(const py::object& study, std::optional<mesh::Mesh> mesh) {
   const auto of = Codec<study::Study>::from(study, "");
   const py::gil_scoped_release unlocked;
-  return std::make_shared<Model>(mesh ? on_mesh(of, std::move(*mesh)) : model::build_model(of));
+  if (!mesh)
+    return std::make_shared<Model>(model::build_model(of));
+  return std::make_shared<Model>(model::build_model(on_given_mesh(of), as_run(std::move(*mesh), of.mesh)));
 }
 
 void check_fits(const Model& model, const step::State& state) {

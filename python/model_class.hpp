@@ -16,6 +16,11 @@ using ModelClass = pybind11::class_<model::Model, SharedModel>;
 /// Python can only read states: that it holds them as ones that could change is pybind11's.
 using SharedState = std::shared_ptr<step::State>;
 
+/// A study whose mesh a program gives: it says so where it names none.
+study::Study on_given_mesh(study::Study study);
+/// The mesh as the study has it: cells mended, with the groups that the study makes. Throws InputError.
+mesh::Mesh as_run(mesh::Mesh mesh, const study::MeshSource& source);
+
 /// Of a record of a study, on the mesh if there is one. With the interpreter's lock held; throws InputError.
 SharedModel make_model(const pybind11::object& study, std::optional<mesh::Mesh> mesh);
 

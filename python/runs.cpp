@@ -77,15 +77,34 @@ private:
   std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
 };
 
+/// What Python says of a run, beside its study and its folder.
+struct Wishes {
+  std::optional<mesh::Mesh> mesh;
+  const step::State* previous = nullptr;
+  run::Begin begin = run::Begin::anew;
+};
+
+/// Without the interpreter's lock.
+RunResult run_as(const study::Study& study, const std::filesystem::path& folder, const run::Watch& watch,
+                 Wishes wishes) {
+  if (!wishes.mesh)
+    return run::run_study(study, folder, watch, wishes.previous, wishes.begin);
+  return run::run_study(on_given_mesh(study), as_run(std::move(*wishes.mesh), study.mesh), folder, watch,
+                        wishes.previous, wishes.begin);
+}
+
 RunResult run_study(const py::object& record, const std::filesystem::path& folder, const py::object& progress,
-                    bool resume, const step::State* previous, const py::object& say, const py::object& warn) {
+                    bool resume, const step::State* previous, const mesh::Mesh* mesh, const py::object& say,
+                    const py::object& warn) {
   const auto study = Codec<study::Study>::from(record, "");
   Listener listener(progress, say, warn);
   RunResult result;
   {
     const py::gil_scoped_release unlocked;
-    result = run::run_study(study, folder, listener.watch(), previous,
-                            resume ? run::Begin::resumed : run::Begin::anew);
+    Wishes wishes{{}, previous, resume ? run::Begin::resumed : run::Begin::anew};
+    if (mesh != nullptr)
+      wishes.mesh = *mesh;
+    result = run_as(study, folder, listener.watch(), std::move(wishes));
   }
   listener.raise_what_came();
   return result;
@@ -151,13 +170,14 @@ void bind_runs(py::module_& module) {
   bind_progress(module);
   bind_results(module);
   module.def("run", &run_study, py::arg("study"), py::arg("folder"), py::arg("progress") = py::none(),
-             py::arg("resume") = false, py::arg("previous") = py::none(), py::arg("say") = py::none(),
-             py::arg("warn") = py::none(),
+             py::arg("resume") = false, py::arg("previous") = py::none(), py::arg("mesh") = py::none(),
+             py::arg("say") = py::none(), py::arg("warn") = py::none(),
              R"(Runs a study into a folder of its own, as the program does: open_run() reads it.
 
 progress(Progress) is called after each attempt at a step; say(sentence) and warn(sentence) get what the program
 prints. resume: go on from the checkpoint in the folder. previous: the State that a study with start "from_run" begins
-with. What the functions raise ends the run as Ctrl-C does and is raised here, with a folder that can be resumed.
+with. mesh: instead of the one that the study names, as of Model. What the functions raise ends the run as Ctrl-C does
+and is raised here, with a folder that can be resumed.
 Raises InputError, before the folder is made or touched, for a study that cannot be run, and OSError.)");
 }
 

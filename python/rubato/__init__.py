@@ -17,6 +17,6 @@ globals().update(_words)
 globals().update(_records)
 
 __version__ = _rubato.__version__
-__all__ = sorted(
-    {"Fault", "InputError", "Record", "StepError", "StoredRun", "open_run", *_words, *_records, *(n for n in vars(_rubato) if not n.startswith("_"))}
-)
+_written = {"Fault", "InputError", "Record", "StepError", "StoredRun", "open_run"}
+_compiled = {name for name in vars(_rubato) if not name.startswith("_")}
+__all__ = sorted(_written | _compiled | set(_words) | set(_records))

@@ -402,6 +402,7 @@ def run(
     progress: Callable[[Progress], None] | None = ...,
     resume: bool = ...,
     previous: State | None = ...,
+    mesh: Mesh | None = ...,
     say: Callable[[str], None] | None = ...,
     warn: Callable[[str], None] | None = ...,
 ) -> RunResult: ...

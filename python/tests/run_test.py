@@ -147,6 +147,28 @@ def test_a_function_that_raises_ends_the_run_with_its_name(tmp_path):
     assert stored.status == "interrupted" and "the last whole step ends at t = 0.25" in stored.reason
 
 
+def test_a_run_takes_a_mesh_of_the_program(tmp_path):
+    study = studies.bar(scheme="static", step=0.25, end=1)
+    study.checkpoint.every = 1
+    mesh = rubato.load_mesh(study.mesh)
+    rubato.run(study, tmp_path / "named")
+    study.mesh = rubato.MeshSource()
+    with pytest.raises(rubato.InputError):
+        rubato.run(study, tmp_path / "none")
+
+    def fail(progress):
+        if progress.t > 0.4:
+            raise LookupError
+
+    with pytest.raises(LookupError):
+        rubato.run(study, tmp_path / "given", mesh=mesh, progress=fail)
+    with pytest.raises(rubato.InputError, match="mesh"):
+        rubato.run(study, tmp_path / "given", mesh=mesh.with_points(mesh.points * 1.01), resume=True)
+    assert rubato.run(study, tmp_path / "given", mesh=mesh, resume=True).status == "complete"
+    assert (tmp_path / "given/probes.csv").read_bytes() == (tmp_path / "named/probes.csv").read_bytes()
+    assert rubato.open_run(tmp_path / "given").study.mesh.file.endswith("(mesh of a program)")
+
+
 def test_a_study_that_cannot_be_run_leaves_no_folder(tmp_path):
     study = studies.case()
     study.supports[0].on = "Encastremnt"

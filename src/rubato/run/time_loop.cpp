@@ -335,10 +335,12 @@ bool RunResult::checks_hold() const {
   return std::ranges::all_of(checks, &results::CheckResult::holds);
 }
 
-RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
-                    const step::State* previous, Begin begin) {
-  const double start = processor_seconds();
-  auto mesh = model::load_mesh(study.mesh);
+namespace {
+
+/// `start`: processor time when the run was asked for.
+RunResult run_on(mesh::Mesh mesh, double start, const study::Study& study,
+                 const std::filesystem::path& folder, const Watch& watch, const step::State* previous,
+                 Begin begin) {
   RunContext course{folder,
                     results::fingerprint(mesh),
                     previous != nullptr ? results::fingerprint(*previous) : 0,
@@ -363,6 +365,19 @@ RunResult run_study(const study::Study& study, const std::filesystem::path& fold
   const auto model = model::build_model(study, std::move(mesh));
   tell_model(model, watch);
   return Run(model, course, watch, previous).go(start);
+}
+
+} // namespace
+
+RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
+                    const step::State* previous, Begin begin) {
+  const double start = processor_seconds();
+  return run_on(model::load_mesh(study.mesh), start, study, folder, watch, previous, begin);
+}
+
+RunResult run_study(const study::Study& study, mesh::Mesh mesh, const std::filesystem::path& folder,
+                    const Watch& watch, const step::State* previous, Begin begin) {
+  return run_on(std::move(mesh), processor_seconds(), study, folder, watch, previous, begin);
 }
 
 } // namespace rubato::run

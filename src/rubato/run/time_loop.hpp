@@ -2,6 +2,7 @@
 /// The whole story of a run: build the model, step through time, record, check.
 #pragma once
 
+#include "rubato/mesh/mesh.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/run_status.hpp"
@@ -72,5 +73,8 @@ enum class Begin { anew, resumed, unless_done };
 /// when it is resumed, nor `unless_done` when deck, mesh and the end it starts from are those it had.
 RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous = nullptr, Begin begin = Begin::anew);
+/// The same on a mesh that is already there. A run is resumed on an equal one.
+RunResult run_study(const study::Study& study, mesh::Mesh mesh, const std::filesystem::path& folder,
+                    const Watch& watch, const step::State* previous = nullptr, Begin begin = Begin::anew);
 
 } // namespace rubato::run
