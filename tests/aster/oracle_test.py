@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Command files against Code_Aster's own numbers, where these are beside the project: contact on meshes that do not match,
-relations and oblique supports, orthotropic bodies, temperatures."""
+"""Command files against Code_Aster's own numbers, where these are beside the project: the public files of SDNL140 as they
+are; contact on meshes that do not match, relations and oblique supports, orthotropic bodies, temperatures."""
 
 from __future__ import annotations
 
 import csv
 import json
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -17,7 +18,8 @@ import pytest
 import rubato
 
 SOURCE = Path(os.environ["RUBATO_SOURCE_DIR"])
-SHARED = Path(os.environ.get("RUBATO_SHARED") or SOURCE.parent / "shared")
+# An empty variable says that nothing is shared.
+SHARED = Path(os.environ.get("RUBATO_SHARED", SOURCE.parent / "shared") or os.devnull)
 ORACLE = SHARED / "oracle"
 pytestmark = pytest.mark.skipif(not ORACLE.is_dir(), reason="Code_Aster's numbers are not there")
 
@@ -150,8 +152,8 @@ load = AFFE_CHAR_MECA(MODELE=model, {held}, PRES_REP=_F(GROUP_MA='Y1', PRES=1e8)
     assert largest_difference(found, rows_of(f"static_{name}")) < 1e-9
 
 
-@pytest.mark.parametrize("mesh, kind, angle", [("c", "3D", 0), ("c", "3D", 30), ("fdp", "D_PLAN", 0), ("fdp", "D_PLAN", 30),
-                                               ("fcp", "C_PLAN", 30)])
+@pytest.mark.parametrize("mesh, kind, angle", [("c", "3D", 0), ("c", "3D", 30), ("fdp", "D_PLAN", 0),
+                                               ("fdp", "D_PLAN", 30), ("fcp", "C_PLAN", 30)])
 def test_orthotropic_bodies(mesh, kind, angle, tmp_path):
     load = ("DDL_IMPO=_F(GROUP_MA='Encastrement', LIAISON='ENCASTRE'), FORCE_NODALE=_F(GROUP_NO='Force', FY=-1e7)"
             if kind != "3D" else f"{CLAMPED}, FORCE_ARETE=_F(GROUP_MA='Haut_Pression', FY=-1e7)")
@@ -220,3 +222,19 @@ result = STAT_NON_LINE(MODELE=model, CHAM_MATER=material, EXCIT=_F(CHARGE=held),
     for order, row in enumerate(rows):
         for axis in names:
             assert found[f"{order} {node}"][axis.upper()] == pytest.approx(float(row[axis]), abs=1e-8 * peak)
+
+
+# ---- SDNL140 -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("modeling", "abcdef")
+def test_public_command_files_run_as_they_are(modeling, tmp_path):
+    for name in (f"sdnl140{modeling}.comm", f"sdnl140{modeling}.export"):
+        shutil.copy(SHARED / "sdnl140" / "comm" / name, tmp_path)
+    mesh = "c" if modeling == "e" else modeling
+    shutil.copy(SHARED / "sdnl140" / f"sdnl140{mesh}.med", tmp_path / f"sdnl140{mesh}.mmed")
+    done = subprocess.run([sys.executable, "-m", "rubato.aster", f"sdnl140{modeling}.export"], cwd=tmp_path, text=True,
+                          capture_output=True, timeout=300, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "OK" in done.stdout
+    assert "\nNOOK" not in done.stdout

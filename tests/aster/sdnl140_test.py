@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""SDNL140 by command files: the numbers of the decks, for every modeling and algorithm; and the public command files as
-they are, where they are beside the project."""
+"""SDNL140 by command files: the numbers of the decks, for every modeling and algorithm."""
 
 from __future__ import annotations
 
@@ -16,7 +15,6 @@ import pytest
 SOURCE = Path(os.environ["RUBATO_SOURCE_DIR"])
 PROGRAM = os.environ["RUBATO_PROGRAM"]
 HERE = SOURCE / "tests" / "aster" / "sdnl140"
-SHARED = Path(os.environ.get("RUBATO_SHARED") or SOURCE.parent / "shared") / "sdnl140"
 RUNS = 5
 
 
@@ -71,15 +69,3 @@ def test_command_files_give_the_numbers_of_the_decks(modeling, tmp_path):
     peak = max(abs(value) for value in deck.values())
     worst = max(abs(commands[key] - deck[key]) for key in deck)
     assert worst <= 1e-12 * peak
-
-
-@pytest.mark.skipif(not SHARED.is_dir(), reason="there are no public command files")
-@pytest.mark.parametrize("modeling", "abcdef")
-def test_public_command_files_run_as_they_are(modeling, tmp_path):
-    for name in (f"sdnl140{modeling}.comm", f"sdnl140{modeling}.export"):
-        shutil.copy(SHARED / "comm" / name, tmp_path)
-    mesh = "c" if modeling == "e" else modeling
-    shutil.copy(SHARED / f"sdnl140{mesh}.med", tmp_path / f"sdnl140{mesh}.mmed")
-    printed = call(sys.executable, "-m", "rubato.aster", f"sdnl140{modeling}.export", folder=tmp_path)
-    assert "OK" in printed
-    assert "\nNOOK" not in printed

@@ -47,8 +47,8 @@ TEST_F(CommandLine, RefusesUnknownSubcommandsAndOptions) {
   expect({{"rum"},
           2,
           "",
-          "error: found 'rum', expected one of run, modes, new, check, compare, plot, report, info, mesh, "
-          "list, schema; did "
+          "error: found 'rum', expected one of run, modes, new, deck, check, compare, plot, report, "
+          "info, mesh, aster, list, schema; did "
           "you mean "
           "'run'?\n"});
   expect({{"run"}, 2, "", "error: deck is required (rubato --help tells more)\n"});

@@ -172,8 +172,8 @@ def set_time(problem: Problem, arguments: Arguments, instants: np.ndarray, cuts:
     (scheme,) = arguments.SCHEMA_TEMPS
     set_scheme(time, scheme)
     if arguments.MASS_DIAG == "OUI" and scheme.SCHEMA != "DIFF_CENT":
-        raise CommandError(f"{problem.command}/MASS_DIAG: OUI is not available with {scheme.SCHEMA}; masses are those of "
-                           "the cells' shape functions.")
+        raise CommandError(f"{problem.command}/MASS_DIAG: OUI is not available with {scheme.SCHEMA}; masses are those "
+                           "of the cells' shape functions.")
     # Without an initial state Code_Aster's first step takes no forces at its beginning.
     time.start = "consistent" if start.given or scheme.SCHEMA == "DIFF_CENT" else "at_rest_unloaded"
 
@@ -226,6 +226,8 @@ def begin(session: Any, problem: Problem, arguments: Arguments, start: Start, dy
     contact = arguments.get("CONTACT")
     solved = Solved(model, problem.concept, problem.cell_of, problem.physics, problem.zones, problem.springs,
                     problem.ends, arguments.CHAM_MATER, dynamic, contact.arguments.FORMULATION if contact else "")
+    if "ACCE" in start.fields:
+        session.note(f"{problem.command}: ETAT_INIT/ACCE is not followed; the first acceleration balances the forces.")
     if "DEPL" in start.fields or start.stress is not None:
         check_initial_stress(problem, start, Stored(0, simulation.state.t, solved, simulation.state))
     return solved, simulation
@@ -298,6 +300,7 @@ def of_dofs(problem: Problem, model: Any, given: NodalField) -> np.ndarray:
 
 def march(session: Any, command: str, arguments: Arguments, result: Result, solved: Solved, simulation: Any,
           start: Start) -> None:
+    result.cache.clear()  # of states whose orders others get now
     archive = Archive(arguments.ARCHIVAGE)
     observations = Observations(session, arguments.OBSERVATION, result)
     order = store_first(result, solved, simulation, start, arguments)
