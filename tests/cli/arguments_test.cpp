@@ -47,7 +47,7 @@ TEST_F(CommandLine, RefusesUnknownSubcommandsAndOptions) {
   expect({{"rum"},
           2,
           "",
-          "error: found 'rum', expected one of run, modes, new, check, compare, plot, report, info, mesh, "
+          "error: found 'rum', expected one of run, modes, new, deck, check, compare, plot, report, info, mesh, "
           "list, schema; did "
           "you mean "
           "'run'?\n"});
