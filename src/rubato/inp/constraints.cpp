@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Relations between displacements, and the nodes that are their references.
+#include "rubato/cell/topology.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/inp/reading.hpp"
 #include "rubato/mesh/index_lists.hpp"
