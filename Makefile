@@ -64,9 +64,9 @@ debug-test: deps ## the tests under the address and undefined-behaviour sanitize
 	@cmake --build --preset debug -j$(JOBS)
 	ctest --preset debug -j$(JOBS)
 
-deb: deps configure ## Debian packages of program and library, into build/packages
+deb: deps configure ## Debian packages of program, library and Python module, into build/packages
 	@cmake/install-dependencies dpkg-dev file
-	@cmake --build --preset release -j$(JOBS) --target rubato_cli rubato rubato_shell_files
+	@cmake --build --preset release -j$(JOBS) --target rubato_cli rubato rubato_shell_files rubato_python
 	@cmake -E rm -rf build/packages
 	@cpack --config build/release/CPackConfig.cmake -B build/packages > build/packages.log || { tail -20 build/packages.log; false; }
 	@ls build/packages/*.deb

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# `make deb`: the Debian packages rubato (the program) and librubato-dev (the library), by CPack.
+# `make deb`: the Debian packages rubato (the program), librubato-dev (the library) and python3-rubato (the module, with
+# the reader of Code_Aster's command files), by CPack.
 
 # The packages that a program with librubato.a is built with are those rubato itself is built with, but for those
 # of the command line, the tests and the benchmarks. cmake/install-dependencies has the one list.
@@ -52,5 +53,18 @@ install(FILES ${rubato_copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libru
 # Where Debian's zsh looks for the completions of packages.
 install(FILES ${PROJECT_BINARY_DIR}/share/zsh/site-functions/_rubato DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
         COMPONENT program EXCLUDE_FROM_ALL)
+
+if(TARGET rubato_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS python3-rubato) # for rubato aster
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-rubato)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS libmed-tools) # medimport reads MED files of version 2.3
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+      "The Python module of rubato: studies, meshes, simulations and results as arrays. It also runs Code_Aster studies: rubato aster study.comm.")
+  install(FILES ${rubato_copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-rubato COMPONENT python)
+endif()
 
 include(CPack)

@@ -236,7 +236,7 @@ def test_damaged_command_files(tmp_path):
 
 
 @pytest.mark.parametrize("text, read, seed, count", [
-    (MAIL, rubato.read_mesh, 2, 1000), (GMSH, read_gmsh, 3, 400), (GIBI, read_gibi, 4, 400)],
+    (MAIL, rubato.read_mesh, 2, 2000), (GMSH, read_gmsh, 3, 400), (GIBI, read_gibi, 4, 400)],
     ids=["mail", "gmsh", "gibi"])
 def test_damaged_meshes(tmp_path, text, read, seed, count):
     chance = random.Random(seed)
