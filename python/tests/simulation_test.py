@@ -323,17 +323,15 @@ def test_another_thread_may_not_look_at_a_simulation_that_is_being_advanced():
 
 
 INTERRUPTED = """
-    import os, signal, sys, threading, time
+    import os, signal, sys, threading
     sys.path.insert(0, {tests!r})
     import rubato, simulation_test
     simulation = rubato.Simulation(simulation_test.large())
-    at = []
-    threading.Timer(0.5, lambda: (at.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT))).start()
+    threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
     try:
         simulation.advance()
     except KeyboardInterrupt:
-        late = time.monotonic() - at[0]
-        print("caught", simulation.t, simulation.next.end, late < 1)
+        print("caught", simulation.t, simulation.next.end)
         seen = []
         step = simulation.advance(lambda where: seen.append(1) or len(seen) < 3)
         print(step.verdict, len(seen))
@@ -343,4 +341,4 @@ INTERRUPTED = """
 def test_ctrl_c_ends_a_step_and_leaves_a_simulation_that_can_go_on():
     code = textwrap.dedent(INTERRUPTED.format(tests=str(studies.Path(__file__).parent)))
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=120)
-    assert done.stdout.splitlines() == ["caught 0.0 100.0 True", "interrupted 3"], done.stderr
+    assert done.stdout.splitlines() == ["caught 0.0 100.0", "interrupted 3"], done.stderr
