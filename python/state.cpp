@@ -27,36 +27,32 @@ py::list zones_of(const SharedState& state) {
   return zones;
 }
 
-/// One number a contact point.
-template <class Items, class Get> py::array numbers_of(const Items& items, const Get& get) {
-  py::array_t<double> numbers(static_cast<py::ssize_t>(items.size()));
-  for (std::size_t i = 0; i < items.size(); ++i)
-    numbers.mutable_at(static_cast<py::ssize_t>(i)) = get(items[i]);
-  return numbers;
+/// One number a contact point, of a list of structs.
+template <class Item>
+py::array numbers_of(const ZoneView& zone, const std::vector<Item>& items, double Item::*member) {
+  return member_view(items, items.empty() ? nullptr : &(items.front().*member), 1, py::cast(zone.state));
 }
 
 /// A vector a contact point.
-template <class Vector> py::array vectors_of(const ZoneView& view, Vector contact::PointOutcome::*member) {
-  const auto& outcomes = view.zone().outcomes;
-  py::array_t<double> numbers(
-      {static_cast<py::ssize_t>(outcomes.size()), py::ssize_t{Vector::SizeAtCompileTime}});
-  for (std::size_t i = 0; i < outcomes.size(); ++i)
-    for (int k = 0; k < Vector::SizeAtCompileTime; ++k)
-      numbers.mutable_at(static_cast<py::ssize_t>(i), k) = (outcomes[i].*member)[k];
-  return numbers;
+template <class Vector> py::array vectors_of(const ZoneView& zone, Vector contact::PointOutcome::*member) {
+  const auto& outcomes = zone.zone().outcomes;
+  return member_view(outcomes, outcomes.empty() ? nullptr : (outcomes.front().*member).data(),
+                     Vector::SizeAtCompileTime, py::cast(zone.state));
 }
 
 auto outcome(double contact::PointOutcome::*member) {
-  return [member](const ZoneView& view) {
-    return numbers_of(view.zone().outcomes, [member](const auto& point) { return point.*member; });
-  };
+  return [member](const ZoneView& zone) { return numbers_of(zone, zone.zone().outcomes, member); };
+}
+
+auto history(double contact::FrictionHistory::*member) {
+  return [member](const ZoneView& zone) { return numbers_of(zone, zone.zone().friction_history, member); };
 }
 
 void bind_zone(py::module_& module) {
   using contact::PointOutcome;
-  py::class_<ZoneView>(
-      module, "ZoneState",
-      "A contact zone in a state: an entry a contact point, in the order of Model.contact_points().")
+  py::class_<ZoneView>(module, "ZoneState",
+                       "A contact zone in a state: an entry a contact point, in the order of "
+                       "Model.contact_points(). Arrays are views.")
       .def_property_readonly(
           "status",
           [](const ZoneView& zone) {
@@ -85,18 +81,10 @@ void bind_zone(py::module_& module) {
           "tangential_force",
           [](const ZoneView& zone) { return vectors_of(zone, &PointOutcome::tangential); },
           "Of the master on the slave: points x 3 [force].")
-      .def_property_readonly(
-          "cumulated_slip",
-          [](const ZoneView& zone) {
-            return numbers_of(zone.zone().friction_history, [](const auto& point) { return point.slip; });
-          },
-          "Since the run began, while closed [length].")
-      .def_property_readonly(
-          "friction_work",
-          [](const ZoneView& zone) {
-            return numbers_of(zone.zone().friction_history, [](const auto& point) { return point.work; });
-          },
-          "Taken by friction since the run began [force length].")
+      .def_property_readonly("cumulated_slip", history(&contact::FrictionHistory::slip),
+                             "Since the run began, while closed [length].")
+      .def_property_readonly("friction_work", history(&contact::FrictionHistory::work),
+                             "Taken by friction since the run began [force length].")
       .def("__len__", [](const ZoneView& zone) { return zone.zone().status.size(); });
 }
 

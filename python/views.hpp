@@ -27,6 +27,21 @@ inline py::array view(const Eigen::VectorXd& numbers, py::handle owner) {
   return view(numbers.data(), {numbers.size()}, owner);
 }
 
+/// A view of a member of each item: a number, or as many as a vector has. `first`: the member of the first
+/// item, unused where there is none.
+template <class Item>
+py::array member_view(const std::vector<Item>& items, const double* first, py::ssize_t count,
+                      py::handle owner) {
+  const auto size = static_cast<py::ssize_t>(items.size());
+  constexpr auto stride = static_cast<py::ssize_t>(sizeof(Item));
+  constexpr auto width = static_cast<py::ssize_t>(sizeof(double));
+  const bool numbers = count == 1;
+  py::array_t<double> array(numbers ? std::vector{size} : std::vector{size, count},
+                            numbers ? std::vector{stride} : std::vector{stride, width}, first, owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
 /// An array of its own.
 template <class T> py::array_t<T> copied(std::span<const T> numbers, std::vector<py::ssize_t> shape) {
   py::array_t<T> array(std::move(shape));

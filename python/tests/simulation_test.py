@@ -342,3 +342,19 @@ def test_ctrl_c_ends_a_step_and_leaves_a_simulation_that_can_go_on():
     code = textwrap.dedent(INTERRUPTED.format(tests=str(studies.Path(__file__).parent)))
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=120)
     assert done.stdout.splitlines() == ["caught 0.0 100.0", "interrupted 3"], done.stderr
+
+
+def test_what_contact_points_have_are_views_that_outlive_the_simulation():
+    simulation = rubato.Simulation(studies.blocks())
+    for _ in simulation:
+        pass
+    (zone,) = simulation.state.zones
+    arrays = [zone.pressure, zone.gap, zone.status, zone.normal_force, zone.tangential_force, zone.slip,
+              zone.friction_work]
+    kept = [array.copy() for array in arrays]
+    assert all(not array.flags.owndata and not array.flags.writeable for array in arrays)
+    assert zone.normal_force.shape == (len(zone), 3) and zone.slip.shape == (len(zone), 2)
+    assert zone.pressure.max() > 0
+    del simulation, zone
+    gc.collect()
+    assert all(numpy.array_equal(array, copy) for array, copy in zip(arrays, kept))
