@@ -18,6 +18,9 @@ struct VolumeEnergy {
 /// `square`: J² − 1 > −1, `bulk`: K. Nothing is lost near J = 1.
 VolumeEnergy volume_energy(Volumetric kind, double bulk, double square);
 
+/// x − ln(1 + x) ≥ 0, x > −1; nothing is lost where x is small.
+double less_logarithm(double x);
+
 /// K of a shear modulus and Poisson's ratio, 2μ(1 + ν)/(3(1 − 2ν)). Code_Aster's ELAS_HYPER without K takes
 /// 6(C10 + C01)/(3(1 − 2ν)), that is 1 + ν = 3/2.
 constexpr double bulk_modulus(double shear, double poisson) {
