@@ -39,9 +39,8 @@ Stress6 product(const Stress6& a, const Stress6& b) {
   return c;
 }
 
-Stress6 with_one(Stress6 a) {
-  a.head<3>().array() += 1;
-  return a;
+Stress6 with_one(const Stress6& a) {
+  return a + six_of(six_of_one);
 }
 
 /// d += `factor` (u⊗v + v⊗u).
@@ -70,8 +69,7 @@ void add_second_invariant(Tangent6& d, double factor, const Invariants& at, cons
   add_pair(d, -2.0 / 9 * factor * i2, inverse, inverse);
   add_symmetrizer(d, 2.0 / 3 * factor * i2, inverse);
   d.topLeftCorner<3, 3>().array() += factor;
-  d.diagonal().head<3>().array() -= factor;
-  d.diagonal().tail<3>().array() -= 0.5 * factor;
+  d.diagonal() -= factor * six_of(six_with_half_shears);
 }
 
 } // namespace

@@ -63,6 +63,13 @@ double equivalent(const Stress6& y) {
   return std::sqrt(1.5 * double_dot(y, y));
 }
 
+/// An elastic step.
+struct Trial {
+  Stress6 s;
+  Stress6 y; ///< Y(0)
+  double q;  ///< √(3/2 Y:Y)
+};
+
 /// What the end of a plastic step is made of.
 struct Flow {
   double x;          ///< Δp
@@ -71,58 +78,51 @@ struct Flow {
   double h;          ///< −φ'
 };
 
-Flow flow_at(const Moduli& elastic, const Backs& backs, const Stress6& trial, double x, double slope) {
-  const Stress6 y = trial - backs.sum(x);
+Flow flow_at(const Moduli& elastic, const Backs& backs, const Trial& trial, double x, double slope) {
+  const double straight = 3 * elastic.shear + backs.modulus(x, 2) + slope;
+  if (!backs.recalls)
+    return {x, trial.q, 1.5 / trial.q * trial.y, straight};
+  const Stress6 y = trial.s - backs.sum(x);
   const double q = equivalent(y);
   const Stress6 n = 1.5 / q * y;
-  const double turning = backs.recalls ? double_dot(n, backs.slope(x)) : 0;
-  return {x, q, n, 3 * elastic.shear + backs.modulus(x, 2) + slope - turning};
-}
-
-/// φ and its derivative.
-template <class Kind>
-ValueAndSlope excess(const Kind& kind, const Moduli& elastic, const Backs& backs, const Stress6& trial,
-                     double p, double x, const StepInfo& step) {
-  const auto flow = yield(kind, p, x, step);
-  const auto at_x = flow_at(elastic, backs, trial, x, flow.slope);
-  return {at_x.q - (3 * elastic.shear + backs.modulus(x, 1)) * x - flow.stress, -at_x.h};
-}
-
-/// The same where Y does not change: q is that of the trial.
-template <class Kind>
-ValueAndSlope straight_excess(const Kind& kind, double q, double modulus, double p, double x,
-                              const StepInfo& step) {
-  const auto flow = yield(kind, p, x, step);
-  return {q - modulus * x - flow.stress, -modulus - flow.slope};
+  return {x, q, n, straight - double_dot(n, backs.slope(x))};
 }
 
 template <class Kind>
 std::optional<double> growth_of_p(const Kind& kind, const Moduli& elastic, const Backs& backs,
-                                  const Stress6& trial, double q, double p, const StepInfo& step) {
+                                  const Trial& trial, double p, const StepInfo& step) {
   constexpr double tolerance = 1e-13; // of q; rounding leaves a few 1e-16
-  const double upper = q / (3 * elastic.shear);
-  if (backs.recalls)
-    return bracketed_root([&](double x) { return excess(kind, elastic, backs, trial, p, x, step); }, upper,
-                          tolerance * q);
+  const auto excess = [&](double x) -> ValueAndSlope {
+    const auto [resistance, slope] = yield(kind, p, x, step);
+    const auto flow = flow_at(elastic, backs, trial, x, slope);
+    return {flow.q - (3 * elastic.shear + backs.modulus(x, 1)) * x - resistance, -flow.h};
+  };
   const double modulus = 3 * elastic.shear + backs.modulus(0, 1);
-  return bracketed_root([&](double x) { return straight_excess(kind, q, modulus, p, x, step); }, upper,
-                        tolerance * q);
+  const auto straight_excess = [&](double x) -> ValueAndSlope {
+    const auto [resistance, slope] = yield(kind, p, x, step);
+    return {trial.q - modulus * x - resistance, -modulus - slope};
+  };
+  const double upper = trial.q / (3 * elastic.shear);
+  if (backs.recalls)
+    return bracketed_root(excess, upper, tolerance * trial.q);
+  return bracketed_root(straight_excess, upper, tolerance * trial.q);
 }
 
 std::optional<double> growth_of_p(const LinearHardening& kind, const Moduli& elastic, const Backs& backs,
-                                  const Stress6& trial, double q, double p, const StepInfo& step) {
+                                  const Trial& trial, double p, const StepInfo& step) {
   if (backs.recalls)
-    return growth_of_p<LinearHardening>(kind, elastic, backs, trial, q, p, step);
-  return (q - yield(kind, p, 0, step).stress) / (3 * elastic.shear + backs.modulus(0, 1) + kind.modulus);
+    return growth_of_p<LinearHardening>(kind, elastic, backs, trial, p, step);
+  const double over = trial.q - yield(kind, p, 0, step).stress;
+  return over / (3 * elastic.shear + backs.modulus(0, 1) + kind.modulus);
 }
 
 /// D without its part N'⊗N.
 void set_tangent(Tangent6& d, const Moduli& elastic, const Flow& flow) {
   const double g = elastic.shear;
   set_isotropic(d, elastic.bulk, 2 * g * (1 - 3 * g * flow.x / flow.q));
-  const double along = 4 * g * g * (flow.x / flow.q - 1 / flow.h);
+  const Stress6 along = 4 * g * g * (flow.x / flow.q - 1 / flow.h) * flow.direction;
   for (int j = 0; j < 6; ++j)
-    d.col(j) += along * flow.direction[j] * flow.direction;
+    d.col(j) += flow.direction[j] * along;
 }
 
 void add_turning(Tangent6& d, const Moduli& elastic, const Backs& backs, const Flow& flow) {
@@ -141,39 +141,53 @@ void write_state(const Backs& backs, const Flow& flow, std::span<const double> o
     six_at(now, place_of_alpha(i)) = backs.kept(i, flow.x) * (six_at(old, place_of_alpha(i)) + growth);
 }
 
+/// σ and what is stored, from s.
+void set_stress(const Moduli& elastic, double volume, const Stress6& s, Response& out) {
+  out.stored = 0.5 * elastic.bulk * volume * volume + double_dot(s, s) / (4 * elastic.shear);
+  out.stress = s + elastic.bulk * volume * six_of(six_of_one);
+}
+
+/// The step of a trial beyond the yield stress.
+template <class Kind>
+bool flow_to(const Kind& kind, const Moduli& elastic, const Backs& backs, Trial& trial,
+             std::span<const double> old, std::span<double> now, const StepInfo& step, Want want,
+             Response& out) {
+  const double p = old[place_of_p];
+  const auto x = growth_of_p(kind, elastic, backs, trial, p, step);
+  if (!x)
+    return false;
+  const auto flow = flow_at(elastic, backs, trial, *x, yield(kind, p, *x, step).slope);
+  write_state(backs, flow, old, now);
+  trial.s -= 2 * elastic.shear * flow.x * flow.direction;
+  if (want == Want::stress)
+    return true;
+  set_tangent(out.tangent, elastic, flow);
+  if (backs.recalls)
+    add_turning(out.tangent, elastic, backs, flow);
+  return true;
+}
+
 template <class Kind>
 bool respond_with(const Kind& kind, const Plastic& law, const Strain6& strain, std::span<const double> old,
                   std::span<double> now, const StepInfo& step, Want want, Response& out) {
   constexpr double nearly_yielding = 1e-12; // of R
   const auto elastic = moduli_of(law.young, law.poisson);
-  const double g = elastic.shear;
   const double volume = trace(strain);
-  const double p = old[place_of_p];
   const Backs backs(law, old);
-  Stress6 s = 2 * g * halved_shears(deviator(strain) - six_at(old, 0));
-  const Stress6 y = s - backs.sum(0);
-  const double q = equivalent(y);
-  const double resistance = yield(kind, p, 0, step).stress;
-  if (q - resistance > nearly_yielding * resistance) {
-    const auto x = growth_of_p(kind, elastic, backs, s, q, p, step);
-    if (!x)
+  Trial trial;
+  trial.s = 2 * elastic.shear * halved_shears(deviator(strain) - six_at(old, 0));
+  trial.y = trial.s - backs.sum(0);
+  trial.q = equivalent(trial.y);
+  const double resistance = yield(kind, old[place_of_p], 0, step).stress;
+  if (trial.q - resistance > nearly_yielding * resistance) {
+    if (!flow_to(kind, elastic, backs, trial, old, now, step, want, out))
       return false;
-    const auto flow = flow_at(elastic, backs, s, *x, yield(kind, p, *x, step).slope);
-    write_state(backs, flow, old, now);
-    s -= 2 * g * flow.x * flow.direction;
-    if (want == Want::tangent) {
-      set_tangent(out.tangent, elastic, flow);
-      if (backs.recalls)
-        add_turning(out.tangent, elastic, backs, flow);
-    }
   } else {
     std::copy_n(old.begin(), state_size(law), now.begin());
     if (want == Want::tangent)
-      set_isotropic(out.tangent, elastic.bulk, 2 * g);
+      set_isotropic(out.tangent, elastic.bulk, 2 * elastic.shear);
   }
-  out.stored = 0.5 * elastic.bulk * volume * volume + double_dot(s, s) / (4 * g);
-  out.stress = s;
-  out.stress.head<3>().array() += elastic.bulk * volume;
+  set_stress(elastic, volume, trial.s, out);
   return true;
 }
 

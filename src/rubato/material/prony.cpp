@@ -52,8 +52,7 @@ bool respond(const Prony& law, const Strain6& strain, std::span<const double> ol
     stiffness += g * mean;
   }
   six_at(now, 0) = e;
-  out.stress = s;
-  out.stress.head<3>().array() += bulk * volume;
+  out.stress = s + bulk * volume * six_of(six_of_one);
   if (want == Want::tangent)
     set_isotropic(out.tangent, bulk, 2 * stiffness);
   return true;
