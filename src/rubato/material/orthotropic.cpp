@@ -29,20 +29,6 @@ Matrix6 compliance_in_own_axes(const study::Orthotropy& o) {
   return s;
 }
 
-/// Takes strains in the axes of the model to those in the axes R: ε' = Rᵀ ε R with engineering shears.
-Matrix6 strain_rotation(const Matrix3d& r) {
-  constexpr std::array<std::array<int, 2>, 6> pairs{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
-  Matrix6 t;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) {
-      const auto [a, b] = pairs[static_cast<std::size_t>(i)];
-      const auto [c, d] = pairs[static_cast<std::size_t>(j)];
-      const double both = r(c, a) * r(d, b) + r(d, a) * r(c, b);
-      t(i, j) = i < 3 ? 0.5 * both : both;
-    }
-  return t;
-}
-
 /// Where the strains of the physics stand among all six.
 std::span<const int> rows_of(Physics physics) {
   static constexpr std::array<int, 6> all{0, 1, 2, 3, 4, 5};

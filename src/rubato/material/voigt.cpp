@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/voigt.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace rubato::material {
@@ -49,6 +50,19 @@ double von_mises(const FullStress& stress) {
   const double direct = std::pow(stress[0] - stress[1], 2) + std::pow(stress[1] - stress[2], 2) +
                         std::pow(stress[2] - stress[0], 2);
   return std::sqrt(0.5 * direct + 3 * stress.tail<3>().squaredNorm());
+}
+
+Eigen::Matrix<double, 6, 6> strain_rotation(const Eigen::Matrix3d& r) {
+  constexpr std::array<std::array<int, 2>, 6> pairs{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+  Eigen::Matrix<double, 6, 6> t;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) {
+      const auto [a, b] = pairs[static_cast<std::size_t>(i)];
+      const auto [c, d] = pairs[static_cast<std::size_t>(j)];
+      const double both = r(c, a) * r(d, b) + r(d, a) * r(c, b);
+      t(i, j) = i < 3 ? 0.5 * both : both;
+    }
+  return t;
 }
 
 } // namespace rubato::material

@@ -34,4 +34,8 @@ FullStrain tensor_of(study::Physics physics, const Voigt& strain);
 /// √(3/2 s:s), s the deviator.
 double von_mises(const FullStress& stress);
 
+/// Takes all six strains in the axes of the model to those in axes R, its columns: ε' = Rᵀ ε R with
+/// engineering shears. Its transpose takes stresses back.
+Eigen::Matrix<double, 6, 6> strain_rotation(const Eigen::Matrix3d& r);
+
 } // namespace rubato::material
