@@ -107,6 +107,28 @@ private:
   bool works_ = true;
 };
 
+/// P_xx of an isotropic hyperelastic law stretched along x, or along x and y, with nothing else stressed:
+/// bisection for the volume, which ends however incompressible the law is.
+inline double nominal_stress(const material::PointLaw& law, double stretch, bool both_ways) {
+  constexpr int halvings = 60;
+  const auto strain_of = [](double square) { return 0.5 * (square - 1); };
+  double low = -0.5;
+  double high = 0.5;
+  Response out;
+  for (int i = 0; i < halvings; ++i) {
+    const double logarithm = 0.5 * (low + high); // of J
+    const double rest = std::exp(2 * logarithm) / (stretch * stretch);
+    Strain6 strain = Strain6::Zero();
+    strain[0] = strain_of(stretch * stretch);
+    strain[1] = both_ways ? strain[0] : strain_of(std::sqrt(rest));
+    strain[2] = both_ways ? strain_of(rest / (stretch * stretch)) : strain[1];
+    if (!material::respond(law, strain, {}, {}, {}, material::Want::stress, out))
+      return std::nan("");
+    (out.stress[2] > 0 ? high : low) = logarithm;
+  }
+  return stretch * out.stress[0];
+}
+
 inline Strain6 random_six(std::mt19937& engine, double size) {
   std::uniform_real_distribution<double> component(-size, size);
   Strain6 six;

@@ -28,7 +28,8 @@ int state_size(const PointLaw& law);
 
 /// `old`: state at the start of the step, `now`: written, both state_size long, and not the same memory. No
 /// memory is allocated. Returns false where the local iteration has no end or the strain is none (C not
-/// positive definite): the attempt of the step fails, and `now` and `out` have no meaning.
+/// positive definite): the attempt of the step fails, and `now` and `out` have no meaning. A strain that is
+/// not finite gives false or a stress that is not finite.
 bool respond(const PointLaw& law, const Strain6& strain, std::span<const double> old, std::span<double> now,
              const StepInfo& step, Want want, Response& out);
 

@@ -49,15 +49,13 @@ TEST(Ogden, KeepsItsTangentWhereStretchesAreEqualOrNearlySo) {
 TEST(Ogden, PulledGivesItsClosedForm) {
   // Ogden's μ, times α/2 the coefficients here.
   const std::vector<Ogden::Term> terms{{0.63 * 1.3 / 2, 1.3}, {0.0012 * 5.0 / 2, 5}, {0.01 * 2.0 / 2, -2}};
-  PointPath path(Ogden{terms, 1e5});
-  for (int i = 1; i <= 100; ++i) {
-    const double stretch = 1 + 5.0 * i / 100;
-    ASSERT_TRUE(path.pull(0.5 * (stretch * stretch - 1)));
+  for (const double stretch : {0.5, 0.9, 1.1, 2.0, 6.0}) {
     double expected = 0;
     for (const auto& [shear, exponent] : terms)
       expected +=
           2 * shear / exponent * (std::pow(stretch, exponent - 1) - std::pow(stretch, -exponent / 2 - 1));
-    EXPECT_NEAR(stretch * path.response().stress[0], expected, 1e-4 * expected) << stretch;
+    const double found = test::nominal_stress(Ogden{terms, 1e7}, stretch, false);
+    EXPECT_NEAR(found, expected, 1e-5 * std::abs(expected)) << stretch;
   }
 }
 

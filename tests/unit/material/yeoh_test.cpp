@@ -35,13 +35,11 @@ TEST(Yeoh, HasTheDerivativeOfItsEnergyAsStress) {
 /// Incompressible tension: P = 2 (λ − λ⁻²) W', W' = c10 + 2 c20 (I₁ − 3) + 3 c30 (I₁ − 3)².
 TEST(Yeoh, StiffensInTensionAsItsClosedForm) {
   const double c10 = 0.5, c20 = -0.05, c30 = 0.02;
-  PointPath path(Yeoh{c10, c20, c30, 1e5});
-  for (int i = 1; i <= 60; ++i) {
-    const double stretch = 1 + 2.0 * i / 60;
-    ASSERT_TRUE(path.pull(0.5 * (stretch * stretch - 1)));
+  for (const double stretch : {0.5, 0.9, 1.1, 2.0, 3.0}) {
     const double x = stretch * stretch + 2 / stretch - 3;
     const double expected = 2 * (stretch - 1 / (stretch * stretch)) * (c10 + 2 * c20 * x + 3 * c30 * x * x);
-    EXPECT_NEAR(stretch * path.response().stress[0], expected, 2e-4 * expected) << stretch;
+    const double found = test::nominal_stress(Yeoh{c10, c20, c30, 1e7}, stretch, false);
+    EXPECT_NEAR(found, expected, 1e-5 * std::abs(expected)) << stretch;
   }
 }
 
