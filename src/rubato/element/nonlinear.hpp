@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Internal forces, tangent and energy of one bulk cell whose law may be nonlinear and whose motion may be
+/// large. Everything refers to the undeformed shape: with w the volume of a point, F = 1 + ∂u/∂X and P the
+/// first Piola stress
+///
+///   f = Σ w (∂F/∂u)ᵀ:P        K = Σ w (∂F/∂u)ᵀ:A:(∂F/∂u),   A = ∂P/∂F
+///
+/// Local dof, points, section and units are those of element.hpp. Nothing here checks the undeformed shape:
+/// cell_faults (domain/bulk.hpp) does. No memory is allocated.
+///
+/// full             the rule of cell::stiffness_rule for everything
+/// mean_dilatation  the change of volume of a point is that of its cell: J. C. Simo, R. L. Taylor, K. S.
+///                  Pister, CMAME 51 (1985) 177–208; small strain: T. J. R. Hughes, Int. J. Numer. Meth. Eng.
+///                  15 (1980) 1413–1418
+/// enhanced         strain from displacement modes of the cell's own: R. L. Taylor, P. J. Beresford, E. L.
+///                  Wilson, Int. J. Numer. Meth. Eng. 10 (1976) 1211–1219; J. C. Simo, M. S. Rifai, ibid. 29
+///                  (1990) 1595–1638; J. C. Simo, F. Armero, ibid. 33 (1992) 1413–1449
+#pragma once
+
+#include "rubato/element/element.hpp"
+#include "rubato/element/point_laws.hpp"
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace rubato::element {
+
+/// The strain that the law sees, and what its stress is conjugate to.
+enum class StrainKind {
+  small,          ///< ε = sym ∂u/∂X, σ
+  green_lagrange, ///< E = ½(FᵀF − 1), S
+  logarithmic     ///< E = ½ ln FᵀF, T
+};
+
+enum class Formulation { full, mean_dilatation, enhanced };
+
+/// What is the same for all cells of a kind. In plane stress the law is one that gives stresses with zz = 0
+/// and the tangent that belongs to them.
+struct CellKind {
+  CellType type = CellType::hexa8;
+  Section section;
+  StrainKind strain = StrainKind::small;
+  Formulation formulation = Formulation::full;
+};
+
+/// Whether there is such a cell: `full` for every bulk cell, `mean_dilatation` for QUAD4 (plane strain,
+/// axisymmetric), HEXA8, PENTA6, `enhanced` for QUAD4 and HEXA8 with small or Green–Lagrange strain.
+bool is_offered(const CellKind& kind);
+
+/// Points of cell::stiffness_rule.
+int point_count(CellType type);
+
+/// Unknowns of the cell's own: 4 in QUAD4, 9 in HEXA8, there 12 in small strain; 0 if not enhanced.
+int mode_count(const CellKind& kind);
+
+/// Numbers that a cell remembers: the states of its points, then its own unknowns. They are 0 at first.
+int state_size_of_cell(const CellKind& kind, int law_state_size);
+
+/// What there is to know at a point, for fields and for the balance of energy.
+struct PointRecord {
+  double volume = 0;        ///< weight of the point, measure included
+  double stored = 0;        ///< by undeformed volume
+  material::Strain6 strain; ///< what the law saw
+  material::Stress6 stress; ///< conjugate to it
+  material::Stress6 cauchy; ///< true stress P Fᵀ/J of what the law saw; plane stress: by undeformed
+                            ///< thickness
+  Eigen::Matrix3d gradient; ///< ∂u/∂X with the strain of the cell's own modes; zz is 0 in the plane
+  Eigen::Matrix3d piola;    ///< P_c: Σ volume · P_c : d(gradient) is f·du
+};
+
+/// How far the cell's own unknowns are solved.
+struct ModeIteration {
+  double relative = 1e-11; ///< forces on the modes by the larger of `force` and the cell's own
+  double force = 0;        ///< the largest Result::mode_force of the domain's cells, where it is known
+  int most_iterations = 25;
+};
+
+struct CellInput {
+  std::span<const Eigen::Vector3d> points; ///< of the undeformed cell
+  std::span<const double> displacement;    ///< nodes · d
+  std::span<const double> old;             ///< state_size_of_cell numbers, at the start of the step
+  material::StepInfo step = {};
+  ModeIteration modes = {};
+};
+
+/// Where results go; what is empty is not wanted.
+struct CellOutput {
+  std::span<double> now;     ///< state_size_of_cell numbers, not the memory of `old`
+  std::span<double> force;   ///< nodes · d; never empty
+  std::span<double> tangent; ///< square of nodes · d, symmetric (of a law whose tangent is not: its
+                             ///< symmetric part)
+  std::span<PointRecord> records = {}; ///< one a point
+};
+
+enum class Failure {
+  none,
+  inverted,       ///< J ≤ 0
+  law,            ///< the law has no response
+  mode_iteration, ///< no end of the iteration for the cell's own unknowns
+  not_finite      ///< a force that is no number
+};
+
+struct CellResult {
+  Failure failure = Failure::none;
+  int point = -1;        ///< where it failed; −1: of the cell
+  double stored = 0;     ///< Σ volume · stored
+  double mode_force = 0; ///< largest Σ w |P| |∂H/∂α|: what forces on modes are compared with
+
+  explicit operator bool() const { return failure == Failure::none; }
+};
+
+/// The reason in words: "a point is turned inside out (J ≤ 0)".
+const char* described(Failure failure);
+
+/// Evaluates a cell. Where it fails, what was written has no meaning. Throws std::invalid_argument for a kind
+/// that is not offered.
+CellResult evaluate(const CellKind& kind, const PointLaws& laws, const CellInput& input,
+                    const CellOutput& output);
+
+} // namespace rubato::element

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/cell/quadrature.hpp"
+#include "rubato/cell/reference_cell.hpp"
+#include "rubato/element/nonlinear/kernels.hpp"
+
+#include <stdexcept>
+
+namespace rubato::element {
+namespace {
+
+using study::Physics;
+
+bool is_bulk(const CellKind& kind) {
+  return cell::has_reference_cell(kind.type) &&
+         cell::topology(kind.type).dimension == component_count(kind.section.physics);
+}
+
+bool has_mean_dilatation(const CellKind& kind) {
+  switch (kind.type) {
+  case CellType::quad4:
+    return kind.section.physics != Physics::plane_stress;
+  case CellType::hexa8:
+  case CellType::penta6:
+    return true;
+  default:
+    return false;
+  }
+}
+
+bool has_modes(const CellKind& kind) {
+  return (kind.type == CellType::quad4 || kind.type == CellType::hexa8) &&
+         kind.strain != StrainKind::logarithmic;
+}
+
+} // namespace
+
+bool is_offered(const CellKind& kind) {
+  if (!is_bulk(kind))
+    return false;
+  switch (kind.formulation) {
+  case Formulation::mean_dilatation:
+    return has_mean_dilatation(kind);
+  case Formulation::enhanced:
+    return has_modes(kind);
+  default:
+    return true;
+  }
+}
+
+int point_count(CellType type) {
+  return static_cast<int>(cell::stiffness_rule(type).size());
+}
+
+int mode_count(const CellKind& kind) {
+  if (kind.formulation != Formulation::enhanced)
+    return 0;
+  if (kind.type == CellType::quad4)
+    return 4;
+  return kind.strain == StrainKind::small ? 12 : 9;
+}
+
+int state_size_of_cell(const CellKind& kind, int law_state_size) {
+  return point_count(kind.type) * law_state_size + mode_count(kind);
+}
+
+const char* described(Failure failure) {
+  switch (failure) {
+  case Failure::none:
+    return "no failure";
+  case Failure::inverted:
+    return "a point is turned inside out (J ≤ 0)";
+  case Failure::law:
+    return "the law has no response to the strain";
+  case Failure::mode_iteration:
+    return "the iteration for the enhanced strain of the cell has no end";
+  case Failure::not_finite:
+    return "a force is not finite";
+  }
+  return "";
+}
+
+CellResult evaluate(const CellKind& kind, const PointLaws& laws, const CellInput& input,
+                    const CellOutput& output) {
+  if (!is_offered(kind))
+    throw std::invalid_argument(std::string(cell::topology(kind.type).name) +
+                                " has no such formulation in this physics");
+  switch (kind.section.physics) {
+  case Physics::solid:
+    return evaluate_solid(kind, laws, input, output);
+  case Physics::axisymmetric:
+    return evaluate_axisymmetric(kind, laws, input, output);
+  default:
+    return evaluate_plane(kind, laws, input, output);
+  }
+}
+
+} // namespace rubato::element

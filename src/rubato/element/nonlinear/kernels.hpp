@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Kernels of the physics, each compiled in a source of its own.
+#pragma once
+
+#include "rubato/element/nonlinear.hpp"
+
+namespace rubato::element {
+
+CellResult evaluate_solid(const CellKind& kind, const PointLaws& laws, const CellInput& input,
+                          const CellOutput& output);
+CellResult evaluate_plane(const CellKind& kind, const PointLaws& laws, const CellInput& input,
+                          const CellOutput& output);
+CellResult evaluate_axisymmetric(const CellKind& kind, const PointLaws& laws, const CellInput& input,
+                                 const CellOutput& output);
+
+} // namespace rubato::element

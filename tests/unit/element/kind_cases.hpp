@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Every kind of nonlinear cell that is offered, and one such cell with a displacement.
+#pragma once
+
+#include "rubato/element/nonlinear.hpp"
+
+#include <Eigen/Core>
+
+#include "support/bulk_cells.hpp"
+#include <cstdlib>
+#include <ostream>
+#include <vector>
+
+namespace rubato::element {
+
+inline std::string name_of(const CellKind& kind) {
+  constexpr const char* strains[] = {"Small", "GreenLagrange", "Logarithmic"};
+  constexpr const char* formulations[] = {"Full", "MeanDilatation", "Enhanced"};
+  return test::name_of(test::BulkCase{kind.type, kind.section.physics}) +
+         strains[static_cast<int>(kind.strain)] + formulations[static_cast<int>(kind.formulation)];
+}
+
+inline void PrintTo(const CellKind& kind, std::ostream* out) {
+  *out << name_of(kind);
+}
+
+inline std::vector<CellKind> every_kind() {
+  std::vector<CellKind> kinds;
+  for (const auto& bulk : test::every_bulk_case())
+    for (const auto strain : {StrainKind::small, StrainKind::green_lagrange, StrainKind::logarithmic})
+      for (const auto formulation :
+           {Formulation::full, Formulation::mean_dilatation, Formulation::enhanced}) {
+        const CellKind kind{bulk.type, {bulk.physics, 0.7}, strain, formulation};
+        if (is_offered(kind))
+          kinds.push_back(kind);
+      }
+  return kinds;
+}
+
+/// One cell that is evaluated again and again from the same start of the step.
+struct OneCell {
+  OneCell(const CellKind& of_kind, const PointLaws& of_laws)
+      : kind(of_kind), laws(of_laws), points(test::bent_cell(kind.type)),
+        d(component_count(kind.section.physics)), dofs(static_cast<Eigen::Index>(points.size()) * d),
+        old(static_cast<std::size_t>(state_size_of_cell(kind, laws.state_size()))), now(old), force(dofs),
+        tangent(dofs, dofs), records(static_cast<std::size_t>(point_count(kind.type))) {}
+
+  CellResult evaluate(const Eigen::VectorXd& u) {
+    const auto size = static_cast<std::size_t>(dofs);
+    return element::evaluate(kind, laws, {points, {u.data(), size}, old, step, modes},
+                             {now, {force.data(), size}, {tangent.data(), size * size}, records});
+  }
+
+  /// a + H x at the nodes.
+  Eigen::VectorXd linear_field(const Eigen::Vector3d& a, const Eigen::Matrix3d& h) const {
+    Eigen::VectorXd u(dofs);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      u.segment(static_cast<Eigen::Index>(i) * d, d) = (a + h * points[i]).head(d);
+    return u;
+  }
+
+  CellKind kind;
+  PointLaws laws;
+  std::vector<Eigen::Vector3d> points;
+  int d;
+  Eigen::Index dofs;
+  std::vector<double> old, now;
+  Eigen::VectorXd force;
+  Eigen::MatrixXd tangent;
+  std::vector<PointRecord> records;
+  material::StepInfo step{1};
+  ModeIteration modes{0, 0, 25}; ///< to rounding: derivatives are compared with differences
+};
+
+} // namespace rubato::element
