@@ -7,7 +7,7 @@ from typing import Any
 
 from ..concepts import DiscreteField, MaterialConcept, MaterialField, ModelConcept, ModelPart
 from ..keys import (Arguments, Command, CommandError, Key, concept, factor, harmless, real, reals,
-                    text, texts, words, yes, yes_no)
+                    text, texts, words, yes)
 
 # ---- model -----------------------------------------------------------------------------------------------------
 
