@@ -99,7 +99,7 @@ def test_standard_contact_on_meshes_that_do_not_match(dimension, load, tmp_path)
 
 
 @pytest.mark.parametrize("dimension", [2, 3])
-@pytest.mark.parametrize("load, tolerance", [("full", 1e-12), ("half", 5e-3)])
+@pytest.mark.parametrize("load, tolerance", [("full", 1e-10), ("half", 5e-3)])
 def test_mortar_contact_on_meshes_that_do_not_match(dimension, load, tolerance, tmp_path):
     """Code_Aster's pressures are constant on each face and lose 0.2 to 0.3 % of half a load (12.468 of 12.5 in the plane);
     those here are linear and lose nothing."""
