@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -99,32 +100,28 @@ class MeshConcept(Named):
     def all_cells(self) -> np.ndarray:
         return np.arange(self.mesh.cell_count)
 
-    def cells(self, where: Arguments) -> np.ndarray:
-        """The cells that TOUT, GROUP_MA, MAILLE name, each once, in their order. Nothing given: none."""
-        parts = []
-        if where.get("TOUT"):
-            parts.append(self.all_cells())
-        for group in where.get("GROUP_MA") or ():
-            parts.append(self.cells_in(group))
-        if where.get("MAILLE"):
-            parts.append(np.array([self.cell_named(name) for name in where.MAILLE]))
+    def cells(self, where: Arguments, before: str = "", after: str = "") -> np.ndarray:
+        """The cells that TOUT, GROUP_MA, MAILLE name, each once, in their order. Nothing given: none. `before`, `after`:
+        what the keywords have around these names, SANS_ or _MAIT."""
+        given = _lists(where, before, after)
+        parts = [self.all_cells()] if where.get("TOUT") and not before and not after else []
+        parts += [self.cells_in(group) for group in given("GROUP_MA")]
+        parts.append(np.array([self.cell_named(name) for name in given("MAILLE")]))
         return _each_once(parts)
 
-    def nodes(self, where: Arguments) -> np.ndarray:
-        """The nodes that TOUT, GROUP_NO, NOEUD, and the cells of GROUP_MA and MAILLE have, each once, in their
-        order."""
-        parts = []
-        if where.get("TOUT"):
-            parts.append(np.arange(self.mesh.node_count))
-        for group in where.get("GROUP_NO") or ():
-            parts.append(self.nodes_in(group))
-        if where.get("NOEUD"):
-            parts.append(np.array([self.node_named(name) for name in where.NOEUD]))
-        for group in where.get("GROUP_MA") or ():
-            parts.append(self.nodes_of_cells(self.cells_in(group)))
-        if where.get("MAILLE"):
-            parts.append(self.nodes_of_cells([self.cell_named(name) for name in where.MAILLE]))
+    def nodes(self, where: Arguments, before: str = "", after: str = "") -> np.ndarray:
+        """The nodes that TOUT, GROUP_NO, NOEUD, and the cells of GROUP_MA and MAILLE have, likewise."""
+        given = _lists(where, before, after)
+        parts = [np.arange(self.mesh.node_count)] if where.get("TOUT") and not before and not after else []
+        parts += [self.nodes_in(group) for group in given("GROUP_NO")]
+        parts.append(np.array([self.node_named(name) for name in given("NOEUD")]))
+        parts += [self.nodes_of_cells(self.cells_in(group)) for group in given("GROUP_MA")]
+        parts.append(self.nodes_of_cells([self.cell_named(name) for name in given("MAILLE")]))
         return _each_once(parts)
+
+
+def _lists(where: Arguments, before: str, after: str) -> Callable[[str], tuple[str, ...]]:
+    return lambda name: where.get(f"{before}{name}{after}") or ()
 
 
 def _each_once(parts: list[np.ndarray]) -> np.ndarray:

@@ -78,10 +78,7 @@ def note_rigid_surfaces(problem: Problem, contact: ContactConcept | None) -> Non
 
 def faces_of(problem: Problem, zone: Arguments, side: str) -> np.ndarray:
     mesh = problem.concept
-    parts = [mesh.cells_in(name) for name in zone.get(f"GROUP_MA_{side}")]
-    if zone.get(f"MAILLE_{side}"):
-        parts.append(np.array([mesh.cell_named(name) for name in zone.get(f"MAILLE_{side}")]))
-    cells = np.unique(np.concatenate(parts))
+    cells = np.unique(mesh.cells(zone, after=f"_{side}"))
     faces = cells[dimensions(mesh.mesh)[cells] == problem.dimension - 1]
     if len(faces) == 0:
         raise CommandError(f"DEFI_CONTACT/ZONE: GROUP_MA_{side} has no faces.")
@@ -124,29 +121,18 @@ def set_friction(problem: Problem, contact: Arguments, given: Arguments, zone: A
         usual = "PENALISATION" if given.ALGO_CONT == "PENALISATION" else "STANDARD"
         zone.friction_method = ("penalty" if (given.ALGO_FROT or usual) == "PENALISATION" else "augmented_lagrangian")
     zone.friction = (given.COULOMB or 0.0) if contact.FROTTEMENT == "COULOMB" else 0.0
-    mesh = problem.concept
-    smooth = [mesh.nodes_in(name) for name in given.SANS_GROUP_NO_FR]
-    smooth += [np.array([mesh.node_named(name)]) for name in given.SANS_NOEUD_FR]
-    smooth += [mesh.nodes_of_cells(mesh.cells_in(name)) for name in given.SANS_GROUP_MA_FR]
-    if smooth and zone.friction:
+    smooth = problem.concept.nodes(given, "SANS_", "_FR")
+    if len(smooth) and zone.friction:
         # Code_Aster's SANS_GROUP_NO_FR takes one direction of friction away; without any the answer is the same
         # wherever that direction is the only one.
         if given.INTEGRATION not in ("AUTO", "NOEUD"):
             problem.notes.append("DEFI_CONTACT: SANS_GROUP_NO_FR is not followed with contact points between the nodes "
                                  f"(INTEGRATION='{given.INTEGRATION}').")
-        points = points_of(problem)[np.concatenate(smooth)]
-        at = {tuple(point) for point in points}
+        at = {tuple(point) for point in np.asarray(problem.concept.mesh.points)[smooth]}
         coefficient = zone.friction
         zone.friction = 1.0
         zone.friction_in_place = rubato.GivenField(
             "COULOMB", lambda x, y, z, t: 0.0 if (x, y, z) in at else coefficient, False)
-
-
-def points_of(problem: Problem) -> np.ndarray:
-    points = np.zeros((problem.concept.mesh.node_count, 3))
-    given = np.asarray(problem.concept.mesh.points)
-    points[:, :given.shape[1]] = given
-    return points
 
 
 def between_nodes(problem: Problem, zone: Any, slave: np.ndarray) -> bool:
@@ -227,13 +213,7 @@ def set_levels(contact: Arguments, zone: Any, formulation: str) -> None:
 
 def excluded_nodes(problem: Problem, given: Arguments) -> np.ndarray:
     """Of SANS_GROUP_NO and the like."""
-    mesh = problem.concept
-    out = [np.zeros(0, dtype=np.int64)]
-    out += [mesh.nodes_in(name) for name in given.SANS_GROUP_NO]
-    out += [np.array([mesh.node_named(name)]) for name in given.SANS_NOEUD]
-    out += [mesh.nodes_of_cells(mesh.cells_in(name)) for name in given.SANS_GROUP_MA]
-    out += [mesh.nodes_of_cells([mesh.cell_named(name)]) for name in given.SANS_MAILLE]
-    return np.unique(np.concatenate(out))
+    return np.unique(problem.concept.nodes(given, "SANS_"))
 
 
 def gap_of(problem: Problem, given: Arguments) -> Any:

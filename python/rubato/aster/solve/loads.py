@@ -107,9 +107,7 @@ def entries_of_cells(problem: Problem, command: str, keyword: str, items: list[A
 def without(problem: Problem, item: Arguments) -> np.ndarray:
     """The cells of an entry without those of SANS_*."""
     cells = problem.concept.cells(item)
-    out = [problem.concept.cells_in(name) for name in item.get("SANS_GROUP_MA") or ()]
-    out += [np.array([problem.concept.cell_named(name)]) for name in item.get("SANS_MAILLE") or ()]
-    return cells[~np.isin(cells, np.concatenate(out))] if out else cells
+    return cells[~np.isin(cells, problem.concept.cells(item, "SANS_"))]
 
 
 def pressures(problem: Problem, load: LoadConcept, multiplier: Function | None) -> list[Any]:

@@ -86,14 +86,8 @@ def paired(problem: Problem, command: str, item: Arguments, multiplier: Function
 
 def nodes_of_side(problem: Problem, item: Arguments, side: str) -> np.ndarray:
     mesh = problem.concept
-    parts = [mesh.nodes_in(name) for name in item.get(f"GROUP_NO_{side}") or ()]
-    parts += [np.array([mesh.node_named(name)]) for name in item.get(f"NOEUD_{side}") or ()]
-    parts += [mesh.nodes_of_cells(mesh.cells_in(name)) for name in item.get(f"GROUP_MA_{side}") or ()]
-    parts += [mesh.nodes_of_cells([mesh.cell_named(name)]) for name in item.get(f"MAILLE_{side}") or ()]
-    nodes = np.unique(np.concatenate(parts)) if parts else np.zeros(0, dtype=np.int64)
-    out = [mesh.nodes_in(name) for name in item.SANS_GROUP_NO] + [np.array([mesh.node_named(name)])
-                                                                  for name in item.SANS_NOEUD]
-    return nodes[~np.isin(nodes, np.concatenate(out))] if out else nodes
+    nodes = np.unique(mesh.nodes(item, after=f"_{side}"))
+    return nodes[~np.isin(nodes, mesh.nodes(item, "SANS_"))]
 
 
 def partners(problem: Problem, command: str, item: Arguments, first: np.ndarray,
@@ -118,13 +112,8 @@ def embedded(problem: Problem, command: str, item: Arguments) -> Any:
     if item.DDL_MAIT or item.DDL_ESCL:
         raise CommandError(f"{command}/LIAISON_MAIL: DNOR is not available; the whole displacement is tied.")
     mesh = problem.concept
-    slave = [mesh.nodes_in(name) for name in item.GROUP_NO_ESCL]
-    slave += [np.array([mesh.node_named(name)]) for name in item.NOEUD_ESCL]
-    slave += [mesh.nodes_of_cells(mesh.cells_in(name)) for name in item.GROUP_MA_ESCL]
-    slave += [mesh.nodes_of_cells([mesh.cell_named(name)]) for name in item.MAILLE_ESCL]
-    cells = [mesh.cells_in(name) for name in item.GROUP_MA_MAIT]
-    cells += [np.array([mesh.cell_named(name)]) for name in item.MAILLE_MAIT]
-    if not slave or not cells:
+    slave, cells = np.unique(mesh.nodes(item, after="_ESCL")), np.unique(mesh.cells(item, after="_MAIT"))
+    if len(slave) == 0 or len(cells) == 0:
         raise CommandError(f"{command}/LIAISON_MAIL: there are no slave nodes or no master cells.")
-    return rubato.Relation(kind="embedded", on=problem.node_group(np.unique(np.concatenate(slave))),
-                           cells=problem.cell_group(np.unique(np.concatenate(cells))))
+    return rubato.Relation(kind="embedded", on=problem.node_group(slave),
+                           cells=problem.cell_group(cells))

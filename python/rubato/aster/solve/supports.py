@@ -70,12 +70,7 @@ def values_of(problem: Problem, item: Arguments) -> dict[int, Any]:
 def nodes_without(mesh: MeshConcept, item: Arguments) -> np.ndarray:
     """The nodes of an entry without those of SANS_*."""
     nodes = mesh.nodes(item)
-    out: list[np.ndarray] = []
-    out += [mesh.nodes_in(name) for name in item.get("SANS_GROUP_NO") or ()]
-    out += [mesh.nodes_of_cells(mesh.cells_in(name)) for name in item.get("SANS_GROUP_MA") or ()]
-    out += [np.array([mesh.node_named(name)]) for name in item.get("SANS_NOEUD") or ()]
-    out += [mesh.nodes_of_cells([mesh.cell_named(name)]) for name in item.get("SANS_MAILLE") or ()]
-    return nodes[~np.isin(nodes, np.concatenate(out))] if out else nodes
+    return nodes[~np.isin(nodes, mesh.nodes(item, "SANS_"))]
 
 
 def add_supports(problem: Problem, loads: list[tuple[LoadConcept, Function | None]]) -> ImposedDisplacements:
