@@ -28,8 +28,8 @@ public:
 
   static constexpr bool is_linear = true;
 
-  void evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                const Wanted& wanted) const;
+  Failed evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                  const Wanted& wanted) const;
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
   const Heat* heat() const { return heat_.get(); }

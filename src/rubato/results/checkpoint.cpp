@@ -64,6 +64,15 @@ template <class Visit> void each_number(time::StepControl::End& end, const Visit
   end.level = static_cast<int>(level);
 }
 
+template <class Visit> void each_number(element::PointRecord& record, const Visit& visit) {
+  visit(record.volume);
+  visit(record.stored);
+  for (auto* six : {&record.strain, &record.stress, &record.cauchy})
+    std::ranges::for_each(*six, visit);
+  for (auto* tensor : {&record.gradient, &record.piola})
+    std::ranges::for_each(tensor->reshaped(), visit);
+}
+
 template <class Record> std::size_t numbers_in() {
   Record record{};
   std::size_t count = 0;
@@ -96,6 +105,10 @@ public:
   void states(const std::string& name, domain::QuadratureStates& states) {
     if (!states.values.empty())
       numbers(name, states.values);
+    if (states.records.empty())
+      return;
+    table(name + "_records", states.records);
+    number(name + "_mode_force", states.mode_force);
   }
   template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
     std::vector<std::int64_t> integers;
@@ -132,7 +145,13 @@ public:
     add(static_cast<std::size_t>(values.size()) * sizeof(double));
   }
   void few_numbers(const std::string& name, Eigen::VectorXd& values) { numbers(name, values); }
-  void states(const std::string& name, domain::QuadratureStates& states) { numbers(name, states.values); }
+  void states(const std::string& name, domain::QuadratureStates& states) {
+    numbers(name, states.values);
+    if (states.records.empty())
+      return;
+    table(name, states.records);
+    number(name, states.mode_force);
+  }
   template <Whole T> void wholes(const std::string&, std::vector<T>& values) {
     add(values.size() * sizeof(std::int64_t));
   }
@@ -169,6 +188,12 @@ public:
   }
   void states(const std::string& name, domain::QuadratureStates& states) {
     states.values = file_->has(name) ? file_->numbers(name) : std::vector<double>();
+    states.records.clear();
+    states.mode_force = 0;
+    if (!file_->has(name + "_records"))
+      return;
+    table(name + "_records", states.records);
+    number(name + "_mode_force", states.mode_force);
   }
   template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
     values.clear();
@@ -216,6 +241,7 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.numbers("state/bulk/momentum", state.bulk.momentum);
   archive.numbers("state/bulk/inertia", state.bulk.inertia);
   archive.states("state/bulk_points", state.bulk_points);
+  archive.few_numbers("state/moved", state.moved);
   archive.parts("state/zones", state.zones);
   for (std::size_t z = 0; z < state.zones.size(); ++z) {
     const auto at = fmt::format("state/zone_{}/", z);

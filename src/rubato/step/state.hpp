@@ -28,6 +28,8 @@ struct State {
   BulkForces bulk;
   domain::QuadratureStates bulk_points; ///< what materials remember
   Eigen::VectorXd
+      moved; ///< by the step that ended here, of static runs with nonlinear bodies; else empty [length]
+  Eigen::VectorXd
       residual_force; ///< internal + contact − external force at t: the scheme's history bracket [force]
   Eigen::VectorXd contact_force;  ///< contact and friction, internal side [force]
   Eigen::VectorXd friction_force; ///< the part of it along the surfaces [force]

@@ -41,9 +41,13 @@ bool has_cells(Formulation formulation, CellType type, Physics physics) {
 
 } // namespace
 
-Formulation formulation_of(const Material& material, Physics physics, CellType type) {
+Formulation wanted_formulation(const Material& material) {
   const bool flows = material.law == LawKind::plastic || is_hyperelastic(material.law);
-  const auto wanted = material.formulation.value_or(flows ? Formulation::mean_dilatation : Formulation::full);
+  return material.formulation.value_or(flows ? Formulation::mean_dilatation : Formulation::full);
+}
+
+Formulation formulation_of(const Material& material, Physics physics, CellType type) {
+  const auto wanted = wanted_formulation(material);
   return has_cells(wanted, type, physics) ? wanted : Formulation::full;
 }
 

@@ -19,8 +19,10 @@ bool has_constant_stiffness(const Material& material);
 /// Whether there is a `mean_dilatation` of such cells: QUAD4 in plane strain and axisymmetric, HEXA8, PENTA6.
 bool averages_dilatation(CellType type, Physics physics);
 
-/// What the study says where there is such a cell, else `full`; without a word mean_dilatation of plastic and
-/// hyperelastic laws where there is one, else full.
+/// What the study says; without a word mean_dilatation of plastic and hyperelastic laws, else full.
+Formulation wanted_formulation(const Material& material);
+
+/// The same where there is such a cell, else full.
 Formulation formulation_of(const Material& material, Physics physics, CellType type);
 
 /// Whether one stiffness of the whole holds for every step: constant stiffness of all materials, and no

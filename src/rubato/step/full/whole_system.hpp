@@ -8,6 +8,7 @@
 ///   [  ∂e/∂u            ∂e/∂λ   ] [dλ] = − [equations]
 #pragma once
 
+#include "rubato/step/common/bulk_newton.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/equilibrium.hpp"
 #include "rubato/step/full/linear_step.hpp"
@@ -34,6 +35,7 @@ public:
   int points_in_contact() const;
   double force_norm() const { return force_.all.norm(); }
   StepReport& report() { return report_; }
+  bool counts_anew() const { return false; }
   StepReport ended(Outcome outcome, const Frozen& frozen);
 
 private:
@@ -48,6 +50,9 @@ private:
   EffectiveSystem& system_;
   ContactEvaluator& side_;
   Equilibrium equilibrium_;
+  std::optional<BulkNewton> bulk_; ///< of a nonlinear one
+  bool started_ = false;
+  std::optional<BulkStart> start_; ///< until its first iterate is solved for
   contact::ContactSystem contact_;
   ContactForce force_;
   ContactIterate now_, previous_;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/common/bulk_newton.hpp"
+
+namespace rubato::step {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A move that no cell follows even then is not one that converges.
+constexpr int most_halvings = 6;
+/// Residuals that grow from tangent to tangent do not come back.
+constexpr int most_growing = 4;
+
+/// From one motion part of the way to another.
+time::Motion between(const time::Motion& from, const time::Motion& to, double part) {
+  const auto mix = [part](const VectorXd& a, const VectorXd& b) { return VectorXd(a + part * (b - a)); };
+  return {mix(from.u, to.u), mix(from.v, to.v), mix(from.a, to.a)};
+}
+
+} // namespace
+
+BulkNewton::BulkNewton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                       const State& committed, double t)
+    : model_(model), tangent_(model, scheme, system, committed, t) {}
+
+BulkStart BulkNewton::start() {
+  const int before = tangent_.renewals();
+  auto start = tangent_.start();
+  renewed_ = tangent_.renewals() > before;
+  return start;
+}
+
+std::optional<double> BulkNewton::shorten(const time::Motion& from, time::Motion& to,
+                                          Equilibrium& equilibrium) const {
+  double part = 1;
+  for (int halvings = 0; !equilibrium.has_forces_at(to.u); ++halvings) {
+    if (halvings == most_halvings)
+      return std::nullopt;
+    to = between(from, to, 0.5);
+    part *= 0.5;
+  }
+  return part;
+}
+
+std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced) {
+  ++iterations_;
+  renewed_ = false;
+  if (iterations_ >= model_.study.newton.max_iterations)
+    return Outcome::too_many_iterations;
+  if (tangent_.wants_renewal(last_, unbalanced)) {
+    growing_ = unbalanced > last_ ? growing_ + 1 : 0;
+    if (growing_ > most_growing)
+      return Outcome::too_many_iterations;
+    const int before = tangent_.renewals();
+    tangent_.renew_at(u);
+    renewed_ = tangent_.renewals() > before;
+  }
+  last_ = unbalanced;
+  return std::nullopt;
+}
+
+void BulkNewton::fill(StepReport& report, const Equilibrium& equilibrium) const {
+  report.bulk_iterations = iterations_;
+  report.factorisations = tangent_.renewals();
+  report.indefinite = tangent_.is_indefinite();
+  report.failed_cell = equilibrium.failed();
+}
+
+} // namespace rubato::step

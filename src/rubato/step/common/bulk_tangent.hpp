@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The tangent of a nonlinear bulk within one step: where it is taken, and when the effective matrix is made
+/// of a new one.
+#pragma once
+
+#include "rubato/domain/quadrature_states.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/step/common/effective_system.hpp"
+#include "rubato/step/state.hpp"
+#include "rubato/time/scheme.hpp"
+
+#include <Eigen/Core>
+
+namespace rubato::step {
+
+/// What a step starts from: the internal forces at the displacements of its start, at its end instant.
+struct BulkStart {
+  Eigen::VectorXd forces;             ///< [force]
+  const model::SparseMatrix* tangent; ///< that of the system
+};
+
+class BulkTangent {
+public:
+  /// Everything must outlive this.
+  BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+              const State& committed, double t);
+
+  /// Takes the tangent at the motion of the last step carried on, where cells have an answer there, else at
+  /// the start. Depends on the committed state alone, so that a resumed run does the same.
+  BulkStart start();
+
+  /// After an iteration that has led from one residual to another: whether a new factor is worth it.
+  bool wants_renewal(double before, double now) const;
+
+  /// Takes the tangent at these displacements. False when the matrix is not positive definite or a cell has
+  /// no answer: then the factor before serves on.
+  bool renew_at(const Eigen::VectorXd& u);
+
+  int renewals() const { return renewals_; }
+  bool is_indefinite() const { return indefinite_; }
+
+private:
+  Eigen::VectorXd carried_on() const;
+  bool take(const Eigen::VectorXd& u, Eigen::VectorXd* forces);
+  bool put();
+
+  const model::Model& model_;
+  const time::Scheme& scheme_;
+  EffectiveSystem& system_;
+  const State& committed_;
+  double t_;
+  model::SparseMatrix tangent_;
+  domain::QuadratureStates unused_;
+  int renewals_ = 0;
+  bool indefinite_ = false;
+};
+
+} // namespace rubato::step
