@@ -20,8 +20,8 @@ time::Motion between(const time::Motion& from, const time::Motion& to, double pa
 } // namespace
 
 BulkNewton::BulkNewton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                       const State& committed, double t)
-    : model_(model), system_(system), tangent_(model, scheme, system, committed, t) {}
+                       const State& committed, double t, Factored factored)
+    : model_(model), system_(system), tangent_(model, scheme, system, committed, t, factored) {}
 
 const BulkStart& BulkNewton::start() {
   const int before = tangent_.renewals();
