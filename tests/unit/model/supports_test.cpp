@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "unit/model/meshes.hpp"
+#include <cmath>
 
 namespace rubato::model {
 namespace {
@@ -94,6 +95,55 @@ TEST_F(Supported, NodesMoveAsTheExpressionOfTheirPlaceSays) {
   EXPECT_EQ(moved.imposed(2)[6], 4);
   EXPECT_EQ(moved.imposed(1)[6], 0.5);
   EXPECT_TRUE(faults_.empty());
+}
+
+/// About (1, 0), by 90° at t = 2.
+study::Rotation quarter() {
+  return {{1, 0, 0}, {0, 0, 3}, study::Field{study::Formula{"pi/2"}, "ramp"}};
+}
+
+TEST_F(Supported, NodesRotateExactlyAboutAPoint) {
+  Support turned{"wall", {none, Amplitude{10, ""}, none}};
+  turned.rotate = quarter();
+  const auto reduction = reduction_of({turned});
+  ASSERT_TRUE(faults_.empty());
+  EXPECT_EQ(reduction.prescribed().size(), 4U) << "x is held, too";
+  const auto u = reduction.imposed(2);
+  EXPECT_NEAR(u[0], 1, 1e-15); // (0, 0) to (1, -1), and up by 10
+  EXPECT_NEAR(u[1], 9, 1e-15);
+  EXPECT_NEAR(u[6], 0, 1e-15); // (0, 1) to (0, -1)
+  EXPECT_NEAR(u[7], 8, 1e-15);
+  EXPECT_NEAR(reduction.imposed(1)[0], 1 - std::sqrt(0.5), 1e-15);
+}
+
+TEST_F(Supported, NodesOnTheLineOfARotationAreHeld) {
+  Support turned{"floor", {none, none, none}};
+  turned.rotate = quarter();
+  const auto reduction = reduction_of({turned, {"N2", {Amplitude{}, Amplitude{}, none}}});
+  EXPECT_TRUE(faults_.empty()) << "N2 stands on the line";
+  for (const auto& prescribed : reduction.prescribed())
+    EXPECT_EQ(reduction.moves(prescribed), prescribed.dof != 2 && prescribed.dof != 3) << prescribed.dof;
+}
+
+TEST_F(Supported, RotationsContradictOtherSupports) {
+  Support turned{"wall", {none, none, none}};
+  turned.rotate = quarter();
+  auto other = turned;
+  reduction_of({turned, other});
+  EXPECT_TRUE(faults_.empty()) << "the same twice";
+  other.rotate->about[1] = 1;
+  reduction_of({turned, other});
+  EXPECT_EQ(told(), (Texts{"supports.1: node N1 (0, 0) has two different displacements prescribed in x"}));
+}
+
+TEST_F(Supported, AnglesThatAreNoNumbersAreRefused) {
+  Support turned{"wall", {none, none, none}};
+  turned.rotate = quarter();
+  turned.rotate->angle = study::Field{study::Formula{"1/t"}};
+  reduction_of({turned});
+  EXPECT_EQ(told(),
+            (Texts{"supports.0.rotate.angle: supports.0.rotate.angle: '1/t' is infinite at x = 0, y = "
+                   "0, z = 0, t = 0, expected a finite number"}));
 }
 
 TEST_F(Supported, ExpressionsWithoutANumberAreRefusedAtTheirNode) {
