@@ -357,16 +357,6 @@ ImposedValue imposed_at(const Parts& parts, NodeIndex node,
   return imposed_at(parts, parts.mesh.points[static_cast<std::size_t>(node)], field);
 }
 
-std::shared_ptr<const constraint::Rotation> shared_rotation(const Parts& parts, const study::Rotation& given,
-                                                            const std::string& path) {
-  const auto vector_of = [](const std::array<double, 3>& numbers) { return Vector3d(numbers.data()); };
-  constraint::Rotation rotation{vector_of(given.about), vector_of(given.axis).stableNormalized(),
-                                *shared_field(parts, given.angle, path + ".angle")};
-  for (const double t : {parts.study.time.begin, parts.study.time.end})
-    constraint::angle_at(rotation, t); // throws now rather than in a step
-  return std::make_shared<const constraint::Rotation>(std::move(rotation));
-}
-
 void add_oblique(const Parts& parts, const study::Support& support, const std::string& path,
                  Equations& equations, std::vector<Fault>& faults) {
   equations.paths.push_back(path);

@@ -41,11 +41,6 @@ constraint::ImposedValue imposed_at(const Parts& parts, mesh::NodeIndex node,
 constraint::ImposedValue imposed_at(const Parts& parts, const Eigen::Vector3d& place,
                                     const std::shared_ptr<const FieldFunction>& field);
 
-/// A rotation of the study, its angle integrated over the run where it gives a velocity or an acceleration.
-/// Throws InputError where that cannot be done.
-std::shared_ptr<const constraint::Rotation> shared_rotation(const Parts& parts, const study::Rotation& given,
-                                                            const std::string& path);
-
 /// Adds what a support says along a direction across the axes.
 void add_oblique(const Parts& parts, const study::Support& support, const std::string& path,
                  Equations& equations, std::vector<Fault>& faults);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/memory.hpp"
 #include "rubato/model/relations.hpp"
+#include "rubato/model/rotations.hpp"
 #include "rubato/study/fields.hpp"
 
 #include <fmt/format.h>
@@ -102,6 +103,7 @@ private:
     const auto nodes =
         body_nodes_or_fault(parts_.mesh, parts_.dofs, {support.on, path + ".on"}, "to hold", faults_);
     const auto rotation = shared_rotation(parts_, *support.rotate, path + ".rotate");
+    check_angle(parts_, nodes, *rotation, path + ".rotate");
     for (int i = 0; i < parts_.dofs.components; ++i) {
       const auto& given = support.components[static_cast<std::size_t>(i)];
       const auto field =

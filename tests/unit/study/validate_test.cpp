@@ -375,10 +375,6 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) { s.supports[0].rotate = Rotation{{}, {1, 0, 1}, {}}; }},
         Bad{"supports.0.rotate.about.2", "plane_strain has no z",
             [](Study& s) { s.supports[0].rotate = Rotation{{0, 0, 1}, {0, 0, 1}, {}}; }},
-        Bad{"supports.0.rotate.angle", "found an angle of 0.06 at t = 0.6",
-            [](Study& s) {
-              s.supports[0].rotate = Rotation{{}, {0, 0, 1}, Formula{"0.06-0.1*abs(t-0.6)"}};
-            }},
         Bad{"supports.0.rotate.angle", "depends on the place",
             [](Study& s) {
               s.supports[0].rotate = Rotation{{}, {0, 0, 1}, Profile{0, {{0, 1}, {0, 1}, {}}}};

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Rotations of supports: their line and their angle.
-#include "rubato/core/error.hpp"
 #include "rubato/study/fields.hpp"
-#include "rubato/study/large_rotations.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace rubato::study {
 namespace {
@@ -33,32 +30,14 @@ void check_line(Rules& rules, const Rotation& rotation, const std::string& path)
                  "found a rotation in axisymmetric, whose sections cannot turn as rigid ones, expected none");
 }
 
-/// What cannot be computed is told with the value, or by the model.
-void check_size(Rules& rules, const Rotation& rotation, const std::string& path) {
-  const auto& time = rules.study.time;
-  if (takes_large_rotations(rules.study) || !rules.has_time() || !std::isfinite(time.end - time.begin))
-    return;
-  try {
-    if (const auto [angle, t] = largest_angle(rotation, rules.study); std::abs(angle) > largest_small_angle)
-      rules.broken({path + ".angle", path, "time.end"},
-                   fmt::format("found an angle of {:.4g} at t = {:.6g}, expected at most {} radians: with "
-                               "small strain a body that rotates stretches by 1 − cos of the angle",
-                               angle, t, largest_small_angle));
-  } catch (const InputError&) {
-  }
-}
-
 } // namespace
 
 void check_rotate(Rules& rules, const Rotation& rotation, const std::string& path) {
   check_line(rules, rotation, path);
   rules.motion(path + ".angle", rotation.angle);
-  const auto& function = rotation.angle.function;
   if (varies_in_place(rotation.angle))
     rules.broken({path + ".angle"}, "found an angle that depends on the place, expected a number or an "
                                     "expression of t: the group turns as a whole");
-  else if (function.empty() || rules.study.functions.contains(function))
-    check_size(rules, rotation, path);
 }
 
 } // namespace rubato::study
