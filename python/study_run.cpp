@@ -89,7 +89,8 @@ template <> struct Description<Probe> {
                  Member{"contact", &Probe::contact, "instead: a contact zone"},
                  Member{"minus", &Probe::minus, "instead: two probes, the first minus the second"},
                  Member{"field", &Probe::field, "what of it"},
-                 Member{"take", &Probe::take, "of the nodes of a group, each component by itself"});
+                 Member{"take", &Probe::take, "of the nodes of a group, each component by itself"},
+                 Member{"about", &Probe::about, "of a sum of forces: with their moment about it [length]"});
 };
 template struct RecordCodec<Probe>;
 

@@ -31,6 +31,7 @@ Forms probes() {
        {"take", "the value over the nodes of 'on', for each component; of forces sum when not given",
         word_of(study::probe_take_words)},
        {"field", "displacement when not given", word_of(study::probe_field_words)},
+       {"about", "with a sum of forces: their moment about this place, too [length]", coordinates()},
        {"section", "a cut through bodies: force and moment that they transmit there",
         map("a cut, and what is cut", section())},
        {"contact", "the force of a contact zone's master on its slave, and its moment",
