@@ -139,6 +139,10 @@ void check_probe(const study::Check& check, const study::Study& study, const stu
         fmt::format("probe '{}' takes something else of its nodes in run {} than in run {}, expected "
                     "the same 'take'",
                     check.probe, source.name, study.name));
+  else if (own->place != other->place)
+    mention.fault(fmt::format("probe '{}' is at {} in run {} and at {} in run {}", check.probe,
+                              study::word_of(study::probe_place_words, other->place), source.name,
+                              study::word_of(study::probe_place_words, own->place), study.name));
 }
 
 void check_field(const study::Check& check, const study::Study& study, const study::Study& source,

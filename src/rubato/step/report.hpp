@@ -60,7 +60,7 @@ enum class Criterion {
   singular,      ///< the linear system has no solution; value 0
   geometry_loop, ///< value: as LoopRound::change, infinite of a loop that had one round
   friction_loop, ///< value: as LoopRound::change
-  cell           ///< every cell has forces; node: one of the cell
+  cell           ///< every cell has forces; node: one of the cell; value 0
 };
 
 /// "residual", "status", "gap", "projection", "point lost", "distance", "singular matrix", "geometry loop",
@@ -99,7 +99,7 @@ struct StepReport {
   int bulk_iterations = 0;
   int factorisations = 0;
   bool indefinite = false;     ///< whether an effective matrix was not positive definite
-  domain::Failed failed_cell;  ///< of an attempt that ended as cell_failed
+  domain::Failed failed_cell;  ///< of an attempt that ended where a cell has no forces
   double residual = 0;         ///< relative, of the last iterate
   double unbalanced_force = 0; ///< the largest, of the last iterate
   double tolerance = 0;

@@ -384,6 +384,8 @@ Json echo(const Probe& probe, int dimension) {
   if (probe.section || probe.contact || !probe.minus.empty())
     return map;
   map["field"] = word(probe_field_words, probe.field);
+  if (probe.place != ProbePlace::nodes)
+    map["place"] = word(probe_place_words, probe.place);
   return map;
 }
 

@@ -58,6 +58,11 @@ bool is_linear(const Study& study) {
   });
 }
 
+bool yields(const Study& study) {
+  return std::ranges::any_of(study.materials,
+                             [](const Material& material) { return material.law == LawKind::plastic; });
+}
+
 bool takes_large_rotations(const Study& study) {
   return std::ranges::any_of(
       study.materials, [](const Material& material) { return strain_of(material) != StrainKind::small; });

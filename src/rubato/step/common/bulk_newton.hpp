@@ -33,6 +33,7 @@ public:
   std::optional<Outcome> go_on(const Eigen::VectorXd& u, double unbalanced);
   bool renewed() const { return renewed_; }
 
+  /// What there is to tell of a step whose outcome the report has already.
   void fill(StepReport& report, const Equilibrium& equilibrium) const;
 
 private:
