@@ -94,13 +94,17 @@ public:
     const auto integer = static_cast<std::int64_t>(value);
     file_->write(name, std::span(&integer, 1));
   }
-  template <class Vector> void numbers(const std::string& name, Vector& values) {
+  template <class Vector> void numbers(const std::string& name, const Vector& values) {
     file_->write(name, std::span<const double>(values.data(), static_cast<std::size_t>(values.size())));
   }
   /// Left out where there is nothing: files from before there was such a thing have none.
   void few_numbers(const std::string& name, Eigen::VectorXd& values) {
     if (values.size() > 0)
       numbers(name, values);
+  }
+  void tangent(const std::string& name, step::Tangent& values) {
+    if (values)
+      numbers(name, *values);
   }
   void states(const std::string& name, domain::QuadratureStates& states) {
     if (!states.values.empty())
@@ -141,10 +145,14 @@ public:
   void text(const std::string&, const std::string& value) { add(value.size()); }
   void number(const std::string&, double&) { add(sizeof(double)); }
   template <Whole T> void whole(const std::string&, T&) { add(sizeof(std::int64_t)); }
-  template <class Vector> void numbers(const std::string&, Vector& values) {
+  template <class Vector> void numbers(const std::string&, const Vector& values) {
     add(static_cast<std::size_t>(values.size()) * sizeof(double));
   }
   void few_numbers(const std::string& name, Eigen::VectorXd& values) { numbers(name, values); }
+  void tangent(const std::string& name, step::Tangent& values) {
+    if (values)
+      numbers(name, *values);
+  }
   void states(const std::string& name, domain::QuadratureStates& states) {
     numbers(name, states.values);
     if (states.records.empty())
@@ -185,6 +193,11 @@ public:
     values.resize(0);
     if (file_->has(name))
       numbers(name, values);
+  }
+  void tangent(const std::string& name, step::Tangent& values) {
+    Eigen::VectorXd read;
+    few_numbers(name, read);
+    values = read.size() > 0 ? std::make_shared<const Eigen::VectorXd>(std::move(read)) : nullptr;
   }
   void states(const std::string& name, domain::QuadratureStates& states) {
     states.values = file_->has(name) ? file_->numbers(name) : std::vector<double>();
@@ -242,6 +255,7 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.numbers("state/bulk/inertia", state.bulk.inertia);
   archive.states("state/bulk_points", state.bulk_points);
   archive.few_numbers("state/moved", state.moved);
+  archive.tangent("state/tangent", state.tangent);
   archive.parts("state/zones", state.zones);
   for (std::size_t z = 0; z < state.zones.size(); ++z) {
     const auto at = fmt::format("state/zone_{}/", z);

@@ -15,8 +15,8 @@ namespace rubato::step {
 
 /// What a step starts from: the internal forces at the displacements of its start, at its end instant.
 struct BulkStart {
-  Eigen::VectorXd forces;             ///< [force]
-  const model::SparseMatrix* tangent; ///< that of the system
+  Eigen::VectorXd forces; ///< [force]
+  Tangent tangent;        ///< that of the system
 };
 
 class BulkTangent {
@@ -25,8 +25,9 @@ public:
   BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
               const State& committed, double t);
 
-  /// Takes the tangent at the motion of the last step carried on, where cells have an answer there, else at
-  /// the start. Depends on the committed state alone, so that a resumed run does the same.
+  /// Goes on with the tangent that the step before ended with. Where that one had another length, takes it a
+  /// small part of the way that this step would go by itself: there cells that yield know in which direction.
+  /// Depends on the committed state alone, so that a resumed run does the same.
   BulkStart start();
 
   /// After an iteration that has led from one residual to another: whether a new factor is worth it.
@@ -40,16 +41,17 @@ public:
   bool is_indefinite() const { return indefinite_; }
 
 private:
-  Eigen::VectorXd carried_on() const;
-  bool take(const Eigen::VectorXd& u, Eigen::VectorXd* forces);
-  bool put();
+  Eigen::VectorXd slightly_on() const;
+  Tangent at_start(Eigen::VectorXd& forces);
+  Tangent at(const Eigen::VectorXd& u, Eigen::VectorXd* forces);
+  bool put(const Tangent& tangent);
 
   const model::Model& model_;
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
   const State& committed_;
   double t_;
-  model::SparseMatrix tangent_;
+  model::SparseMatrix matrix_; ///< storage of tangents
   domain::QuadratureStates unused_;
   int renewals_ = 0;
   bool indefinite_ = false;

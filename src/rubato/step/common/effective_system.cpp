@@ -148,18 +148,28 @@ SparseMatrix effective_matrix(const Model& model, const time::StepCoefficients& 
   return full;
 }
 
-/// Of the same pattern.
-bool same_values(const SparseMatrix& a, const SparseMatrix& b) {
-  return a.nonZeros() == b.nonZeros() && std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr());
-}
-
 } // namespace
 
-bool renew(EffectiveSystem& system, const Model& model, const SparseMatrix& tangent) {
+bool same_values(const Tangent& a, const Tangent& b) {
+  return a == b || (a && b && *a == *b);
+}
+
+Tangent values_of(const SparseMatrix& tangent) {
+  return std::make_shared<const Eigen::VectorXd>(tangent.coeffs());
+}
+
+SparseMatrix matrix_of(const Model& model, const Tangent& tangent) {
+  SparseMatrix matrix = model.domain.initial_tangent();
+  matrix.coeffs() = *tangent;
+  return matrix;
+}
+
+bool renew(EffectiveSystem& system, const Model& model, const Tangent& tangent) {
   if (same_values(system.tangent, tangent))
     return true;
   system.tangent = tangent;
-  system.matrix = model.reduction.reduced(effective_matrix(model, system.coefficients, tangent));
+  system.matrix =
+      model.reduction.reduced(effective_matrix(model, system.coefficients, matrix_of(model, tangent)));
   if (system.weak_spring > 0)
     put_weak_springs(model, system);
   if (!system.compliance)
@@ -183,7 +193,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   system.coefficients = time::coefficients_of(scheme, step);
   const auto& tangent = model.domain.initial_tangent();
   if (!model.domain.is_linear())
-    system.tangent = tangent;
+    system.tangent = values_of(tangent);
   const auto full = effective_matrix(model, system.coefficients, tangent);
   system.diagonal = full.diagonal();
   system.matrix = model.reduction.reduced(full);

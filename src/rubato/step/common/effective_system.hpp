@@ -7,6 +7,7 @@
 #include "rubato/model/model.hpp"
 #include "rubato/step/common/slope_changes.hpp"
 #include "rubato/step/interface/compliance.hpp"
+#include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
 
 #include <cstddef>
@@ -29,7 +30,7 @@ struct EffectiveSystem {
   double step = 0;
   time::StepCoefficients coefficients;
   model::SparseMatrix matrix;
-  model::SparseMatrix tangent;  ///< K that the matrix is made of, of nonlinear domains; else empty
+  Tangent tangent;              ///< K that the matrix is made of, of nonlinear domains; else null
   double weak_spring = 0;       ///< on each free unknown of bodies that only contact holds [force/length]
   bool has_free_bodies = false; ///< whether there are such springs
   Eigen::VectorXd diagonal;     ///< of every dof, constrained ones included
@@ -52,7 +53,14 @@ EffectiveSystem make_effective_system(
 /// Makes the matrix anew with a tangent of the domain and factors it, unless it has that tangent already or
 /// every iteration solves the whole system. Coefficients of contact stay. False when the matrix is not
 /// positive definite: then it is made, but not factored.
-bool renew(EffectiveSystem& system, const model::Model& model, const model::SparseMatrix& tangent);
+bool renew(EffectiveSystem& system, const model::Model& model, const Tangent& tangent);
+
+/// Whether they have the same values, or both none.
+bool same_values(const Tangent& a, const Tangent& b);
+
+Tangent values_of(const model::SparseMatrix& tangent);
+/// The matrix with these values.
+model::SparseMatrix matrix_of(const model::Model& model, const Tangent& tangent);
 
 /// The residual that iterations are to come below, if they can: what weak springs still carry displaces whole
 /// bodies.

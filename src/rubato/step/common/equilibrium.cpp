@@ -120,8 +120,8 @@ void Equilibrium::evaluate_ahead(const time::Motion& motion, const ContactForce&
                                  const BulkStart& start) {
   evaluated_at_.reset();
   failed_.reset();
-  bulk_.internal =
-      start.forces + start.tangent->selfadjointView<Eigen::Lower>() * (motion.u - committed_.motion.u);
+  bulk_.internal = start.forces + matrix_of(model_, start.tangent).selfadjointView<Eigen::Lower>() *
+                                      (motion.u - committed_.motion.u);
   take_inertia(motion);
   sum_up(contact);
 }
@@ -214,6 +214,7 @@ std::vector<WorstNode> Equilibrium::worst() const {
 void Equilibrium::record(State& trial) const {
   model_.domain.evaluate({committed_.motion.u, trial.motion.u, committed_.t, t_}, committed_.bulk_points,
                          trial.bulk_points, {.records = true});
+  trial.tangent = system_.tangent;
   if (!scheme_.dynamic)
     trial.moved = trial.motion.u - committed_.motion.u;
 }
