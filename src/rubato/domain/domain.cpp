@@ -36,6 +36,10 @@ const SparseMatrix& Domain::initial_tangent() const {
   return std::visit([](const auto& kind) -> const SparseMatrix& { return kind.initial_tangent(); }, kind_);
 }
 
+PlasticStep Domain::plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
+  return std::visit([&](const auto& kind) { return kind.plastic_step(old, now); }, kind_);
+}
+
 double Domain::largest_eigenvalue(const VectorXd& inverse_mass) const {
   return std::visit([&](const auto& kind) { return kind.largest_eigenvalue(inverse_mass); }, kind_);
 }

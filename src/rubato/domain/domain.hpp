@@ -53,6 +53,9 @@ public:
   /// stiffness by definition, takes this one.
   const SparseMatrix& initial_tangent() const;
 
+  /// How far materials have yielded in a step.
+  PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
+
   /// A bound from above of the largest λ of K x = λ M x, K the initial tangent, at most 1 % beyond it
   /// [1/time²]. `inverse_mass`: of each dof, 0 where it is held.
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;

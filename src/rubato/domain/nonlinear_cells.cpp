@@ -142,6 +142,22 @@ element::CellResult NonlinearCells::evaluate(const Cell& cell, const StepSpan& s
   return result;
 }
 
+PlasticStep NonlinearCells::plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
+  PlasticStep most;
+  for (const auto& cell : cells_) {
+    const auto& group = groups_[static_cast<std::size_t>(cell.group)];
+    const auto size = static_cast<std::size_t>(material::state_size(group.law));
+    const auto p = [&](const QuadratureStates& states, int point) {
+      const auto first = cell.first_state + static_cast<std::size_t>(point) * size;
+      return material::cumulated_plastic_strain(group.law, std::span(states.values).subspan(first, size));
+    };
+    for (int point = 0; size > 0 && point < group.points; ++point)
+      if (const double growth = p(now, point) - p(old, point); growth > most.growth)
+        most = {growth, cell.index};
+  }
+  return most;
+}
+
 void NonlinearCells::add_tangent(const Cell& cell, const std::vector<double>& tangent,
                                  SparseMatrix& matrix) const {
   const auto nodes = static_cast<std::size_t>(groups_[static_cast<std::size_t>(cell.group)].nodes);

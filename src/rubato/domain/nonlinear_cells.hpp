@@ -34,6 +34,9 @@ public:
   Failed add(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
              const Wanted& wanted) const;
 
+  /// Over a step.
+  PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
+
 private:
   /// Cells of one kind and law.
   struct Group {

@@ -34,6 +34,9 @@ public:
   const Heat* heat() const { return constant_.heat(); }
   std::span<const LawSpring> law_springs() const { return constant_.law_springs(); }
   const SparseMatrix& initial_tangent() const { return *initial_; }
+  PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
+    return cells_->plastic_step(old, now);
+  }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
 
 private:

@@ -18,6 +18,12 @@ struct QuadratureStates {
   bool operator==(const QuadratureStates&) const = default;
 };
 
+/// The largest growth of the cumulated plastic strain in a step.
+struct PlasticStep {
+  double growth = 0;
+  mesh::CellIndex cell = -1; ///< where; −1: nothing has yielded
+};
+
 /// How many numbers a cell remembers, by its place in Bulk::cells.
 std::size_t state_size(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t cell);
 

@@ -90,6 +90,11 @@ public:
 
   void text(const std::string& name, std::string& value) { file_->write(name, value); }
   void number(const std::string& name, double& value) { file_->write(name, std::span(&value, 1)); }
+  /// Left out where it is 0, as in files from before there was such a number.
+  void number_if(const std::string& name, double& value) {
+    if (value != 0)
+      number(name, value);
+  }
   template <Whole T> void whole(const std::string& name, T& value) {
     const auto integer = static_cast<std::int64_t>(value);
     file_->write(name, std::span(&integer, 1));
@@ -144,6 +149,7 @@ public:
 
   void text(const std::string&, const std::string& value) { add(value.size()); }
   void number(const std::string&, double&) { add(sizeof(double)); }
+  void number_if(const std::string& name, double& value) { number(name, value); }
   template <Whole T> void whole(const std::string&, T&) { add(sizeof(std::int64_t)); }
   template <class Vector> void numbers(const std::string&, const Vector& values) {
     add(static_cast<std::size_t>(values.size()) * sizeof(double));
@@ -181,6 +187,9 @@ public:
 
   void text(const std::string& name, std::string& value) { value = file_->text(name); }
   void number(const std::string& name, double& value) { value = file_->numbers(name).at(0); }
+  void number_if(const std::string& name, double& value) {
+    value = file_->has(name) ? file_->numbers(name).at(0) : 0;
+  }
   template <Whole T> void whole(const std::string& name, T& value) {
     value = static_cast<T>(file_->integers(name).at(0));
   }
@@ -277,6 +286,7 @@ template <class Archive> void exchange(Archive& archive, time::StepControl::Plac
   archive.number("place/now", place.now);
   archive.table("place/ends", place.ends);
   archive.whole("place/finished", place.finished);
+  archive.number_if("place/wanted", place.wanted);
 }
 
 template <class Archive> void exchange(Archive& archive, const std::string& at, step::EnergyLedger& energy) {

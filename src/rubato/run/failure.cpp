@@ -120,6 +120,11 @@ std::string cell_of(const model::Model& model, const step::StepReport& report) {
                      element::described(report.failed_cell->reason));
 }
 
+std::string plastic_step_of(const model::Model& model, const Unmet& unmet) {
+  return fmt::format("the plastic strain at node {} grew by {:.2e} in one step (time.max_plastic_step: {:g})",
+                     node_of(model, unmet), unmet.value, unmet.allowed);
+}
+
 /// Of a nonlinear bulk.
 std::string stability_of(const model::Model& model) {
   return fmt::format("the effective matrix was not positive definite: {}",
@@ -149,6 +154,8 @@ std::string sentence(const model::Model& model, const step::StepReport& report, 
     return geometry_loop_of(model, unmet);
   case Criterion::friction_loop:
     return friction_loop_of(model, unmet);
+  case Criterion::plastic_step:
+    return plastic_step_of(model, unmet);
   case Criterion::cell:
     return cell_of(model, report);
   }

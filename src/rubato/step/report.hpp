@@ -25,6 +25,7 @@ enum class Outcome {
   friction_unsettled,
   status_unsettled,
   pressed_afar, ///< forces in balance, but a point presses where its master is not
+  plastic_step, ///< in balance, but plastic strain grew by more than the study allows in a step
   cell_failed,  ///< a cell has no forces, however short the corrections
   interrupted   ///< asked to end: neither converged nor failed
 };
@@ -60,11 +61,12 @@ enum class Criterion {
   singular,      ///< the linear system has no solution; value 0
   geometry_loop, ///< value: as LoopRound::change, infinite of a loop that had one round
   friction_loop, ///< value: as LoopRound::change
+  plastic_step,  ///< value: growth of the cumulated plastic strain; node: one of the cell
   cell           ///< every cell has forces; node: one of the cell; value 0
 };
 
 /// "residual", "status", "gap", "projection", "point lost", "distance", "singular matrix", "geometry loop",
-/// "friction loop", "cell".
+/// "friction loop", "plastic step", "cell".
 std::string_view to_string(Criterion criterion);
 
 /// A criterion that the last iterate of an attempt does not meet, and the point or node where it is furthest
