@@ -153,13 +153,15 @@ void on_cell(const model::Model& model, const step::StepReport& report, Advice& 
   const auto& failed = *report.failed_cell;
   const auto place = std::ranges::find(model.bulk.cells, failed.cell) - model.bulk.cells.begin();
   const auto& material =
-      model.study.materials[static_cast<std::size_t>(model.bulk.law_of_cell[static_cast<std::size_t>(place)])];
+      model.study
+          .materials[static_cast<std::size_t>(model.bulk.law_of_cell[static_cast<std::size_t>(place)])];
   const auto type = model.mesh.type_of(failed.cell);
   const auto& physics = model.study.physics;
   if (study::formulation_of(material, physics, type) != study::Formulation::enhanced)
     return;
   const bool averages = study::averages_dilatation(type, physics);
-  advice.add(fmt::format("materials.{}.formulation: {}", material.name, averages ? "mean_dilatation" : "full"));
+  advice.add(
+      fmt::format("materials.{}.formulation: {}", material.name, averages ? "mean_dilatation" : "full"));
 }
 
 void on_criterion(const model::Model& model, const step::Unmet& unmet, Advice& advice) {
@@ -250,6 +252,8 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
   }
   if (report.failed_cell)
     on_cell(model, report, advice);
+  if (report.outcome == Outcome::plastic_step)
+    advice.add(fmt::format("a larger time.max_plastic_step than {:g}", *model.study.time.max_plastic_step));
   if (report.indefinite && model.study.time.scheme == study::SchemeKind::static_steps)
     advice.add("supports that move in the place of loads, or a scheme with inertia");
   if (!model.free_body_nodes.empty())
