@@ -16,16 +16,27 @@ struct NonlinearCells::Scratch {
 NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
                                const SparseMatrix& pattern)
     : components_(dofs.components) {
+  add_cells(mesh, bulk, dofs, [&](std::size_t cell) { return !bulk.is_constant(cell); });
+  find_places(pattern);
+}
+
+NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                               std::span<const std::size_t> cells)
+    : components_(dofs.components) {
+  add_cells(mesh, bulk, dofs, [&](std::size_t cell) { return std::ranges::binary_search(cells, cell); });
+}
+
+void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                               const std::function<bool(std::size_t)>& has) {
   std::size_t state = 0;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    if (!bulk.is_constant(i))
+    if (has(i))
       add_cell(mesh, dofs,
                {.index = bulk.cells[i],
                 .group = group_of(bulk, i, mesh.type_of(bulk.cells[i])),
                 .first_state = state});
     state += state_size(mesh, bulk, i);
   }
-  find_places(pattern);
 }
 
 int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) {

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,10 @@ public:
   NonlinearCells() = default;
   /// Those of the bulk that are not constant. `pattern`: where their tangents are added.
   NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, const SparseMatrix& pattern);
+  /// Some of them, by their places in the bulk, ascending; they have no tangents. States are those of the
+  /// whole bulk, records those of these cells.
+  NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                 std::span<const std::size_t> cells);
 
   bool empty() const { return cells_.empty(); }
   std::size_t record_count() const { return record_count_; }
@@ -51,6 +56,8 @@ private:
   };
   struct Scratch;
 
+  void add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                 const std::function<bool(std::size_t)>& has);
   int group_of(const Bulk& bulk, std::size_t cell, CellType type);
   void add_cell(const mesh::Mesh& mesh, const DofMap& dofs, Cell cell);
   void find_places(const SparseMatrix& pattern);

@@ -234,6 +234,7 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
   carry_obstacles(model);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, model.references, faults, model.notes);
+  model.probe_cells = make_probe_cells(study, model.mesh, model.bulk, faults, model.notes);
   model.probe_cuts =
       make_probe_cuts(study, model.mesh, model.dofs, model.bulk, model.heat.get(), faults, model.preloads);
   check_probed_zones(model, faults);

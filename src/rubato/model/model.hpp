@@ -88,6 +88,12 @@ struct InitialMotion {
   Eigen::VectorXd velocity;     ///< [length/time]
 };
 
+/// Cells that a probe has values of, by their places in the bulk.
+struct ProbedCells {
+  std::vector<std::size_t> cells;
+  int point = -1; ///< the Gauss point of the one cell; −1: every point of each
+};
+
 struct Model {
   study::Study study;
   mesh::Mesh mesh;
@@ -123,8 +129,9 @@ struct Model {
   std::vector<contact::Zone> zones;
   /// The points of each slave node that has several.
   std::vector<std::vector<contact::PointOfZone>> shared_nodes;
-  /// Of each probe of the study, at least one; none of cuts, differences and references.
+  /// Of each probe of the study, at least one; none of cuts, differences and references, and in cells.
   std::vector<std::vector<mesh::NodeIndex>> probe_nodes;
+  std::vector<ProbedCells> probe_cells;      ///< of each probe; none of those at nodes
   std::vector<domain::CutForces> probe_cuts; ///< of each probe of the study; empty where it is no cut
   std::vector<std::string> notes;            ///< sentences that whoever runs the model should read
   std::vector<int> multiplier_offsets;       ///< first multiplier of each zone

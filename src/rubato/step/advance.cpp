@@ -8,6 +8,8 @@
 #include "rubato/step/full/whole_system.hpp"
 #include "rubato/step/interface/condensed.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -152,6 +154,12 @@ std::string solver_text(const Model& model, const EffectiveSystem& system) {
     return "full, as the deck says";
   if (!system.compliance)
     return "full: the effective matrix is not positive definite without contact";
+  if (!model.domain.is_linear())
+    return fmt::format("{}the bulk is nonlinear, its tangent factored {}",
+                       model.zones.empty() ? "" : "condensed on contact points: ",
+                       model.study.newton.tangent == study::TangentChoice::full
+                           ? "in every iteration"
+                           : "in every step, and when iterations come to little");
   if (model.zones.empty())
     return "the bulk factored once a step length";
   return "condensed on contact points: the bulk is linear and factored once a step length";

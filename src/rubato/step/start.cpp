@@ -4,6 +4,7 @@
 #include "rubato/contact/discretisation.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,20 +91,29 @@ contact::ZoneState untouched_zone(const Model& model, const contact::Zone& zone,
   return state;
 }
 
+void refuse(const Model& model, const domain::Failed& failed) {
+  if (failed)
+    throw InputError(
+        fmt::format("{} has no forces where the run begins: {}; expected initial displacements and "
+                    "supports that deform it less",
+                    domain::cell_label(model.mesh, failed->cell), element::described(failed->reason)));
+}
+
 /// Without a step: at the state's displacements, from the state that the materials are in.
 VectorXd internal_forces(const Model& model, const State& state) {
   const auto& u = state.motion.u;
   VectorXd forces;
   domain::QuadratureStates unchanged;
-  model.domain.evaluate({u, u, state.t, state.t}, state.bulk_points, unchanged, {.forces = &forces});
+  refuse(model,
+         model.domain.evaluate({u, u, state.t, state.t}, state.bulk_points, unchanged, {.forces = &forces}));
   return forces;
 }
 
 /// The bodies come to the initial displacements from their undeformed shape at once.
 void deform(const Model& model, State& state) {
   const VectorXd undeformed = VectorXd::Zero(state.motion.u.size());
-  model.domain.evaluate({undeformed, state.motion.u, state.t, state.t}, model.domain.initial_states(),
-                        state.bulk_points, {});
+  refuse(model, model.domain.evaluate({undeformed, state.motion.u, state.t, state.t},
+                                      model.domain.initial_states(), state.bulk_points, {}));
 }
 
 } // namespace
@@ -150,8 +160,11 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
     std::ranges::fill(zone.friction_history, contact::FrictionHistory());
   state.t = t;
   state.step = 0; // the acceleration that follows is that of the instant, not of the last step
+  state.tangent.reset();
   if (scheme.dynamic)
     model.reduction.impose_rates(1, t, state.motion.v);
+  if (state.bulk_points.values.size() != model.domain.initial_states().values.size())
+    deform(model, state);
   state.residual_force = internal_forces(model, state) - model::external_force(model, t);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
@@ -166,6 +179,7 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
 }
 
 void release(const Model& model, const time::Scheme& scheme, State& state) {
+  state.tangent.reset();                   // springs of gauges may be others
   if (!scheme.dynamic || scheme.nonsmooth) // a is none, or the mean of the step before
     return;
   state.step = 0; // as of a run that continues another one

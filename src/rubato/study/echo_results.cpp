@@ -30,6 +30,8 @@ Json echo(const Probe& probe, int dimension) {
   if (probe.section || probe.contact || !probe.minus.empty())
     return map;
   map["field"] = word(probe_field_words, probe.field);
+  if (probe.place != ProbePlace::nodes)
+    map["place"] = word(probe_place_words, probe.place);
   if (probe.about)
     map["about"] = first(*probe.about, dimension);
   return map;

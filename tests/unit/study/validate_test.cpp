@@ -398,6 +398,24 @@ INSTANTIATE_TEST_SUITE_P(
               s.checks[0].component.clear();
               s.contact.clear();
             }},
+        Bad{"probes.tip.field", "expected 'place: nodes'",
+            [](Study& s) {
+              s.probes[0].place = ProbePlace::gauss_points;
+              s.probes[0].take = ProbeTake::largest;
+            }},
+        Bad{"probes.tip.place", "goes with 'point', or with 'on' and 'take'",
+            [](Study& s) {
+              s.probes[0].place = ProbePlace::cells;
+              s.probes[0].field = ProbeField::mean_stress;
+              s.checks[0].component.clear();
+            }},
+        Bad{"probes.tip.take", "expected mean, min or max",
+            [](Study& s) {
+              s.probes[0].place = ProbePlace::cells;
+              s.probes[0].field = ProbeField::mean_stress;
+              s.probes[0].take = ProbeTake::sum;
+              s.checks[0].component.clear();
+            }},
         Bad{"checks.0", "is missing", [](Study& s) { s.checks[0].probe.clear(); }},
         Bad{"checks.0", "found several of", [](Study& s) { s.checks[0].energy = "friction"; }},
         Bad{"checks.0.energy", "did you mean 'friction'",

@@ -81,6 +81,8 @@ void BulkNewton::fill(StepReport& report, const Equilibrium& equilibrium) const 
   report.factorisations = tangent_.renewals();
   report.indefinite = tangent_.is_indefinite();
   report.failed_cell = equilibrium.failed();
+  if (report.failed() && report.failed_cell)
+    report.unmet.push_back({Criterion::cell, -1, model_.mesh.nodes_of(report.failed_cell->cell).front()});
 }
 
 } // namespace rubato::step

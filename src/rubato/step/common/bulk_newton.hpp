@@ -42,6 +42,7 @@ public:
   /// Where it came from, if that is the start of the step: with the tangent that is there now. Else null.
   const BulkStart* back_at_start() const { return at_start_ ? &*start_ : nullptr; }
 
+  /// What there is to tell of a step whose outcome the report has already.
   void fill(StepReport& report, const Equilibrium& equilibrium) const;
   bool is_indefinite() const { return tangent_.is_indefinite(); }
 

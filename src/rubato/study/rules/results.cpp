@@ -109,8 +109,24 @@ void check_probe_place(Rules& rules, const Probe& probe, const std::string& path
     check_difference(rules, probe, path);
 }
 
+/// What cells have is taken of a group, or is that of the point nearest to a place.
+void check_in_cells(Rules& rules, const Probe& probe, const std::string& path) {
+  const auto at = path + ".place";
+  if (probe.place == ProbePlace::nodes)
+    return;
+  if (!is_of_cells(probe.field))
+    rules.broken({path + ".field", at},
+                 fmt::format("found {}, which cells do not have, expected 'place: nodes' with it",
+                             word_of(probe_field_words, probe.field)));
+  if (probe.take == ProbeTake::node && !probe.point)
+    rules.broken({at, path + ".node"}, "goes with 'point', or with 'on' and 'take'");
+  if (probe.take == ProbeTake::sum)
+    rules.broken({path + ".take", at}, "found sum, expected mean, min or max of what cells have");
+}
+
 void check_probe(Rules& rules, const Probe& probe, const std::string& path) {
   check_probe_place(rules, probe, path);
+  check_in_cells(rules, probe, path);
   if (is_of_contact(probe.field) && rules.study.contact.empty())
     rules.broken({path + ".field", "contact"}, fmt::format("found {}, but the study has no contact",
                                                            word_of(probe_field_words, probe.field)));
