@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -103,7 +104,15 @@ VectorXd internal_forces(const Model& model, const State& state) {
 void deform(const Model& model, State& state) {
   const VectorXd undeformed = VectorXd::Zero(state.motion.u.size());
   model.domain.evaluate({undeformed, state.motion.u, state.t, state.t}, model.domain.initial_states(),
-                        state.bulk_points, {});
+                        state.bulk_points, {.records = true});
+}
+
+/// What the model's materials make of a state that another run has left: they may have other numbers than
+/// those of that run.
+void take_states(const Model& model, State& state) {
+  const auto& u = state.motion.u;
+  const auto left = std::exchange(state.bulk_points, {});
+  model.domain.evaluate({u, u, state.t, state.t}, left, state.bulk_points, {.records = true});
 }
 
 } // namespace
@@ -152,6 +161,7 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
   state.step = 0; // the acceleration that follows is that of the instant, not of the last step
   if (scheme.dynamic)
     model.reduction.impose_rates(1, t, state.motion.v);
+  take_states(model, state);
   state.residual_force = internal_forces(model, state) - model::external_force(model, t);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
