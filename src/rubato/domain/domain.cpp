@@ -20,6 +20,18 @@ double Domain::energy(const VectorXd& u, const VectorXd& forces, double t,
   return std::visit([&](const auto& kind) { return kind.energy(u, forces, t, states); }, kind_);
 }
 
+VectorXd Domain::constant_forces(const VectorXd& u, double t) const {
+  return std::visit([&](const auto& kind) { return kind.constant_forces(u, t); }, kind_);
+}
+
+Balance Domain::balance(const QuadratureStates& old, const QuadratureStates& now) const {
+  return std::visit([&](const auto& kind) { return kind.balance(old, now); }, kind_);
+}
+
+double Domain::back_stress_energy(const QuadratureStates& states) const {
+  return std::visit([&](const auto& kind) { return kind.back_stress_energy(states); }, kind_);
+}
+
 std::span<const LawSpring> Domain::law_springs() const {
   return std::visit([](const auto& kind) { return kind.law_springs(); }, kind_);
 }

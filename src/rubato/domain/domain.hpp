@@ -2,6 +2,7 @@
 /// What deforms: internal forces, tangents and stored energy of all bodies and of the springs on them.
 #pragma once
 
+#include "rubato/domain/balance.hpp"
 #include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/linear_domain.hpp"
 #include "rubato/domain/nonlinear_domain.hpp"
@@ -38,6 +39,16 @@ public:
   /// as `evaluate` has them, with records [force · length].
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
+
+  /// The part of the internal forces that comes from cells of a constant stiffness and from springs, with the
+  /// forces of temperatures: K u − f(t) and what springs by tables add [force].
+  Eigen::VectorXd constant_forces(const Eigen::VectorXd& u, double t) const;
+
+  /// Where the work of the other part went in a step from `old` to `now`, states with records. Throws
+  /// std::invalid_argument without them.
+  Balance balance(const QuadratureStates& old, const QuadratureStates& now) const;
+  /// What back stresses store, of states with records [force · length].
+  double back_stress_energy(const QuadratureStates& states) const;
 
   /// Springs by tables.
   std::span<const LawSpring> law_springs() const;

@@ -42,6 +42,13 @@ double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, double t,
   return heat_ ? energy - 0.5 * u.dot(heat_->force(t)) + heat_->held_energy(t) : energy;
 }
 
+VectorXd LinearDomain::constant_forces(const VectorXd& u, double t) const {
+  VectorXd forces;
+  QuadratureStates none;
+  evaluate({u, u, t, t}, {}, none, {.forces = &forces});
+  return forces;
+}
+
 double LinearDomain::largest_eigenvalue(const VectorXd& inverse_mass) const {
   return linalg::largest_eigenvalue(*product_, inverse_mass);
 }

@@ -4,6 +4,7 @@
 /// lacks of them.
 #pragma once
 
+#include "rubato/domain/balance.hpp"
 #include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/heat.hpp"
 #include "rubato/domain/law_springs.hpp"
@@ -32,6 +33,10 @@ public:
                   const Wanted& wanted) const;
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
+  Eigen::VectorXd constant_forces(const Eigen::VectorXd& u, double t) const;
+  /// Materials take nothing: all that is put into them is stored.
+  Balance balance(const QuadratureStates&, const QuadratureStates&) const { return {}; }
+  double back_stress_energy(const QuadratureStates&) const { return 0; }
   const Heat* heat() const { return heat_.get(); }
   std::span<const LawSpring> law_springs() const { return springs_; }
   const SparseMatrix& initial_tangent() const { return *stiffness_; }

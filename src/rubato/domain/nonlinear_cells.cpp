@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace rubato::domain {
 
@@ -156,6 +157,39 @@ PlasticStep NonlinearCells::plastic_step(const QuadratureStates& old, const Quad
         most = {growth, cell.index};
   }
   return most;
+}
+
+Balance NonlinearCells::balance(const QuadratureStates& old, const QuadratureStates& now) const {
+  require_records(old);
+  require_records(now);
+  Balance sum;
+  for (const auto& cell : cells_) {
+    const auto& group = groups_[static_cast<std::size_t>(cell.group)];
+    add_balance(group.law, group.kind.strain, end_of(cell, old), end_of(cell, now), sum);
+  }
+  return sum;
+}
+
+double NonlinearCells::back_stress_energy(const QuadratureStates& states) const {
+  require_records(states);
+  double sum = 0;
+  for (const auto& cell : cells_)
+    sum +=
+        domain::back_stress_energy(groups_[static_cast<std::size_t>(cell.group)].law, end_of(cell, states));
+  return sum;
+}
+
+CellEnd NonlinearCells::end_of(const Cell& cell, const QuadratureStates& states) const {
+  const auto& group = groups_[static_cast<std::size_t>(cell.group)];
+  return {
+      std::span(states.records).subspan(cell.first_record, static_cast<std::size_t>(group.points)),
+      std::span(states.values).subspan(cell.first_state, group.state_size),
+  };
+}
+
+void NonlinearCells::require_records(const QuadratureStates& states) const {
+  if (states.records.size() != record_count_)
+    throw std::invalid_argument("the balance of energy needs the records of both ends of a step");
 }
 
 void NonlinearCells::add_tangent(const Cell& cell, const std::vector<double>& tangent,

@@ -3,6 +3,7 @@
 /// evaluation reads stands side by side.
 #pragma once
 
+#include "rubato/domain/balance.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/evaluation.hpp"
@@ -36,6 +37,10 @@ public:
 
   /// Over a step.
   PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
+  /// Of a step from `old` to `now`. Throws std::invalid_argument when one of them has no records.
+  Balance balance(const QuadratureStates& old, const QuadratureStates& now) const;
+  /// What back stresses store, of states with records [force · length].
+  double back_stress_energy(const QuadratureStates& states) const;
 
 private:
   /// Cells of one kind and law.
@@ -63,6 +68,8 @@ private:
   void find_places(const SparseMatrix& pattern);
   element::CellResult evaluate(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
                                QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
+  CellEnd end_of(const Cell& cell, const QuadratureStates& states) const;
+  void require_records(const QuadratureStates& states) const;
   void add_tangent(const Cell& cell, const std::vector<double>& tangent, SparseMatrix& matrix) const;
 
   int components_ = 0;

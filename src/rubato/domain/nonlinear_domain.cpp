@@ -32,13 +32,14 @@ Failed NonlinearDomain::evaluate(const StepSpan& step, const QuadratureStates& o
 
 double NonlinearDomain::energy(const VectorXd& u, const VectorXd&, double t,
                                const QuadratureStates& states) const {
-  VectorXd constant;
-  QuadratureStates none;
-  constant_.evaluate({u, u, t, t}, {}, none, {.forces = &constant});
-  double energy = constant_.energy(u, constant, t, none);
+  double energy = constant_.energy(u, constant_.constant_forces(u, t), t, {});
   for (const auto& record : states.records)
     energy += record.volume * record.stored;
   return energy;
+}
+
+VectorXd NonlinearDomain::constant_forces(const VectorXd& u, double t) const {
+  return constant_.constant_forces(u, t);
 }
 
 double NonlinearDomain::largest_eigenvalue(const VectorXd& inverse_mass) const {

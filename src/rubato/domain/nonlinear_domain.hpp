@@ -31,6 +31,13 @@ public:
                   const Wanted& wanted) const;
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
+  Eigen::VectorXd constant_forces(const Eigen::VectorXd& u, double t) const;
+  Balance balance(const QuadratureStates& old, const QuadratureStates& now) const {
+    return cells_->balance(old, now);
+  }
+  double back_stress_energy(const QuadratureStates& states) const {
+    return cells_->back_stress_energy(states);
+  }
   const Heat* heat() const { return constant_.heat(); }
   std::span<const LawSpring> law_springs() const { return constant_.law_springs(); }
   const SparseMatrix& initial_tangent() const { return *initial_; }

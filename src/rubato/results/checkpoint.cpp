@@ -307,6 +307,11 @@ template <class Archive> void exchange(Archive& archive, const std::string& at, 
   archive.number(at + "numerical", energy.numerical);
   archive.number(at + "unbalanced", energy.unbalanced);
   archive.number(at + "start", energy.start);
+  archive.number_if(at + "plastic", energy.plastic);
+  archive.number_if(at + "back_stress", energy.back_stress);
+  archive.number_if(at + "viscous", energy.viscous);
+  archive.number_if(at + "hourglass", energy.hourglass);
+  archive.number_if(at + "bulk_scheme", energy.bulk_scheme);
 }
 
 template <class Archive> void exchange(Archive& archive, step::EnergyRecord& record) {
@@ -316,6 +321,7 @@ template <class Archive> void exchange(Archive& archive, step::EnergyRecord& rec
   archive.number("energy_record/gained_at", record.gained_at);
   archive.number("energy_record/by_impact", record.by_impact);
   archive.number("energy_record/by_scheme", record.by_scheme);
+  archive.number_if("energy_record/by_bulk_scheme", record.by_bulk_scheme);
 }
 
 template <class Archive> void exchange(Archive& archive, RecorderPosition& position) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -113,7 +114,15 @@ VectorXd internal_forces(const Model& model, const State& state) {
 void deform(const Model& model, State& state) {
   const VectorXd undeformed = VectorXd::Zero(state.motion.u.size());
   refuse(model, model.domain.evaluate({undeformed, state.motion.u, state.t, state.t},
-                                      model.domain.initial_states(), state.bulk_points, {}));
+                                      model.domain.initial_states(), state.bulk_points, {.records = true}));
+}
+
+/// What the model's materials make of a state that another run has left: they may have other numbers than
+/// those of that run.
+void take_states(const Model& model, State& state) {
+  const auto& u = state.motion.u;
+  const auto left = std::exchange(state.bulk_points, {});
+  refuse(model, model.domain.evaluate({u, u, state.t, state.t}, left, state.bulk_points, {.records = true}));
 }
 
 } // namespace
@@ -165,6 +174,8 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
     model.reduction.impose_rates(1, t, state.motion.v);
   if (state.bulk_points.values.size() != model.domain.initial_states().values.size())
     deform(model, state);
+  else
+    take_states(model, state);
   state.residual_force = internal_forces(model, state) - model::external_force(model, t);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;

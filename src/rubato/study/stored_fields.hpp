@@ -55,9 +55,10 @@ bool is_of_contact(ProbeField field);
 bool is_of_cells(ProbeField field);
 
 /// Columns of the energy ledger's table after the instant.
-inline constexpr std::array<std::string_view, 13> energy_quantities{
-    "kinetic", "strain",   "external_work", "support_work", "overlap_work", "heat",   "damping",
-    "contact", "friction", "impact",        "numerical",    "unbalanced",   "balance"};
+inline constexpr std::array<std::string_view, 18> energy_quantities{
+    "kinetic",   "strain",  "external_work", "support_work", "overlap_work", "heat",
+    "damping",   "contact", "friction",      "plastic",      "back_stress",  "viscous",
+    "hourglass", "impact",  "numerical",     "bulk_scheme",  "unbalanced",   "balance"};
 /// Columns of the table of a contact zone's resultants after the instant.
 std::vector<std::string> resultant_quantities(int dimension);
 

@@ -86,8 +86,10 @@ ExplicitMotion::ExplicitMotion(const Model& model)
   collect_loads();
   if (const auto* heat = model.domain.heat())
     heat_force_ = heat->force(t_);
+  deform();
   find_forces();
-  energy_ = {.impact = energy().contact, .start = energy().stored()};
+  energy_ = {.back_stress = model.domain.back_stress_energy(bulk_points_), .impact = energy().contact};
+  energy_.start = energy().stored();
 }
 
 Spectrum ExplicitMotion::spectrum() const {
@@ -187,9 +189,18 @@ void ExplicitMotion::step(double end) {
   }
 }
 
+/// The bodies come to the initial displacements from their undeformed shape at once.
+void ExplicitMotion::deform() {
+  model_->domain.evaluate({u_, u_, t_, t_}, bulk_points_, bulk_points_next_, {.records = true});
+  std::swap(bulk_points_, bulk_points_next_);
+}
+
 /// The domain sees the end of a step only: to keep its start as well would cost memory traffic.
 void ExplicitMotion::find_forces() {
-  model_->domain.evaluate({u_, u_, t_ - h_, t_}, bulk_points_, bulk_points_next_, {.forces = &unbalance_});
+  const auto& domain = model_->domain;
+  domain.evaluate({u_, u_, t_ - h_, t_}, bulk_points_, bulk_points_next_,
+                  {.forces = &unbalance_, .records = true});
+  enter(domain.balance(bulk_points_, bulk_points_next_), energy_);
   std::swap(bulk_points_, bulk_points_next_);
   if (damping_) {
     damping_->multiply(v_, damping_force_);

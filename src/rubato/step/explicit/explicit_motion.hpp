@@ -99,6 +99,7 @@ private:
   void find_spectrum();
   void set_step(double step);
   void step(double end);
+  void deform();
   void find_forces();
   double strain_energy() const;
   void apply(Load& load);
