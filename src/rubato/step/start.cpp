@@ -100,6 +100,13 @@ void refuse(const Model& model, const domain::Failed& failed) {
                     domain::cell_label(model.mesh, failed->cell), element::described(failed->reason)));
 }
 
+/// With those that follow their faces [force].
+VectorXd loads(const Model& model, double t, const VectorXd& u) {
+  VectorXd force = model::external_force(model, t);
+  model::add_follower_forces(model, t, u, force);
+  return force;
+}
+
 /// Without a step: at the state's displacements, from the state that the materials are in.
 VectorXd internal_forces(const Model& model, const State& state) {
   const auto& u = state.motion.u;
@@ -145,7 +152,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   model.reduction.relate(state.motion.v);
   model.reduction.impose_rates(1, t, state.motion.v);
   deform(model, state);
-  state.residual_force = internal_forces(model, state) - model::external_force(model, t);
+  state.residual_force = internal_forces(model, state) - loads(model, t, state.motion.u);
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
@@ -158,7 +165,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   if (!loaded_history)
     state.residual_force.setZero();
   state.bulk = bulk_forces(model, state);
-  state.external_force = model::external_force(model, t);
+  state.external_force = loads(model, t, state.motion.u);
   return state;
 }
 
@@ -176,14 +183,14 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
     deform(model, state);
   else
     take_states(model, state);
-  state.residual_force = internal_forces(model, state) - model::external_force(model, t);
+  state.residual_force = internal_forces(model, state) - loads(model, t, state.motion.u);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
   if (scheme.dynamic)
     state.motion.a =
         balanced_acceleration(model, state.residual_force, state.motion.v, given_acceleration(model, t));
   state.bulk = bulk_forces(model, state);
-  state.external_force = model::external_force(model, t);
+  state.external_force = loads(model, t, state.motion.u);
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
     state.friction_force = VectorXd::Zero(state.contact_force.size());
   return state;

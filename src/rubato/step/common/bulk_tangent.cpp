@@ -60,7 +60,10 @@ Tangent BulkTangent::at(const VectorXd& u, VectorXd* forces) {
   const auto failed =
       model_.domain.evaluate({committed_.motion.u, u, committed_.t, t_}, committed_.bulk_points, unused_,
                              {.forces = forces, .tangent = &matrix_});
-  return failed ? nullptr : values_of(matrix_);
+  if (failed)
+    return nullptr;
+  model::add_follower_tangent(model_, t_, u, 1, matrix_);
+  return values_of(matrix_);
 }
 
 bool BulkTangent::put(const Tangent& tangent) {

@@ -3,6 +3,7 @@
 #include "rubato/study/damping.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/formulation.hpp"
+#include "rubato/study/large_rotations.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -268,6 +269,10 @@ void check_load(Rules& rules, const Load& load, const std::string& path) {
       rules.axis(at, axis);
   }
   rules.function(path + ".function", load.function);
+  if (load.follower && load.kind == LoadKind::pressure && !takes_large_rotations(rules.study))
+    rules.broken({path + ".follower", path},
+                 "found true, but every material has the small strain, whose faces do not turn; expected "
+                 "'strain: green_lagrange' or 'logarithmic' of a material, or no 'follower'");
   if (load.follower && load.kind != LoadKind::pressure)
     rules.broken({path + ".follower", path},
                  fmt::format("found a {} that follows the faces, expected 'pressure': every other load keeps "
