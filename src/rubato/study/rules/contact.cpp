@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Contact zones: each by itself, and with the scheme that moves the bodies.
+#include "rubato/core/error.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/rules/rules.hpp"
 
