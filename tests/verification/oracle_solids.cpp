@@ -132,13 +132,14 @@ time: {{scheme: static, step: 0.1, end: 1}}
        .is_reaction = true});
 }
 
+/// The tip is the corner that the file is of.
 void add_pressed(const std::string& file, const std::string& cells, bool follows,
                  std::vector<OracleSolid>& studies) {
   if (!has_oracle_file(file))
     return;
   auto deck = fmt::format(R"(mesh:
   generate: [{{name: beam, box: {{from: [0, 0, 0], to: [1, 0.1, 0.1]}}, divisions: [20, 2, 1], cells: {},
-    sides: {{left: clamp}}, points: {{right_top_back: tip}}}}]
+    sides: {{left: clamp}}, points: {{{}: tip}}}}]
   groups: {{pressed: {{box: {{from: [-1, 0.04, -1], to: [2, 0.2, 1]}}, of: beam, take: faces}}}}
 physics: solid
 materials: {{steel: {{young: 200e9, poisson: 0.3, strain: green_lagrange, formulation: full}}}}
@@ -148,7 +149,7 @@ loads: [{{pressure: {{on: pressed, value: 1.333e8, function: ramp, follower: {}}
 newton: {{residual: 1.0e-10}}
 time: {{scheme: static, step: 0.1, end: 1}}
 )",
-                          cells, follows);
+                          cells, cells == "hexa8" ? "right_top_back" : "right_top_front", follows);
   studies.push_back({.file = file,
                      .what = fmt::format("one beam, {}, {}", cells == "hexa8" ? "HEXA8" : "HEXA20",
                                          follows ? "pressure that follows the faces" : "dead pressure"),
