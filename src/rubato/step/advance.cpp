@@ -38,6 +38,12 @@ public:
 
   StepReport plainly(State& trial) { return afresh({}, trial); }
 
+  /// Contact stands in the matrix of every iteration, from here on: what it holds is stable then.
+  StepReport whole(State& trial) {
+    whole_ = true;
+    return plainly(trial);
+  }
+
   StepReport from_other_start(State& trial) { return afresh({.start = *other_start_}, trial); }
 
   /// Other augmentations start from the last step too, and are tried instead where there are any.
@@ -106,8 +112,8 @@ private:
   /// Also counts what earlier attempts have cost.
   StepReport solve(const RetrySettings& variant, State& trial) {
     ContactEvaluator side(model_, scheme_, system_, committed_, variant);
-    auto report =
-        can_condense(model_, system_) ? solve_by<Condensed>(side, trial) : solve_by<WholeSystem>(side, trial);
+    auto report = whole_ || !can_condense(model_, system_) ? solve_by<WholeSystem>(side, trial)
+                                                           : solve_by<Condensed>(side, trial);
     report.iterations = spent_ += report.iterations;
     if (report.converged())
       refuse_if_pressed_afar(trial, report);
@@ -139,6 +145,7 @@ private:
   Progress progress_;
   std::optional<Start> other_start_;
   bool has_augmentation_;
+  bool whole_ = false;
   int spent_ = 0;
 };
 
@@ -187,6 +194,8 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
                    const State& committed, double t, State& trial, const GoesOn& goes_on) {
   Attempts attempts(model, scheme, system, committed, t, goes_on);
   auto report = attempts.plainly(trial);
+  if (report.failed() && report.indefinite)
+    report = attempts.whole(trial);
   if (report.failed() && attempts.has_other_start())
     report = attempts.from_other_start(trial);
   if (report.failed() && attempts.has_augmentation())

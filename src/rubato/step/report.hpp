@@ -25,6 +25,7 @@ enum class Outcome {
   friction_unsettled,
   status_unsettled,
   pressed_afar, ///< forces in balance, but a point presses where its master is not
+  indefinite,   ///< the effective matrix without contact is not positive definite at the start
   plastic_step, ///< in balance, but plastic strain grew by more than the study allows in a step
   cell_failed,  ///< a cell has no forces, however short the corrections
   interrupted   ///< asked to end: neither converged nor failed
