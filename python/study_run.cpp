@@ -90,7 +90,8 @@ template <> struct Description<Probe> {
       Member{"minus", &Probe::minus, "instead: two probes, the first minus the second"},
       Member{"field", &Probe::field, "what of it"},
       Member{"take", &Probe::take, "of the nodes or cells of a group, each component by itself"},
-      Member{"place", &Probe::place, "nodes, cells (the mean of each by volume) or their Gauss points"});
+      Member{"place", &Probe::place, "nodes, cells (the mean of each by volume) or their Gauss points"},
+      Member{"about", &Probe::about, "of a sum of forces: with their moment about it [length]"});
 };
 template struct RecordCodec<Probe>;
 

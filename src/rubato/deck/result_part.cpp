@@ -86,6 +86,8 @@ study::Probe read_probe(const NamedValue& entry, const Context& context) {
     field->fault("goes with 'node', 'point' or 'on': sections and contact have forces, differences what "
                  "their probes have");
   read_take(map.find("take"), places["on"], probe);
+  if (std::array<double, 3> about{}; read_point(map.find("about"), context, about))
+    probe.about = about;
   read_probe_place(map.find("place"), has_field, probe);
   map.finish();
   return probe;

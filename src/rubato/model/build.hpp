@@ -94,10 +94,15 @@ InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& m
                                   const domain::DofMap& dofs, const constraint::Reduction& reduction,
                                   std::vector<Fault>& faults);
 
-/// Loads as nodal forces.
+/// Loads as nodal forces, but for those that follow faces.
 std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                                const domain::Bulk& bulk, std::span<const Reference> references,
                                std::vector<Fault>& faults);
+
+/// Pressures that follow the faces they act on.
+std::vector<load::FollowerPressure> make_followers(const study::Study& study, const mesh::Mesh& mesh,
+                                                   const domain::DofMap& dofs, const domain::Bulk& bulk,
+                                                   std::vector<Fault>& faults);
 
 /// Contact zones on oriented surfaces.
 std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,

@@ -136,6 +136,46 @@ std::vector<double> node_values(const model::Model& model, std::size_t p, MadeFi
   return result;
 }
 
+/// A force and its moment about a place.
+class Resultant {
+public:
+  explicit Resultant(const std::array<double, 3>& about) : about_(about.data()) {}
+
+  void add(const Eigen::Vector3d& place, const Eigen::Vector3d& force) {
+    force_ += force;
+    moment_ += (place - about_).cross(force);
+  }
+
+  /// As study::force_and_moment has them.
+  std::vector<double> values(int dimension) const {
+    std::vector<double> values(force_.data(), force_.data() + dimension);
+    values.insert(values.end(), moment_.data() + (dimension == 3 ? 0 : 2), moment_.data() + 3);
+    return values;
+  }
+
+private:
+  Eigen::Vector3d about_;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d moment_ = Eigen::Vector3d::Zero();
+};
+
+/// Forces on the nodes of a probe where these are in the deformed bodies.
+std::vector<double> moment_values(const model::Model& model, const step::State& state, std::size_t p,
+                                  MadeFields& made) {
+  const auto& probe = model.study.probes[p];
+  const auto& forces = *made.of_dofs(probe.field);
+  const int d = model.dofs.components;
+  Resultant resultant(*probe.about);
+  for (const auto node : model.probe_nodes[p]) {
+    Eigen::Vector3d place = model.mesh.points[static_cast<std::size_t>(node)];
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    place.head(d) += state.motion.u.segment(model.dofs.dof(node, 0), d);
+    force.head(d) = forces.segment(model.dofs.dof(node, 0), d);
+    resultant.add(place, force);
+  }
+  return resultant.values(d);
+}
+
 /// Of one cell what a probe looks at, a column each, and its volume, an entry each.
 struct InCell {
   Eigen::MatrixXd values;
@@ -175,7 +215,7 @@ std::vector<double> cell_values(const model::Model& model, std::size_t p, MadeFi
   return result;
 }
 
-/// As study::force_and_moment has them: the forces of contact_<zone>.csv at its places.
+/// The forces of contact_<zone>.csv at its places.
 std::vector<double> contact_values(const model::Model& model, const step::State& state,
                                    const study::ContactForce& asked) {
   const auto zone =
@@ -183,18 +223,10 @@ std::vector<double> contact_values(const model::Model& model, const step::State&
   const auto& outcomes = state.zones[static_cast<std::size_t>(zone - model.zones.begin())].outcomes;
   const auto& u = state.motion.u;
   const contact::Configuration now{&model.mesh, &model.dofs, &u, &u, state.t, state.t};
-  const Eigen::Vector3d about(asked.about[0], asked.about[1], asked.about[2]);
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const Eigen::Vector3d at_point = outcomes[i].normal + outcomes[i].tangential;
-    force += at_point;
-    moment += (contact::position(zone->points[i], now) - about).cross(at_point);
-  }
-  const int d = model.dofs.components;
-  std::vector<double> values(force.data(), force.data() + d);
-  values.insert(values.end(), moment.data() + (d == 3 ? 0 : 2), moment.data() + 3);
-  return values;
+  Resultant resultant(asked.about);
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    resultant.add(contact::position(zone->points[i], now), outcomes[i].normal + outcomes[i].tangential);
+  return resultant.values(model.dofs.components);
 }
 
 /// As study::cut_quantities has them.
@@ -255,6 +287,8 @@ void add_probe_values(const model::Model& model, const step::State& state, std::
       values[p] = contact_values(model, state, *contact);
     else if (const auto* reference = model::reference_named(model.references, probes[p].node))
       values[p] = reference_values(model, *reference, state, probes[p].field);
+    else if (probes[p].about)
+      values[p] = moment_values(model, state, p, made);
     else if (probes[p].place != study::ProbePlace::nodes)
       values[p] = cell_values(model, p, made);
     else if (probes[p].minus.empty())

@@ -74,6 +74,8 @@ struct Probe {
   ProbeField field = ProbeField::displacement;
   ProbeTake take = ProbeTake::node;     ///< `node`: there is one node
   ProbePlace place = ProbePlace::nodes; ///< else of a group of cells, or nearest to the point
+  /// Of a sum of forces: their moment about this place beside it [length].
+  std::optional<std::array<double, 3>> about;
   bool operator==(const Probe&) const = default;
 };
 

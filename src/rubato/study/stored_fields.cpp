@@ -130,7 +130,7 @@ std::vector<std::string> components_of(const Probe& probe, const Study& study) {
     return is_plain ? components_of(*first, study) : std::vector<std::string>{};
   }
   const int dimension = dimension_of(study.physics);
-  if (probe.contact)
+  if (probe.contact || probe.about)
     return force_and_moment(dimension);
   return probe.section ? cut_quantities(dimension) : components_of(probe.field, dimension);
 }

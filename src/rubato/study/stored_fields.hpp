@@ -41,7 +41,7 @@ bool is_written(const FieldOutput& output, const StoredField& field);
 std::vector<std::string> components_of(ProbeField field, int dimension);
 /// The same of a probe of the study; of a difference those of the probe that it begins with.
 std::vector<std::string> components_of(const Probe& probe, const Study& study);
-/// Of a contact zone: force along the axes, moment about them.
+/// Of forces and their moments: force along the axes, moment about them.
 std::vector<std::string> force_and_moment(int dimension);
 /// Of a cut: force along the axes, moment about them, force along the normal, magnitude of the rest of it.
 std::vector<std::string> cut_quantities(int dimension);

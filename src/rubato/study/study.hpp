@@ -8,6 +8,7 @@
 #include "rubato/study/mesh_source.hpp"
 #include "rubato/study/outputs.hpp"
 #include "rubato/study/relations.hpp"
+#include "rubato/study/rotation.hpp"
 #include "rubato/study/solids.hpp"
 #include "rubato/study/temperature.hpp"
 #include "rubato/study/values.hpp"
@@ -108,14 +109,16 @@ struct ObliqueSupport {
 };
 
 /// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`),
-/// also along a direction across the axes, and rotations of a reference. Velocities and accelerations may
-/// stand for the displacements that follow from them.
+/// also along a direction across the axes, and rotations of a reference or of a group. Velocities and
+/// accelerations may stand for the displacements that follow from them.
 struct Support {
   std::string on;
   std::array<std::optional<Field>, 3> components;
   std::optional<ObliqueSupport> along = {};
   std::array<std::optional<Field>, 3> turns = {}; ///< of a reference about the axes [radians]
-  std::optional<double> until = {};               ///< instant at which it lets go, to the end without
+  /// Of all nodes of the group: every component is held, `components` are added to what it displaces.
+  std::optional<Rotation> rotate = {};
+  std::optional<double> until = {}; ///< instant at which it lets go, to the end without
   bool operator==(const Support&) const = default;
 };
 
@@ -146,6 +149,7 @@ struct Load {
   std::string on;                         ///< gravity: empty means every cell
   std::array<FieldValue, 3> components{}; ///< pressure: the first
   std::string function;
+  bool follower = false; ///< pressure: whether it turns with the faces, else it is that of undeformed ones
   bool operator==(const Load&) const = default;
 };
 

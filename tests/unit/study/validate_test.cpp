@@ -433,6 +433,31 @@ INSTANTIATE_TEST_SUITE_P(
               s.checks[0].probe.clear();
               s.checks[0].resultant = {"joint", "force.yy"};
             }},
+        Bad{"loads.0.gravity.follower", "expected 'pressure'",
+            [](Study& s) {
+              s.loads[0].kind = LoadKind::gravity;
+              s.loads[0].follower = true;
+            }},
+        Bad{"supports.0.rotate.axis", "found a direction in the plane, plane_strain turns about z only",
+            [](Study& s) { s.supports[0].rotate = Rotation{{}, {1, 0, 1}, {}}; }},
+        Bad{"supports.0.rotate.about.2", "plane_strain has no z",
+            [](Study& s) { s.supports[0].rotate = Rotation{{0, 0, 1}, {0, 0, 1}, {}}; }},
+        Bad{"supports.0.rotate.angle", "depends on the place",
+            [](Study& s) {
+              s.supports[0].rotate = Rotation{{}, {0, 0, 1}, Profile{0, {{0, 1}, {0, 1}, {}}}};
+            }},
+        Bad{"probes.tip.about", "goes with the sum of a reaction",
+            [](Study& s) {
+              s.probes[0].take = ProbeTake::sum;
+              s.probes[0].about = {0, 0, 0};
+            }},
+        Bad{"probes.tip.about.2", "plane_strain has no z",
+            [](Study& s) {
+              s.probes[0].field = ProbeField::reaction;
+              s.probes[0].take = ProbeTake::sum;
+              s.probes[0].about = {0, 0, 1};
+              s.checks.clear();
+            }},
         Bad{"checks.0.over", "goes without 'run'",
             [](Study& s) {
               s.checks[0].when = CheckedTime::largest;

@@ -31,6 +31,7 @@ Forms probes() {
        {"take", "the value over the nodes or cells of 'on', for each component; of forces sum when not given",
         word_of(study::probe_take_words)},
        {"field", "displacement when not given", word_of(study::probe_field_words)},
+       {"about", "with a sum of forces: their moment about this place, too [length]", coordinates()},
        {"place", "of stress, strain and what else cells have; nodes when not given",
         word_of(study::probe_place_words)},
        {"section", "a cut through bodies: force and moment that they transmit there",
