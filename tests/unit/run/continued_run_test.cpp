@@ -90,7 +90,7 @@ TEST_F(ContinuedRun, IsRefusedByTheDeckWhenMaterialsThatRememberAreOthers) {
   const auto flowing = with(pressed, "after: {", "after: {materials: {steel: CHANGE}, ");
   const auto refusal = [&](const std::string& both, const std::string& change) {
     return fault_of(
-        [&] { deck_of(with(with(flowing, "poisson: 0,", "poisson: 0, " + both), "CHANGE", change)); });
+        [&] { deck_of(with(with(flowing, "poisson: 0.3,", "poisson: 0.3, " + both), "CHANGE", change)); });
   };
   const std::string plastic = "law: plastic, hardening: {linear: {yield_stress: 1e9, modulus: 1e9}},";
   const std::string sentence =
