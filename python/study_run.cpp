@@ -27,7 +27,11 @@ template <> struct Description<TimeStepping> {
       Member{"start", &TimeStepping::start, "how the run begins"},
       Member{"start_run", &TimeStepping::start_run, "with from_run: name of that run"},
       Member{"cut_parts", &TimeStepping::cut_parts, "parts that a step which fails is cut into"},
-      Member{"cut_levels", &TimeStepping::cut_levels, "how often it is cut"});
+      Member{"cut_levels", &TimeStepping::cut_levels, "how often it is cut"},
+      Member{"max_step", &TimeStepping::max_step,
+             "nonlinear bodies: steps grow up to this one, > 0 [time]; None: they do not grow"},
+      Member{"max_plastic_step", &TimeStepping::max_plastic_step,
+             "plastic bodies: steps in which plastic strain grows by more are cut, > 0; None: any"});
 };
 template struct RecordCodec<TimeStepping>;
 
@@ -36,7 +40,8 @@ template <> struct Description<NewtonSettings> {
   static constexpr std::string_view meaning = "When Newton's iterations end.";
   static constexpr auto members =
       std::tuple(Member{"max_iterations", &NewtonSettings::max_iterations, "a step, at least 1"},
-                 Member{"residual", &NewtonSettings::residual, "relative, between 0 and 1"});
+                 Member{"residual", &NewtonSettings::residual, "relative, between 0 and 1"},
+                 Member{"tangent", &NewtonSettings::tangent, "when nonlinear bodies are factored anew"});
 };
 template struct RecordCodec<NewtonSettings>;
 

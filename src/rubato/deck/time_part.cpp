@@ -90,6 +90,17 @@ void read_failure(const Found& value, study::TimeStepping& time) {
   map.finish();
 }
 
+/// What only nonlinear bodies have.
+void read_step_control(MapReader& map, study::TimeStepping& time) {
+  if (study::is_explicit(time.scheme)) {
+    for (const auto* key : {"max_step", "max_plastic_step"})
+      map.refuse(key, "the scheme central_difference chooses its steps by what is stable");
+    return;
+  }
+  read(map.find("max_step"), time.max_step);
+  read(map.find("max_plastic_step"), time.max_plastic_step);
+}
+
 } // namespace
 
 void read_time(const Found& value, Context& context, study::TimeStepping& time) {
@@ -99,6 +110,7 @@ void read_time(const Found& value, Context& context, study::TimeStepping& time) 
   read_scheme(map, context, time);
   read(map.find("contact_mass"), time.contact_mass, study::contact_mass_words);
   read_course(map, time);
+  read_step_control(map, time);
   read_start(map.find("start"), time);
   if (study::is_explicit(time.scheme))
     map.refuse("on_failure", "the scheme central_difference has no steps that fail");
@@ -113,6 +125,7 @@ void read_newton(const Found& value, study::NewtonSettings& newton) {
   MapReader map(*value);
   read(map.find("max_iterations"), newton.max_iterations);
   read(map.find("residual"), newton.residual);
+  read(map.find("tangent"), newton.tangent, study::tangent_words);
   map.finish();
 }
 

@@ -93,6 +93,7 @@ Json echo(const CylindricalAxes& axes, int dimension) {
 Json echo(const Material& material, int dimension) {
   Json map{{"law", word(law_words, material.law)}};
   put_numbers(map, entry_of(material.law), material);
+  put_law_words(map, material);
   put_optional(map, "density", material.density);
   put_in_place(map, material);
   if (const auto& axes = material.orthotropy.cylindrical)
@@ -101,7 +102,8 @@ Json echo(const Material& material, int dimension) {
   if (material.damping)
     map["damping"] = {{"ratio", material.damping->ratio}, {"at", material.damping->at}};
   if (const auto& expansion = material.expansion) {
-    map["expansion"] = material.law == LawKind::elastic ? Json(expansion->along[0]) : Json(expansion->along);
+    map["expansion"] =
+        material.law == LawKind::orthotropic ? Json(expansion->along) : Json(expansion->along[0]);
     map["reference_temperature"] = expansion->reference;
   }
   map["cells"] = material.everywhere ? Json("all") : Json(material.cells);
@@ -343,6 +345,8 @@ Json echo(const TimeStepping& time) {
   } else {
     map["instants"] = time.instants;
   }
+  put_optional(map, "max_step", time.max_step);
+  put_optional(map, "max_plastic_step", time.max_plastic_step);
   map["start"] = time.start == StartKind::from_run ? Json{{"from", time.start_run}}
                                                    : Json(word(start_words, time.start));
   if (!is_explicit(time.scheme))
@@ -481,7 +485,9 @@ std::string to_json(const Study& study) {
   deck["contact"] = echo_by_name(study.contact, study.physics);
   deck["time"] = echo(study.time);
   deck["solver"] = word_of(solver_words, study.solver);
-  deck["newton"] = {{"max_iterations", study.newton.max_iterations}, {"residual", study.newton.residual}};
+  deck["newton"] = {{"max_iterations", study.newton.max_iterations},
+                    {"residual", study.newton.residual},
+                    {"tangent", word(tangent_words, study.newton.tangent)}};
   deck["probes"] = echo_by_name(study.probes, dimension);
   deck["fields"] = echo(study.fields);
   deck["checkpoint"] = echo(study.checkpoint);

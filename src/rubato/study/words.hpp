@@ -5,6 +5,7 @@
 
 #include "rubato/study/contact_methods.hpp"
 #include "rubato/study/groups.hpp"
+#include "rubato/study/hardenings.hpp"
 #include "rubato/study/material_laws.hpp"
 #include "rubato/study/schemes.hpp"
 #include "rubato/study/study.hpp"
@@ -61,6 +62,21 @@ inline constexpr auto group_words = words_of(group_kinds, &GroupKindEntry::kind)
 
 inline constexpr auto law_words = words_of(material_laws, &LawEntry::law);
 
+inline constexpr auto hardening_words = words_of(hardenings, &HardeningEntry::kind);
+
+inline constexpr std::array<Word<StrainKind>, 3> strain_words{{{"small", StrainKind::small},
+                                                               {"green_lagrange", StrainKind::green_lagrange},
+                                                               {"logarithmic", StrainKind::logarithmic}}};
+
+inline constexpr std::array<Word<Formulation>, 4> formulation_words{
+    {{"full", Formulation::full},
+     {"mean_dilatation", Formulation::mean_dilatation},
+     {"enhanced", Formulation::enhanced},
+     {"reduced", Formulation::reduced}}};
+
+inline constexpr std::array<Word<VolumeEnergy>, 2> volume_energy_words{
+    {{"logarithmic", VolumeEnergy::logarithmic}, {"quadratic", VolumeEnergy::quadratic}}};
+
 inline constexpr std::array<Word<RelationKind>, 6> relation_words{{{"equation", RelationKind::equation},
                                                                    {"equal", RelationKind::equal},
                                                                    {"pairs", RelationKind::pairs},
@@ -97,6 +113,9 @@ inline constexpr std::array<Word<Iteration>, 2> iteration_words{
 
 inline constexpr std::array<Word<Solver>, 3> solver_words{
     {{"auto", Solver::automatic}, {"condensed", Solver::condensed}, {"full", Solver::full}}};
+
+inline constexpr std::array<Word<TangentChoice>, 3> tangent_words{
+    {{"auto", TangentChoice::automatic}, {"full", TangentChoice::full}, {"kept", TangentChoice::kept}}};
 
 inline constexpr auto scheme_words = words_of(schemes, &SchemeEntry::kind);
 

@@ -87,6 +87,30 @@ TEST(SoundStudy, KeepsEveryRuleWithAnOrthotropicMaterial) {
   EXPECT_TRUE(broken_rules(study).empty());
 }
 
+Plasticity& make_plastic(Material& material) {
+  material.law = LawKind::plastic;
+  material.plasticity.yield_stress = 1e8;
+  return material.plasticity;
+}
+
+void make_rubber(Material& material) {
+  material.law = LawKind::hyperelastic;
+  material.poisson = 0;
+  material.hyperelasticity.c10 = 1;
+  material.hyperelasticity.bulk = 100;
+}
+
+TEST(SoundStudy, KeepsEveryRuleWithNonlinearMaterials) {
+  auto study = sound_study();
+  make_plastic(study.materials[0]).kinematic = {{1e9, 10}};
+  study.time.max_step = 0.5;
+  study.time.max_plastic_step = 0.01;
+  EXPECT_TRUE(broken_rules(study).empty());
+  study.time.max_plastic_step.reset();
+  make_rubber(study.materials[0]);
+  EXPECT_TRUE(broken_rules(study).empty());
+}
+
 TEST(SoundStudy, KeepsEveryRule) {
   const auto broken = broken_rules(sound_study());
   EXPECT_TRUE(broken.empty()) << broken.front().paths.front() << ": " << broken.front().text;
@@ -201,6 +225,31 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) { make_timber(s.materials[0]).cylindrical = CylindricalAxes{{}, {0, 1, 1}}; }},
         Bad{"materials.steel.axes.cylindrical.point.1", "expected a number",
             [](Study& s) { make_timber(s.materials[0]).cylindrical = CylindricalAxes{{0, nan, 0}}; }},
+        Bad{"materials.steel.hardening.linear.yield_stress", "expected a number > 0",
+            [](Study& s) { s.materials[0].law = LawKind::plastic; }},
+        Bad{"materials.steel.hardening.table", "found no point",
+            [](Study& s) { make_plastic(s.materials[0]).hardening = HardeningKind::table; }},
+        Bad{"materials.steel.hardening.table.1.1", "expected a number > 0",
+            [](Study& s) {
+              auto& plasticity = make_plastic(s.materials[0]);
+              plasticity.hardening = HardeningKind::table;
+              plasticity.points = {{0, 1}, {1, nan}};
+            }},
+        Bad{"materials.steel.kinematic", "found 4 back stresses, expected at most 3",
+            [](Study& s) { make_plastic(s.materials[0]).kinematic.resize(4); }},
+        Bad{"materials.steel.terms", "found no term", [](Study& s) { s.materials[0].law = LawKind::prony; }},
+        Bad{"materials.steel.terms", "found no term",
+            [](Study& s) { make_rubber(s.materials[0]), s.materials[0].law = LawKind::ogden; }},
+        Bad{"materials.steel.poisson", "found 'poisson' beside 'bulk'",
+            [](Study& s) { make_rubber(s.materials[0]), s.materials[0].poisson = 0.3; }},
+        Bad{"materials.steel.c10", "depends on the place, but the law hyperelastic",
+            [](Study& s) { make_rubber(s.materials[0]), s.materials[0].in_place["c10"] = Formula{"x"}; }},
+        Bad{"materials.steel.strain", "takes no logarithmic strain",
+            [](Study& s) { make_rubber(s.materials[0]), s.materials[0].strain = StrainKind::logarithmic; }},
+        Bad{"time.max_step", "chooses its steps",
+            [](Study& s) { make_plastic(s.materials[0]), explicitly(s), s.time.max_step = 1; }},
+        Bad{"time.max_plastic_step", "chooses its steps",
+            [](Study& s) { make_plastic(s.materials[0]), explicitly(s), s.time.max_plastic_step = 1; }},
         Bad{"materials.steel", "'density' is missing", [](Study& s) { s.materials[0].density.reset(); }},
         Bad{"materials.steel", "second entry", [](Study& s) { s.materials.push_back(s.materials[0]); }},
         Bad{"materials.st/eel", "letters, digits", [](Study& s) { s.materials[0].name = "st/eel"; }},

@@ -46,13 +46,22 @@ Forms connector_law(const std::string& title, const std::string& key, const std:
                      {"outside", "beyond both ends; linear when not given", word_of(study::outside_words)}});
 }
 
+/// Numbers that no law takes in place are numbers alone.
+std::vector<Key> numbers_of_laws() {
+  std::vector<Key> keys;
+  for (const auto& law : study::material_laws)
+    for (const auto& entry : law.numbers)
+      add_number(keys, entry.key, entry.meaning, entry.range, law.in_place ? field_value : number);
+  return keys;
+}
+
 } // namespace
 
 Forms materials() {
   auto keys = joined(
       {{"law", "what gives stresses from strains; elastic when not given", word_of(study::law_words)},
        {"density", "[mass/length³]; not needed by the scheme static", field_value(study::bounds::density)}},
-      numbers_of(study::material_laws, field_value));
+      joined(numbers_of_laws(), material_words()));
   keys.push_back(
       {"axes", "of orthotropy where they turn with the place, before the angles turn them",
        map("axes that turn with the place",

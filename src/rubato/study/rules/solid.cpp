@@ -2,6 +2,7 @@
 // Materials, supports, springs, loads, and how the bodies begin.
 #include "rubato/study/damping.hpp"
 #include "rubato/study/fields.hpp"
+#include "rubato/study/formulation.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -24,16 +25,30 @@ void check_in_place(Rules& rules, const FieldValue& value, const Range& range, c
                                      shown(value.formula()->text)));
 }
 
+/// What to write where Poisson's ratio is that of an incompressible material.
+std::string_view advice_for(const Material& material, std::string_view key, double value) {
+  return is_hyperelastic(material.law) && key == "poisson" && value >= 0.5
+             ? "write 'bulk' instead, a large multiple of the shear modulus where the volume hardly changes"
+             : "";
+}
+
 /// Numbers that depend on the place, and those of the law that do not.
 void check_numbers(Rules& rules, const Material& material, const std::string& path) {
   const auto& law = entry_of(material.law);
   for (const auto& number : law.numbers)
     if (const auto value = number.get(material);
         value && !material.in_place.contains(std::string(number.key)))
-      rules.number(path + "." + std::string(number.key), *value, number.range);
+      rules.number(path + "." + std::string(number.key), *value, number.range,
+                   advice_for(material, number.key, *value));
   for (const auto& [key, value] : material.in_place) {
     const auto number = std::ranges::find(law.numbers, key, &Number<Material>::key);
-    if (number != law.numbers.end())
+    if (number != law.numbers.end() && !law.in_place)
+      rules.broken(
+          {path + "." + key, path + ".law"},
+          fmt::format("depends on the place, but the law {} has the same numbers everywhere; expected "
+                      "a number",
+                      law.name));
+    else if (number != law.numbers.end())
       check_in_place(rules, value, number->range, path + "." + key);
     else if (key == "density")
       check_in_place(rules, value, bounds::density_in_place, path + "." + key);
@@ -121,6 +136,8 @@ void check_damping(Rules& rules, const Material& material, const std::string& of
 
 void check_material(Rules& rules, const Material& material, const std::string& path) {
   check_law(rules, material, path);
+  check_law_words(rules, material, path);
+  check_bulk(rules, material, path);
   if (material.density && !material.in_place.contains("density"))
     rules.number(path + ".density", *material.density,
                  bounds::density); // where 0 is enough only the mesh tells

@@ -102,6 +102,7 @@ void check_time(Rules& rules) {
 
 void check_solution(Rules& rules) {
   const auto& study = rules.study;
+  check_nonlinear_solution(rules);
   rules.whole_number("newton.max_iterations", study.newton.max_iterations, bounds::max_iterations);
   rules.number("newton.residual", study.newton.residual, bounds::residual);
   if (is_explicit(study.time.scheme) && study.solver != Solver::automatic)
