@@ -12,9 +12,20 @@ using Eigen::VectorXd;
 
 NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs)
     : components_(dofs.components) {
+  add_cells(mesh, bulk, dofs, [&](std::size_t cell) { return !bulk.is_constant(cell); });
+}
+
+NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                               std::span<const std::size_t> cells)
+    : components_(dofs.components) {
+  add_cells(mesh, bulk, dofs, [&](std::size_t cell) { return std::ranges::binary_search(cells, cell); });
+}
+
+void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                               const std::function<bool(std::size_t)>& has) {
   std::size_t state = 0;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    if (!bulk.is_constant(i))
+    if (has(i))
       add_cell(mesh, dofs,
                {.index = bulk.cells[i],
                 .group = group_of(bulk, i, mesh.type_of(bulk.cells[i])),

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,10 @@ public:
   NonlinearCells() = default;
   /// Those of the bulk that are not constant.
   NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs);
+  /// Some of them, by their places in the bulk, ascending. States are those of the whole bulk, records those
+  /// of these cells.
+  NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                 std::span<const std::size_t> cells);
 
   /// Tangents may be asked for from now on; `pattern`: where they are added.
   void find_places(const SparseMatrix& pattern);
@@ -87,6 +92,8 @@ private:
     std::vector<element::PointRecord> records;
   };
 
+  void add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                 const std::function<bool(std::size_t)>& has);
   int group_of(const Bulk& bulk, std::size_t cell, CellType type);
   void add_cell(const mesh::Mesh& mesh, const DofMap& dofs, Cell cell);
   const Group& group_of(const Cell& cell) const { return groups_[static_cast<std::size_t>(cell.group)]; }

@@ -288,10 +288,12 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   if (std::isinf(stage.released)) // later ones go on from what is
     model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, model.references, faults);
+  model.followers = make_followers(study, model.mesh, model.dofs, model.bulk, faults);
   add_preload_forces(model, stage);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
   carry_obstacles(model);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, model.references, faults, model.notes);
+  model.probe_cells = make_probe_cells(study, model.mesh, model.bulk, faults, model.notes);
   model.probe_cuts =
       make_probe_cuts(study, model.mesh, model.dofs, model.bulk, model.heat.get(), faults, model.preloads);
   check_probed_zones(model, faults);
@@ -418,6 +420,17 @@ VectorXd external_force(const Model& model, double t) {
       force += pull.rate(t) * pull.damping;
   }
   return force;
+}
+
+void add_follower_forces(const Model& model, double t, const VectorXd& u, VectorXd& force) {
+  for (const auto& follower : model.followers)
+    load::add_follower_force(follower, u, t, force);
+}
+
+void add_follower_tangent(const Model& model, double t, const VectorXd& u, double factor,
+                          SparseMatrix& matrix) {
+  for (const auto& follower : model.followers)
+    load::add_follower_tangent(follower, u, t, factor, matrix);
 }
 
 bool is_damped(const Model& model) {

@@ -282,6 +282,9 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.states("state/bulk_points", state.bulk_points);
   archive.few_numbers("state/moved", state.moved);
   archive.tangent("state/tangent", state.tangent);
+  double indefinite = state.indefinite ? 1 : 0;
+  archive.number_if("state/indefinite", indefinite);
+  state.indefinite = indefinite != 0;
   archive.parts("state/zones", state.zones);
   for (std::size_t z = 0; z < state.zones.size(); ++z) {
     const auto at = fmt::format("state/zone_{}/", z);

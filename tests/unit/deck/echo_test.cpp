@@ -58,6 +58,14 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
                   "slave: L, bilateral: true, gap: -0.1, interference: {value: 2, function: f}}, "
                   "c: {master: I, slave: J, freeze: true, interference: 0.1}}\n"
                   "functions: {f: {times: [0, 1], values: [0, 1]}}\n");
+  decks.push_back(replaced(smallest_deck, "solid", "plane_strain") +
+                  "supports: [{on: g, rotate: {about: [1, 2], angle: 0.01*t}, x: 3}]\n");
+  decks.push_back(
+      smallest_deck +
+      "supports: [{on: g, rotate: {about: [1, 2, 3], axis: [0, 1, 1], angle: {acceleration: 1e-3, "
+      "function: f}}}]\nloads: [{pressure: {on: h, value: 1, follower: true}}]\n"
+      "functions: {f: {times: [0, 1], values: [0, 1]}}\n"
+      "probes: {p: {on: g, field: reaction, about: [1, 2, 3]}}\n");
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);
     EXPECT_EQ(read_back(study), study) << deck;
