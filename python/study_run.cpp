@@ -31,7 +31,10 @@ template <> struct Description<TimeStepping> {
       Member{"max_step", &TimeStepping::max_step,
              "nonlinear bodies: steps grow up to this one, > 0 [time]; None: they do not grow"},
       Member{"max_plastic_step", &TimeStepping::max_plastic_step,
-             "plastic bodies: steps in which plastic strain grows by more are cut, > 0; None: any"});
+             "plastic bodies: steps in which plastic strain grows by more are cut, > 0; None: any"},
+      Member{"mass_scaling", &TimeStepping::mass_scaling,
+             "central_difference: the step that every cell shall allow, those that do not get more mass, > 0 "
+             "[time]; None: no mass is added"});
 };
 template struct RecordCodec<TimeStepping>;
 

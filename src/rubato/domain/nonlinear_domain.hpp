@@ -14,14 +14,17 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace rubato::domain {
 
 class NonlinearDomain {
 public:
   /// `constant`: K of the cells that are constant and of springs. `initial`: the same with the tangents of
-  /// the other cells where nothing has happened yet. Both have the pattern that `cells` was made for.
-  NonlinearDomain(SparseMatrix&& constant, SparseMatrix&& initial,
+  /// the other cells where nothing has happened yet; nothing where nobody asks for it. Both have the pattern
+  /// that `cells` have places in.
+  NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                   std::shared_ptr<const NonlinearCells> cells, int components,
                   std::shared_ptr<const Heat> heat = nullptr, std::vector<LawSpring> springs = {});
 
@@ -49,9 +52,8 @@ public:
 private:
   LinearDomain constant_;
   /// Shared by copies, which only read them.
-  std::shared_ptr<const SparseMatrix> initial_;
+  std::shared_ptr<const SparseMatrix> initial_; ///< null where nobody asks for it
   std::shared_ptr<const NonlinearCells> cells_;
-  int components_ = 0;
 };
 
 } // namespace rubato::domain

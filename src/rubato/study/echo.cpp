@@ -358,6 +358,8 @@ Json echo(const TimeStepping& time) {
   }
   put_optional(map, "max_step", time.max_step);
   put_optional(map, "max_plastic_step", time.max_plastic_step);
+  if (time.mass_scaling)
+    map["mass_scaling"] = {{"step", *time.mass_scaling}};
   map["start"] = time.start == StartKind::from_run ? Json{{"from", time.start_run}}
                                                    : Json(word(start_words, time.start));
   if (!is_explicit(time.scheme))

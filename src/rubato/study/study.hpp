@@ -333,6 +333,9 @@ struct TimeStepping {
   std::optional<double> max_step;
   /// Nonlinear bodies: steps whose cumulated plastic strain grows by more anywhere are cut.
   std::optional<double> max_plastic_step;
+  /// central_difference: cells that would allow only shorter steps get more mass, so that all of them allow
+  /// this one [time].
+  std::optional<double> mass_scaling;
   bool operator==(const TimeStepping&) const = default;
 };
 
