@@ -169,11 +169,17 @@ void BlockPattern::add_to_diagonals(std::span<const NodeIndex> nodes, const Eige
       [&](Eigen::Index i, Eigen::Index j, int b, double* values) { values[b] += m(i, j); });
 }
 
-SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
-                                std::span<const double> factors) {
+namespace {
+
+/// Of the cells that `is_wanted` says, by their places in the bulk.
+template <class Wanted>
+SparseMatrix assemble_stiffness_of(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
+                                   std::span<const double> factors, const Wanted& is_wanted) {
   auto matrix = pattern.zero_matrix();
   Eigen::MatrixXd element;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
+    if (!is_wanted(i))
+      continue;
     const Cell cell(mesh, bulk, factors, i);
     const auto size = cell.node_count() * element::component_count(bulk.section.physics);
     element.resize(size, size);
@@ -184,6 +190,18 @@ SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const 
     pattern.add(cell.nodes, element, matrix);
   }
   return matrix;
+}
+
+} // namespace
+
+SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
+                                std::span<const double> factors) {
+  return assemble_stiffness_of(mesh, bulk, pattern, factors, [](std::size_t) { return true; });
+}
+
+SparseMatrix assemble_constant_stiffness(const mesh::Mesh& mesh, const Bulk& bulk,
+                                         const BlockPattern& pattern) {
+  return assemble_stiffness_of(mesh, bulk, pattern, {}, [&](std::size_t i) { return bulk.is_constant(i); });
 }
 
 SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,

@@ -45,11 +45,15 @@ private:
   std::vector<std::int32_t> neighbours_; ///< numbered nodes, ascending, each beside itself too
 };
 
-/// ∫ Bᵀ D B of the whole, times `factors[law]` for the cells of each law when factors are given (Rayleigh
-/// damping). Cells must be sound (cell_faults). Throws InputError, with the cell, when its matrix is not
-/// finite.
+/// Stiffness of the whole where nothing has happened yet, times `factors[law]` for the cells of each law when
+/// factors are given (Rayleigh damping). Cells must be sound (cell_faults). Throws InputError, with the cell,
+/// when its matrix is not finite.
 SparseMatrix assemble_stiffness(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                                 std::span<const double> factors = {});
+
+/// The part of the cells that keep their stiffness (Bulk::is_constant).
+SparseMatrix assemble_constant_stiffness(const mesh::Mesh& mesh, const Bulk& bulk,
+                                         const BlockPattern& pattern);
 
 /// Consistent mass of the whole, times `factors[law]` likewise.
 SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,

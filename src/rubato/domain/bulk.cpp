@@ -24,6 +24,13 @@ std::string middle_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
 
 } // namespace
 
+element::CellKind kind_of(const Bulk& bulk, const Behaviour& behaviour, CellType type) {
+  element::CellKind kind{type, bulk.section, behaviour.strain, behaviour.formulation};
+  if (!element::is_offered(kind))
+    kind.formulation = element::Formulation::full;
+  return kind;
+}
+
 std::string cell_label(const mesh::Mesh& mesh, mesh::CellIndex cell) {
   return fmt::format("cell {} ({}) at {}", mesh::cell_name(mesh, cell),
                      cell::topology(mesh.type_of(cell)).name, middle_of(mesh, cell));

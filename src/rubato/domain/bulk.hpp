@@ -4,17 +4,28 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/element/element.hpp"
+#include "rubato/element/nonlinear.hpp"
 #include "rubato/material/law.hpp"
 #include "rubato/material/law_field.hpp"
+#include "rubato/material/point_law.hpp"
 #include "rubato/mesh/mesh.hpp"
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace rubato::domain {
+
+/// How cells are evaluated whose forces are not ∫ Bᵀ D B u of all their points.
+struct Behaviour {
+  material::PointLaw law;
+  element::StrainKind strain = element::StrainKind::small;
+  element::Formulation formulation = element::Formulation::full; ///< full of cells that it is not offered for
+  bool constant = false; ///< whether one stiffness holds for every motion
+};
 
 struct Bulk {
   element::Section section;
@@ -24,13 +35,31 @@ struct Bulk {
   /// Of each law that depends on the place; null where it does not, empty when none does. `laws` have such a
   /// law at one place of its cells.
   std::vector<std::shared_ptr<const material::LawField>> fields = {};
+  /// Of each law that is evaluated otherwise; `laws` have what it is at small strains that come at once.
+  /// Empty when all cells are linear and integrated in full.
+  std::vector<std::optional<Behaviour>> behaviours = {};
 
   const material::Law& law(std::size_t i) const { return laws[static_cast<std::size_t>(law_of_cell[i])]; }
   /// Null when the law of the cell is the same everywhere.
   const material::LawField* field(std::size_t i) const {
     return fields.empty() ? nullptr : fields[static_cast<std::size_t>(law_of_cell[i])].get();
   }
+  /// Null when the cell is linear and integrated in full.
+  const Behaviour* behaviour(std::size_t i) const {
+    if (behaviours.empty())
+      return nullptr;
+    const auto& behaviour = behaviours[static_cast<std::size_t>(law_of_cell[i])];
+    return behaviour ? &*behaviour : nullptr;
+  }
+  /// Whether forces of the cell are a constant matrix times its displacements.
+  bool is_constant(std::size_t i) const {
+    const auto* found = behaviour(i);
+    return found == nullptr || found->constant;
+  }
 };
+
+/// Of a cell of that type with that behaviour.
+element::CellKind kind_of(const Bulk& bulk, const Behaviour& behaviour, CellType type);
 
 /// The coordinates of one cell's nodes, copied beside each other.
 class CellPoints {

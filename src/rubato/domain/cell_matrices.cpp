@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/cell_matrices.hpp"
 
+#include <limits>
+#include <vector>
+
 namespace rubato::domain {
 namespace {
 
@@ -30,8 +33,33 @@ std::vector<material::Law> laws_at_points(const material::LawField& field, CellT
   return laws;
 }
 
+namespace {
+
+/// Of a cell that nothing has happened to. Where it fails, its matrix is not finite.
+void initial_stiffness(const Bulk& bulk, const Behaviour& behaviour, CellType type, Points points,
+                       Eigen::Ref<Eigen::MatrixXd> k) {
+  const auto kind = kind_of(bulk, behaviour, type);
+  const auto size = static_cast<std::size_t>(k.rows());
+  const std::vector<double> zero(size, 0.0);
+  std::vector<double> force(size);
+  std::vector<double> tangent(size * size);
+  const auto remembered =
+      static_cast<std::size_t>(element::state_size_of_cell(kind, material::state_size(behaviour.law)));
+  const std::vector<double> old(remembered, 0.0);
+  std::vector<double> now(remembered);
+  const element::PointLaws laws(behaviour.law);
+  const bool done = bool(element::evaluate(kind, laws, {points, zero, old}, {now, force, tangent}));
+  k = Eigen::Map<const Eigen::MatrixXd>(tangent.data(), k.rows(), k.cols());
+  if (!done)
+    k.setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+} // namespace
+
 void cell_stiffness(const Bulk& bulk, std::size_t cell, CellType type, Points points,
                     Eigen::Ref<Eigen::MatrixXd> k) {
+  if (const auto* behaviour = bulk.behaviour(cell))
+    return initial_stiffness(bulk, *behaviour, type, points, k);
   const auto* field = bulk.field(cell);
   if (field == nullptr || !field->varies_tangent())
     return element::stiffness(type, points, bulk.law(cell), bulk.section, k);

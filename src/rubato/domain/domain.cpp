@@ -10,9 +10,9 @@ using Eigen::VectorXd;
 Domain::Domain(Kind kind, QuadratureStates states)
     : kind_(std::move(kind)), initial_states_(std::move(states)) {}
 
-void Domain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                      const Wanted& wanted) const {
-  std::visit([&](const auto& kind) { kind.evaluate(step, old, now, wanted); }, kind_);
+Failed Domain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                        const Wanted& wanted) const {
+  return std::visit([&](const auto& kind) { return kind.evaluate(step, old, now, wanted); }, kind_);
 }
 
 double Domain::energy(const VectorXd& u, const VectorXd& forces, double t,
@@ -34,6 +34,10 @@ bool Domain::is_linear() const {
 
 const SparseMatrix& Domain::initial_tangent() const {
   return std::visit([](const auto& kind) -> const SparseMatrix& { return kind.initial_tangent(); }, kind_);
+}
+
+PlasticStep Domain::plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
+  return std::visit([&](const auto& kind) { return kind.plastic_step(old, now); }, kind_);
 }
 
 double Domain::largest_eigenvalue(const VectorXd& inverse_mass) const {

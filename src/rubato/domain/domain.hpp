@@ -4,6 +4,7 @@
 
 #include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/linear_domain.hpp"
+#include "rubato/domain/nonlinear_domain.hpp"
 #include "rubato/domain/quadrature_states.hpp"
 
 #include <Eigen/Core>
@@ -20,7 +21,7 @@ namespace rubato::domain {
 /// LinearDomain's functions, and its row in `Kind`.
 class Domain {
 public:
-  using Kind = std::variant<LinearDomain>;
+  using Kind = std::variant<LinearDomain, NonlinearDomain>;
 
   /// No dofs.
   Domain() = default;
@@ -28,12 +29,13 @@ public:
   Domain(Kind kind, QuadratureStates states);
 
   /// Answers what is wanted at the end of a step. `old`: the states at its start; `now`: another object,
-  /// which becomes those at its end. Allocates nothing where the answers have their sizes already.
-  void evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                const Wanted& wanted) const;
+  /// which becomes those at its end. Allocates nothing where the answers have their sizes already. Nothing
+  /// comes back when every cell has an answer, as those of a linear domain always have.
+  Failed evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                  const Wanted& wanted) const;
 
   /// Stored in the bodies and springs at displacements u and instant t with these internal forces and states,
-  /// as `evaluate` has them [force · length].
+  /// as `evaluate` has them, with records [force · length].
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
 
@@ -50,6 +52,9 @@ public:
   /// ∂f_int/∂u at u = 0 where nothing has happened yet [force/length]. Whoever wants scales, or an elastic
   /// stiffness by definition, takes this one.
   const SparseMatrix& initial_tangent() const;
+
+  /// How far materials have yielded in a step.
+  PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
 
   /// A bound from above of the largest λ of K x = λ M x, K the initial tangent, at most 1 % beyond it
   /// [1/time²]. `inverse_mass`: of each dof, 0 where it is held.

@@ -3,8 +3,11 @@
 #pragma once
 
 #include "rubato/domain/assembly.hpp"
+#include "rubato/element/nonlinear.hpp"
 
 #include <Eigen/Core>
+
+#include <optional>
 
 namespace rubato::domain {
 
@@ -24,6 +27,16 @@ struct StepSpan {
 struct Wanted {
   Eigen::VectorXd* forces = nullptr; ///< f_int, an entry a dof [force]
   SparseMatrix* tangent = nullptr; ///< ∂f_int/∂u1, always in the pattern of initial_tangent [force/length]
+  bool records = false;            ///< QuadratureStates::records of the end of the step
 };
+
+/// A cell that has no forces at the end of a step: then nothing that was written has a meaning, and forces
+/// are not finite.
+struct CellFailure {
+  element::Failure reason = element::Failure::none;
+  mesh::CellIndex cell = -1;
+  int point = -1; ///< of the cell; −1: none of its own
+};
+using Failed = std::optional<CellFailure>;
 
 } // namespace rubato::domain

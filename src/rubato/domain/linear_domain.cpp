@@ -17,22 +17,23 @@ LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components, std::shared
   stiffness_ = own;
 }
 
-void LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                            const Wanted& wanted) const {
+Failed LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                              const Wanted& wanted) const {
   now = old;
   if (wanted.tangent != nullptr)
     *wanted.tangent = *stiffness_;
   if (wanted.forces == nullptr)
-    return;
+    return {};
   if (step.forces0 != nullptr && !heat_ && step.u1 == step.u0) {
     *wanted.forces = *step.forces0;
-    return;
+    return {};
   }
   wanted.forces->resize(step.u1.size());
   product_->multiply(step.u1, *wanted.forces);
   add_beyond_matrix(springs_, step.u1, *wanted.forces);
   if (heat_)
     *wanted.forces -= heat_->force(step.t1);
+  return {};
 }
 
 double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, double t,

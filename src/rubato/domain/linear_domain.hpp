@@ -28,13 +28,14 @@ public:
 
   static constexpr bool is_linear = true;
 
-  void evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                const Wanted& wanted) const;
+  Failed evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                  const Wanted& wanted) const;
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
   const Heat* heat() const { return heat_.get(); }
   std::span<const LawSpring> law_springs() const { return springs_; }
   const SparseMatrix& initial_tangent() const { return *stiffness_; }
+  PlasticStep plastic_step(const QuadratureStates&, const QuadratureStates&) const { return {}; }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
 
 private:

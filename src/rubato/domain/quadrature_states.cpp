@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/quadrature_states.hpp"
 
-#include "rubato/cell/quadrature.hpp"
-
 namespace rubato::domain {
+
+std::size_t state_size(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t cell) {
+  const auto* behaviour = bulk.behaviour(cell);
+  if (behaviour == nullptr)
+    return 0;
+  const auto kind = kind_of(bulk, *behaviour, mesh.type_of(bulk.cells[cell]));
+  return static_cast<std::size_t>(element::state_size_of_cell(kind, material::state_size(behaviour->law)));
+}
 
 QuadratureStates initial_states(const mesh::Mesh& mesh, const Bulk& bulk) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < bulk.cells.size(); ++i)
-    if (const int size = material::state_size(bulk.law(i)); size > 0)
-      count += static_cast<std::size_t>(size) * cell::stiffness_rule(mesh.type_of(bulk.cells[i])).size();
+  for (std::size_t i = 0; !bulk.behaviours.empty() && i < bulk.cells.size(); ++i)
+    count += state_size(mesh, bulk, i);
   return {std::vector<double>(count, 0.0)};
 }
 

@@ -7,6 +7,8 @@
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
 
+#include <algorithm>
+
 namespace rubato::domain {
 namespace {
 
@@ -66,11 +68,86 @@ const MatrixXd& extrapolation(CellType type) {
 }
 
 CellTensors::CellTensors(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                         const Eigen::VectorXd& u, HeatAt heat)
+                         const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states)
     : mesh_(mesh), bulk_(bulk), dofs_(dofs), u_(u), heat_(heat.heat),
-      temperatures_(heat.heat != nullptr ? heat.heat->temperatures(heat.t) : Eigen::VectorXd()) {}
+      temperatures_(heat_ != nullptr ? heat_->temperatures(heat.t) : Eigen::VectorXd()), states_(states) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; !bulk.behaviours.empty() && i < bulk.cells.size(); ++i) {
+    first_state_.push_back(first);
+    const auto size = state_size(mesh, bulk, i);
+    first += size;
+    untouched_.resize(std::max(untouched_.size(), size), 0.0);
+  }
+}
+
+std::span<const double> CellTensors::states_of(std::size_t cell) const {
+  const auto size = state_size(mesh_, bulk_, cell);
+  if (states_ == nullptr)
+    return std::span(untouched_).first(size);
+  return std::span(states_->values).subspan(first_state_[cell], size);
+}
+
+std::span<const double> CellTensors::state_at(const Behaviour& behaviour, std::size_t cell,
+                                              std::size_t point) const {
+  const auto size = slot(material::state_size(behaviour.law));
+  return states_of(cell).subspan(point * size, size);
+}
 
 MatrixXd CellTensors::at_points(Tensor what, std::size_t cell) {
+  if (const auto* behaviour = bulk_.behaviour(cell))
+    return nonlinear_at_points(what, *behaviour, cell);
+  return what == Tensor::plastic_strain
+             ? MatrixXd::Zero(6, extrapolation(mesh_.type_of(bulk_.cells[cell])).cols())
+             : linear_at_points(what, cell);
+}
+
+namespace {
+
+/// Engineering shears become those of a tensor.
+Eigen::Matrix<double, 6, 1> as_tensor(const material::Strain6& strain) {
+  Eigen::Matrix<double, 6, 1> tensor = strain;
+  tensor.tail<3>() /= 2;
+  return tensor;
+}
+
+} // namespace
+
+/// The law answers from where it is to the same strain: as it did at the end of the step.
+MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviour, std::size_t cell) {
+  const auto [block, index] = mesh_.place_of(bulk_.cells[cell]);
+  const auto nodes = block->cell(index);
+  const auto kind = kind_of(bulk_, behaviour, block->type);
+  const auto count = slot(element::point_count(block->type));
+  MatrixXd result(6, static_cast<Index>(count));
+  if (what == Tensor::plastic_strain) {
+    for (std::size_t q = 0; q < count; ++q)
+      result.col(static_cast<Index>(q)) =
+          as_tensor(material::plastic_strain(behaviour.law, state_at(behaviour, cell, q)));
+    return result;
+  }
+  gather(dofs_, nodes, u_, local_);
+  const CellPoints points(mesh_, nodes);
+  const auto old = states_of(cell);
+  std::vector<double> now(old.size());
+  std::vector<double> force(local_.size());
+  std::vector<element::PointRecord> records(count);
+  element::evaluate(kind, element::PointLaws(behaviour.law), {points, local_, old},
+                    {now, force, {}, records});
+  for (std::size_t q = 0; q < count; ++q)
+    result.col(static_cast<Index>(q)) =
+        what == Tensor::stress ? records[q].cauchy : as_tensor(records[q].strain);
+  return result;
+}
+
+MatrixXd CellTensors::cumulated_plastic_strain(std::size_t cell) {
+  MatrixXd result = MatrixXd::Zero(1, extrapolation(mesh_.type_of(bulk_.cells[cell])).cols());
+  if (const auto* behaviour = bulk_.behaviour(cell))
+    for (Index q = 0; q < result.cols(); ++q)
+      result(0, q) = material::cumulated_plastic_strain(behaviour->law, state_at(*behaviour, cell, slot(q)));
+  return result;
+}
+
+MatrixXd CellTensors::linear_at_points(Tensor what, std::size_t cell) {
   const auto physics = bulk_.section.physics;
   const auto [block, index] = mesh_.place_of(bulk_.cells[cell]);
   const auto nodes = block->cell(index);
@@ -92,14 +169,17 @@ MatrixXd CellTensors::at_nodes(Tensor what, std::size_t cell) {
   return at_points(what, cell) * extrapolation(mesh_.type_of(bulk_.cells[cell])).transpose();
 }
 
-NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                           const Eigen::VectorXd& u, HeatAt heat) {
-  NodalTensors result = NodalTensors::Zero(6, mesh.node_count());
+namespace {
+
+/// What `of_cell` gives at the nodes of each cell, averaged at each node over its cells.
+template <class OfCell>
+MatrixXd averaged(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, Index rows,
+                  const OfCell& of_cell) {
+  MatrixXd result = MatrixXd::Zero(rows, mesh.node_count());
   std::vector<int> cells_at(mesh.points.size(), 0);
-  CellTensors tensors(mesh, bulk, dofs, u, heat);
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
     const auto nodes = mesh.nodes_of(bulk.cells[i]);
-    const auto at_nodes = tensors.at_nodes(what, i);
+    const MatrixXd at_nodes = of_cell(i);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       result.col(nodes[n]) += at_nodes.col(static_cast<Index>(n));
       ++cells_at[slot(nodes[n])];
@@ -111,9 +191,26 @@ NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk
   return result;
 }
 
+} // namespace
+
+NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                           const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states) {
+  CellTensors tensors(mesh, bulk, dofs, u, heat, states);
+  return averaged(mesh, bulk, dofs, 6, [&](std::size_t i) { return tensors.at_nodes(what, i); });
+}
+
+Eigen::VectorXd nodal_plastic_strain(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                                     const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states) {
+  CellTensors tensors(mesh, bulk, dofs, u, heat, states);
+  const auto of_cell = [&](std::size_t i) -> MatrixXd {
+    return tensors.cumulated_plastic_strain(i) * extrapolation(mesh.type_of(bulk.cells[i])).transpose();
+  };
+  return averaged(mesh, bulk, dofs, 1, of_cell).transpose();
+}
+
 NodalStress nodal_stress(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                         const Eigen::VectorXd& u, HeatAt heat) {
-  NodalStress result{nodal_tensors(Tensor::stress, mesh, bulk, dofs, u, heat),
+                         const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states) {
+  NodalStress result{nodal_tensors(Tensor::stress, mesh, bulk, dofs, u, heat, states),
                      Eigen::VectorXd::Zero(mesh.node_count())};
   for (const auto node : dofs.nodes)
     result.von_mises[node] = material::von_mises(result.stress.col(node));

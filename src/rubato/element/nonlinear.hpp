@@ -67,6 +67,8 @@ struct PointRecord {
                             ///< thickness
   Eigen::Matrix3d gradient; ///< ∂u/∂X with the strain of the cell's own modes; zz is 0 in the plane
   Eigen::Matrix3d piola;    ///< P_c: Σ volume · P_c : d(gradient) is f·du
+
+  bool operator==(const PointRecord&) const = default;
 };
 
 /// How far the cell's own unknowns are solved.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/law.hpp"
 
+#include "rubato/material/make_point_law.hpp"
+
 #include <stdexcept>
 
 namespace rubato::material {
@@ -14,6 +16,14 @@ Law make_law(const study::Material& material) {
     return LinearElastic{material.young, material.poisson, density};
   case study::LawKind::orthotropic:
     return make_orthotropic(material.orthotropy, density);
+  case study::LawKind::plastic:
+  case study::LawKind::prony:
+  case study::LawKind::hyperelastic:
+  case study::LawKind::yeoh:
+  case study::LawKind::ogden: {
+    const auto [young, poisson] = small_strain_moduli(material);
+    return LinearElastic{young, poisson, density};
+  }
   }
   throw std::logic_error("a material law without its row in make_law");
 }

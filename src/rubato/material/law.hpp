@@ -18,7 +18,8 @@ namespace rubato::material {
 
 using Law = std::variant<LinearElastic, Orthotropic>;
 
-/// The law of a material that keeps the study's rules (study/validate.hpp).
+/// The law of a material that keeps the study's rules (study/validate.hpp); of a nonlinear one
+/// (point_law.hpp) what it is at small strains that come at once.
 Law make_law(const study::Material& material);
 
 /// [mass/volume]; 0 when no inertia is asked for.

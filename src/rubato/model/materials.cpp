@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/material/make_point_law.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>
 
@@ -101,6 +103,46 @@ private:
 
 } // namespace
 
+namespace {
+
+element::StrainKind strain_kind(study::StrainKind kind) {
+  switch (kind) {
+  case study::StrainKind::green_lagrange:
+    return element::StrainKind::green_lagrange;
+  case study::StrainKind::logarithmic:
+    return element::StrainKind::logarithmic;
+  case study::StrainKind::small:
+    break;
+  }
+  return element::StrainKind::small;
+}
+
+element::Formulation formulation(study::Formulation kind) {
+  switch (kind) {
+  case study::Formulation::mean_dilatation:
+    return element::Formulation::mean_dilatation;
+  case study::Formulation::enhanced:
+    return element::Formulation::enhanced;
+  case study::Formulation::reduced: // not offered yet
+  case study::Formulation::full:
+    break;
+  }
+  return element::Formulation::full;
+}
+
+/// Nothing where cells are linear and integrated in full.
+std::optional<domain::Behaviour> behaviour_of(const study::Study& study, const study::Material& material) {
+  const bool constant = study::has_constant_stiffness(material);
+  const auto wanted = study::wanted_formulation(material);
+  if (constant && wanted == study::Formulation::full)
+    return std::nullopt;
+  return domain::Behaviour{material::make_point_law(material, study.physics),
+                           strain_kind(study::strain_of(material)), formulation(wanted),
+                           constant && study.temperatures.empty()};
+}
+
+} // namespace
+
 domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
   domain::Bulk bulk;
   bulk.section = {study.physics, study.thickness};
@@ -112,12 +154,16 @@ domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::v
     any_field = any_field || field != nullptr;
     bulk.fields.push_back(field);
     bulk.laws.push_back(field ? material::Law{} : material::make_law(material));
+    bulk.behaviours.push_back(field && field->varies_tangent() ? std::nullopt
+                                                               : behaviour_of(study, material));
     assignment.give(static_cast<int>(i));
   }
   if (faults.empty())
     assignment.report_cells_without_material();
   if (!any_field)
     bulk.fields.clear();
+  if (std::ranges::none_of(bulk.behaviours, [](const auto& one) { return one.has_value(); }))
+    bulk.behaviours.clear();
   bulk.cells = assignment.cells();
   for (const auto cell : bulk.cells)
     bulk.law_of_cell.push_back(std::max(0, assignment.of(cell)));

@@ -62,14 +62,35 @@ void take(SparseMatrix& to, SparseMatrix&& from) {
   to.swap(from);
 }
 
-domain::Domain make_domain(const Model& model, const domain::BlockPattern& pattern) {
-  auto stiffness = domain::assemble_stiffness(model.mesh, model.bulk, pattern);
+void add_springs(const Model& model, SparseMatrix& stiffness) {
   for (const auto& spring : model.springs)
     stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
   add_connectors(model, stiffness);
   add_gauges(model, stiffness);
-  return {domain::LinearDomain(std::move(stiffness), model.dofs.components, model.heat, law_springs(model)),
-          domain::initial_states(model.mesh, model.bulk)};
+}
+
+bool is_linear(const domain::Bulk& bulk) {
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i)
+    if (!bulk.is_constant(i))
+      return false;
+  return true;
+}
+
+domain::Domain make_domain(const Model& model, const domain::BlockPattern& pattern) {
+  auto stiffness = domain::assemble_stiffness(model.mesh, model.bulk, pattern);
+  add_springs(model, stiffness);
+  auto states = domain::initial_states(model.mesh, model.bulk);
+  const int components = model.dofs.components;
+  if (is_linear(model.bulk))
+    return {domain::LinearDomain(std::move(stiffness), components, model.heat, law_springs(model)),
+            std::move(states)};
+  auto constant = domain::assemble_constant_stiffness(model.mesh, model.bulk, pattern);
+  add_springs(model, constant);
+  const auto cells =
+      std::make_shared<const domain::NonlinearCells>(model.mesh, model.bulk, model.dofs, constant);
+  return {domain::NonlinearDomain(std::move(constant), std::move(stiffness), cells, components, model.heat,
+                                  law_springs(model)),
+          std::move(states)};
 }
 
 void assemble_rayleigh(Model& model, const domain::BlockPattern& pattern,

@@ -7,6 +7,7 @@
 /// the cut transmits.
 #pragma once
 
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/study/study.hpp"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/naming.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 

@@ -36,8 +36,8 @@ void append(const Eigen::MatrixXd& values, std::vector<double>& to) {
 class FieldMaker {
 public:
   FieldMaker(const model::Model& model, const step::State& now)
-      : model_(model),
-        tensors_(model.mesh, model.bulk, model.dofs, now.motion.u, {model.domain.heat(), now.t}),
+      : model_(model), tensors_(model.mesh, model.bulk, model.dofs, now.motion.u,
+                                {model.domain.heat(), now.t}, &now.bulk_points),
         in_bulk_(places_in_bulk(model)) {}
 
   CellField make(const study::StoredField& stored) {

@@ -64,6 +64,15 @@ template <class Visit> void each_number(time::StepControl::End& end, const Visit
   end.level = static_cast<int>(level);
 }
 
+template <class Visit> void each_number(element::PointRecord& record, const Visit& visit) {
+  visit(record.volume);
+  visit(record.stored);
+  for (auto* six : {&record.strain, &record.stress, &record.cauchy})
+    std::ranges::for_each(*six, visit);
+  for (auto* tensor : {&record.gradient, &record.piola})
+    std::ranges::for_each(tensor->reshaped(), visit);
+}
+
 template <class Record> std::size_t numbers_in() {
   Record record{};
   std::size_t count = 0;
@@ -81,11 +90,16 @@ public:
 
   void text(const std::string& name, std::string& value) { file_->write(name, value); }
   void number(const std::string& name, double& value) { file_->write(name, std::span(&value, 1)); }
+  /// Left out where it is 0, as in files from before there was such a number.
+  void number_if(const std::string& name, double& value) {
+    if (value != 0)
+      number(name, value);
+  }
   template <Whole T> void whole(const std::string& name, T& value) {
     const auto integer = static_cast<std::int64_t>(value);
     file_->write(name, std::span(&integer, 1));
   }
-  template <class Vector> void numbers(const std::string& name, Vector& values) {
+  template <class Vector> void numbers(const std::string& name, const Vector& values) {
     file_->write(name, std::span<const double>(values.data(), static_cast<std::size_t>(values.size())));
   }
   /// Left out where there is nothing: files from before there was such a thing have none.
@@ -93,9 +107,17 @@ public:
     if (values.size() > 0)
       numbers(name, values);
   }
+  void tangent(const std::string& name, step::Tangent& values) {
+    if (values)
+      numbers(name, *values);
+  }
   void states(const std::string& name, domain::QuadratureStates& states) {
     if (!states.values.empty())
       numbers(name, states.values);
+    if (states.records.empty())
+      return;
+    table(name + "_records", states.records);
+    number(name + "_mode_force", states.mode_force);
   }
   template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
     std::vector<std::int64_t> integers;
@@ -127,12 +149,23 @@ public:
 
   void text(const std::string&, const std::string& value) { add(value.size()); }
   void number(const std::string&, double&) { add(sizeof(double)); }
+  void number_if(const std::string& name, double& value) { number(name, value); }
   template <Whole T> void whole(const std::string&, T&) { add(sizeof(std::int64_t)); }
-  template <class Vector> void numbers(const std::string&, Vector& values) {
+  template <class Vector> void numbers(const std::string&, const Vector& values) {
     add(static_cast<std::size_t>(values.size()) * sizeof(double));
   }
   void few_numbers(const std::string& name, Eigen::VectorXd& values) { numbers(name, values); }
-  void states(const std::string& name, domain::QuadratureStates& states) { numbers(name, states.values); }
+  void tangent(const std::string& name, step::Tangent& values) {
+    if (values)
+      numbers(name, *values);
+  }
+  void states(const std::string& name, domain::QuadratureStates& states) {
+    numbers(name, states.values);
+    if (states.records.empty())
+      return;
+    table(name, states.records);
+    number(name, states.mode_force);
+  }
   template <Whole T> void wholes(const std::string&, std::vector<T>& values) {
     add(values.size() * sizeof(std::int64_t));
   }
@@ -154,6 +187,9 @@ public:
 
   void text(const std::string& name, std::string& value) { value = file_->text(name); }
   void number(const std::string& name, double& value) { value = file_->numbers(name).at(0); }
+  void number_if(const std::string& name, double& value) {
+    value = file_->has(name) ? file_->numbers(name).at(0) : 0;
+  }
   template <Whole T> void whole(const std::string& name, T& value) {
     value = static_cast<T>(file_->integers(name).at(0));
   }
@@ -167,8 +203,19 @@ public:
     if (file_->has(name))
       numbers(name, values);
   }
+  void tangent(const std::string& name, step::Tangent& values) {
+    Eigen::VectorXd read;
+    few_numbers(name, read);
+    values = read.size() > 0 ? std::make_shared<const Eigen::VectorXd>(std::move(read)) : nullptr;
+  }
   void states(const std::string& name, domain::QuadratureStates& states) {
     states.values = file_->has(name) ? file_->numbers(name) : std::vector<double>();
+    states.records.clear();
+    states.mode_force = 0;
+    if (!file_->has(name + "_records"))
+      return;
+    table(name + "_records", states.records);
+    number(name + "_mode_force", states.mode_force);
   }
   template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
     values.clear();
@@ -216,6 +263,8 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.numbers("state/bulk/momentum", state.bulk.momentum);
   archive.numbers("state/bulk/inertia", state.bulk.inertia);
   archive.states("state/bulk_points", state.bulk_points);
+  archive.few_numbers("state/moved", state.moved);
+  archive.tangent("state/tangent", state.tangent);
   archive.parts("state/zones", state.zones);
   for (std::size_t z = 0; z < state.zones.size(); ++z) {
     const auto at = fmt::format("state/zone_{}/", z);
@@ -237,6 +286,7 @@ template <class Archive> void exchange(Archive& archive, time::StepControl::Plac
   archive.number("place/now", place.now);
   archive.table("place/ends", place.ends);
   archive.whole("place/finished", place.finished);
+  archive.number_if("place/wanted", place.wanted);
 }
 
 template <class Archive> void exchange(Archive& archive, const std::string& at, step::EnergyLedger& energy) {

@@ -97,8 +97,8 @@ std::vector<OwnedField> contact_fields(const Model& model, const step::State& no
 }
 
 std::vector<OwnedField> stress_fields(const Model& model, const step::State& now) {
-  const auto recovered =
-      domain::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u, {model.domain.heat(), now.t});
+  const auto recovered = domain::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u,
+                                              {model.domain.heat(), now.t}, &now.bulk_points);
   const auto& stress = recovered.stress;
   return {{"stress", 6, {stress.data(), stress.data() + stress.size()}, tensor_components},
           {"von_mises", 1, {recovered.von_mises.begin(), recovered.von_mises.end()}, {}}};
@@ -106,7 +106,7 @@ std::vector<OwnedField> stress_fields(const Model& model, const step::State& now
 
 OwnedField strain_field(const Model& model, const step::State& now) {
   const auto strain = domain::nodal_tensors(domain::Tensor::strain, model.mesh, model.bulk, model.dofs,
-                                            now.motion.u, {model.domain.heat(), now.t});
+                                            now.motion.u, {model.domain.heat(), now.t}, &now.bulk_points);
   return {"strain", 6, {strain.data(), strain.data() + strain.size()}, tensor_components};
 }
 

@@ -93,6 +93,8 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
                                trial.state, asked);
   if (trial.report.outcome == step::Outcome::interrupted)
     return trial;
+  if (trial.report.converged())
+    step::refuse_large_plastic_step(model(), *state_, trial.state, trial.report);
   trial.attempt.accepted = trial.report.converged();
   trial.attempt.seconds = processor_seconds() - start;
   trial.spent.iterations = trial.report.iterations;
@@ -110,7 +112,7 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
 }
 
 void ImplicitIntegrator::accept(Trial trial) {
-  control_.accept();
+  control_.accept(trial.report.bulk_iterations);
   std::swap(account_, next_account_);
   spare_ = state_.replace(std::move(trial.state));
 }

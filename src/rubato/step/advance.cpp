@@ -192,4 +192,19 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
   return report;
 }
 
+void refuse_large_plastic_step(const Model& model, const State& committed, const State& trial,
+                               StepReport& report) {
+  const auto& most = model.study.time.max_plastic_step;
+  if (!most)
+    return;
+  const auto found = model.domain.plastic_step(committed.bulk_points, trial.bulk_points);
+  if (found.growth <= *most)
+    return;
+  report.outcome = Outcome::plastic_step;
+  report.unmet = {{.criterion = Criterion::plastic_step,
+                   .node = model.mesh.nodes_of(found.cell).front(),
+                   .value = found.growth,
+                   .allowed = *most}};
+}
+
 } // namespace rubato::step

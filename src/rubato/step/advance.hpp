@@ -30,4 +30,8 @@ void predict(const model::Model& model, const time::Scheme& scheme, const Effect
 StepReport advance(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial, const GoesOn& goes_on = {});
 
+/// Makes a converged step one that failed where plastic strain has grown by more than the study allows.
+void refuse_large_plastic_step(const model::Model& model, const State& committed, const State& trial,
+                               StepReport& report);
+
 } // namespace rubato::step

@@ -27,6 +27,10 @@ std::string_view to_string(Outcome outcome) {
     return "too many rounds of the status loop";
   case Outcome::pressed_afar:
     return "pressed where nothing is";
+  case Outcome::plastic_step:
+    return "plastic strain grew too much";
+  case Outcome::cell_failed:
+    return "a cell has no forces";
   case Outcome::interrupted:
     return "interrupted";
   }
@@ -87,6 +91,10 @@ std::string_view to_string(Criterion criterion) {
     return "geometry loop";
   case Criterion::friction_loop:
     return "friction loop";
+  case Criterion::plastic_step:
+    return "plastic step";
+  case Criterion::cell:
+    return "cell";
   }
   return "";
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/contact/law.hpp"
+#include "rubato/domain/evaluation.hpp"
 #include "rubato/mesh/mesh.hpp"
 
 #include <Eigen/Core>
@@ -24,6 +25,8 @@ enum class Outcome {
   friction_unsettled,
   status_unsettled,
   pressed_afar, ///< forces in balance, but a point presses where its master is not
+  plastic_step, ///< in balance, but plastic strain grew by more than the study allows in a step
+  cell_failed,  ///< a cell has no forces, however short the corrections
   interrupted   ///< asked to end: neither converged nor failed
 };
 
@@ -57,11 +60,13 @@ enum class Criterion {
   distance,      ///< points that press are near their master; value: to its nearest node [length]
   singular,      ///< the linear system has no solution; value 0
   geometry_loop, ///< value: as LoopRound::change, infinite of a loop that had one round
-  friction_loop  ///< value: as LoopRound::change
+  friction_loop, ///< value: as LoopRound::change
+  plastic_step,  ///< value: growth of the cumulated plastic strain; node: one of the cell
+  cell           ///< every cell has forces; node: one of the cell
 };
 
 /// "residual", "status", "gap", "projection", "point lost", "distance", "singular matrix", "geometry loop",
-/// "friction loop".
+/// "friction loop", "plastic step", "cell".
 std::string_view to_string(Criterion criterion);
 
 /// A criterion that the last iterate of an attempt does not meet, and the point or node where it is furthest
@@ -90,7 +95,13 @@ struct LoopRound {
 
 struct StepReport {
   Outcome outcome = Outcome::too_many_iterations;
-  int iterations = 0;          ///< linear solves, all attempts of the step together
+  int iterations = 0; ///< linear solves, all attempts of the step together
+  /// Of nonlinear bodies, of the last attempt: motions from which they were solved for, and effective
+  /// matrices that were factored.
+  int bulk_iterations = 0;
+  int factorisations = 0;
+  bool indefinite = false;     ///< whether an effective matrix was not positive definite
+  domain::Failed failed_cell;  ///< of an attempt that ended as cell_failed
   double residual = 0;         ///< relative, of the last iterate
   double unbalanced_force = 0; ///< the largest, of the last iterate
   double tolerance = 0;

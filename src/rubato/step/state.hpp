@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace rubato::step {
@@ -21,12 +22,19 @@ struct BulkForces {
   Eigen::VectorXd inertia;  ///< M a [force]
 };
 
+/// The values of ∂f_int/∂u of the bulk somewhere on the way, in the pattern of its initial tangent
+/// [force/length].
+using Tangent = std::shared_ptr<const Eigen::VectorXd>;
+
 struct State {
   double t = 0;
   double step = 0;     ///< length of the step that ended here; 0 where none of this run has
   time::Motion motion; ///< u, v, a, one a dof
   BulkForces bulk;
   domain::QuadratureStates bulk_points; ///< what materials remember
+  Eigen::VectorXd
+      moved;       ///< by the step that ended here, of static runs with nonlinear bodies; else empty [length]
+  Tangent tangent; ///< that the last step ended with, of nonlinear bodies; else null
   Eigen::VectorXd
       residual_force; ///< internal + contact − external force at t: the scheme's history bracket [force]
   Eigen::VectorXd contact_force;  ///< contact and friction, internal side [force]

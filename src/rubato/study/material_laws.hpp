@@ -66,7 +66,36 @@ inline constexpr std::array orthotropic_numbers{
         "angle_x", "turn of the axes about the new x, the third turn [degrees]; 0 when not given", Range{})};
 std::vector<LawFault> orthotropic_faults(const Material& material, Physics physics);
 
-inline constexpr std::array<LawEntry, 2> material_laws{{
+/// What else these laws have is no plain number: study/solids.hpp.
+inline constexpr std::array prony_numbers{
+    number<Material, &Material::young>("young", "Young's modulus after a long time [force/length²]", above(0),
+                                       true),
+    number<Material, &Material::poisson>("poisson", "Poisson's ratio after a long time", between(-1, 0.5),
+                                         true)};
+
+template <auto Member>
+constexpr Number<Material> hyperelastic_number(std::string_view key, std::string_view meaning, Range range,
+                                               bool required = false) {
+  return number<Material, &Material::hyperelasticity, Member>(key, meaning, range, required);
+}
+/// Of all hyperelastic laws.
+inline constexpr auto hyperelastic_bulk = hyperelastic_number<&Hyperelasticity::bulk>(
+    "bulk", "bulk modulus at small strain [force/length²]; or 'poisson'", above(0));
+inline constexpr auto hyperelastic_poisson = number<Material, &Material::poisson>(
+    "poisson", "Poisson's ratio at small strain, where 'bulk' is not given", between(-1, 0.5));
+inline constexpr std::array hyperelastic_numbers{
+    hyperelastic_number<&Hyperelasticity::c10>("c10", "of I₁ − 3 [force/length²]", Range{}, true),
+    hyperelastic_number<&Hyperelasticity::c01>(
+        "c01", "of I₂ − 3 [force/length²]; 0, neo-Hookean, when not given", Range{}),
+    hyperelastic_bulk, hyperelastic_poisson};
+inline constexpr std::array yeoh_numbers{
+    hyperelastic_number<&Hyperelasticity::c10>("c10", "of I₁ − 3 [force/length²]", above(0), true),
+    hyperelastic_number<&Hyperelasticity::c20>("c20", "of (I₁ − 3)² [force/length²]", Range{}),
+    hyperelastic_number<&Hyperelasticity::c30>("c30", "of (I₁ − 3)³ [force/length²]", at_least(0)),
+    hyperelastic_bulk, hyperelastic_poisson};
+inline constexpr std::array ogden_numbers{hyperelastic_bulk, hyperelastic_poisson};
+
+inline constexpr std::array<LawEntry, 7> material_laws{{
     {.law = LawKind::elastic,
      .name = "elastic",
      .code_aster = "ELAS",
@@ -79,6 +108,36 @@ inline constexpr std::array<LawEntry, 2> material_laws{{
      .summary = "linear elasticity with three axes of symmetry, turned by angles",
      .numbers = orthotropic_numbers,
      .faults = orthotropic_faults},
+    {.law = LawKind::plastic,
+     .name = "plastic",
+     .code_aster = "VMIS_ISOT_LINE, VMIS_ISOT_TRAC, VMIS_CINE_LINE, VMIS_ECMI_LINE, VMIS_CIN1_CHAB",
+     .summary = "von Mises plasticity with isotropic and kinematic hardening",
+     .numbers = elastic_numbers,
+     .faults = nullptr},
+    {.law = LawKind::prony,
+     .name = "prony",
+     .code_aster = "",
+     .summary = "linear viscoelasticity of the shear by a Prony series",
+     .numbers = prony_numbers,
+     .faults = nullptr},
+    {.law = LawKind::hyperelastic,
+     .name = "hyperelastic",
+     .code_aster = "ELAS_HYPER",
+     .summary = "neo-Hookean and Mooney-Rivlin rubber",
+     .numbers = hyperelastic_numbers,
+     .faults = nullptr},
+    {.law = LawKind::yeoh,
+     .name = "yeoh",
+     .code_aster = "",
+     .summary = "Yeoh's rubber, three terms of I1",
+     .numbers = yeoh_numbers,
+     .faults = nullptr},
+    {.law = LawKind::ogden,
+     .name = "ogden",
+     .code_aster = "",
+     .summary = "Ogden's rubber, powers of the principal stretches",
+     .numbers = ogden_numbers,
+     .faults = nullptr},
 }};
 
 /// Rows stand in the order of the laws.

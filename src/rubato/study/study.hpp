@@ -7,7 +7,8 @@
 #include "rubato/study/discrete.hpp"
 #include "rubato/study/mesh_source.hpp"
 #include "rubato/study/relations.hpp"
-#include "rubato/study/rotation.hpp"
+#include "rubato/study/solids.hpp"
+#include "rubato/study/supports.hpp"
 #include "rubato/study/temperature.hpp"
 #include "rubato/study/values.hpp"
 
@@ -27,7 +28,7 @@ namespace rubato::study {
 enum class Physics { solid, plane_stress, plane_strain, axisymmetric };
 
 /// What gives stresses from strains; study/material_laws.hpp has a row for each.
-enum class LawKind { elastic, orthotropic };
+enum class LawKind { elastic, orthotropic, plastic, prony, hyperelastic, yeoh, ogden };
 
 /// Axes that turn with the place about a line: x' points away from it, y' around it, z' along it. In the
 /// plane the line stands on the plane at `point`.
@@ -76,9 +77,15 @@ struct ModalDamping {
 struct Material {
   std::string name;
   LawKind law = LawKind::elastic;
-  double young = 0;      ///< elastic: E [pressure] > 0
-  double poisson = 0;    ///< elastic: −1 < ν < 0.5
-  Orthotropy orthotropy; ///< orthotropic
+  double young = 0;                ///< elastic, plastic, prony (after a long time): E [pressure] > 0
+  double poisson = 0;              ///< likewise, and of hyperelastic laws without `bulk`: −1 < ν < 0.5
+  Orthotropy orthotropy;           ///< orthotropic
+  Plasticity plasticity;           ///< plastic
+  std::vector<PronyTerm> prony;    ///< prony
+  Hyperelasticity hyperelasticity; ///< hyperelastic, yeoh, ogden
+  /// small, and green_lagrange of hyperelastic laws, when not given.
+  std::optional<StrainKind> strain;
+  std::optional<Formulation> formulation; ///< study/formulation.hpp has the choice when not given
   std::optional<double> density;
   /// Numbers of the law, and "density", that depend on the undeformed place, by their keys: they count
   /// instead of the members.
@@ -90,28 +97,6 @@ struct Material {
   bool everywhere = true;         ///< `cells: all`
   std::vector<std::string> cells; ///< groups, when not everywhere
   bool operator==(const Material&) const = default;
-};
-
-/// A direction across the axes along which a displacement is held or imposed.
-struct ObliqueSupport {
-  bool normal = false;               ///< along the outward normal of the faces of the group
-  std::array<double, 3> direction{}; ///< else along this one, of any length > 0
-  Field value;                       ///< [length]
-  bool operator==(const ObliqueSupport&) const = default;
-};
-
-/// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`),
-/// also along a direction across the axes, and rotations of a reference or of a group. Velocities and
-/// accelerations may stand for the displacements that follow from them.
-struct Support {
-  std::string on;
-  std::array<std::optional<Field>, 3> components;
-  std::optional<ObliqueSupport> along = {};
-  std::array<std::optional<Field>, 3> turns = {}; ///< of a reference about the axes [radians]
-  /// Of all nodes of the group: every component is held, `components` are added to what it displaces.
-  std::optional<Rotation> rotate = {};
-  std::optional<double> until = {}; ///< instant at which it lets go, to the end without
-  bool operator==(const Support&) const = default;
 };
 
 /// Where displacements are counted from.
@@ -311,15 +296,27 @@ struct TimeStepping {
   std::string start_run; ///< with from_run
   int cut_parts = 2;
   int cut_levels = 12;
+  /// Nonlinear bodies: steps grow and shrink with their iterations, up to this one [time].
+  std::optional<double> max_step;
+  /// Nonlinear bodies: steps whose cumulated plastic strain grows by more anywhere are cut.
+  std::optional<double> max_plastic_step;
   bool operator==(const TimeStepping&) const = default;
 };
 
 /// How implicit steps are solved: with the bulk factored once a step length, or whole in every iteration.
 enum class Solver { automatic, condensed, full };
 
+/// When nonlinear bodies have their effective matrix factored anew.
+enum class TangentChoice {
+  automatic, ///< when a new factor is less work than the further iterations with the old one
+  full,      ///< in every iteration
+  kept       ///< at the start of a step, and when an iteration leaves more than 0.3 of the residual
+};
+
 struct NewtonSettings {
   int max_iterations = 40;
   double residual = 1e-8; ///< relative, as docs/theory/time-integration.md defines it
+  TangentChoice tangent = TangentChoice::automatic;
   bool operator==(const NewtonSettings&) const = default;
 };
 

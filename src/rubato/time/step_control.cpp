@@ -84,6 +84,20 @@ std::vector<double> instants_of(const study::TimeStepping& settings) {
   return with_stops(listed_or_even(settings), settings.stops);
 }
 
+std::vector<double> instants_of_varying(const study::TimeStepping& settings) {
+  if (!settings.instants.empty())
+    return instants_of(settings);
+  return with_stops({settings.begin, settings.end}, settings.stops);
+}
+
+double length_after(double length, int iterations, double longest) {
+  constexpr double usual = 6; // iterations that neither ask for shorter steps nor allow longer ones
+  constexpr double least_change = 1.25;
+  const double change = std::clamp(std::sqrt(usual / std::max(1, iterations)), 0.5, 2.0);
+  const bool keeps = change < least_change && change > 1 / least_change;
+  return std::min(longest, keeps ? length : change * length);
+}
+
 namespace {
 
 bool are_same(double length, double usual) {
@@ -112,15 +126,35 @@ std::vector<double> distinct_lengths(const study::TimeStepping& settings, std::s
   return lengths;
 }
 
+double first_length(const study::TimeStepping& settings, std::span<const double> instants) {
+  const double first = settings.step > 0 ? settings.step : instants[1] - instants[0];
+  return std::min(first, *settings.max_step);
+}
+
 } // namespace
 
 StepControl::StepControl(const study::TimeStepping& settings, double start)
-    : instants_(instants_of(settings)), now_(start), usual_lengths_(distinct_lengths(settings, instants_)),
-      parts_(settings.cut_parts), levels_(settings.cut_levels) {
+    : instants_(settings.max_step ? instants_of_varying(settings) : instants_of(settings)), now_(start),
+      usual_lengths_(distinct_lengths(settings, instants_)), parts_(settings.cut_parts),
+      levels_(settings.cut_levels), longest_(settings.max_step.value_or(0)),
+      wanted_(settings.max_step ? first_length(settings, instants_) : 0) {
   next_ = static_cast<std::size_t>(std::ranges::upper_bound(instants_, start) - instants_.begin());
 }
 
+/// Two equal steps stand for one and a short rest.
+double StepControl::target() const {
+  if (!varies())
+    return ends_.empty() ? instants_[next_] : ends_.back().instant;
+  const double end = instants_[next_];
+  const double left = end - now_;
+  if (left <= wanted_ * (1 + short_rest))
+    return end;
+  return now_ + (left < 2 * wanted_ ? left / 2 : wanted_);
+}
+
 double StepControl::length() const {
+  if (varies())
+    return are_same(target() - now_, wanted_) ? wanted_ : target() - now_;
   const double difference = target() - now_;
   const double parts = std::pow(parts_, level());
   const auto usual = same_among(usual_lengths_, difference, parts);
@@ -138,9 +172,23 @@ void StepControl::go_on(const Place& place) {
   const bool listed =
       next_ < instants_.size() && !place.ends.empty() && place.ends.front().instant == instants_[next_];
   ends_ = listed ? place.ends : std::vector<End>();
+  if (varies() && place.wanted > 0)
+    wanted_ = place.wanted;
 }
 
-void StepControl::accept() {
+void StepControl::accept(int iterations) {
+  if (varies()) {
+    const double end = target();
+    const double length = end - now_;
+    now_ = end;
+    if (end == instants_[next_])
+      ++next_;
+    cuts_ = 0;
+    // A step that an instant cut short says nothing of longer ones.
+    if (are_same(length, wanted_) || length_after(length, iterations, longest_) < wanted_)
+      wanted_ = length_after(length, iterations, longest_);
+    return;
+  }
   now_ = target();
   if (!ends_.empty())
     ends_.pop_back();
@@ -150,6 +198,13 @@ void StepControl::accept() {
 
 bool StepControl::cut() {
   const double end = target();
+  if (varies()) {
+    if (cuts_ == levels_)
+      return false;
+    ++cuts_;
+    wanted_ = (end - now_) / parts_;
+    return true;
+  }
   const int deeper = level() + 1;
   if (deeper > levels_)
     return false;

@@ -20,9 +20,18 @@ std::vector<double> with_stops(std::vector<double> instants, std::span<const dou
 /// The instants a run must reach, ascending, the first one being the start; its stops among them.
 std::vector<double> instants_of(const study::TimeStepping& settings);
 
+/// The instants that steps of varying length must end at: those that are listed, the end and the stops.
+std::vector<double> instants_of_varying(const study::TimeStepping& settings);
+
+/// The length of the next step after one that took some iterations of the bulk: grows where they were few.
+/// Lengths that would differ little stay: what is factored for one serves the next.
+double length_after(double length, int iterations, double longest);
+
 /// Walks through the list of instants. A failed step is cut into `cut_parts`; the parts may be cut again,
 /// `cut_levels` deep. Parts that succeed bring the walk back to the list, so growing back needs no memory
-/// beyond the stack of ends. A value: copying it copies the place in the list.
+/// beyond the stack of ends. Where the settings have a longest step, lengths follow the iterations of the
+/// bulk instead, and only instants that steps must end at are hit. A value: copying it copies the place in
+/// the list.
 class StepControl {
 public:
   StepControl(const study::TimeStepping& settings, double start);
@@ -30,14 +39,14 @@ public:
   bool finished() const { return ends_.empty() && next_ >= instants_.size(); }
   double now() const { return now_; }
   /// The end of the step to try. Call only while not finished.
-  double target() const { return ends_.empty() ? instants_[next_] : ends_.back().instant; }
+  double target() const;
   /// Length of the step to try; the very same number for steps that differ by the rounding of instants only,
   /// so that what is factored for one serves the others.
   double length() const;
-  /// How often the interval between two listed instants has been cut to get this step.
-  int level() const { return ends_.empty() ? 0 : ends_.back().level; }
   /// Whether target() is one of the listed instants.
-  bool target_is_listed() const { return ends_.size() <= 1; }
+  bool target_is_listed() const { return varies() ? target() == instants_[next_] : ends_.size() <= 1; }
+  /// How often the interval between two listed instants has been cut to get this step.
+  int level() const { return varies() ? cuts_ : ends_.empty() ? 0 : ends_.back().level; }
 
   /// The end of a part of a cut step, and how deep it is cut.
   struct End {
@@ -50,17 +59,22 @@ public:
     double now = 0;
     std::vector<End> ends; ///< of the parts of the interval to the next listed instant, the nearest last
     bool finished = false;
+    double wanted = 0; ///< of steps of varying length: that of the next one; else 0
+    bool operator==(const Place&) const = default;
   };
-  Place place() const { return {now_, ends_, finished()}; }
+  Place place() const { return {now_, ends_, finished(), wanted_}; }
   /// Goes on from a place that a walk through this list, or a shorter one, has reached.
   void go_on(const Place& place);
 
-  void accept();
+  /// `iterations`: of the bulk in the step.
+  void accept(int iterations = 0);
   bool can_cut() const { return level() < levels_; }
   /// Cuts the step; false when the levels are used up.
   bool cut();
 
 private:
+  bool varies() const { return longest_ > 0; }
+
   std::vector<double> instants_;
   std::size_t next_ = 1;
   std::vector<End> ends_; ///< ends of the parts of the interval to instants_[next_], the nearest last
@@ -68,6 +82,9 @@ private:
   std::vector<double> usual_lengths_; ///< of intervals that are not cut, each once, ascending
   int parts_ = 2;
   int levels_ = 12;
+  double longest_ = 0; ///< of steps of varying length; else 0
+  double wanted_ = 0;  ///< likewise, of the next one
+  int cuts_ = 0;       ///< likewise, one after the other
 };
 
 } // namespace rubato::time

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace rubato::step {
@@ -101,6 +100,13 @@ double largest_load(const Model& model) {
   return largest;
 }
 
+void put_weak_springs(const Model& model, EffectiveSystem& system) {
+  for_each_free_dof(model, [&](int dof) {
+    if (const int free = model.reduction.unknown_of(dof); free >= 0)
+      system.matrix.coeffRef(free, free) += system.weak_spring;
+  });
+}
+
 /// Returns how stiff they are together.
 double add_weak_springs(const Model& model, EffectiveSystem& system) {
   system.has_free_bodies = true;
@@ -112,11 +118,8 @@ double add_weak_springs(const Model& model, EffectiveSystem& system) {
   const double load = largest_load(model);
   const double wanted = load > 0 ? load / (moved_edges * edge) : stiffest * largest;
   const double all = std::clamp(wanted, weakest * largest, stiffest * largest);
-  const double each = all / static_cast<double>(model.free_body_nodes.size());
-  for_each_free_dof(model, [&](int dof) {
-    if (const int free = model.reduction.unknown_of(dof); free >= 0)
-      system.matrix.coeffRef(free, free) += each;
-  });
+  system.weak_spring = all / static_cast<double>(model.free_body_nodes.size());
+  put_weak_springs(model, system);
   return all;
 }
 
@@ -134,7 +137,50 @@ contact::ZoneCoefficients coefficients_of(const contact::Zone& zone, const Model
   return coefficients;
 }
 
+SparseMatrix effective_matrix(const Model& model, const time::StepCoefficients& coefficients,
+                              const SparseMatrix& tangent) {
+  SparseMatrix full = tangent;
+  full.coeffs() *= coefficients.stiffness;
+  if (coefficients.mass != 0)
+    linalg::add_scaled(coefficients.mass, model.mass, full);
+  if (coefficients.damping != 0 && model.damping.nonZeros() > 0)
+    linalg::add_scaled(coefficients.damping, model.damping, full);
+  return full;
+}
+
 } // namespace
+
+bool same_values(const Tangent& a, const Tangent& b) {
+  return a == b || (a && b && *a == *b);
+}
+
+Tangent values_of(const SparseMatrix& tangent) {
+  return std::make_shared<const Eigen::VectorXd>(tangent.coeffs());
+}
+
+SparseMatrix matrix_of(const Model& model, const Tangent& tangent) {
+  SparseMatrix matrix = model.domain.initial_tangent();
+  matrix.coeffs() = *tangent;
+  return matrix;
+}
+
+bool renew(EffectiveSystem& system, const Model& model, const Tangent& tangent) {
+  if (same_values(system.tangent, tangent))
+    return true;
+  system.tangent = tangent;
+  system.matrix =
+      model.reduction.reduced(effective_matrix(model, system.coefficients, matrix_of(model, tangent)));
+  if (system.weak_spring > 0)
+    put_weak_springs(model, system);
+  if (!system.compliance)
+    return true;
+  auto factor = factored(model, system.matrix, [](std::size_t) {});
+  if (!factor)
+    return false;
+  *system.compliance = Compliance(std::move(*factor), model.reduction, related_surface_dofs(model));
+  system.slopes = SlopeChanges(model, *system.compliance, system.coefficients);
+  return true;
+}
 
 double wanted_residual(const EffectiveSystem& system, double tolerance) {
   return system.has_free_bodies ? tolerances.free_body_residual * tolerance : tolerance;
@@ -142,17 +188,13 @@ double wanted_residual(const EffectiveSystem& system, double tolerance) {
 
 EffectiveSystem make_effective_system(const Model& model, const time::Scheme& scheme, double step,
                                       const std::function<void(std::size_t)>& tell_memory) {
-  if (!model.domain.is_linear())
-    throw std::logic_error("the factor of a step length is kept: that needs a linear domain");
   EffectiveSystem system;
   system.step = step;
   system.coefficients = time::coefficients_of(scheme, step);
-  SparseMatrix full = model.domain.initial_tangent();
-  full.coeffs() *= system.coefficients.stiffness;
-  if (system.coefficients.mass != 0)
-    linalg::add_scaled(system.coefficients.mass, model.mass, full);
-  if (system.coefficients.damping != 0 && model.damping.nonZeros() > 0)
-    linalg::add_scaled(system.coefficients.damping, model.damping, full);
+  const auto& tangent = model.domain.initial_tangent();
+  if (!model.domain.is_linear())
+    system.tangent = values_of(tangent);
+  const auto full = effective_matrix(model, system.coefficients, tangent);
   system.diagonal = full.diagonal();
   system.matrix = model.reduction.reduced(full);
   const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);

@@ -7,6 +7,7 @@
 #include "rubato/model/model.hpp"
 #include "rubato/step/common/slope_changes.hpp"
 #include "rubato/step/interface/compliance.hpp"
+#include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
 
 #include <cstddef>
@@ -18,8 +19,9 @@ namespace rubato::step {
 
 struct CondensedScratch;
 
-/// The effective matrix A = m M + c C + k K of one step length, on free dofs. K is the domain's tangent: as A
-/// and its factor serve every step of that length, the domain must be linear.
+/// The effective matrix A = m M + c C + k K of one step length, on free dofs. K is the domain's tangent: of a
+/// linear domain A and its factor serve every step of that length, of others they are renewed
+/// (common/bulk_tangent.hpp).
 ///
 /// Bodies that only contact holds have weak springs in it, so that it can be factored. They act on the
 /// correction of an iteration, never on the motion itself: iterations with them are the proximal point
@@ -28,6 +30,8 @@ struct EffectiveSystem {
   double step = 0;
   time::StepCoefficients coefficients;
   model::SparseMatrix matrix;
+  Tangent tangent;              ///< K that the matrix is made of, of nonlinear domains; else null
+  double weak_spring = 0;       ///< on each free unknown of bodies that only contact holds [force/length]
   bool has_free_bodies = false; ///< whether there are such springs
   Eigen::VectorXd diagonal;     ///< of every dof, constrained ones included
   std::vector<contact::ZoneCoefficients> zones;
@@ -40,11 +44,23 @@ struct EffectiveSystem {
 
 /// Factors the matrix unless the study's solver is full or the matrix is not positive definite, as when only
 /// contact holds a body. Throws InputError before the factorisation when the factor would not fit into the
-/// memory that is left; otherwise `tell_memory` hears then what the factor needs [bytes]. Throws
-/// std::logic_error when the domain is not linear.
+/// memory that is left; otherwise `tell_memory` hears then what the factor needs [bytes]. Of a nonlinear
+/// domain the matrix is that of its initial tangent.
 EffectiveSystem make_effective_system(
     const model::Model& model, const time::Scheme& scheme, double step,
     const std::function<void(std::size_t)>& tell_memory = [](std::size_t) {});
+
+/// Makes the matrix anew with a tangent of the domain and factors it, unless it has that tangent already or
+/// every iteration solves the whole system. Coefficients of contact stay. False when the matrix is not
+/// positive definite: then it is made, but not factored.
+bool renew(EffectiveSystem& system, const model::Model& model, const Tangent& tangent);
+
+/// Whether they have the same values, or both none.
+bool same_values(const Tangent& a, const Tangent& b);
+
+Tangent values_of(const model::SparseMatrix& tangent);
+/// The matrix with these values.
+model::SparseMatrix matrix_of(const model::Model& model, const Tangent& tangent);
 
 /// The residual that iterations are to come below, if they can: what weak springs still carry displaces whole
 /// bodies.

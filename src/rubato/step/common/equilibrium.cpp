@@ -86,11 +86,23 @@ Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const E
 /// The prediction is a combination of what is known; from there on one evaluation of the domain and one
 /// product with M do.
 void Equilibrium::take_motion(const time::Motion& motion) {
-  const auto& start = committed_.motion.u;
+  has_forces_at(motion.u);
+  take_inertia(motion);
+}
+
+bool Equilibrium::has_forces_at(const VectorXd& u) {
+  if (evaluated_at_ && *evaluated_at_ == u)
+    return !failed_;
+  failed_ = model_.domain.evaluate({committed_.motion.u, u, committed_.t, t_, &predicted_bulk_.u},
+                                   committed_.bulk_points, bulk_points_, {.forces = &bulk_.internal});
+  if (!model_.domain.is_linear())
+    evaluated_at_ = u;
+  return !failed_;
+}
+
+void Equilibrium::take_inertia(const time::Motion& motion) {
   bulk_ = {std::move(bulk_.internal), {}, predicted_bulk_.v, predicted_bulk_.a};
-  model_.domain.evaluate({start, motion.u, committed_.t, t_, &predicted_bulk_.u}, committed_.bulk_points,
-                         bulk_points_, {.forces = &bulk_.internal});
-  if (scheme_.dynamic && motion.u != start) {
+  if (scheme_.dynamic && motion.u != committed_.motion.u) {
     const VectorXd correction = model_.products.mass(motion.a - predicted_acceleration_);
     bulk_.inertia += correction;
     bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
@@ -101,6 +113,20 @@ void Equilibrium::take_motion(const time::Motion& motion) {
 
 void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& contact) {
   take_motion(motion);
+  sum_up(contact);
+}
+
+void Equilibrium::evaluate_ahead(const time::Motion& motion, const ContactForce& contact,
+                                 const BulkStart& start) {
+  evaluated_at_.reset();
+  failed_.reset();
+  bulk_.internal = start.forces + matrix_of(model_, start.tangent).selfadjointView<Eigen::Lower>() *
+                                      (motion.u - committed_.motion.u);
+  take_inertia(motion);
+  sum_up(contact);
+}
+
+void Equilibrium::sum_up(const ContactForce& contact) {
   inertia_ = scheme_.inertia.now * bulk_.inertia;
   if (bulk_.viscous.size() > 0)
     inertia_ += scheme_.damping.now * bulk_.viscous;
@@ -108,6 +134,14 @@ void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& conta
   full_residual_ =
       inertia_ + scheme_.forces.now * bulk_residual_ + scheme_.contact_weight() * contact.all + history_;
   residual_ = model_.reduction.gather(full_residual_);
+}
+
+double Equilibrium::unbalanced_with(const VectorXd& contact) const {
+  return (residual_ + model_.reduction.gather(scheme_.contact_weight() * contact)).lpNorm<Eigen::Infinity>();
+}
+
+VectorXd Equilibrium::residual_without(const ContactForce& contact) const {
+  return residual_ - model_.reduction.gather(scheme_.contact_weight() * contact.all);
 }
 
 void Equilibrium::measure(const time::Motion& motion, const ContactForce& contact, StepReport& report) {
@@ -176,11 +210,22 @@ std::vector<WorstNode> Equilibrium::worst() const {
   return worst_nodes(residual_, nodes, scale_);
 }
 
+/// What the balance of energy needs, and the next step's tangent.
+void Equilibrium::record(State& trial) const {
+  model_.domain.evaluate({committed_.motion.u, trial.motion.u, committed_.t, t_}, committed_.bulk_points,
+                         trial.bulk_points, {.records = true});
+  trial.tangent = system_.tangent;
+  if (!scheme_.dynamic)
+    trial.moved = trial.motion.u - committed_.motion.u;
+}
+
 void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   trial.t = t_;
   trial.step = system_.step;
   trial.bulk = bulk_;
   trial.bulk_points = bulk_points_;
+  if (!model_.domain.is_linear())
+    record(trial);
   trial.force_scale = own_scale_;
   trial.residual_force = bulk_residual_;
   if (scheme_.remembers_contact())

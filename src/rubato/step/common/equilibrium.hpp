@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
+#include "rubato/step/common/bulk_tangent.hpp"
 #include "rubato/step/common/effective_system.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
@@ -10,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace rubato::step {
@@ -51,6 +53,17 @@ public:
               const State& committed, double t);
 
   void evaluate(const time::Motion& motion, const ContactForce& contact);
+  /// The same with internal forces that follow the tangent from the start of the step: a motion whose
+  /// supports have moved ahead of the bodies has none that mean anything.
+  void evaluate_ahead(const time::Motion& motion, const ContactForce& contact, const BulkStart& start);
+  /// Whether every cell has forces at these displacements; they are kept for `evaluate`.
+  bool has_forces_at(const Eigen::VectorXd& u);
+  /// The cell that had none.
+  const domain::Failed& failed() const { return failed_; }
+  /// The residual less what these forces have put into it.
+  Eigen::VectorXd residual_without(const ContactForce& contact) const;
+  /// The largest entry of a residual without contact, once these contact forces stand in it [force].
+  double unbalanced_with(const Eigen::VectorXd& contact) const;
   /// On free dofs.
   const Eigen::VectorXd& residual() const { return residual_; }
   /// Fills the report's residual and worst node. Code_Aster's RESI_GLOB_RELA: the largest unbalanced force
@@ -72,6 +85,9 @@ public:
 
 private:
   void take_motion(const time::Motion& motion);
+  void take_inertia(const time::Motion& motion);
+  void sum_up(const ContactForce& contact);
+  void record(State& trial) const;
   void add_contact(const ContactStiffness& stiffness, double far, double moved,
                    Eigen::VectorXd& summed) const;
 
@@ -84,6 +100,8 @@ private:
   time::Motion predicted_bulk_;            ///< f_int, M v, M a there
   BulkForces bulk_;
   domain::QuadratureStates bulk_points_;
+  domain::Failed failed_;
+  std::optional<Eigen::VectorXd> evaluated_at_; ///< displacements that a nonlinear bulk's forces are those of
   Eigen::VectorXd external_;
   double heat_ = 0;         ///< the largest force of temperatures at the end of the step [force]
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step

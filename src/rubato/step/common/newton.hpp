@@ -35,12 +35,15 @@ concept NewtonSystem = requires(S system, const S known, State& trial, const Fro
   /// A norm of the contact forces [force].
   { known.force_norm() } -> std::same_as<double>;
   { system.report() } -> std::same_as<StepReport&>;
+  /// Of a settled iterate that goes on: whether iterations are counted anew.
+  { system.counts_anew() } -> std::same_as<bool>;
   /// The report, with what is not met and where, of a step that fails.
   { system.ended(Outcome::converged, frozen) } -> std::same_as<StepReport>;
 };
 
 /// Iterates from `trial` (u, v, a, multipliers and statuses) to the end of the step, with at most
-/// `most_iterations` linear solves. Corrections are halved where iterates come back.
+/// `most_iterations` linear solves from where they are counted. Corrections are halved where iterates come
+/// back.
 template <NewtonSystem S>
 StepReport run_newton(S& system, int most_iterations, Progress& progress, State& trial,
                       const Frozen& frozen) {
@@ -48,18 +51,23 @@ StepReport run_newton(S& system, int most_iterations, Progress& progress, State&
     return system.ended(*outcome, frozen);
   CycleDetector cycle;
   StepReport& report = system.report();
-  for (int iteration = 0; iteration <= most_iterations; ++iteration) {
+  int last = most_iterations;
+  for (int iteration = 0; iteration <= last; ++iteration) {
     system.evaluate(trial, frozen, iteration);
     if (!system.is_finite())
       return system.ended(Outcome::not_finite, frozen);
     if (iteration > 0 && system.is_settled(trial, frozen))
       if (const auto outcome = system.close(trial, frozen))
         return system.ended(*outcome, frozen);
+    if (system.counts_anew()) {
+      last = iteration + most_iterations;
+      cycle = {};
+    }
     const bool may_cycle = iteration > 0 && report.status_changes > 0;
     const auto part = may_cycle ? cycle.part_of_next(system.iterate(), system.force_norm()) : 1.0;
     if (!part)
       return system.ended(Outcome::cycling, frozen);
-    if (iteration == most_iterations)
+    if (iteration == last)
       break;
     const double residual = iteration > 0 ? report.residual : std::numeric_limits<double>::quiet_NaN();
     if (!progress.report(system.points_in_contact(), residual))

@@ -16,18 +16,28 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
                          const State& committed, double t, ContactEvaluator& side, Progress&)
     : model_(model), scheme_(scheme), system_(system), side_(side),
       equilibrium_(model, scheme, system, committed, t),
-      contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {}
+      contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {
+  if (!model.domain.is_linear())
+    bulk_.emplace(model, scheme, system, committed, t);
+}
 
 std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
   side_.start_iterations();
+  if (bulk_ && !started_)
+    bulk_->start();
+  start_ = bulk_ && !started_;
+  started_ = true;
   return std::nullopt;
 }
 
 void WholeSystem::evaluate(const State& trial, const Frozen& frozen, int iteration) {
   evaluate_contact(trial, frozen, iteration);
-  equilibrium_.evaluate(trial.motion, force_);
+  if (start_)
+    equilibrium_.evaluate_ahead(trial.motion, force_, *bulk_->back_at_start());
+  else
+    equilibrium_.evaluate(trial.motion, force_);
   equilibrium_.measure(trial.motion, force_, report_);
 }
 
@@ -46,9 +56,11 @@ int WholeSystem::points_in_contact() const {
 
 StepReport WholeSystem::ended(Outcome outcome, const Frozen& frozen) {
   report_.outcome = outcome;
+  if (bulk_)
+    bulk_->fill(report_, equilibrium_);
   if (report_.failed()) {
     report_.worst = equilibrium_.worst();
-    if (outcome != Outcome::not_finite)
+    if (outcome != Outcome::not_finite && outcome != Outcome::cell_failed)
       side_.name_unmet(frozen, report_.iterations > 0 ? &previous_ : nullptr, now_, report_);
     name_residual_growth(report_);
   }
@@ -118,12 +130,41 @@ std::optional<LinearSolution> WholeSystem::solution(const time::Motion& motion) 
   return solve_full({model_, system_.matrix, scheme_.contact_weight(), contact_, equilibrium_.residual()});
 }
 
-std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen&, double part) {
+/// An outcome ends the step.
+std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& frozen) {
+  if (start_) {
+    bulk_->start_with(report_.unbalanced_force);
+    start_ = false;
+    return std::nullopt;
+  }
+  const double allowed = report_.tolerance * equilibrium_.scale();
+  if (const auto outcome = bulk_->go_on(trial.motion.u, report_.unbalanced_force, allowed))
+    return outcome;
+  if (!bulk_->goes_back())
+    return std::nullopt;
+  trial.motion = before_.motion;
+  trial.zones = before_.zones;
+  evaluate_contact(trial, frozen, report_.iterations);
+  if (const auto* start = bulk_->back_at_start())
+    equilibrium_.evaluate_ahead(trial.motion, force_, *start);
+  else
+    equilibrium_.evaluate(trial.motion, force_);
+  return std::nullopt;
+}
+
+std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, double part) {
+  if (bulk_)
+    if (const auto outcome = go_on_from(trial, frozen))
+      return outcome;
   const auto found = solution(trial.motion);
   if (!found || !found->displacement.allFinite() || !found->multipliers.allFinite())
     return Outcome::singular_matrix;
   const VectorXd d = model_.reduction.scatter(part * found->displacement);
+  if (bulk_)
+    before_ = {trial.motion, trial.zones};
   time::correct(system_.coefficients, d, trial.motion);
+  if (bulk_ && !bulk_->shorten(before_.motion, trial.motion, equilibrium_))
+    return Outcome::cell_failed;
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
     trial.zones[z].multipliers +=
         part * found->multipliers.segment(model_.multiplier_offsets[z], model_.zones[z].multiplier_count());

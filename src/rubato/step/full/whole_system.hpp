@@ -8,12 +8,14 @@
 ///   [  ∂e/∂u            ∂e/∂λ   ] [dλ] = − [equations]
 #pragma once
 
+#include "rubato/step/common/bulk_newton.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/equilibrium.hpp"
 #include "rubato/step/full/linear_step.hpp"
 #include "rubato/step/progress.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace rubato::step {
 
@@ -34,9 +36,11 @@ public:
   int points_in_contact() const;
   double force_norm() const { return force_.all.norm(); }
   StepReport& report() { return report_; }
+  bool counts_anew() const { return false; }
   StepReport ended(Outcome outcome, const Frozen& frozen);
 
 private:
+  std::optional<Outcome> go_on_from(State& trial, const Frozen& frozen);
   void evaluate_contact(const State& trial, const Frozen& frozen, int iteration);
   void add_zone(std::size_t zone, const Frozen& frozen);
   std::optional<LinearSolution> solution(const time::Motion& motion) const;
@@ -48,6 +52,14 @@ private:
   EffectiveSystem& system_;
   ContactEvaluator& side_;
   Equilibrium equilibrium_;
+  std::optional<BulkNewton> bulk_; ///< of a nonlinear one
+  bool started_ = false;
+  bool start_ = false; ///< until its first iterate is solved for
+  /// Where its last iterate came from.
+  struct Before {
+    time::Motion motion;
+    std::vector<contact::ZoneState> zones;
+  } before_;
   contact::ContactSystem contact_;
   ContactForce force_;
   ContactIterate now_, previous_;

@@ -93,9 +93,13 @@ std::optional<Start> other_start(const Model& model, const EffectiveSystem& syst
 
 Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                      const State& committed, double t, ContactEvaluator& side, Progress& progress)
-    : model_(model), scheme_(scheme), system_(system), side_(side), progress_(progress),
-      equilibrium_(model, scheme, system, committed, t), scratch_(scratch_of(model, system, scheme)),
-      scale_(committed.force_scale), reach_(reach_of(model, system)), surface_(model, scheme, system) {}
+    : model_(model), scheme_(scheme), system_(system), committed_(committed), side_(side),
+      progress_(progress), equilibrium_(model, scheme, system, committed, t),
+      scratch_(scratch_of(model, system, scheme)), scale_(committed.force_scale),
+      reach_(reach_of(model, system)), surface_(model, scheme, system) {
+  if (!model.domain.is_linear())
+    bulk_.emplace(model, scheme, system, committed, t);
+}
 
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
   report_ = {};
@@ -113,7 +117,9 @@ std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
 
 std::optional<Outcome> Condensed::begin(State& trial, const Frozen& frozen) {
   // A base may carry forces; a prediction counts whole ones.
-  if (!started_ || bases_carry_forces())
+  if (bulk_ && !started_)
+    start_ahead(trial);
+  else if (!started_ || bases_carry_forces())
     start_from(trial);
   if (!equilibrium_.residual().allFinite())
     return Outcome::not_finite;
@@ -132,6 +138,8 @@ std::optional<Outcome> Condensed::close(State& trial, const Frozen& frozen) {
     side_.finish(frozen, now(), trial);
     return Outcome::converged;
   }
+  if (bulk_)
+    return go_on_from(trial, frozen, force);
   if (!equilibrium_.residual().allFinite())
     return Outcome::not_finite;
   if (bases_carry_forces())
@@ -142,6 +150,54 @@ std::optional<Outcome> Condensed::close(State& trial, const Frozen& frozen) {
   return std::nullopt;
 }
 
+/// Contact starts anew from the next iterate of the bulk, with the forces that it has.
+std::optional<Outcome> Condensed::go_on_from(State& trial, const Frozen& frozen, ContactForce force) {
+  const auto part = bulk_->shorten(surface_.base, trial.motion, equilibrium_);
+  if (!part)
+    return Outcome::cell_failed;
+  if (*part != 1) {
+    equilibrium_.evaluate(trial.motion, force);
+    equilibrium_.measure(trial.motion, force, report_);
+  }
+  if (!equilibrium_.residual().allFinite())
+    return Outcome::not_finite;
+  const double allowed = report_.tolerance * equilibrium_.scale();
+  if (const auto outcome = bulk_->go_on(trial.motion.u, report_.unbalanced_force, allowed))
+    return outcome;
+  if (bulk_->renewed())
+    take_factor();
+  if (bulk_->goes_back())
+    go_back(trial);
+  else if (bases_carry_forces())
+    surface_.start_from(trial.motion, equilibrium_.residual(), Condensed::force());
+  else
+    surface_.start_from(trial.motion, equilibrium_.residual_without(force));
+  if (*part != 1 || bulk_->goes_back()) {
+    side_.measure(trial, frozen, now());
+    collect_forces(frozen);
+  }
+  zones_at_base_ = trial.zones;
+  scratch_.history.forget();
+  surface_stall_ = bulk_stall_ = {};
+  counts_anew_ = true;
+  return std::nullopt;
+}
+
+void Condensed::go_back(State& trial) {
+  trial.motion = surface_.base;
+  trial.zones = zones_at_base_;
+  const ContactForce none(trial.motion.u.size());
+  if (const auto* start = bulk_->back_at_start())
+    equilibrium_.evaluate_ahead(trial.motion, none, *start);
+  else
+    equilibrium_.evaluate(trial.motion, none);
+  surface_.start_from(trial.motion, equilibrium_.residual());
+}
+
+void Condensed::take_factor() {
+  scratch_.forget();
+}
+
 /// Those of free bodies lose no digits then. With springs by tables nothing else would be a fixed point: a
 /// base is solved with their slopes, what contact adds to it with those of the factor.
 bool Condensed::bases_carry_forces() const {
@@ -150,9 +206,11 @@ bool Condensed::bases_carry_forces() const {
 
 StepReport Condensed::ended(Outcome outcome, const Frozen& frozen) {
   report_.outcome = outcome;
+  if (bulk_)
+    bulk_->fill(report_, equilibrium_);
   if (report_.failed()) {
     report_.worst = equilibrium_.residual().allFinite() ? worst_on_surface() : equilibrium_.worst();
-    if (outcome != Outcome::not_finite)
+    if (outcome != Outcome::not_finite && outcome != Outcome::cell_failed)
       side_.name_unmet(frozen, report_.iterations > 0 ? &previous() : nullptr, now(), report_);
     name_residual_growth(report_);
   }
@@ -170,6 +228,18 @@ std::vector<WorstNode> Condensed::worst_on_surface() const {
 void Condensed::start_from(const State& trial) {
   started_ = true;
   surface_.start_from(trial.motion, equilibrium_);
+}
+
+/// Supports have moved already, the bodies follow by the tangent.
+void Condensed::start_ahead(const State& trial) {
+  started_ = true;
+  const auto& start = bulk_->start();
+  zones_at_base_ = trial.zones;
+  if (bulk_->renewed())
+    take_factor();
+  equilibrium_.evaluate_ahead(trial.motion, ContactForce(trial.motion.u.size()), start);
+  bulk_->start_with(equilibrium_.unbalanced_with(committed_.contact_force));
+  surface_.start_from(trial.motion, equilibrium_.residual());
 }
 
 void Condensed::predict_contact(State& trial, const Frozen& frozen) {

@@ -5,9 +5,11 @@
 /// needs d only where its points are: d_s = d_free − f₁ S f_c, S = B A⁻¹ Bᵀ. Newton's iterates of the whole
 /// system fulfil this from the first one on; they are computed here without the bulk, which is solved for
 /// once, in halves: down to the surface before the iterates, and back from it after them
-/// (linalg/split_factor.hpp).
+/// (linalg/split_factor.hpp). Of a nonlinear bulk A is that of one of its iterates, and contact is solved to
+/// its end at each of them.
 #pragma once
 
+#include "rubato/step/common/bulk_newton.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/equilibrium.hpp"
 #include "rubato/step/interface/free_motions.hpp"
@@ -20,6 +22,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rubato::step {
@@ -75,6 +78,8 @@ public:
   int points_in_contact() const { return static_cast<int>(scratch_.in_contact.size()); }
   double force_norm() const { return force().norm(); }
   StepReport& report() { return report_; }
+  /// Whether iterations are counted anew from here: from an iterate of a nonlinear bulk.
+  bool counts_anew() { return std::exchange(counts_anew_, false); }
   StepReport ended(Outcome outcome, const Frozen& frozen);
 
 private:
@@ -86,6 +91,10 @@ private:
 
   std::optional<Outcome> begin(State& trial, const Frozen& frozen);
   void start_from(const State& trial);
+  void start_ahead(const State& trial);
+  std::optional<Outcome> go_on_from(State& trial, const Frozen& frozen, ContactForce force);
+  void go_back(State& trial);
+  void take_factor();
   void predict_contact(State& trial, const Frozen& frozen);
   void collect_forces(const Frozen& frozen);
   bool surface_within_rounding(const State& trial, const Frozen& frozen) const;
@@ -114,9 +123,11 @@ private:
   const model::Model& model_;
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
+  const State& committed_;
   ContactEvaluator& side_;
   Progress& progress_;
   Equilibrium equilibrium_;
+  std::optional<BulkNewton> bulk_; ///< of a nonlinear one
   CondensedScratch& scratch_;
   StepReport report_;
   double scale_; ///< of forces, what the residual is measured by
@@ -126,7 +137,9 @@ private:
   double last_residual_ = std::numeric_limits<double>::infinity(); ///< at the last whole motion
   bool residual_grew_ = false; ///< from one to the next: they are at their rounding
   bool started_ = false;
-  bool measured_ = false; ///< whether now() is at the iterate already
+  bool counts_anew_ = false;
+  std::vector<contact::ZoneState> zones_at_base_; ///< of a nonlinear bulk
+  bool measured_ = false;                         ///< whether now() is at the iterate already
   SurfaceMotion surface_;
 };
 

@@ -11,7 +11,11 @@ SurfaceMotion::SurfaceMotion(const model::Model& model, const time::Scheme& sche
 
 void SurfaceMotion::start_from(const time::Motion& motion, Equilibrium& equilibrium) {
   equilibrium.evaluate(motion, ContactForce(motion.u.size()));
-  take_base(motion, system_.slopes.adjusted(equilibrium.residual(), motion));
+  start_from(motion, equilibrium.residual());
+}
+
+void SurfaceMotion::start_from(const time::Motion& motion, const VectorXd& residual) {
+  take_base(motion, system_.slopes.adjusted(residual, motion));
   carried_.resize(0);
 }
 

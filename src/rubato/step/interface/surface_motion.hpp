@@ -21,6 +21,8 @@ public:
 
   /// Takes a motion as the base that everything is counted from.
   void start_from(const time::Motion& base, Equilibrium& equilibrium);
+  /// The same with a residual that is known, without contact.
+  void start_from(const time::Motion& base, const Eigen::VectorXd& residual);
   /// Takes a motion as the base together with the contact forces there, whose residual this is: what moves
   /// from it is their change, beside which rounding of whole forces on weak springs is large.
   void start_from(const time::Motion& base, const Eigen::VectorXd& residual, const Eigen::VectorXd& force);

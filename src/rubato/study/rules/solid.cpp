@@ -2,6 +2,7 @@
 // Materials, supports, springs, loads, and how the bodies begin.
 #include "rubato/study/damping.hpp"
 #include "rubato/study/fields.hpp"
+#include "rubato/study/formulation.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -256,6 +257,11 @@ void check_load(Rules& rules, const Load& load, const std::string& path) {
                  fmt::format("found a {} that follows the faces, expected 'pressure': every other load keeps "
                              "its direction",
                              word_of(load_words, load.kind)));
+  else if (load.follower && !takes_large_rotations(rules.study))
+    rules.broken(
+        {path + ".follower", path, "materials"},
+        "found a pressure that follows the faces of bodies of small strain, expected a material with "
+        "strain: green_lagrange or logarithmic");
 }
 
 /// Why a run begins in no other way than its own; empty when it may.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Bodies whose forces are not a constant matrix times their displacements, and whatever else is constant:
+/// f_int = K u + Σ f(cells), U = ½ u·K u + Σ U(cells), K of the constant cells and of springs, with their
+/// heat and springs by tables as in LinearDomain.
+#pragma once
+
+#include "rubato/domain/evaluation.hpp"
+#include "rubato/domain/heat.hpp"
+#include "rubato/domain/law_springs.hpp"
+#include "rubato/domain/linear_domain.hpp"
+#include "rubato/domain/nonlinear_cells.hpp"
+#include "rubato/domain/quadrature_states.hpp"
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace rubato::domain {
+
+class NonlinearDomain {
+public:
+  /// `constant`: K of the cells that are constant and of springs. `initial`: the same with the tangents of
+  /// the other cells where nothing has happened yet. Both have the pattern that `cells` was made for.
+  NonlinearDomain(SparseMatrix&& constant, SparseMatrix&& initial,
+                  std::shared_ptr<const NonlinearCells> cells, int components,
+                  std::shared_ptr<const Heat> heat = nullptr, std::vector<LawSpring> springs = {});
+
+  static constexpr bool is_linear = false;
+
+  Failed evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                  const Wanted& wanted) const;
+  double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
+                const QuadratureStates& states) const;
+  const Heat* heat() const { return constant_.heat(); }
+  std::span<const LawSpring> law_springs() const { return constant_.law_springs(); }
+  const SparseMatrix& initial_tangent() const { return *initial_; }
+  PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
+    return cells_->plastic_step(old, now);
+  }
+  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
+
+private:
+  LinearDomain constant_;
+  /// Shared by copies, which only read them.
+  std::shared_ptr<const SparseMatrix> initial_;
+  std::shared_ptr<const NonlinearCells> cells_;
+  int components_ = 0;
+};
+
+} // namespace rubato::domain

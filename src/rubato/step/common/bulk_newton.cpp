@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/common/bulk_newton.hpp"
+
+namespace rubato::step {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A move that no cell follows even then is not one that converges.
+constexpr int most_halvings = 6;
+/// Residuals that grow from tangent to tangent do not come back.
+constexpr int most_growing = 4;
+
+/// From one motion part of the way to another.
+time::Motion between(const time::Motion& from, const time::Motion& to, double part) {
+  const auto mix = [part](const VectorXd& a, const VectorXd& b) { return VectorXd(a + part * (b - a)); };
+  return {mix(from.u, to.u), mix(from.v, to.v), mix(from.a, to.a)};
+}
+
+} // namespace
+
+BulkNewton::BulkNewton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+                       const State& committed, double t)
+    : model_(model), system_(system), tangent_(model, scheme, system, committed, t) {}
+
+const BulkStart& BulkNewton::start() {
+  const int before = tangent_.renewals();
+  start_ = tangent_.start();
+  renewed_ = tangent_.renewals() > before;
+  is_fresh_ = tangent_.is_fresh_at_start();
+  return *start_;
+}
+
+std::optional<double> BulkNewton::shorten(const time::Motion& from, time::Motion& to,
+                                          Equilibrium& equilibrium) const {
+  double part = 1;
+  for (int halvings = 0; !equilibrium.has_forces_at(to.u); ++halvings) {
+    if (halvings == most_halvings)
+      return std::nullopt;
+    to = between(from, to, 0.5);
+    part *= 0.5;
+  }
+  return part;
+}
+
+std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced, double allowed) {
+  ++iterations_;
+  renewed_ = goes_back_ = false;
+  if (iterations_ >= model_.study.newton.max_iterations)
+    return Outcome::too_many_iterations;
+  if (!is_fresh_ && !(unbalanced < last_))
+    go_back_with_new_tangent();
+  if (goes_back_)
+    return std::nullopt;
+  if (tangent_.wants_renewal(last_, unbalanced, allowed)) {
+    growing_ = is_fresh_ && !(unbalanced < last_) ? growing_ + 1 : 0;
+    if (growing_ > most_growing)
+      return Outcome::too_many_iterations;
+    renewed_ = is_fresh_ = tangent_.renew_at(u);
+  } else {
+    is_fresh_ = false;
+  }
+  base_ = u;
+  at_start_ = false;
+  last_ = unbalanced;
+  return std::nullopt;
+}
+
+void BulkNewton::go_back_with_new_tangent() {
+  is_fresh_ = true;
+  const auto before = system_.tangent;
+  goes_back_ = (at_start_ ? tangent_.renew_at_start() : tangent_.renew_at(base_)) &&
+               !same_values(before, system_.tangent);
+  renewed_ = goes_back_;
+  if (at_start_)
+    start_->tangent = system_.tangent;
+}
+
+void BulkNewton::fill(StepReport& report, const Equilibrium& equilibrium) const {
+  report.bulk_iterations = iterations_;
+  report.factorisations = tangent_.renewals();
+  report.indefinite = tangent_.is_indefinite();
+  report.failed_cell = equilibrium.failed();
+}
+
+} // namespace rubato::step

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// The tangent of a nonlinear bulk within one step: where it is taken, and when the effective matrix is made
+/// of a new one.
+#pragma once
+
+#include "rubato/domain/quadrature_states.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/step/common/effective_system.hpp"
+#include "rubato/step/state.hpp"
+#include "rubato/time/scheme.hpp"
+
+#include <Eigen/Core>
+
+namespace rubato::step {
+
+/// What a step starts from: the internal forces at the displacements of its start, at its end instant.
+struct BulkStart {
+  Eigen::VectorXd forces; ///< [force]
+  Tangent tangent;        ///< that of the system
+};
+
+class BulkTangent {
+public:
+  /// Everything must outlive this.
+  BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
+              const State& committed, double t);
+
+  /// Goes on with the tangent that the step before ended with, unless every iteration is to have its own or
+  /// that step had another length. Depends on the committed state alone, so that a resumed run does the same.
+  BulkStart start();
+  /// Whether `start` took a tangent for the step.
+  bool is_fresh_at_start() const;
+
+  /// After an iteration that has led from one unbalanced force to another, with so much allowed: whether a
+  /// new factor is worth it.
+  bool wants_renewal(double before, double now, double allowed) const;
+
+  /// Takes the tangent at these displacements. False when the matrix is not positive definite or a cell has
+  /// no answer: then the factor before serves on.
+  bool renew_at(const Eigen::VectorXd& u) { return put(at(u, nullptr)); }
+  /// Takes it a small part of the way that the step would go by itself: there cells that yield know in which
+  /// direction.
+  bool renew_at_start();
+
+  int renewals() const { return renewals_; }
+  bool is_indefinite() const { return indefinite_; }
+
+private:
+  Eigen::VectorXd slightly_on() const;
+  Tangent at(const Eigen::VectorXd& u, Eigen::VectorXd* forces);
+  bool put(const Tangent& tangent);
+  double factor_in_iterations() const;
+
+  const model::Model& model_;
+  const time::Scheme& scheme_;
+  EffectiveSystem& system_;
+  const State& committed_;
+  double t_;
+  model::SparseMatrix matrix_; ///< storage of tangents
+  domain::QuadratureStates unused_;
+  int renewals_ = 0;
+  bool indefinite_ = false;
+};
+
+} // namespace rubato::step

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/study/formulation.hpp"
+
+#include <algorithm>
+
+namespace rubato::study {
+
+bool is_hyperelastic(LawKind law) {
+  return law == LawKind::hyperelastic || law == LawKind::yeoh || law == LawKind::ogden;
+}
+
+StrainKind strain_of(const Material& material) {
+  const auto usual = is_hyperelastic(material.law) ? StrainKind::green_lagrange : StrainKind::small;
+  return material.strain.value_or(usual);
+}
+
+bool has_constant_stiffness(const Material& material) {
+  return (material.law == LawKind::elastic || material.law == LawKind::orthotropic) &&
+         strain_of(material) == StrainKind::small;
+}
+
+bool averages_dilatation(CellType type, Physics physics) {
+  return type == CellType::hexa8 || type == CellType::penta6 ||
+         (type == CellType::quad4 && physics != Physics::plane_stress);
+}
+
+namespace {
+
+bool has_cells(Formulation formulation, CellType type, Physics physics) {
+  switch (formulation) {
+  case Formulation::mean_dilatation:
+    return averages_dilatation(type, physics);
+  case Formulation::enhanced:
+  case Formulation::reduced:
+    return type == CellType::quad4 || type == CellType::hexa8;
+  case Formulation::full:
+    break;
+  }
+  return true;
+}
+
+} // namespace
+
+Formulation wanted_formulation(const Material& material) {
+  const bool flows = material.law == LawKind::plastic || is_hyperelastic(material.law);
+  return material.formulation.value_or(flows ? Formulation::mean_dilatation : Formulation::full);
+}
+
+Formulation formulation_of(const Material& material, Physics physics, CellType type) {
+  const auto wanted = wanted_formulation(material);
+  return has_cells(wanted, type, physics) ? wanted : Formulation::full;
+}
+
+bool is_linear(const Study& study) {
+  return std::ranges::all_of(study.materials, [&](const Material& material) {
+    const bool whole = material.formulation.value_or(Formulation::full) == Formulation::full;
+    return has_constant_stiffness(material) && (whole || study.temperatures.empty());
+  });
+}
+
+bool takes_large_rotations(const Study& study) {
+  return std::ranges::any_of(
+      study.materials, [](const Material& material) { return strain_of(material) != StrainKind::small; });
+}
+
+} // namespace rubato::study

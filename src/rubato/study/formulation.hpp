@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What a material is solved with where its study does not say.
+#pragma once
+
+#include "rubato/core/cell_type.hpp"
+#include "rubato/study/study.hpp"
+
+namespace rubato::study {
+
+/// Whether the law is one of hyperelasticity.
+bool is_hyperelastic(LawKind law);
+
+/// Green–Lagrange of hyperelastic laws, else small.
+StrainKind strain_of(const Material& material);
+
+/// Whether stress is a constant matrix times the small strain.
+bool has_constant_stiffness(const Material& material);
+
+/// Whether there is a `mean_dilatation` of such cells: QUAD4 in plane strain and axisymmetric, HEXA8, PENTA6.
+bool averages_dilatation(CellType type, Physics physics);
+
+/// What the study says; without a word mean_dilatation of plastic and hyperelastic laws, else full.
+Formulation wanted_formulation(const Material& material);
+
+/// The same where there is such a cell, else full.
+Formulation formulation_of(const Material& material, Physics physics, CellType type);
+
+/// Whether one stiffness of the whole holds for every step: constant stiffness of all materials, and no
+/// temperatures of cells that are not integrated in full.
+bool is_linear(const Study& study);
+
+/// Whether some material takes large turns.
+bool takes_large_rotations(const Study& study);
+
+} // namespace rubato::study
