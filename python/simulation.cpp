@@ -148,6 +148,15 @@ void bind_steps(py::module_& module) {
           "residual", [](const Step& step) { return step.result.report.residual; },
           "Relative, of the last iterate.")
       .def_property_readonly(
+          "bulk_iterations", [](const Step& step) { return step.result.report.bulk_iterations; },
+          "Motions from which nonlinear bodies were solved for; 0 of linear ones.")
+      .def_property_readonly(
+          "factorisations", [](const Step& step) { return step.result.report.factorisations; },
+          "Effective matrices of nonlinear bodies that were factored; 0 of linear ones.")
+      .def_property_readonly(
+          "indefinite", [](const Step& step) { return step.result.report.indefinite; },
+          "Whether one of them was not positive definite.")
+      .def_property_readonly(
           "energy", [](const Step& step) { return step.result.energy; },
           "Of the state that the simulation has after it.")
       .def_readonly(

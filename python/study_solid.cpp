@@ -69,15 +69,85 @@ template <> struct Description<ThermalExpansion> {
 };
 template struct RecordCodec<ThermalExpansion>;
 
+template <> struct Description<BackStress> {
+  static constexpr std::string_view name = "BackStress";
+  static constexpr std::string_view meaning = "A term of kinematic hardening, 2/3 C alpha.";
+  static constexpr auto members = std::tuple(
+      Member{"modulus", &BackStress::modulus, "C, at least 0 [pressure]"},
+      Member{"recall", &BackStress::recall, "gamma of Armstrong and Frederick, at least 0; 0: Prager's"});
+};
+template struct RecordCodec<BackStress>;
+
+template <> struct Description<Plasticity> {
+  static constexpr std::string_view name = "Plasticity";
+  static constexpr std::string_view meaning =
+      "The yield surface of von Mises, how it grows and how it moves.";
+  static constexpr auto members = std::tuple(
+      Member{"hardening", &Plasticity::hardening, "how the yield stress R grows with plastic strain p"},
+      Member{"yield_stress", &Plasticity::yield_stress,
+             "> 0 [pressure]; tables have it in their first point"},
+      Member{"modulus", &Plasticity::modulus, "linear, voce: slope of R, at least 0 [pressure]"},
+      Member{"points", &Plasticity::points, "table: (p, R); tension_table: (strain, stress)"},
+      Member{"saturation", &Plasticity::saturation,
+             "voce: Q of R = yield_stress + Q (1 - exp(-b p)) + modulus p, at least 0 [pressure]"},
+      Member{"rate", &Plasticity::rate, "voce: b, at least 0"},
+      Member{"factor", &Plasticity::factor,
+             "johnson_cook: B of (yield_stress + B p^n)(1 + C ln(rate/reference_rate)) [pressure]"},
+      Member{"exponent", &Plasticity::exponent, "johnson_cook: n > 0"},
+      Member{"rate_factor", &Plasticity::rate_factor, "johnson_cook: C, at least 0"},
+      Member{"reference_rate", &Plasticity::reference_rate, "johnson_cook: > 0 [1/time]"},
+      Member{"kinematic", &Plasticity::kinematic, "at most three back stresses"});
+};
+template struct RecordCodec<Plasticity>;
+
+template <> struct Description<PronyTerm> {
+  static constexpr std::string_view name = "PronyTerm";
+  static constexpr std::string_view meaning = "A shear modulus that relaxes.";
+  static constexpr auto members =
+      std::tuple(Member{"shear", &PronyTerm::shear, "> 0 [pressure]"},
+                 Member{"time", &PronyTerm::time, "in which it relaxes, > 0 [time]"});
+};
+template struct RecordCodec<PronyTerm>;
+
+template <> struct Description<OgdenTerm> {
+  static constexpr std::string_view name = "OgdenTerm";
+  static constexpr std::string_view meaning = "A term of Ogden's law.";
+  static constexpr auto members =
+      std::tuple(Member{"shear", &OgdenTerm::shear, "its part of the shear modulus [pressure]"},
+                 Member{"exponent", &OgdenTerm::exponent, "of the principal stretches, not 0"});
+};
+template struct RecordCodec<OgdenTerm>;
+
+template <> struct Description<Hyperelasticity> {
+  static constexpr std::string_view name = "Hyperelasticity";
+  static constexpr std::string_view meaning = "The stored energy of rubber.";
+  static constexpr auto members = std::tuple(
+      Member{"c10", &Hyperelasticity::c10, "hyperelastic, yeoh: of I1 - 3 [pressure]"},
+      Member{"c01", &Hyperelasticity::c01, "hyperelastic: of I2 - 3 [pressure]; 0: neo-Hookean"},
+      Member{"c20", &Hyperelasticity::c20, "yeoh: of (I1 - 3)^2 [pressure]"},
+      Member{"c30", &Hyperelasticity::c30, "yeoh: of (I1 - 3)^3, at least 0 [pressure]"},
+      Member{"terms", &Hyperelasticity::terms, "ogden"},
+      Member{"bulk", &Hyperelasticity::bulk, "bulk modulus > 0 [pressure]; None: by poisson of the material"},
+      Member{"volume", &Hyperelasticity::volume, "energy of changes of volume"});
+};
+template struct RecordCodec<Hyperelasticity>;
+
 template <> struct Description<Material> {
   static constexpr std::string_view name = "Material";
   static constexpr std::string_view meaning = "A material and the cells that have it.";
   static constexpr auto members = std::tuple(
       Member{"name", &Material::name, "of the material"},
       Member{"law", &Material::law, "stresses from strains"},
-      Member{"young", &Material::young, "elastic: > 0 [pressure]"},
-      Member{"poisson", &Material::poisson, "elastic: above -1, below 0.5"},
+      Member{"young", &Material::young, "elastic, plastic, prony (after a long time): > 0 [pressure]"},
+      Member{"poisson", &Material::poisson,
+             "likewise, and of hyperelastic laws without bulk: above -1, below 0.5"},
       Member{"orthotropy", &Material::orthotropy, "orthotropic: its numbers"},
+      Member{"plasticity", &Material::plasticity, "plastic: its numbers"},
+      Member{"prony", &Material::prony, "prony: its terms"},
+      Member{"hyperelasticity", &Material::hyperelasticity, "hyperelastic, yeoh, ogden: their numbers"},
+      Member{"strain", &Material::strain, "None: small, and green_lagrange of hyperelastic laws"},
+      Member{"formulation", &Material::formulation,
+             "None: mean_dilatation of plastic and hyperelastic QUAD4, HEXA8 and PENTA6, else full"},
       Member{"density", &Material::density, "at least 0 [mass/volume]; None: it has none"},
       Member{
           "in_place", &Material::in_place,
@@ -103,6 +173,17 @@ template <> struct Description<ObliqueSupport> {
 };
 template struct RecordCodec<ObliqueSupport>;
 
+template <> struct Description<Rotation> {
+  static constexpr std::string_view name = "Rotation";
+  static constexpr std::string_view meaning =
+      "A rigid rotation about a line that stays where it is, by an angle that changes with time.";
+  static constexpr auto members =
+      std::tuple(Member{"about", &Rotation::about, "a place on the line [length]"},
+                 Member{"axis", &Rotation::axis, "along the line, of any length > 0; in the plane z"},
+                 Member{"angle", &Rotation::angle, "by the right-hand rule [radians], without the place"});
+};
+template struct RecordCodec<Rotation>;
+
 template <> struct Description<Support> {
   static constexpr std::string_view name = "Support";
   static constexpr std::string_view meaning = "Displacements that are held at 0 or imposed.";
@@ -111,6 +192,7 @@ template <> struct Description<Support> {
       Member{"components", &Support::components, "displacement along each axis [length]; None: free"},
       Member{"along", &Support::along, "a direction across the axes"},
       Member{"turns", &Support::turns, "of a reference about each axis [radians]; None: free"},
+      Member{"rotate", &Support::rotate, "of every node of a group, all components held; None: not"},
       Member{"until", &Support::until, "instant at which it lets go [time]; None: never"});
 };
 template struct RecordCodec<Support>;
@@ -135,7 +217,8 @@ template <> struct Description<Load> {
       Member{"on", &Load::on, "a group, a node or a reference; gravity: empty for every cell"},
       Member{"components", &Load::components,
              "along each axis; pressure: the first, > 0 pushes into the body"},
-      Member{"function", &Load::function, "name of a function of time that multiplies them; empty: 1"});
+      Member{"function", &Load::function, "name of a function of time that multiplies them; empty: 1"},
+      Member{"follower", &Load::follower, "pressure: turns and grows with the faces"});
 };
 template struct RecordCodec<Load>;
 
@@ -223,8 +306,11 @@ template struct RecordCodec<InitialMotion>;
 std::vector<RecordEntry> solid_records() {
   return {record_entry<CylindricalAxes>(),  record_entry<Orthotropy>(),
           record_entry<DampingRatios>(),    record_entry<ModalDamping>(),
-          record_entry<ThermalExpansion>(), record_entry<Material>(),
-          record_entry<ObliqueSupport>(),   record_entry<Support>(),
+          record_entry<ThermalExpansion>(), record_entry<BackStress>(),
+          record_entry<Plasticity>(),       record_entry<PronyTerm>(),
+          record_entry<OgdenTerm>(),        record_entry<Hyperelasticity>(),
+          record_entry<Material>(),         record_entry<ObliqueSupport>(),
+          record_entry<Rotation>(),         record_entry<Support>(),
           record_entry<BaseMotion>(),       record_entry<Load>(),
           record_entry<Springs>(),          record_entry<Connector>(),
           record_entry<PointMasses>(),      record_entry<RelationTerm>(),

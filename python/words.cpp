@@ -87,6 +87,28 @@ template <> const WordList& words_of<study::LawKind>() {
   static const auto list = listed("LawKind", "What gives stresses from strains.", study::law_words);
   return list;
 }
+template <> const WordList& words_of<study::HardeningKind>() {
+  static const auto list = listed("HardeningKind", "How the yield stress grows.", study::hardening_words);
+  return list;
+}
+template <> const WordList& words_of<study::StrainKind>() {
+  static const auto list = listed("StrainKind", "The strain that a law sees.", study::strain_words);
+  return list;
+}
+template <> const WordList& words_of<study::Formulation>() {
+  static const auto list = listed("Formulation", "How cells are integrated.", study::formulation_words);
+  return list;
+}
+template <> const WordList& words_of<study::VolumeEnergy>() {
+  static const auto list =
+      listed("VolumeEnergy", "Energy of changes of volume of hyperelastic laws.", study::volume_energy_words);
+  return list;
+}
+template <> const WordList& words_of<study::TangentChoice>() {
+  static const auto list =
+      listed("TangentChoice", "When nonlinear bodies have their matrix factored anew.", study::tangent_words);
+  return list;
+}
 template <> const WordList& words_of<study::RelationKind>() {
   static const auto list = listed("RelationKind", "What ties displacements.", study::relation_words);
   return list;
@@ -152,6 +174,10 @@ template <> const WordList& words_of<study::ProbeTake>() {
              study::probe_take_words, {{"node", study::ProbeTake::node}});
   return list;
 }
+template <> const WordList& words_of<study::ProbePlace>() {
+  static const auto list = listed("ProbePlace", "Where a probe has its values.", study::probe_place_words);
+  return list;
+}
 template <> const WordList& words_of<study::CheckedTime>() {
   static const auto list = listed("CheckedTime", "When a checked history has its value.",
                                   study::checked_time_words, {{"instant", study::CheckedTime::instant}});
@@ -170,20 +196,40 @@ template <> const WordList& words_of<Axis>() {
 
 std::vector<const WordList*> all_words() {
   using namespace study;
-  return {&words_of<CellType>(),       &words_of<MeshConversion>(),
-          &words_of<GroupKind>(),      &words_of<GroupTake>(),
-          &words_of<Physics>(),        &words_of<LinearTable::Outside>(),
-          &words_of<LoadKind>(),       &words_of<ContactMethod>(),
-          &words_of<FrictionMethod>(), &words_of<ContactIntegration>(),
-          &words_of<LawKind>(),        &words_of<RelationKind>(),
-          &words_of<Given>(),          &words_of<BaseFrame>(),
-          &words_of<ContactNormal>(),  &words_of<ClampedNormal>(),
-          &words_of<ObstacleKind>(),   &words_of<ObstacleSide>(),
-          &words_of<Iteration>(),      &words_of<Solver>(),
-          &words_of<SchemeKind>(),     &words_of<ContactMass>(),
-          &words_of<StartKind>(),      &words_of<ProbeField>(),
-          &words_of<ProbeTake>(),      &words_of<CheckedTime>(),
-          &words_of<CheckSource>(),    &words_of<Axis>()};
+  return {&words_of<CellType>(),
+          &words_of<MeshConversion>(),
+          &words_of<GroupKind>(),
+          &words_of<GroupTake>(),
+          &words_of<Physics>(),
+          &words_of<LinearTable::Outside>(),
+          &words_of<LoadKind>(),
+          &words_of<ContactMethod>(),
+          &words_of<FrictionMethod>(),
+          &words_of<ContactIntegration>(),
+          &words_of<LawKind>(),
+          &words_of<HardeningKind>(),
+          &words_of<StrainKind>(),
+          &words_of<Formulation>(),
+          &words_of<VolumeEnergy>(),
+          &words_of<TangentChoice>(),
+          &words_of<RelationKind>(),
+          &words_of<Given>(),
+          &words_of<BaseFrame>(),
+          &words_of<ContactNormal>(),
+          &words_of<ClampedNormal>(),
+          &words_of<ObstacleKind>(),
+          &words_of<ObstacleSide>(),
+          &words_of<Iteration>(),
+          &words_of<Solver>(),
+          &words_of<SchemeKind>(),
+          &words_of<ContactMass>(),
+          &words_of<StartKind>(),
+          &words_of<ProbeField>(),
+          &words_of<ProbeTake>(),
+          &words_of<ProbePlace>(),
+          &words_of<CheckedTime>(),
+          &words_of<CheckSource>(),
+          &words_of<Axis>()};
 }
 
 } // namespace rubato::python

@@ -5,6 +5,7 @@
 #include "rubato/mesh/io/inp_keywords.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/study/contact_methods.hpp"
+#include "rubato/study/hardenings.hpp"
 #include "rubato/study/material_laws.hpp"
 #include "rubato/study/schemes.hpp"
 
@@ -71,6 +72,23 @@ int list() {
   fmt::print("\nMaterial laws (materials.NAME.law)\n");
   for (const auto& law : study::material_laws)
     fmt::print("  {:<31} {:<36} {}\n", law.name, law.code_aster, law.summary);
+  fmt::print("\nHardening of the law plastic (materials.NAME.hardening)\n");
+  for (const auto& hardening : study::hardenings)
+    fmt::print("  {:<31} {:<36} {}\n", hardening.name, hardening.code_aster, hardening.summary);
+  fmt::print("\nStrains (materials.NAME.strain)\n");
+  for (const auto& [name, code_aster, summary] :
+       {std::tuple{"small", "DEFORMATION='PETIT'", "small turns and strains"},
+        {"green_lagrange", "DEFORMATION='GROT_GDEP'",
+         "large turns, small strains; large ones of hyperelastic laws"},
+        {"logarithmic", "DEFORMATION='GDEF_LOG'", "large turns and strains"}})
+    fmt::print("  {:<31} {:<36} {}\n", name, code_aster, summary);
+  fmt::print("\nFormulations of cells (materials.NAME.formulation)\n");
+  for (const auto& [name, summary] :
+       {std::pair{"full", "every cell: all points of the rule"},
+        {"mean_dilatation", "QUAD4, HEXA8, PENTA6: the mean change of volume; plasticity, rubber"},
+        {"enhanced", "QUAD4, HEXA8: own modes of the cell; bending with few layers"},
+        {"reduced", "QUAD4, HEXA8: one point, and stiffness against hourglasses"}})
+    fmt::print("  {:<31} {}\n", name, summary);
   fmt::print("\nMesh files\n");
   for (const auto& format : rubato::mesh::all_formats())
     fmt::print("  {:<31} {}\n", fmt::format("{}", fmt::join(format.endings, ", ")), format.summary);

@@ -29,6 +29,11 @@ void read_groups(const Found& value, const Context& context, std::vector<study::
 void read_bodies(const Found& value, std::vector<study::Body>& bodies);
 
 void read_materials(const Found& value, const Context& context, std::vector<study::Material>& materials);
+/// What a material has beside the numbers of its law: `hardening`, `kinematic`, `terms`, `volumetric`,
+/// `strain`, `formulation`; refuses what the law does not take.
+void read_law_words(MapReader& map, study::Material& material);
+/// The same of a law that is not known.
+void pass_law_words(MapReader& map);
 /// `expansion` and `reference_temperature` of a material.
 void read_expansion(MapReader& material, std::optional<study::ThermalExpansion>& expansion);
 void read_temperatures(const Found& value, const Context& context,
@@ -48,6 +53,8 @@ void read_connectors(const Found& value, const Context& context, std::vector<stu
 void read_masses(const Found& value, std::vector<study::PointMasses>& masses);
 void read_initial(const Found& value, std::vector<study::InitialMotion>& initial);
 
+/// Two numbers; nothing and a fault when the list has another length.
+bool read_pair(const Found& value, std::array<double, 2>& pair);
 /// Coordinates in as many directions as the physics has, at most three.
 bool read_point(const Found& value, const Context& context, std::array<double, 3>& point);
 

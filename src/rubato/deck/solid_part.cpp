@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Materials, supports and loads.
+// Supports and loads.
 #include "rubato/deck/parts.hpp"
-#include "rubato/deck/rows.hpp"
 
 #include <fmt/format.h>
 
@@ -15,112 +14,6 @@
 
 namespace rubato::deck {
 namespace {
-
-/// Two numbers; nothing and a fault when the list has another length.
-bool read_pair(const Found& value, std::array<double, 2>& pair) {
-  std::vector<double> numbers;
-  if (!read(value, numbers))
-    return false;
-  if (numbers.size() != pair.size()) {
-    value->fault(fmt::format("found {} numbers, expected two", numbers.size()));
-    return false;
-  }
-  std::ranges::copy(numbers, pair.begin());
-  return true;
-}
-
-/// Judged as a whole only where both lists are there.
-void read_damping(const Value& value, study::Material& material) {
-  MapReader map(value);
-  study::DampingRatios damping;
-  const bool has_ratios = read_pair(map.require("ratio"), damping.ratio);
-  const bool has_frequencies = read_pair(map.require("at"), damping.at);
-  map.finish();
-  if (has_ratios && has_frequencies)
-    material.damping = damping;
-}
-
-/// Keeps what depends on the place under its key. Whether there is a number.
-bool read_in_place(const Found& value, const Context& context, std::string_view key,
-                   study::Material& material, double& number) {
-  study::FieldValue read;
-  if (!read_field_value(value, context, read))
-    return false;
-  if (const auto* alone = read.number()) {
-    number = *alone;
-    return true;
-  }
-  material.in_place[std::string(key)] = std::move(read);
-  return false;
-}
-
-void read_law_numbers(MapReader& map, const Context& context, study::Material& material) {
-  const auto& law = study::entry_of(material.law);
-  refuse_numbers_of_others(map, study::material_laws, law, "the law");
-  for (const auto& number : law.numbers) {
-    double value = 0;
-    const auto given = number.required ? map.require(number.key) : map.find(number.key);
-    if (read_in_place(given, context, number.key, material, value))
-      number.set(material, value);
-  }
-}
-
-/// In the plane the line is a point.
-study::CylindricalAxes read_cylindrical(const Value& value, const Context& context) {
-  study::CylindricalAxes axes;
-  MapReader map(value);
-  if (!read_point(map.require("point"), context, axes.point))
-    map.spoil("point");
-  if (context.physics && study::dimension_of(*context.physics) == 2)
-    map.refuse("direction", fmt::format("in {} the axes turn about z, expected 'point' alone",
-                                        study::word_of(study::physics_words, *context.physics)));
-  else if (!read_point(map.require("direction"), context, axes.direction))
-    map.spoil("direction");
-  map.finish();
-  return axes;
-}
-
-void read_axes(const Value& value, const Context& context, study::Material& material) {
-  if (material.law != study::LawKind::orthotropic)
-    return value.fault(fmt::format("the law {} takes no axes, orthotropic takes them; a run removes them by "
-                                   "'axes: ~'",
-                                   study::entry_of(material.law).name));
-  MapReader map(value);
-  if (const auto cylindrical = map.require("cylindrical"))
-    material.orthotropy.cylindrical = read_cylindrical(*cylindrical, context);
-  map.finish();
-}
-
-study::Material read_material(const NamedValue& entry, const Context& context) {
-  study::Material material;
-  material.name = entry.name.text;
-  MapReader map(entry.value);
-  const auto law = map.find("law");
-  if (!law || read(law, material.law, study::law_words))
-    read_law_numbers(map, context, material);
-  else
-    pass_numbers(map, study::material_laws);
-  if (double density = 0; read_in_place(map.find("density"), context, "density", material, density))
-    material.density = density;
-  if (const auto axes = map.find("axes"))
-    read_axes(*axes, context, material);
-  if (const auto rayleigh = map.find("rayleigh")) {
-    MapReader damping(*rayleigh);
-    read(damping.find("stiffness"), material.rayleigh_stiffness);
-    read(damping.find("mass"), material.rayleigh_mass);
-    damping.finish();
-  }
-  if (const auto damping = map.find("damping"))
-    read_damping(*damping, material);
-  read_expansion(map, material.expansion);
-  const auto cells = map.find("cells");
-  read_names(cells, material.cells);
-  material.everywhere = !cells || (material.cells.size() == 1 && material.cells[0] == study::everywhere);
-  if (material.everywhere)
-    material.cells.clear();
-  map.finish();
-  return material;
-}
 
 std::vector<std::string> axes_of(const Context& context) {
   const auto dimension = context.physics ? study::dimension_of(*context.physics) : 3;
@@ -181,6 +74,22 @@ std::optional<study::ObliqueSupport> read_along(MapReader& map, const Context& c
   return along;
 }
 
+/// In the plane there is one axis.
+study::Rotation read_rotation(const Value& value, const Context& context) {
+  study::Rotation rotation;
+  MapReader map(value);
+  read_point(map.require("about"), context, rotation.about);
+  if (context.physics && study::dimension_of(*context.physics) == 2)
+    map.refuse("axis", fmt::format("{} turns about z, expected 'about' and 'angle'",
+                                   study::word_of(study::physics_words, *context.physics)));
+  else
+    read_point(context.physics ? map.require("axis") : map.find("axis"), context, rotation.axis);
+  if (const auto angle = map.require("angle"))
+    rotation.angle = read_motion(*angle, context);
+  map.finish();
+  return rotation;
+}
+
 study::Support read_support(const Value& value, const Context& context) {
   study::Support support;
   MapReader map(value);
@@ -198,6 +107,8 @@ study::Support read_support(const Value& value, const Context& context) {
         support.turns[axis] = read_motion(*given, context);
     axes.finish();
   }
+  if (const auto rotate = map.find("rotate"))
+    support.rotate = read_rotation(*rotate, context);
   read(map.find("until"), support.until);
   map.finish();
   return support;
@@ -225,21 +136,18 @@ study::Load read_load(const Value& value, study::LoadKind kind, const Context& c
   load.kind = kind;
   MapReader map(value);
   read_name(kind == study::LoadKind::gravity ? map.find("on") : map.require("on"), load.on);
-  if (kind == study::LoadKind::pressure)
+  if (kind == study::LoadKind::pressure) {
     read_field_value(map.require("value"), context, load.components[0]);
-  else
+    read(map.find("follower"), load.follower);
+  } else {
     read_components(map, context, load);
+  }
   read_name(map.find("function"), load.function);
   map.finish();
   return load;
 }
 
 } // namespace
-
-void read_materials(const Found& value, const Context& context, std::vector<study::Material>& materials) {
-  for (const auto& entry : named_entries(value))
-    materials.push_back(read_material(entry, context));
-}
 
 bool read_point(const Found& value, const Context& context, std::array<double, 3>& point) {
   std::vector<double> numbers;

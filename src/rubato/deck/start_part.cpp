@@ -3,6 +3,8 @@
 #include "rubato/deck/parts.hpp"
 #include "rubato/study/bounds.hpp"
 
+#include <fmt/format.h>
+
 namespace rubato::deck {
 namespace {
 

@@ -40,6 +40,21 @@ void read_explicit_steps(MapReader& map, study::TimeStepping& time) {
     map.spoil("record");
 }
 
+void read_mass_scaling(MapReader& map, study::TimeStepping& time) {
+  if (!study::is_explicit(time.scheme)) {
+    map.refuse("mass_scaling", fmt::format("the scheme {} has no step that is too long for a cell; "
+                                           "central_difference takes it",
+                                           word_of(study::scheme_words, time.scheme)));
+    return;
+  }
+  const auto value = map.find("mass_scaling");
+  if (!value)
+    return;
+  MapReader scaling(*value);
+  read(scaling.require("step"), time.mass_scaling, study::bounds::scaled_step);
+  scaling.finish();
+}
+
 void read_instants(const Found& instants, study::TimeStepping& time) {
   if (!read(instants, time.instants))
     return;
@@ -90,6 +105,17 @@ void read_failure(const Found& value, study::TimeStepping& time) {
   map.finish();
 }
 
+/// What only nonlinear bodies have.
+void read_step_control(MapReader& map, study::TimeStepping& time) {
+  if (study::is_explicit(time.scheme)) {
+    for (const auto* key : {"max_step", "max_plastic_step"})
+      map.refuse(key, "the scheme central_difference chooses its steps by what is stable");
+    return;
+  }
+  read(map.find("max_step"), time.max_step);
+  read(map.find("max_plastic_step"), time.max_plastic_step);
+}
+
 } // namespace
 
 void read_time(const Found& value, Context& context, study::TimeStepping& time) {
@@ -99,6 +125,8 @@ void read_time(const Found& value, Context& context, study::TimeStepping& time) 
   read_scheme(map, context, time);
   read(map.find("contact_mass"), time.contact_mass, study::contact_mass_words);
   read_course(map, time);
+  read_step_control(map, time);
+  read_mass_scaling(map, time);
   read_start(map.find("start"), time);
   if (study::is_explicit(time.scheme))
     map.refuse("on_failure", "the scheme central_difference has no steps that fail");
@@ -113,6 +141,7 @@ void read_newton(const Found& value, study::NewtonSettings& newton) {
   MapReader map(*value);
   read(map.find("max_iterations"), newton.max_iterations);
   read(map.find("residual"), newton.residual);
+  read(map.find("tangent"), newton.tangent, study::tangent_words);
   map.finish();
 }
 

@@ -13,10 +13,10 @@ using element::StrainKind;
 using material::PointLaw;
 
 /// Whether the stress is linear in the elastic strain.
-template <class Law> bool has_linear_stress(const Law& law) {
+template <class Law> bool is_linear(const Law& law) {
   using material::MooneyRivlin, material::Ogden, material::Yeoh;
   if constexpr (std::is_same_v<Law, material::PlaneStress>)
-    return std::visit([](const auto& one) { return has_linear_stress(one); }, law.law);
+    return std::visit([](const auto& one) { return is_linear(one); }, law.law);
   else
     return !(std::is_same_v<Law, MooneyRivlin> || std::is_same_v<Law, Ogden> || std::is_same_v<Law, Yeoh>);
 }
@@ -37,10 +37,14 @@ double work_of_law(const PointRecord& old, const PointRecord& now) {
 
 } // namespace
 
+bool has_linear_stress(const PointLaw& law) {
+  return std::visit([](const auto& one) { return is_linear(one); }, law);
+}
+
 void add_balance(const PointLaw& law, StrainKind strain, const CellEnd& old, const CellEnd& now,
                  Balance& sum) {
   const auto size = static_cast<std::size_t>(material::state_size(law));
-  const bool linear = std::visit([](const auto& one) { return has_linear_stress(one); }, law);
+  const bool linear = has_linear_stress(law);
   for (std::size_t point = 0; point < now.records.size(); ++point) {
     const auto& before = old.records[point];
     const auto& after = now.records[point];

@@ -28,6 +28,9 @@ struct Balance {
   double scheme = 0;
 };
 
+/// Whether {stress}:[strain] is what is stored and dissipated: of all laws but hyperelastic ones.
+bool has_linear_stress(const material::PointLaw& law);
+
 /// One cell at one end of a step.
 struct CellEnd {
   std::span<const element::PointRecord> records; ///< one a point

@@ -40,15 +40,20 @@ public:
   const Heat* heat() const { return heat_.get(); }
   std::span<const LawSpring> law_springs() const { return springs_; }
   const SparseMatrix& initial_tangent() const { return *stiffness_; }
+  /// y = K x, both with an entry a dof.
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   PlasticStep plastic_step(const QuadratureStates&, const QuadratureStates&) const { return {}; }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
+  bool has_finite_strain() const { return false; }
+  double growth(const Eigen::VectorXd&, const QuadratureStates&, const LawPath&, double) const { return 0; }
 
 private:
   /// Shared by copies, which only read it.
   std::shared_ptr<const SparseMatrix> stiffness_ = std::make_shared<const SparseMatrix>();
   std::shared_ptr<const Heat> heat_;
   std::vector<LawSpring> springs_;
-  std::optional<linalg::SymmetricBlockMatrix> product_; ///< the same K: its product reads least memory
+  /// The same K: its product reads least memory. Nothing where K is 0.
+  std::optional<linalg::SymmetricBlockMatrix> product_;
 };
 
 } // namespace rubato::domain

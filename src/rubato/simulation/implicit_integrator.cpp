@@ -5,6 +5,7 @@
 #include "rubato/core/processor_time.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/start.hpp"
+#include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>
 
@@ -15,17 +16,18 @@
 namespace rubato::simulation {
 namespace {
 
-/// The end of another run goes on only on the same unknowns and contact points.
+/// The end of another run goes on only on the same unknowns and contact points, and where the past counts
+/// with the same materials.
 const step::State& checked_end(const model::Model& model, const step::State* previous) {
   if (previous == nullptr)
     throw std::invalid_argument("a study that starts from another run needs the end of that run");
-  if (fits(model, *previous))
+  if (fits(model, *previous) && (remembers_alike(model, *previous) || !study::remembers(model.study)))
     return *previous;
-  throw InputError(
-      {fault_at("time.start.from",
-                fmt::format("run '{}' cannot start from the end of run '{}': that one has another mesh or "
-                            "other contact zones",
-                            model.study.name, model.study.time.start_run))});
+  throw InputError({fault_at(
+      "time.start.from",
+      fmt::format("run '{}' cannot start from the end of run '{}': that one has another mesh, other "
+                  "contact zones or materials that remember something else",
+                  model.study.name, model.study.time.start_run))});
 }
 
 step::State first_state(const model::Model& model, const time::Scheme& scheme, const Start& start) {

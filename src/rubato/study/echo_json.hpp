@@ -40,7 +40,16 @@ template <class Row, class Record> void put_numbers(Json& map, const Row& row, c
       map[std::string(number.key)] = *value;
 }
 
+/// What a law has that is no plain number, and the strain and formulation where they are given.
+void put_law_words(Json& map, const Material& material);
+
 /// The mesh as a deck has it.
 Json echo(const MeshSource& mesh, int dimension);
+/// Results as a deck has them.
+Json echo(const Cut& cut, int dimension);
+Json echo(const Probe& probe, int dimension);
+Json echo(const FieldOutput& fields);
+Json echo(const CheckpointOutput& checkpoint);
+Json echo(const Check& check);
 
 } // namespace rubato::study

@@ -5,7 +5,9 @@
 #include "rubato/study/number.hpp"
 #include "rubato/study/study.hpp"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +28,8 @@ struct LawEntry {
   std::string_view code_aster;
   std::string_view summary;
   std::span<const Number<Material>> numbers;
+  bool in_place;                       ///< whether the numbers may depend on the place
+  std::span<const StrainKind> strains; ///< that it may see
   /// What the bounds of the numbers do not say; may be null. Its file is in rules/.
   std::vector<LawFault> (*faults)(const Material& material, Physics physics);
 };
@@ -81,8 +85,15 @@ constexpr Number<Material> hyperelastic_number(std::string_view key, std::string
 /// Of all hyperelastic laws.
 inline constexpr auto hyperelastic_bulk = hyperelastic_number<&Hyperelasticity::bulk>(
     "bulk", "bulk modulus at small strain [force/length²]; or 'poisson'", above(0));
-inline constexpr auto hyperelastic_poisson = number<Material, &Material::poisson>(
-    "poisson", "Poisson's ratio at small strain, where 'bulk' is not given", between(-1, 0.5));
+inline constexpr Number<Material> hyperelastic_poisson{
+    .key = "poisson",
+    .meaning = "Poisson's ratio at small strain, where 'bulk' is not given",
+    .range = between(-1, 0.5),
+    .required = false,
+    .get = [](const Material& material) -> std::optional<double> {
+      return material.hyperelasticity.bulk ? std::nullopt : std::optional(material.poisson);
+    },
+    .set = [](Material& material, double value) { material.poisson = value; }};
 inline constexpr std::array hyperelastic_numbers{
     hyperelastic_number<&Hyperelasticity::c10>("c10", "of I₁ − 3 [force/length²]", Range{}, true),
     hyperelastic_number<&Hyperelasticity::c01>(
@@ -95,50 +106,76 @@ inline constexpr std::array yeoh_numbers{
     hyperelastic_bulk, hyperelastic_poisson};
 inline constexpr std::array ogden_numbers{hyperelastic_bulk, hyperelastic_poisson};
 
+inline constexpr std::array strains_of_elastic{StrainKind::small, StrainKind::green_lagrange,
+                                               StrainKind::logarithmic};
+inline constexpr std::array strains_of_orthotropic{StrainKind::small, StrainKind::green_lagrange};
+/// Of laws with a memory: green_lagrange is no measure of plastic or viscous strain.
+inline constexpr std::array strains_with_memory{StrainKind::small, StrainKind::logarithmic};
+inline constexpr std::array strains_of_hyperelastic{StrainKind::green_lagrange};
+
 inline constexpr std::array<LawEntry, 7> material_laws{{
     {.law = LawKind::elastic,
      .name = "elastic",
      .code_aster = "ELAS",
      .summary = "isotropic linear elasticity",
      .numbers = elastic_numbers,
+     .in_place = true,
+     .strains = strains_of_elastic,
      .faults = nullptr},
     {.law = LawKind::orthotropic,
      .name = "orthotropic",
      .code_aster = "ELAS_ORTH",
      .summary = "linear elasticity with three axes of symmetry, turned by angles",
      .numbers = orthotropic_numbers,
+     .in_place = true,
+     .strains = strains_of_orthotropic,
      .faults = orthotropic_faults},
     {.law = LawKind::plastic,
      .name = "plastic",
      .code_aster = "VMIS_ISOT_LINE, VMIS_ISOT_TRAC, VMIS_CINE_LINE, VMIS_ECMI_LINE, VMIS_CIN1_CHAB",
      .summary = "von Mises plasticity with isotropic and kinematic hardening",
      .numbers = elastic_numbers,
+     .in_place = false,
+     .strains = strains_with_memory,
      .faults = nullptr},
     {.law = LawKind::prony,
      .name = "prony",
      .code_aster = "",
      .summary = "linear viscoelasticity of the shear by a Prony series",
      .numbers = prony_numbers,
+     .in_place = false,
+     .strains = strains_with_memory,
      .faults = nullptr},
     {.law = LawKind::hyperelastic,
      .name = "hyperelastic",
      .code_aster = "ELAS_HYPER",
      .summary = "neo-Hookean and Mooney-Rivlin rubber",
      .numbers = hyperelastic_numbers,
+     .in_place = false,
+     .strains = strains_of_hyperelastic,
      .faults = nullptr},
     {.law = LawKind::yeoh,
      .name = "yeoh",
      .code_aster = "",
      .summary = "Yeoh's rubber, three terms of I1",
      .numbers = yeoh_numbers,
+     .in_place = false,
+     .strains = strains_of_hyperelastic,
      .faults = nullptr},
     {.law = LawKind::ogden,
      .name = "ogden",
      .code_aster = "",
      .summary = "Ogden's rubber, powers of the principal stretches",
      .numbers = ogden_numbers,
+     .in_place = false,
+     .strains = strains_of_hyperelastic,
      .faults = nullptr},
 }};
+
+/// Whether the law may see that strain.
+constexpr bool takes(const LawEntry& law, StrainKind strain) {
+  return std::ranges::find(law.strains, strain) != law.strains.end();
+}
 
 /// Rows stand in the order of the laws.
 constexpr const LawEntry& entry_of(LawKind law) {

@@ -27,10 +27,12 @@ struct BackStress {
   bool operator==(const BackStress&) const = default;
 };
 
+inline constexpr int most_back_stresses = 3;
+
 /// von Mises' yield surface, how it grows and how it moves.
 struct Plasticity {
   HardeningKind hardening = HardeningKind::linear;
-  double yield_stress = 0;                   ///< σ_y > 0 [stress]; of tables that of the first point
+  double yield_stress = 0;                   ///< σ_y > 0 [stress]; tables have it in their first point
   double modulus = 0;                        ///< H = dR/dp ≥ 0, linear and voce [stress]
   std::vector<std::array<double, 2>> points; ///< table: (p, R), tension_table: (ε, σ)
   double saturation = 0;             ///< voce: Q ≥ 0 of R = σ_y + Q (1 − e^(−b p)) + H p [stress]
@@ -39,7 +41,7 @@ struct Plasticity {
   double exponent = 1;               ///< johnson_cook: n > 0
   double rate_factor = 0;            ///< johnson_cook: C ≥ 0
   double reference_rate = 1;         ///< johnson_cook: ε̇₀ > 0 [1/time]
-  std::vector<BackStress> kinematic; ///< at most three
+  std::vector<BackStress> kinematic; ///< at most most_back_stresses
   bool operator==(const Plasticity&) const = default;
 };
 

@@ -5,6 +5,7 @@
 
 #include "rubato/study/contact_methods.hpp"
 #include "rubato/study/groups.hpp"
+#include "rubato/study/hardenings.hpp"
 #include "rubato/study/material_laws.hpp"
 #include "rubato/study/schemes.hpp"
 #include "rubato/study/study.hpp"
@@ -61,6 +62,21 @@ inline constexpr auto group_words = words_of(group_kinds, &GroupKindEntry::kind)
 
 inline constexpr auto law_words = words_of(material_laws, &LawEntry::law);
 
+inline constexpr auto hardening_words = words_of(hardenings, &HardeningEntry::kind);
+
+inline constexpr std::array<Word<StrainKind>, 3> strain_words{{{"small", StrainKind::small},
+                                                               {"green_lagrange", StrainKind::green_lagrange},
+                                                               {"logarithmic", StrainKind::logarithmic}}};
+
+inline constexpr std::array<Word<Formulation>, 4> formulation_words{
+    {{"full", Formulation::full},
+     {"mean_dilatation", Formulation::mean_dilatation},
+     {"enhanced", Formulation::enhanced},
+     {"reduced", Formulation::reduced}}};
+
+inline constexpr std::array<Word<VolumeEnergy>, 2> volume_energy_words{
+    {{"logarithmic", VolumeEnergy::logarithmic}, {"quadratic", VolumeEnergy::quadratic}}};
+
 inline constexpr std::array<Word<RelationKind>, 6> relation_words{{{"equation", RelationKind::equation},
                                                                    {"equal", RelationKind::equal},
                                                                    {"pairs", RelationKind::pairs},
@@ -98,6 +114,9 @@ inline constexpr std::array<Word<Iteration>, 2> iteration_words{
 inline constexpr std::array<Word<Solver>, 3> solver_words{
     {{"auto", Solver::automatic}, {"condensed", Solver::condensed}, {"full", Solver::full}}};
 
+inline constexpr std::array<Word<TangentChoice>, 3> tangent_words{
+    {{"auto", TangentChoice::automatic}, {"full", TangentChoice::full}, {"kept", TangentChoice::kept}}};
+
 inline constexpr auto scheme_words = words_of(schemes, &SchemeEntry::kind);
 
 inline constexpr std::array<Word<ContactMass>, 2> contact_mass_words{
@@ -110,7 +129,7 @@ inline constexpr std::string_view automatic_step = "auto";
 inline constexpr std::array<Word<StartKind>, 2> start_words{
     {{"consistent", StartKind::consistent}, {"at_rest_unloaded", StartKind::at_rest_unloaded}}};
 
-inline constexpr std::array<Word<ProbeField>, 17> probe_field_words{
+inline constexpr std::array<Word<ProbeField>, 22> probe_field_words{
     {{"displacement", ProbeField::displacement},
      {"velocity", ProbeField::velocity},
      {"acceleration", ProbeField::acceleration},
@@ -122,6 +141,11 @@ inline constexpr std::array<Word<ProbeField>, 17> probe_field_words{
      {"stress", ProbeField::stress},
      {"von_mises", ProbeField::von_mises},
      {"strain", ProbeField::strain},
+     {"plastic_strain", ProbeField::plastic_strain},
+     {"cumulated_plastic_strain", ProbeField::cumulated_plastic_strain},
+     {"tresca", ProbeField::tresca},
+     {"mean_stress", ProbeField::mean_stress},
+     {"principal_stress", ProbeField::principal_stress},
      {"contact_pressure", ProbeField::contact_pressure},
      {"contact_gap", ProbeField::contact_gap},
      {"contact_slip", ProbeField::contact_slip},
@@ -133,6 +157,9 @@ inline constexpr std::array<Word<ProbeTake>, 4> probe_take_words{{{"sum", ProbeT
                                                                   {"mean", ProbeTake::mean},
                                                                   {"min", ProbeTake::least},
                                                                   {"max", ProbeTake::largest}}};
+
+inline constexpr std::array<Word<ProbePlace>, 3> probe_place_words{
+    {{"nodes", ProbePlace::nodes}, {"cells", ProbePlace::cells}, {"gauss_points", ProbePlace::gauss_points}}};
 
 /// `over`; an instant is given by `at`.
 inline constexpr std::array<Word<CheckedTime>, 3> checked_time_words{

@@ -106,9 +106,11 @@ const Mistake type_mistakes[] = {
      "newton: found '25', expected a map"},
     {"[0, 1, 2]", "0", "0, values", "functions.ramp.times: found '0', expected a list"},
     {"young: 200e9", "law: elastik\n    young: 200e9", "elastik",
-     "materials.steel.law: found 'elastik', expected one of elastic, orthotropic; did you mean 'elastic'?"},
+     "materials.steel.law: found 'elastik', expected one of elastic, orthotropic, plastic, prony, "
+     "hyperelastic, yeoh, ogden; did you mean 'elastic'?"},
     {"young: 200e9\n    poisson: 0.25", "law: ortotropic\n    young_x: 9", "ortotropic",
-     "materials.steel.law: found 'ortotropic', expected one of elastic, orthotropic; did you mean "
+     "materials.steel.law: found 'ortotropic', expected one of elastic, orthotropic, plastic, prony, "
+     "hyperelastic, yeoh, ogden; did you mean "
      "'orthotropic'?"},
     {"title: two beams", "title: [two]", "[two]", "title: found a list, expected text"},
     {"on: Above, value", "on: '', value", "'', value",
@@ -142,7 +144,8 @@ const Mistake range_mistakes[] = {
      "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 0.3\n    shear_xy: 2\n    young: 3\n "
      "   # end",
      "3\n    # end",
-     "materials.steel.young: the law orthotropic takes no young, elastic takes it; a run removes it by "
+     "materials.steel.young: the law orthotropic takes no young, elastic, plastic and prony take it; a run "
+     "removes it by "
      "'young: ~'"},
     {"young: 200e9\n    poisson: 0.25",
      "law: orthotropic\n    young_x: 9\n    young_y: 4\n    poisson_xy: 1.6\n    shear_xy: 2\n    # end",

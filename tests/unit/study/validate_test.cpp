@@ -87,6 +87,30 @@ TEST(SoundStudy, KeepsEveryRuleWithAnOrthotropicMaterial) {
   EXPECT_TRUE(broken_rules(study).empty());
 }
 
+Plasticity& make_plastic(Material& material) {
+  material.law = LawKind::plastic;
+  material.plasticity.yield_stress = 1e8;
+  return material.plasticity;
+}
+
+void make_rubber(Material& material) {
+  material.law = LawKind::hyperelastic;
+  material.poisson = 0;
+  material.hyperelasticity.c10 = 1;
+  material.hyperelasticity.bulk = 100;
+}
+
+TEST(SoundStudy, KeepsEveryRuleWithNonlinearMaterials) {
+  auto study = sound_study();
+  make_plastic(study.materials[0]).kinematic = {{1e9, 10}};
+  study.time.max_step = 0.5;
+  study.time.max_plastic_step = 0.01;
+  EXPECT_TRUE(broken_rules(study).empty());
+  study.time.max_plastic_step.reset();
+  make_rubber(study.materials[0]);
+  EXPECT_TRUE(broken_rules(study).empty());
+}
+
 TEST(SoundStudy, KeepsEveryRule) {
   const auto broken = broken_rules(sound_study());
   EXPECT_TRUE(broken.empty()) << broken.front().paths.front() << ": " << broken.front().text;
@@ -201,6 +225,31 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) { make_timber(s.materials[0]).cylindrical = CylindricalAxes{{}, {0, 1, 1}}; }},
         Bad{"materials.steel.axes.cylindrical.point.1", "expected a number",
             [](Study& s) { make_timber(s.materials[0]).cylindrical = CylindricalAxes{{0, nan, 0}}; }},
+        Bad{"materials.steel.hardening.linear.yield_stress", "expected a number > 0",
+            [](Study& s) { s.materials[0].law = LawKind::plastic; }},
+        Bad{"materials.steel.hardening.table", "found no point",
+            [](Study& s) { make_plastic(s.materials[0]).hardening = HardeningKind::table; }},
+        Bad{"materials.steel.hardening.table.1.1", "expected a number > 0",
+            [](Study& s) {
+              auto& plasticity = make_plastic(s.materials[0]);
+              plasticity.hardening = HardeningKind::table;
+              plasticity.points = {{0, 1}, {1, nan}};
+            }},
+        Bad{"materials.steel.kinematic", "found 4 back stresses, expected at most 3",
+            [](Study& s) { make_plastic(s.materials[0]).kinematic.resize(4); }},
+        Bad{"materials.steel.terms", "found no term", [](Study& s) { s.materials[0].law = LawKind::prony; }},
+        Bad{"materials.steel.terms", "found no term",
+            [](Study& s) { make_rubber(s.materials[0]), s.materials[0].law = LawKind::ogden; }},
+        Bad{"materials.steel.poisson", "found 'poisson' beside 'bulk'",
+            [](Study& s) { make_rubber(s.materials[0]), s.materials[0].poisson = 0.3; }},
+        Bad{"materials.steel.c10", "depends on the place, but the law hyperelastic",
+            [](Study& s) { make_rubber(s.materials[0]), s.materials[0].in_place["c10"] = Formula{"x"}; }},
+        Bad{"materials.steel.strain", "takes no logarithmic strain",
+            [](Study& s) { make_rubber(s.materials[0]), s.materials[0].strain = StrainKind::logarithmic; }},
+        Bad{"time.max_step", "chooses its steps",
+            [](Study& s) { make_plastic(s.materials[0]), explicitly(s), s.time.max_step = 1; }},
+        Bad{"time.max_plastic_step", "chooses its steps",
+            [](Study& s) { make_plastic(s.materials[0]), explicitly(s), s.time.max_plastic_step = 1; }},
         Bad{"materials.steel", "'density' is missing", [](Study& s) { s.materials[0].density.reset(); }},
         Bad{"materials.steel", "second entry", [](Study& s) { s.materials.push_back(s.materials[0]); }},
         Bad{"materials.st/eel", "letters, digits", [](Study& s) { s.materials[0].name = "st/eel"; }},
@@ -349,6 +398,24 @@ INSTANTIATE_TEST_SUITE_P(
               s.checks[0].component.clear();
               s.contact.clear();
             }},
+        Bad{"probes.tip.field", "expected 'place: nodes'",
+            [](Study& s) {
+              s.probes[0].place = ProbePlace::gauss_points;
+              s.probes[0].take = ProbeTake::largest;
+            }},
+        Bad{"probes.tip.place", "goes with 'point', or with 'on' and 'take'",
+            [](Study& s) {
+              s.probes[0].place = ProbePlace::cells;
+              s.probes[0].field = ProbeField::mean_stress;
+              s.checks[0].component.clear();
+            }},
+        Bad{"probes.tip.take", "expected mean, min or max",
+            [](Study& s) {
+              s.probes[0].place = ProbePlace::cells;
+              s.probes[0].field = ProbeField::mean_stress;
+              s.probes[0].take = ProbeTake::sum;
+              s.checks[0].component.clear();
+            }},
         Bad{"checks.0", "is missing", [](Study& s) { s.checks[0].probe.clear(); }},
         Bad{"checks.0", "found several of", [](Study& s) { s.checks[0].energy = "friction"; }},
         Bad{"checks.0.energy", "did you mean 'friction'",
@@ -365,6 +432,33 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) {
               s.checks[0].probe.clear();
               s.checks[0].resultant = {"joint", "force.yy"};
+            }},
+        Bad{"loads.0.gravity.follower", "expected 'pressure'",
+            [](Study& s) {
+              s.loads[0].kind = LoadKind::gravity;
+              s.loads[0].follower = true;
+            }},
+        Bad{"loads.0.pressure.follower", "expected a material with strain: green_lagrange or logarithmic",
+            [](Study& s) { s.loads[0].follower = true; }},
+        Bad{"supports.0.rotate.axis", "found a direction in the plane, plane_strain turns about z only",
+            [](Study& s) { s.supports[0].rotate = Rotation{{}, {1, 0, 1}, {}}; }},
+        Bad{"supports.0.rotate.about.2", "plane_strain has no z",
+            [](Study& s) { s.supports[0].rotate = Rotation{{0, 0, 1}, {0, 0, 1}, {}}; }},
+        Bad{"supports.0.rotate.angle", "depends on the place",
+            [](Study& s) {
+              s.supports[0].rotate = Rotation{{}, {0, 0, 1}, Profile{0, {{0, 1}, {0, 1}, {}}}};
+            }},
+        Bad{"probes.tip.about", "goes with the sum of a reaction",
+            [](Study& s) {
+              s.probes[0].take = ProbeTake::sum;
+              s.probes[0].about = {0, 0, 0};
+            }},
+        Bad{"probes.tip.about.2", "plane_strain has no z",
+            [](Study& s) {
+              s.probes[0].field = ProbeField::reaction;
+              s.probes[0].take = ProbeTake::sum;
+              s.probes[0].about = {0, 0, 1};
+              s.checks.clear();
             }},
         Bad{"checks.0.over", "goes without 'run'",
             [](Study& s) {

@@ -9,6 +9,8 @@ namespace rubato::deck::grammar {
 Forms mesh();
 Forms groups();
 Forms materials();
+/// Keys of a material beside the numbers of its law: how it yields, its terms, its strain and cells.
+std::vector<Key> material_words();
 Forms functions();
 Forms supports();
 Forms base_motion();

@@ -31,8 +31,10 @@ Forms load(study::LoadKind kind) {
   std::vector<Key> keys{
       {"on", everywhere ? "group of cells; every cell when not given" : "group", name(), !everywhere}};
   if (kind == study::LoadKind::pressure)
-    keys.push_back(
-        {"value", "pressure [force/length²], a number, an expression or a table", field_value(), true});
+    keys = joined(
+        std::move(keys),
+        {{"value", "pressure [force/length²], a number, an expression or a table", field_value(), true},
+         {"follower", "whether it turns and grows with the faces; false when not given", truth()}});
   else
     keys =
         joined(std::move(keys), components("component, a number, an expression or a table,", field_value()));
@@ -46,13 +48,22 @@ Forms connector_law(const std::string& title, const std::string& key, const std:
                      {"outside", "beyond both ends; linear when not given", word_of(study::outside_words)}});
 }
 
+/// Numbers that no law takes in place are numbers alone.
+std::vector<Key> numbers_of_laws() {
+  std::vector<Key> keys;
+  for (const auto& law : study::material_laws)
+    for (const auto& entry : law.numbers)
+      add_number(keys, entry.key, entry.meaning, entry.range, law.in_place ? field_value : number);
+  return keys;
+}
+
 } // namespace
 
 Forms materials() {
   auto keys = joined(
       {{"law", "what gives stresses from strains; elastic when not given", word_of(study::law_words)},
        {"density", "[mass/length³]; not needed by the scheme static", field_value(study::bounds::density)}},
-      numbers_of(study::material_laws, field_value));
+      joined(numbers_of_laws(), material_words()));
   keys.push_back(
       {"axes", "of orthotropy where they turn with the place, before the angles turn them",
        map("axes that turn with the place",
@@ -92,6 +103,12 @@ Forms supports() {
       {"turn", "rotations of a reference, small [radians]",
        map("rotations of a reference",
            components("rotation of a reference [radians], about the axis", motion(field_value())))});
+  keys.push_back({"rotate", "every node of a group as a rigid body, by any angle; x, y and z are added",
+                  map("a rotation about a line that stays where it is",
+                      {{"about", "a place on the line; in the plane the point [length]", coordinates(), true},
+                       {"axis", "direction of the line; in the plane none", coordinates()},
+                       {"angle", "by the right-hand rule [radians], a number or an expression of t",
+                        motion(expression()), true}})});
   keys.push_back(
       {"until", "instant at which it lets go; the end of the run when not given [time]", number()});
   return list(map("a support", std::move(keys)));

@@ -21,6 +21,10 @@ Forms time() {
       "the course of time",
       joined(keys,
              {{"record", "central_difference: time between results [time]", number(study::bounds::record)},
+              {"mass_scaling",
+               "central_difference: cells that make steps short get more mass; none when not given",
+               map("mass scaling", {{"step", "that every cell shall allow [time]",
+                                     number(study::bounds::scaled_step), true}})},
               {"contact_mass", "mass of the slave surfaces; redistributed with moreau_jean when not given",
                word_of(study::contact_mass_words)},
               {"begin", "first instant [time]; 0 when not given", number()},
@@ -29,6 +33,11 @@ Forms time() {
               {"end", "last instant [time]", number()},
               {"instants", "all instants after begin, ascending, instead of step and end [time]",
                list(number(), 1)},
+              {"max_step",
+               "nonlinear bodies: steps grow and shrink with their iterations, up to this one [time]",
+               number(study::bounds::max_step)},
+              {"max_plastic_step", "nonlinear bodies: steps in which plastic strain grows by more are cut",
+               number(study::bounds::max_plastic_step)},
               {"start", "how the run begins; consistent when not given", start()},
               {"on_failure", "what is done with a step that fails",
                map("cutting of steps", {{"cut", "parts a failed step is cut into; 2 when not given",
@@ -42,7 +51,9 @@ Forms newton() {
       "Newton's method",
       {{"max_iterations", "of one solve; 40 when not given", whole_number(study::bounds::max_iterations)},
        {"residual", "largest residual force over the largest force; 1e-8 when not given",
-        number(study::bounds::residual)}});
+        number(study::bounds::residual)},
+       {"tangent", "when nonlinear bodies have their matrix factored anew; auto when not given",
+        word_of(study::tangent_words)}});
 }
 
 } // namespace rubato::deck::grammar

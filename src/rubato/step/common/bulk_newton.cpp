@@ -20,8 +20,8 @@ time::Motion between(const time::Motion& from, const time::Motion& to, double pa
 } // namespace
 
 BulkNewton::BulkNewton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                       const State& committed, double t)
-    : model_(model), system_(system), tangent_(model, scheme, system, committed, t) {}
+                       const State& committed, double t, Factored factored)
+    : model_(model), system_(system), tangent_(model, scheme, system, committed, t, factored) {}
 
 const BulkStart& BulkNewton::start() {
   const int before = tangent_.renewals();
@@ -81,6 +81,8 @@ void BulkNewton::fill(StepReport& report, const Equilibrium& equilibrium) const 
   report.factorisations = tangent_.renewals();
   report.indefinite = tangent_.is_indefinite();
   report.failed_cell = equilibrium.failed();
+  if (report.failed() && report.failed_cell)
+    report.unmet.push_back({Criterion::cell, -1, model_.mesh.nodes_of(report.failed_cell->cell).front()});
 }
 
 } // namespace rubato::step

@@ -17,10 +17,13 @@ class BulkNewton {
 public:
   /// Everything must outlive this.
   BulkNewton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-             const State& committed, double t);
+             const State& committed, double t, Factored factored);
 
   /// What the first iterate starts from. Then the factor may be another one.
   const BulkStart& start();
+
+  /// Whether there is no factor to start with: the matrix is not positive definite.
+  bool starts_indefinite() const { return tangent_.starts_indefinite(); }
 
   /// Shortens the move from `from` until every cell has forces. Nothing comes back when that has no end.
   /// How much of the move is left, else.
@@ -39,7 +42,9 @@ public:
   /// Where it came from, if that is the start of the step: with the tangent that is there now. Else null.
   const BulkStart* back_at_start() const { return at_start_ ? &*start_ : nullptr; }
 
+  /// What there is to tell of a step whose outcome the report has already.
   void fill(StepReport& report, const Equilibrium& equilibrium) const;
+  bool is_indefinite() const { return tangent_.is_indefinite(); }
 
 private:
   void go_back_with_new_tangent();

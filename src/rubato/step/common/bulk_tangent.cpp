@@ -20,12 +20,12 @@ constexpr double small_part = 1e-3;
 } // namespace
 
 BulkTangent::BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                         const State& committed, double t)
-    : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t) {}
+                         const State& committed, double t, Factored factored)
+    : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), factored_(factored) {}
 
 bool BulkTangent::is_fresh_at_start() const {
-  return !committed_.tangent || committed_.step != system_.step ||
-         model_.study.newton.tangent == study::TangentChoice::full;
+  return !committed_.tangent || committed_.step != system_.step || committed_.indefinite ||
+         factored_ == Factored::no || model_.study.newton.tangent == study::TangentChoice::full;
 }
 
 BulkStart BulkTangent::start() {
@@ -34,7 +34,7 @@ BulkStart BulkTangent::start() {
   if (!is_fresh_at_start())
     put(committed_.tangent);
   else if (!renew_at_start())
-    put(here);
+    starts_indefinite_ = !put(here);
   start.tangent = system_.tangent;
   return start;
 }
@@ -60,20 +60,30 @@ Tangent BulkTangent::at(const VectorXd& u, VectorXd* forces) {
   const auto failed =
       model_.domain.evaluate({committed_.motion.u, u, committed_.t, t_}, committed_.bulk_points, unused_,
                              {.forces = forces, .tangent = &matrix_});
-  return failed ? nullptr : values_of(matrix_);
+  if (failed)
+    return nullptr;
+  model::add_follower_tangent(model_, t_, u, 1, matrix_);
+  return values_of(matrix_);
 }
 
 bool BulkTangent::put(const Tangent& tangent) {
   if (!tangent)
     return false;
-  if (same_values(system_.tangent, tangent))
+  if (factored_ == Factored::no) {
+    renew_matrix(system_, model_, tangent);
     return true;
+  }
+  if (same_values(system_.factored, tangent)) {
+    renew_matrix(system_, model_, tangent);
+    return true;
+  }
   ++renewals_;
-  const auto before = system_.tangent;
+  const auto before = system_.factored;
   if (renew(system_, model_, tangent))
     return true;
   indefinite_ = true;
-  renew(system_, model_, before);
+  if (before)
+    renew(system_, model_, before);
   return false;
 }
 

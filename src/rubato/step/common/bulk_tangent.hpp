@@ -19,11 +19,14 @@ struct BulkStart {
   Tangent tangent;        ///< that of the system
 };
 
+/// Whether the matrix is factored, or only made: with contact in it, it is another one in every iteration.
+enum class Factored { yes, no };
+
 class BulkTangent {
 public:
   /// Everything must outlive this.
   BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-              const State& committed, double t);
+              const State& committed, double t, Factored factored);
 
   /// Goes on with the tangent that the step before ended with, unless every iteration is to have its own or
   /// that step had another length. Depends on the committed state alone, so that a resumed run does the same.
@@ -43,7 +46,9 @@ public:
   bool renew_at_start();
 
   int renewals() const { return renewals_; }
+  /// Whether a matrix was not positive definite, and whether that of the start was not.
   bool is_indefinite() const { return indefinite_; }
+  bool starts_indefinite() const { return starts_indefinite_; }
 
 private:
   Eigen::VectorXd slightly_on() const;
@@ -56,10 +61,12 @@ private:
   EffectiveSystem& system_;
   const State& committed_;
   double t_;
+  Factored factored_;
   model::SparseMatrix matrix_; ///< storage of tangents
   domain::QuadratureStates unused_;
   int renewals_ = 0;
   bool indefinite_ = false;
+  bool starts_indefinite_ = false;
 };
 
 } // namespace rubato::step

@@ -10,6 +10,11 @@ namespace {
 using Eigen::VectorXd;
 using model::Model;
 
+/// Without contact zones the factored matrix is that of the whole system.
+bool has_factor(const Model& model, const EffectiveSystem& system) {
+  return system.compliance && model.zones.empty();
+}
+
 } // namespace
 
 WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
@@ -18,7 +23,8 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
       equilibrium_(model, scheme, system, committed, t),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {
   if (!model.domain.is_linear())
-    bulk_.emplace(model, scheme, system, committed, t);
+    bulk_.emplace(model, scheme, system, committed, t,
+                  has_factor(model, system) ? Factored::yes : Factored::no);
 }
 
 std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
@@ -44,6 +50,8 @@ void WholeSystem::evaluate(const State& trial, const Frozen& frozen, int iterati
 std::optional<Outcome> WholeSystem::close(State& trial, const Frozen& frozen) {
   equilibrium_.finish(force_, trial);
   side_.finish(frozen, now_, trial);
+  if (bulk_)
+    trial.indefinite = bulk_->is_indefinite() || !has_factor(model_, system_);
   return Outcome::converged;
 }
 
@@ -122,9 +130,8 @@ bool WholeSystem::within_rounding(const State& trial, const Frozen& frozen) cons
   return equilibrium_.within_rounding(trial.motion, stiffness, 0, report_.tolerance);
 }
 
-/// Without contact zones the factored matrix is that of the whole system.
 std::optional<LinearSolution> WholeSystem::solution(const time::Motion& motion) const {
-  if (system_.compliance && model_.zones.empty())
+  if (has_factor(model_, system_))
     return LinearSolution{
         system_.compliance->solve(-system_.slopes.adjusted(equilibrium_.residual(), motion)), {}};
   return solve_full({model_, system_.matrix, scheme_.contact_weight(), contact_, equilibrium_.residual()});

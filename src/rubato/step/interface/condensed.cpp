@@ -98,7 +98,7 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
       scratch_(scratch_of(model, system, scheme)), scale_(committed.force_scale),
       reach_(reach_of(model, system)), surface_(model, scheme, system) {
   if (!model.domain.is_linear())
-    bulk_.emplace(model, scheme, system, committed, t);
+    bulk_.emplace(model, scheme, system, committed, t, Factored::yes);
 }
 
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
@@ -119,6 +119,10 @@ std::optional<Outcome> Condensed::begin(State& trial, const Frozen& frozen) {
   // A base may carry forces; a prediction counts whole ones.
   if (bulk_ && !started_)
     start_ahead(trial);
+  if (bulk_ && bulk_->starts_indefinite())
+    return Outcome::indefinite;
+  if (bulk_ && !started_)
+    started_ = true;
   else if (!started_ || bases_carry_forces())
     start_from(trial);
   if (!equilibrium_.residual().allFinite())
@@ -136,6 +140,7 @@ std::optional<Outcome> Condensed::close(State& trial, const Frozen& frozen) {
   if (in_equilibrium(trial, frozen, force)) {
     equilibrium_.finish(force, trial);
     side_.finish(frozen, now(), trial);
+    trial.indefinite = bulk_ && bulk_->is_indefinite();
     return Outcome::converged;
   }
   if (bulk_)
@@ -208,13 +213,16 @@ StepReport Condensed::ended(Outcome outcome, const Frozen& frozen) {
   report_.outcome = outcome;
   if (bulk_)
     bulk_->fill(report_, equilibrium_);
-  if (report_.failed()) {
-    report_.worst = equilibrium_.residual().allFinite() ? worst_on_surface() : equilibrium_.worst();
-    if (outcome != Outcome::not_finite && outcome != Outcome::cell_failed)
-      side_.name_unmet(frozen, report_.iterations > 0 ? &previous() : nullptr, now(), report_);
-    name_residual_growth(report_);
-  }
+  if (report_.failed() && outcome != Outcome::indefinite) // nothing has been evaluated then
+    name_failure(outcome, frozen);
   return report_;
+}
+
+void Condensed::name_failure(Outcome outcome, const Frozen& frozen) {
+  report_.worst = equilibrium_.residual().allFinite() ? worst_on_surface() : equilibrium_.worst();
+  if (outcome != Outcome::not_finite && outcome != Outcome::cell_failed)
+    side_.name_unmet(frozen, report_.iterations > 0 ? &previous() : nullptr, now(), report_);
+  name_residual_growth(report_);
 }
 
 std::vector<WorstNode> Condensed::worst_on_surface() const {
@@ -232,9 +240,10 @@ void Condensed::start_from(const State& trial) {
 
 /// Supports have moved already, the bodies follow by the tangent.
 void Condensed::start_ahead(const State& trial) {
-  started_ = true;
   const auto& start = bulk_->start();
   zones_at_base_ = trial.zones;
+  if (bulk_->starts_indefinite())
+    return;
   if (bulk_->renewed())
     take_factor();
   equilibrium_.evaluate_ahead(trial.motion, ContactForce(trial.motion.u.size()), start);

@@ -101,6 +101,7 @@ private:
   bool within_rounding(const State& trial, const Frozen& frozen) const;
   void measure_surface();
   double surface_scale() const;
+  void name_failure(Outcome outcome, const Frozen& frozen);
   std::vector<WorstNode> worst_on_surface() const;
   bool bases_carry_forces() const;
   void linearise(const State& trial, const Frozen& frozen);

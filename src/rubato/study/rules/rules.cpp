@@ -20,10 +20,11 @@ void Rules::note_bounds(const std::string& path, const Range& range) {
     judgement_.bounds[path] = std::move(text);
 }
 
-void Rules::number(const std::string& path, double value, const Range& range) {
+void Rules::number(const std::string& path, double value, const Range& range, std::string_view reason) {
   note_bounds(path, range);
   if (!range.contains(value))
-    broken({path}, fmt::format("found '{}', expected a number{}", value, bounds_text(range)));
+    broken({path}, fmt::format("found '{}', expected a number{}{}{}", value, bounds_text(range),
+                               reason.empty() ? "" : ": ", reason));
 }
 
 void Rules::whole_number(const std::string& path, int value, const Range& range) {

@@ -25,8 +25,8 @@ public:
   /// `paths` are the values that the rule is about; it is told at the first.
   void broken(std::vector<std::string> paths, std::string text);
 
-  /// A number within its bounds, finite in any case.
-  void number(const std::string& path, double value, const Range& range = {});
+  /// A number within its bounds, finite in any case. `reason`: why, or what to do instead.
+  void number(const std::string& path, double value, const Range& range = {}, std::string_view reason = {});
   void whole_number(const std::string& path, int value, const Range& range);
   /// Each of a list of numbers; paths are made only where one is broken: tables may be long.
   void numbers(const std::string& path, std::span<const double> values);
@@ -85,6 +85,9 @@ void check_rotation(Rules& rules, const std::string& name, std::vector<std::stri
 /// What a name that is none is told.
 std::string expected_reference(const Study& study, const std::string& name);
 
+/// A rotation of a whole group.
+void check_rotate(Rules& rules, const Rotation& rotation, const std::string& path);
+
 void check_mesh(Rules& rules);
 void check_groups(Rules& rules);
 void check_physics(Rules& rules);
@@ -101,6 +104,12 @@ void check_springs(Rules& rules);
 void check_connectors(Rules& rules);
 void check_point_masses(Rules& rules);
 void check_loads(Rules& rules);
+/// What the law of a material has that is no plain number; of one material at `path`.
+void check_law_words(Rules& rules, const Material& material, const std::string& path);
+/// The strain and the formulation of a material, and what goes with them.
+void check_bulk(Rules& rules, const Material& material, const std::string& path);
+/// What only studies with nonlinear bodies take.
+void check_nonlinear_solution(Rules& rules);
 /// Of one material at `path`.
 void check_expansion(Rules& rules, const Material& material, const std::string& path);
 void check_temperatures(Rules& rules);

@@ -2,6 +2,7 @@
 // Materials, supports, springs, loads, and how the bodies begin.
 #include "rubato/study/damping.hpp"
 #include "rubato/study/fields.hpp"
+#include "rubato/study/formulation.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -24,16 +25,30 @@ void check_in_place(Rules& rules, const FieldValue& value, const Range& range, c
                                      shown(value.formula()->text)));
 }
 
+/// What to write where Poisson's ratio is that of an incompressible material.
+std::string_view advice_for(const Material& material, std::string_view key, double value) {
+  return is_hyperelastic(material.law) && key == "poisson" && value >= 0.5
+             ? "write 'bulk' instead, a large multiple of the shear modulus where the volume hardly changes"
+             : "";
+}
+
 /// Numbers that depend on the place, and those of the law that do not.
 void check_numbers(Rules& rules, const Material& material, const std::string& path) {
   const auto& law = entry_of(material.law);
   for (const auto& number : law.numbers)
     if (const auto value = number.get(material);
         value && !material.in_place.contains(std::string(number.key)))
-      rules.number(path + "." + std::string(number.key), *value, number.range);
+      rules.number(path + "." + std::string(number.key), *value, number.range,
+                   advice_for(material, number.key, *value));
   for (const auto& [key, value] : material.in_place) {
     const auto number = std::ranges::find(law.numbers, key, &Number<Material>::key);
-    if (number != law.numbers.end())
+    if (number != law.numbers.end() && !law.in_place)
+      rules.broken(
+          {path + "." + key, path + ".law"},
+          fmt::format("depends on the place, but the law {} has the same numbers everywhere; expected "
+                      "a number",
+                      law.name));
+    else if (number != law.numbers.end())
       check_in_place(rules, value, number->range, path + "." + key);
     else if (key == "density")
       check_in_place(rules, value, bounds::density_in_place, path + "." + key);
@@ -121,6 +136,8 @@ void check_damping(Rules& rules, const Material& material, const std::string& of
 
 void check_material(Rules& rules, const Material& material, const std::string& path) {
   check_law(rules, material, path);
+  check_law_words(rules, material, path);
+  check_bulk(rules, material, path);
   if (material.density && !material.in_place.contains("density"))
     rules.number(path + ".density", *material.density,
                  bounds::density); // where 0 is enough only the mesh tells
@@ -206,6 +223,18 @@ void check_turns(Rules& rules, const Support& support, const std::string& path) 
     }
 }
 
+/// It holds every component of a group, and so leaves nothing to be held otherwise.
+void check_rotated(Rules& rules, const Support& support, const std::string& path) {
+  check_rotate(rules, *support.rotate, path + ".rotate");
+  if (support.along)
+    rules.broken({path + ".along", path + ".rotate"},
+                 "found 'along' beside 'rotate', which holds every component, expected x, y or z");
+  if (is_reference(rules.study, support.on))
+    rules.broken(
+        {path + ".rotate", path + ".on", "relations"},
+        fmt::format("'{}' is a reference, which takes 'turn'; 'rotate' expects a group", support.on));
+}
+
 void check_along(Rules& rules, const Support& support, const std::string& path) {
   const auto& along = *support.along;
   rules.motion(path + ".value", along.value);
@@ -239,6 +268,16 @@ void check_load(Rules& rules, const Load& load, const std::string& path) {
       rules.axis(at, axis);
   }
   rules.function(path + ".function", load.function);
+  if (load.follower && load.kind != LoadKind::pressure)
+    rules.broken({path + ".follower", path},
+                 fmt::format("found a {} that follows the faces, expected 'pressure': every other load keeps "
+                             "its direction",
+                             word_of(load_words, load.kind)));
+  else if (load.follower && !takes_large_rotations(rules.study))
+    rules.broken(
+        {path + ".follower", path, "materials"},
+        "found a pressure that follows the faces of bodies of small strain, expected a material with "
+        "strain: green_lagrange or logarithmic");
 }
 
 /// Why a run begins in no other way than its own; empty when it may.
@@ -277,9 +316,11 @@ void check_supports(Rules& rules) {
     check_until(rules, support, path);
     if (support.along)
       check_along(rules, support, path);
-    if (is_empty(support.components) && !support.along && is_empty(support.turns))
+    if (support.rotate)
+      check_rotated(rules, support, path);
+    if (is_empty(support.components) && !support.along && is_empty(support.turns) && !support.rotate)
       rules.broken({path, path + ".fix", path + ".x", path + ".y", path + ".z"},
-                   "holds nothing, expected 'fix', a displacement x, y or z, or 'along'");
+                   "holds nothing, expected 'fix', a displacement x, y or z, 'along' or 'rotate'");
   }
 }
 

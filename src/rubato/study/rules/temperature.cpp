@@ -15,10 +15,11 @@ void check_expansion(Rules& rules, const Material& material, const std::string& 
   for (const double coefficient : along)
     rules.number(path + ".expansion", coefficient);
   rules.number(path + ".reference_temperature", material.expansion->reference);
-  if (material.law == LawKind::elastic && (along[0] != along[1] || along[0] != along[2]))
+  if (material.law != LawKind::orthotropic && (along[0] != along[1] || along[0] != along[2]))
     rules.broken({path + ".expansion", path + ".law"},
-                 "found different coefficients, but elastic materials expand alike in all directions; "
-                 "expected one number, or the law orthotropic");
+                 fmt::format("found different coefficients, but {} materials expand alike in all directions; "
+                             "expected one number, or the law orthotropic",
+                             entry_of(material.law).name));
 }
 
 void check_temperatures(Rules& rules) {
