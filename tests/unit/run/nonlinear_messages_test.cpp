@@ -189,7 +189,10 @@ TEST(ModesOfNonlinearBodies, SayThatTheyAreOfTheUndeformedShape) {
 TEST(TheStartOfNonlinearBodies, IsRefusedWhereACellIsTurnedInsideOut) {
   auto study = plastic(moving);
   study.supports.pop_back();
-  study.initial = {{.on = "top", .displacement = {{}, -1.5, {}}, .velocity = {}}};
+  study::InitialMotion pressed;
+  pressed.on = "top";
+  pressed.displacement[1] = -1.5;
+  study.initial.push_back(pressed);
   const auto fault =
       test::fault_of([&] { simulation::Simulation simulation(study); }); // J falls below 0 in both cells
   expect_in(fault, "has no forces where the run begins: a point is turned inside out (J ≤ 0)");
