@@ -2,6 +2,7 @@
 #include "rubato/simulation/memento.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,8 @@ bool fits(const model::Model& model, const step::State& state) {
 }
 
 bool remembers_alike(const model::Model& model, const step::State& state) {
-  return state.bulk_points.values.size() == model.domain.initial_states().values.size();
+  return !study::remembers(model.study) ||
+         state.bulk_points.values.size() == model.domain.initial_states().values.size();
 }
 
 namespace {

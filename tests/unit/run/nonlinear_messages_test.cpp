@@ -89,8 +89,10 @@ TEST(AFailedStepOfNonlinearBodies, IsAdvisedAnotherFormulationOfEnhancedCells) {
   auto study = plastic();
   study.materials[0].strain = study::StrainKind::small;
   study.materials[0].formulation = study::Formulation::enhanced;
-  EXPECT_TRUE(has(advice_for(model::build_model(study), inverted_cell()),
-                  "materials.metal.formulation: mean_dilatation"));
+  const auto model = model::build_model(study);
+  auto failure = inverted_cell();
+  failure.report.failed_cell->cell = model.bulk.cells.front();
+  EXPECT_TRUE(has(advice_for(model, failure), "materials.metal.formulation: mean_dilatation"));
 }
 
 TEST(AFailedStepOfNonlinearBodies, TellsOfPlasticStrainThatGrewTooMuch) {

@@ -115,7 +115,7 @@ TEST(BulkNewton, VariesTheLengthOfSteps) {
     ASSERT_TRUE(walk.simulation.advance().accepted());
     ++steps;
   }
-  EXPECT_LT(steps, 30);
+  EXPECT_LT(steps, 40);
   EXPECT_DOUBLE_EQ(walk.state().t, 1);
   EXPECT_NEAR(
       reaction(walk, "plate", 1),

@@ -24,9 +24,9 @@ BulkNewton::BulkNewton(const model::Model& model, const time::Scheme& scheme, Ef
     : model_(model), system_(system), tangent_(model, scheme, system, committed, t, factored) {}
 
 const BulkStart& BulkNewton::start() {
-  const int before = tangent_.renewals();
+  const auto before = system_.factored;
   start_ = tangent_.start();
-  renewed_ = tangent_.renewals() > before;
+  renewed_ = !same_values(before, system_.factored);
   is_fresh_ = tangent_.is_fresh_at_start();
   return *start_;
 }

@@ -32,11 +32,18 @@ BulkStart BulkTangent::start() {
   BulkStart start{VectorXd::Zero(committed_.motion.u.size()), {}};
   const auto here = at(committed_.motion.u, &start.forces);
   if (!is_fresh_at_start())
-    put(committed_.tangent);
+    go_on_with(committed_.tangent);
   else if (!renew_at_start())
     starts_indefinite_ = !put(here);
   start.tangent = system_.tangent;
   return start;
+}
+
+/// Counted where it was taken: a resumed run has to factor it again, others only after a failed attempt.
+void BulkTangent::go_on_with(const Tangent& tangent) {
+  const int counted = renewals_;
+  put(tangent);
+  renewals_ = counted;
 }
 
 bool BulkTangent::renew_at_start() {

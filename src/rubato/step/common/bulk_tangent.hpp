@@ -54,6 +54,7 @@ private:
   Eigen::VectorXd slightly_on() const;
   Tangent at(const Eigen::VectorXd& u, Eigen::VectorXd* forces);
   bool put(const Tangent& tangent);
+  void go_on_with(const Tangent& tangent);
   double factor_in_iterations() const;
 
   const model::Model& model_;
