@@ -179,7 +179,7 @@ void StepControl::go_on(const Place& place) {
 void StepControl::accept(int iterations) {
   if (varies()) {
     const double end = target();
-    const double length = end - now_;
+    const double length = this->length();
     now_ = end;
     if (end == instants_[next_])
       ++next_;

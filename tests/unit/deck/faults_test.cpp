@@ -77,8 +77,7 @@ const Mistake type_mistakes[] = {
     {"x: 0.1", "x: inf", "inf",
      "supports.1.x: found 'inf', expected a number or an expression of x, y, z and t: unknown name 'inf' at "
      "character 1; expected one of x, y, z, t, pi, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, "
-     "log, "
-     "log10, sqrt, abs, floor, ceil, sign, atan2, if, min, max"},
+     "log, log10, sqrt, abs, floor, ceil, sign, atan2, if, min, max"},
     {"x: 0.1", "x: .nan", ".nan",
      "supports.1.x: found '.nan', expected a number or an expression of x, y, z and t: no number, or one "
      "that is "

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
             "relations: {hub: {rigid: {on: g}}}\nsupports: [{on: hub, rotate: {about: [0, 0], angle: 0}}]",
             "supports.0.rotate: 'hub' is a reference, which takes 'turn'; 'rotate' expects a group"},
         BadPart{"loads: [{surface_force: {on: g, x: 1, follower: true}}]",
-                "loads.0.surface_force: unknown key 'follower'"},
+                "unknown key 'loads.0.surface_force.follower'"},
         BadPart{"loads: [{pressure: {on: g, value: 1, follower: sometimes}}]", "loads.0.pressure.follower"},
         BadPart{
             "loads: [{pressure: {on: g, value: 1, follower: true}}]",
