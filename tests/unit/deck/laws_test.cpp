@@ -185,7 +185,7 @@ const std::string softening = "where the yield stress falls with plastic strain,
 const std::string rubber = "law: hyperelastic, c10: 0.4, bulk: 100";
 
 const BadMaterial bad_plasticity[] = {
-    {steel, "materials.steel: 'hardening' is missing", ""},
+    {"law: plastic, young: 200e9, poisson: 0.3", "materials.steel: 'hardening' is missing", ""},
     {steel + "hardening: {}",
      "materials.steel.hardening: found no kind of hardening, expected one of linear, table, tension_table, "
      "voce, "
