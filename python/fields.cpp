@@ -73,7 +73,10 @@ py::dict nodal_fields(const Model& model, const State& state,
 CellField cell_field(const Model& model, const State& state, const std::string& name) {
   check_fits(model, state);
   check_name(name, model.mesh.dimension, false);
-  return std::move(results::cell_fields(model, state, only({name})).front());
+  auto fields = results::cell_fields(model, state, only({name}));
+  if (fields.empty())
+    throw InputError(fmt::format("the model has no field {}: it has no temperatures", shown(name)));
+  return std::move(fields.front());
 }
 
 std::vector<std::string> components_of(const Model& model, const std::string& name) {
@@ -163,9 +166,16 @@ void bind_cell_field(py::module_& module) {
       .def_property_readonly(
           "place",
           [](const CellField& field) {
-            return field.place == study::FieldPlace::gauss_points ? "gauss_points" : "element_nodes";
+            switch (field.place) {
+            case study::FieldPlace::gauss_points:
+              return "gauss_points";
+            case study::FieldPlace::cells:
+              return "cells";
+            default:
+              return "element_nodes";
+            }
           },
-          "\"gauss_points\" or \"element_nodes\".")
+          "\"gauss_points\", \"element_nodes\" or \"cells\".")
       .def_property_readonly("values", &values_of,
                              "By cell type: cells x places x components, in the order of the mesh; views.")
       .def_property_readonly("volumes", &volumes_of,
@@ -225,15 +235,18 @@ void bind_model_fields(ModelClass& type) {
   type.def("nodal_fields", &nodal_fields, py::arg("state"), py::arg("names") = py::none(),
            "Fields of a state at the nodes by their names: nodes, or nodes x components. names: those that "
            "are wanted, "
-           "of displacement, velocity, acceleration, stress, von_mises, strain, reaction, internal_force, "
-           "contact_force, temperature, contact_pressure, contact_gap and so on; not given: the usual ones "
-           "that a run "
-           "writes. Raises InputError.")
+           "of displacement, velocity, acceleration, stress, von_mises, cumulated_plastic_strain, strain, "
+           "plastic_strain, tresca, mean_stress, principal_stress, reaction, internal_force, contact_force, "
+           "temperature, contact_pressure, contact_gap and so on; not given: the usual ones that a run "
+           "writes. "
+           "Raises InputError.")
       .def("cell_field", &cell_field, py::arg("state"), py::arg("name"),
            py::call_guard<py::gil_scoped_release>(),
-           "\"stress_elga\", \"strain_elga\" at the Gauss points or \"stress_elno\", \"strain_elno\" at the "
-           "nodes of "
-           "each cell: a CellField. Components are xx yy zz xy yz xz. Raises InputError.")
+           "A field of each cell by itself: a CellField. \"stress_elga\" and so on at the Gauss points, "
+           "\"stress_elno\" at the nodes of each cell, \"stress_elem\" their mean by volume; of stress, "
+           "strain, "
+           "plastic_strain (components xx yy zz xy yz xz), cumulated_plastic_strain, von_mises, tresca, "
+           "mean_stress, principal_stress (1 2 3, the largest first), temperature. Raises InputError.")
       .def("field_components", &components_of, py::arg("name"),
            "Names of a field's components; none of a scalar.")
       .def("contact_points", &contact_points, py::arg("zone"),

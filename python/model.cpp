@@ -136,8 +136,10 @@ SharedModel make_model(const py::object& study, std::optional<mesh::Mesh> mesh) 
 }
 
 void check_fits(const Model& model, const step::State& state) {
-  if (!simulation::fits(model, state))
-    throw InputError("the state is that of another model: one with another mesh or other contact zones");
+  if (!simulation::fits(model, state) || !simulation::remembers_alike(model, state))
+    throw InputError(
+        "the state is that of another model: one with another mesh, other contact zones or materials "
+        "that remember something else");
 }
 
 std::size_t zone_of(const Model& model, const py::object& zone) {

@@ -26,8 +26,13 @@ py::dict energy_dict(const EnergyLedger& energy) {
   result["damping"] = energy.damping;
   result["contact"] = energy.contact;
   result["friction"] = energy.friction;
+  result["plastic"] = energy.plastic;
+  result["back_stress"] = energy.back_stress;
+  result["viscous"] = energy.viscous;
+  result["hourglass"] = energy.hourglass;
   result["impact"] = energy.impact;
   result["numerical"] = energy.numerical;
+  result["bulk_scheme"] = energy.bulk_scheme;
   result["unbalanced"] = energy.unbalanced;
   result["balance"] = energy.balance();
   return result;
@@ -47,11 +52,19 @@ void bind_energy(py::module_& module) {
       .def_readonly("heat", &EnergyLedger::heat, "Put into bodies that expand by their temperature.")
       .def_readonly("damping", &EnergyLedger::damping, "Dissipated by damping.")
       .def_readonly("friction", &EnergyLedger::friction, "Dissipated by friction.")
+      .def_readonly("plastic", &EnergyLedger::plastic, "Dissipated by plastic strain.")
+      .def_readonly("back_stress", &EnergyLedger::back_stress, "Stored in back stresses of plasticity.")
+      .def_readonly("viscous", &EnergyLedger::viscous, "Dissipated by viscoelastic materials.")
+      .def_readonly("hourglass", &EnergyLedger::hourglass,
+                    "Stored in what keeps cells of reduced integration in shape.")
       .def_readonly("impact", &EnergyLedger::impact, "Taken by contact pressures and not stored.")
       .def_readonly("numerical", &EnergyLedger::numerical, "Dissipated by the time scheme; < 0 gained.")
+      .def_readonly("bulk_scheme", &EnergyLedger::bulk_scheme,
+                    "Of finite strain: neither stored nor dissipated by the bodies; < 0 gained.")
       .def_readonly("unbalanced", &EnergyLedger::unbalanced, "Work of what iterations left unbalanced.")
       .def_readonly("start", &EnergyLedger::start, "Stored when the run began.")
-      .def_property_readonly("stored", &EnergyLedger::stored, "kinetic + strain + contact.")
+      .def_property_readonly("stored", &EnergyLedger::stored,
+                             "kinetic + strain + contact + back_stress + hourglass.")
       .def_property_readonly("balance", &EnergyLedger::balance, "What the ledger has no entry for: rounding.")
       .def("as_dict", &energy_dict, "The columns of energy.csv.")
       .def("__repr__", [](const EnergyLedger& energy) {
@@ -134,6 +147,15 @@ void bind_steps(py::module_& module) {
       .def_property_readonly(
           "residual", [](const Step& step) { return step.result.report.residual; },
           "Relative, of the last iterate.")
+      .def_property_readonly(
+          "bulk_iterations", [](const Step& step) { return step.result.report.bulk_iterations; },
+          "Motions from which nonlinear bodies were solved for; 0 of linear ones.")
+      .def_property_readonly(
+          "factorisations", [](const Step& step) { return step.result.report.factorisations; },
+          "Effective matrices of nonlinear bodies that were factored; 0 of linear ones.")
+      .def_property_readonly(
+          "indefinite", [](const Step& step) { return step.result.report.indefinite; },
+          "Whether one of them was not positive definite.")
       .def_property_readonly(
           "energy", [](const Step& step) { return step.result.energy; },
           "Of the state that the simulation has after it.")

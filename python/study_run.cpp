@@ -31,7 +31,10 @@ template <> struct Description<TimeStepping> {
       Member{"max_step", &TimeStepping::max_step,
              "nonlinear bodies: steps grow up to this one, > 0 [time]; None: they do not grow"},
       Member{"max_plastic_step", &TimeStepping::max_plastic_step,
-             "plastic bodies: steps in which plastic strain grows by more are cut, > 0; None: any"});
+             "plastic bodies: steps in which plastic strain grows by more are cut, > 0; None: any"},
+      Member{"mass_scaling", &TimeStepping::mass_scaling,
+             "central_difference: the step that every cell shall allow, those that do not get more mass, > 0 "
+             "[time]; None: no mass is added"});
 };
 template struct RecordCodec<TimeStepping>;
 
@@ -81,15 +84,17 @@ template <> struct Description<Probe> {
   static constexpr std::string_view name = "Probe";
   static constexpr std::string_view meaning = "A history at a node, of the nodes of a group, in a cut, of a "
                                               "contact zone, or a difference of two others.";
-  static constexpr auto members =
-      std::tuple(Member{"name", &Probe::name, "of the probe"},
-                 Member{"node", &Probe::node, "name of the node, or of the group"},
-                 Member{"point", &Probe::point, "instead: the node nearest to this place [length]"},
-                 Member{"section", &Probe::section, "instead: a cut"},
-                 Member{"contact", &Probe::contact, "instead: a contact zone"},
-                 Member{"minus", &Probe::minus, "instead: two probes, the first minus the second"},
-                 Member{"field", &Probe::field, "what of it"},
-                 Member{"take", &Probe::take, "of the nodes of a group, each component by itself"});
+  static constexpr auto members = std::tuple(
+      Member{"name", &Probe::name, "of the probe"},
+      Member{"node", &Probe::node, "name of the node, or of the group"},
+      Member{"point", &Probe::point, "instead: the node nearest to this place [length]"},
+      Member{"section", &Probe::section, "instead: a cut"},
+      Member{"contact", &Probe::contact, "instead: a contact zone"},
+      Member{"minus", &Probe::minus, "instead: two probes, the first minus the second"},
+      Member{"field", &Probe::field, "what of it"},
+      Member{"take", &Probe::take, "of the nodes or cells of a group, each component by itself"},
+      Member{"place", &Probe::place, "nodes, cells (the mean of each by volume) or their Gauss points"},
+      Member{"about", &Probe::about, "of a sum of forces: with their moment about it [length]"});
 };
 template struct RecordCodec<Probe>;
 

@@ -173,6 +173,17 @@ template <> struct Description<ObliqueSupport> {
 };
 template struct RecordCodec<ObliqueSupport>;
 
+template <> struct Description<Rotation> {
+  static constexpr std::string_view name = "Rotation";
+  static constexpr std::string_view meaning =
+      "A rigid rotation about a line that stays where it is, by an angle that changes with time.";
+  static constexpr auto members =
+      std::tuple(Member{"about", &Rotation::about, "a place on the line [length]"},
+                 Member{"axis", &Rotation::axis, "along the line, of any length > 0; in the plane z"},
+                 Member{"angle", &Rotation::angle, "by the right-hand rule [radians], without the place"});
+};
+template struct RecordCodec<Rotation>;
+
 template <> struct Description<Support> {
   static constexpr std::string_view name = "Support";
   static constexpr std::string_view meaning = "Displacements that are held at 0 or imposed.";
@@ -181,6 +192,7 @@ template <> struct Description<Support> {
       Member{"components", &Support::components, "displacement along each axis [length]; None: free"},
       Member{"along", &Support::along, "a direction across the axes"},
       Member{"turns", &Support::turns, "of a reference about each axis [radians]; None: free"},
+      Member{"rotate", &Support::rotate, "of every node of a group, all components held; None: not"},
       Member{"until", &Support::until, "instant at which it lets go [time]; None: never"});
 };
 template struct RecordCodec<Support>;
@@ -205,7 +217,8 @@ template <> struct Description<Load> {
       Member{"on", &Load::on, "a group, a node or a reference; gravity: empty for every cell"},
       Member{"components", &Load::components,
              "along each axis; pressure: the first, > 0 pushes into the body"},
-      Member{"function", &Load::function, "name of a function of time that multiplies them; empty: 1"});
+      Member{"function", &Load::function, "name of a function of time that multiplies them; empty: 1"},
+      Member{"follower", &Load::follower, "pressure: turns and grows with the faces"});
 };
 template struct RecordCodec<Load>;
 
@@ -291,13 +304,17 @@ template <> struct Description<InitialMotion> {
 template struct RecordCodec<InitialMotion>;
 
 std::vector<RecordEntry> solid_records() {
-  return {record_entry<CylindricalAxes>(), record_entry<Orthotropy>(),       record_entry<DampingRatios>(),
-          record_entry<ModalDamping>(),    record_entry<ThermalExpansion>(), record_entry<BackStress>(),
-          record_entry<Plasticity>(),      record_entry<PronyTerm>(),        record_entry<OgdenTerm>(),
-          record_entry<Hyperelasticity>(), record_entry<Material>(),         record_entry<ObliqueSupport>(),
-          record_entry<Support>(),         record_entry<BaseMotion>(),       record_entry<Load>(),
-          record_entry<Springs>(),         record_entry<Connector>(),        record_entry<PointMasses>(),
-          record_entry<RelationTerm>(),    record_entry<Relation>(),         record_entry<Temperature>(),
+  return {record_entry<CylindricalAxes>(),  record_entry<Orthotropy>(),
+          record_entry<DampingRatios>(),    record_entry<ModalDamping>(),
+          record_entry<ThermalExpansion>(), record_entry<BackStress>(),
+          record_entry<Plasticity>(),       record_entry<PronyTerm>(),
+          record_entry<OgdenTerm>(),        record_entry<Hyperelasticity>(),
+          record_entry<Material>(),         record_entry<ObliqueSupport>(),
+          record_entry<Rotation>(),         record_entry<Support>(),
+          record_entry<BaseMotion>(),       record_entry<Load>(),
+          record_entry<Springs>(),          record_entry<Connector>(),
+          record_entry<PointMasses>(),      record_entry<RelationTerm>(),
+          record_entry<Relation>(),         record_entry<Temperature>(),
           record_entry<InitialMotion>()};
 }
 

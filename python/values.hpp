@@ -88,6 +88,7 @@ extern template struct RecordCodec<study::Probe>;
 extern template struct RecordCodec<study::PronyTerm>;
 extern template struct RecordCodec<study::Relation>;
 extern template struct RecordCodec<study::RelationTerm>;
+extern template struct RecordCodec<study::Rotation>;
 extern template struct RecordCodec<study::Springs>;
 extern template struct RecordCodec<study::Study>;
 extern template struct RecordCodec<study::Support>;

@@ -174,6 +174,10 @@ template <> const WordList& words_of<study::ProbeTake>() {
              study::probe_take_words, {{"node", study::ProbeTake::node}});
   return list;
 }
+template <> const WordList& words_of<study::ProbePlace>() {
+  static const auto list = listed("ProbePlace", "Where a probe has its values.", study::probe_place_words);
+  return list;
+}
 template <> const WordList& words_of<study::CheckedTime>() {
   static const auto list = listed("CheckedTime", "When a checked history has its value.",
                                   study::checked_time_words, {{"instant", study::CheckedTime::instant}});
@@ -222,6 +226,7 @@ std::vector<const WordList*> all_words() {
           &words_of<StartKind>(),
           &words_of<ProbeField>(),
           &words_of<ProbeTake>(),
+          &words_of<ProbePlace>(),
           &words_of<CheckedTime>(),
           &words_of<CheckSource>(),
           &words_of<Axis>()};

@@ -257,8 +257,13 @@ class EnergyLedger:
     heat: Final[float]
     damping: Final[float]
     friction: Final[float]
+    plastic: Final[float]
+    back_stress: Final[float]
+    viscous: Final[float]
+    hourglass: Final[float]
     impact: Final[float]
     numerical: Final[float]
+    bulk_scheme: Final[float]
     unbalanced: Final[float]
     start: Final[float]
     stored: Final[float]
@@ -312,6 +317,12 @@ class Step:
     def iterations(self) -> int: ...
     @property
     def residual(self) -> float: ...
+    @property
+    def bulk_iterations(self) -> int: ...
+    @property
+    def factorisations(self) -> int: ...
+    @property
+    def indefinite(self) -> bool: ...
     @property
     def energy(self) -> EnergyLedger: ...
     @property

@@ -88,6 +88,32 @@ def test_supports_that_end_and_locked_preloads_leave_states_alone():
         assert numpy.array_equal(a, a_then) and numpy.array_equal(reaction, reaction_then)
 
 
+def test_supports_rotate_their_groups():
+    study = studies.bar(step=0.1)
+    study.loads = []
+    spin = rubato.Rotation(about=(0, 0), angle=rubato.Field(0.04, given="velocity"))
+    study.supports = [rubato.Support(on="held", rotate=spin)]
+    study.probes = [rubato.Probe(name="drive", node="held", field="reaction", take="sum", about=(0, 0))]
+    simulation = rubato.Simulation(study)
+    assert simulation.state.v.min() == pytest.approx(-0.04)  # along x, of the upper corner
+    for _ in simulation:
+        pass
+    places, dofs = simulation.model.mesh.points, simulation.model.dofs
+    held = numpy.flatnonzero(places[:, 0] == 0)
+    assert simulation.state.u[dofs[held, 0]] == pytest.approx(-numpy.sin(0.04) * places[held, 1])
+    assert simulation.state.u[dofs[held, 1]] == pytest.approx((numpy.cos(0.04) - 1) * places[held, 1])
+    spin.angle = 0.06
+    with pytest.raises(rubato.InputError, match="at most 0.05 radians"):
+        rubato.Model(study)
+
+
+def test_only_pressures_follow_their_faces():
+    study = studies.bar()
+    study.loads[0].follower = True
+    with pytest.raises(rubato.InputError, match="a surface_force that follows the faces, expected 'pressure'"):
+        study.validate()
+
+
 def test_a_preload_that_is_locked_leaves_states_alone():
     study = studies.bar(scheme="static", step=0.25, end=1)
     study.loads = []

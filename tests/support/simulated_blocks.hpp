@@ -50,6 +50,8 @@ inline void expect_same(const step::State& a, const step::State& b) {
   EXPECT_EQ(a.contact_force, b.contact_force);
   EXPECT_EQ(a.reaction, b.reaction);
   EXPECT_EQ(a.zones, b.zones);
+  EXPECT_EQ(a.bulk_points, b.bulk_points);
+  EXPECT_EQ(a.moved, b.moved);
 }
 
 inline void expect_same(const step::EnergyLedger& a, const step::EnergyLedger& b) {
@@ -59,7 +61,11 @@ inline void expect_same(const step::EnergyLedger& a, const step::EnergyLedger& b
   EXPECT_EQ(a.external_work, b.external_work);
   EXPECT_EQ(a.friction, b.friction);
   EXPECT_EQ(a.impact, b.impact);
+  EXPECT_EQ(a.plastic, b.plastic);
+  EXPECT_EQ(a.back_stress, b.back_stress);
+  EXPECT_EQ(a.viscous, b.viscous);
   EXPECT_EQ(a.numerical, b.numerical);
+  EXPECT_EQ(a.bulk_scheme, b.bulk_scheme);
 }
 
 /// Where both stand, with what they carry on.
@@ -71,6 +77,7 @@ inline void expect_same(const simulation::Memento& a, const simulation::Memento&
     const auto& other = std::get<simulation::ImplicitProgress>(b.progress);
     EXPECT_EQ(implicit->place.now, other.place.now);
     EXPECT_EQ(implicit->place.ends, other.place.ends);
+    EXPECT_EQ(implicit->place.wanted, other.place.wanted);
     EXPECT_EQ(implicit->overlaps, other.overlaps);
     expect_same(implicit->energy, other.energy);
   } else {

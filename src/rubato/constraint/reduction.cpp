@@ -13,21 +13,42 @@ namespace rubato::constraint {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+bool are_same(const FieldAtPlace& a, const FieldAtPlace& b) {
+  return *a.field == *b.field && a.place == b.place;
+}
+
+bool are_same(const RotatedPlace& a, const RotatedPlace& b) {
+  return *a.by == *b.by && a.place == b.place && a.axis == b.axis;
+}
+
+/// Whether both are the same, or there is neither.
+template <class T> bool are_same(const std::shared_ptr<T>& a, const std::shared_ptr<T>& b) {
+  return a && b ? are_same(*a, *b) : !a && !b;
+}
+
+} // namespace
+
 bool operator==(const ImposedValue& a, const ImposedValue& b) {
-  const bool same_field = a.field && b.field
-                              ? *a.field->field == *b.field->field && a.field->place == b.field->place
-                              : !a.field && !b.field;
-  return same_field && a.value == b.value && a.function == b.function;
+  return are_same(a.field, b.field) && are_same(a.rotation, b.rotation) && a.value == b.value &&
+         a.function == b.function;
 }
 
 double value_at(const ImposedValue& imposed, double t) {
+  const double turned = imposed.rotation ? displacement_at(*imposed.rotation->by, imposed.rotation->place,
+                                                           t)[imposed.rotation->axis]
+                                         : 0.0;
   if (imposed.field)
-    return imposed.field->field->at(imposed.field->place, t);
-  return imposed.value * (imposed.function ? rubato::value_at(*imposed.function, t) : 1.0);
+    return imposed.field->field->at(imposed.field->place, t) + turned;
+  return imposed.value * (imposed.function ? rubato::value_at(*imposed.function, t) : 1.0) + turned;
 }
 
 double rate_at(const ImposedValue& imposed, double t, int order) {
-  return imposed.value * rubato::rate_at(imposed.function, t, order);
+  const double turned = imposed.rotation ? rate_at(*imposed.rotation->by, imposed.rotation->place, t,
+                                                   order)[imposed.rotation->axis]
+                                         : 0.0;
+  return imposed.value * rubato::rate_at(imposed.function, t, order) + turned;
 }
 
 double displacement_of(const PrescribedDof& prescribed, double t) {

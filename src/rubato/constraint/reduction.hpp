@@ -2,6 +2,7 @@
 /// Which displacements are unknown: u = T q + g(t).
 #pragma once
 
+#include "rubato/constraint/rotation.hpp"
 #include "rubato/core/field_function.hpp"
 #include "rubato/core/function.hpp"
 
@@ -24,13 +25,21 @@ struct FieldAtPlace {
   std::array<double, 3> place{};
 };
 
-/// A value times function (1 when there is none), or a field.
+/// What a rotation displaces an undeformed place by along an axis, a function of time.
+struct RotatedPlace {
+  std::shared_ptr<const Rotation> by; ///< there is one
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  int axis = 0; ///< 0 to 2
+};
+
+/// A value times function (1 when there is none), or a field; and what a rotation adds.
 struct ImposedValue {
   double value = 0; ///< of a dof [length], of an equation what its left side has
   std::optional<Function> function;
-  std::shared_ptr<const FieldAtPlace> field = {}; ///< instead of value and function; few have one
+  std::shared_ptr<const FieldAtPlace> field = {};    ///< instead of value and function; few have one
+  std::shared_ptr<const RotatedPlace> rotation = {}; ///< beside them [length]; few have one
 
-  bool varies_in_time() const { return function.has_value() || field != nullptr; }
+  bool varies_in_time() const { return function.has_value() || field != nullptr || rotation != nullptr; }
 };
 
 /// Whether they are the same value of time.

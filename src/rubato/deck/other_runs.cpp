@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/other_runs.hpp"
 
+#include "rubato/study/formulation.hpp"
 #include "rubato/study/stored_fields.hpp"
 #include "rubato/study/words.hpp"
 
@@ -68,6 +69,20 @@ bool same_mesh(const study::Study& a, const study::Study& b) {
   return a.mesh == b.mesh && a.physics == b.physics;
 }
 
+/// The materials whose past counts, without what may change from run to run.
+std::vector<study::Material> remembering(const study::Study& study) {
+  std::vector<study::Material> materials;
+  for (const auto& material : study.materials)
+    if (study::remembers(material)) {
+      auto& kept = materials.emplace_back(material);
+      kept.density.reset();
+      kept.in_place.erase("density");
+      kept.rayleigh_stiffness = kept.rayleigh_mass = 0;
+      kept.damping.reset();
+    }
+  return materials;
+}
+
 /// Whether it fits.
 bool check_start(const study::Study& study, std::span<const study::Study> earlier,
                  const std::vector<std::string>& all, const Places& places, Faults& faults) {
@@ -78,10 +93,16 @@ bool check_start(const study::Study& study, std::span<const study::Study> earlie
   const auto* source = mention.earlier_run(study, earlier, all, "start from");
   if (source == nullptr)
     return false;
-  if (same_mesh(*source, study) && same_contact(*source, study))
+  const bool fits = same_mesh(*source, study) && same_contact(*source, study);
+  if (fits && remembering(*source) == remembering(study))
     return true;
   if (!same_mesh(*source, study))
     mention.fault(fmt::format("run {} has another mesh or physics than run {}", from, study.name));
+  else if (fits)
+    mention.fault(
+        fmt::format("run {} has other materials than run {}, expected the same of those that remember "
+                    "their past: plastic, prony, and with 'formulation: enhanced'",
+                    from, study.name));
   else
     mention.fault(fmt::format("run {} has other contact zones than run {}, expected the same surfaces, the "
                               "same integration and friction in both or in none",
@@ -139,6 +160,10 @@ void check_probe(const study::Check& check, const study::Study& study, const stu
         fmt::format("probe '{}' takes something else of its nodes in run {} than in run {}, expected "
                     "the same 'take'",
                     check.probe, source.name, study.name));
+  else if (own->place != other->place)
+    mention.fault(fmt::format("probe '{}' is at {} in run {} and at {} in run {}", check.probe,
+                              study::word_of(study::probe_place_words, other->place), source.name,
+                              study::word_of(study::probe_place_words, own->place), study.name));
 }
 
 void check_field(const study::Check& check, const study::Study& study, const study::Study& source,

@@ -56,6 +56,11 @@ void read_take(const Found& value, const Found& group, study::Probe& probe) {
     value->fault("goes with 'on' only: it says what is taken of the nodes of a group");
 }
 
+void read_probe_place(const Found& value, bool has_field, study::Probe& probe) {
+  if (read(value, probe.place, study::probe_place_words) && !has_field)
+    value->fault("goes with 'point' or 'on': cells and their points have fields");
+}
+
 study::Probe read_probe(const NamedValue& entry, const Context& context) {
   study::Probe probe;
   probe.name = entry.name.text;
@@ -76,11 +81,14 @@ study::Probe read_probe(const NamedValue& entry, const Context& context) {
     probe.contact = read_contact_force(*places["contact"], context);
   read_names(places["minus"], probe.minus);
   const auto field = map.find("field");
-  if (read(field, probe.field, study::probe_field_words) &&
-      (places["section"] || places["contact"] || places["minus"]))
+  const bool has_field = !(places["section"] || places["contact"] || places["minus"]);
+  if (read(field, probe.field, study::probe_field_words) && !has_field)
     field->fault("goes with 'node', 'point' or 'on': sections and contact have forces, differences what "
                  "their probes have");
   read_take(map.find("take"), places["on"], probe);
+  if (std::array<double, 3> about{}; read_point(map.find("about"), context, about))
+    probe.about = about;
+  read_probe_place(map.find("place"), has_field, probe);
   map.finish();
   return probe;
 }

@@ -74,6 +74,22 @@ std::optional<study::ObliqueSupport> read_along(MapReader& map, const Context& c
   return along;
 }
 
+/// In the plane there is one axis.
+study::Rotation read_rotation(const Value& value, const Context& context) {
+  study::Rotation rotation;
+  MapReader map(value);
+  read_point(map.require("about"), context, rotation.about);
+  if (context.physics && study::dimension_of(*context.physics) == 2)
+    map.refuse("axis", fmt::format("{} turns about z, expected 'about' and 'angle'",
+                                   study::word_of(study::physics_words, *context.physics)));
+  else
+    read_point(context.physics ? map.require("axis") : map.find("axis"), context, rotation.axis);
+  if (const auto angle = map.require("angle"))
+    rotation.angle = read_motion(*angle, context);
+  map.finish();
+  return rotation;
+}
+
 study::Support read_support(const Value& value, const Context& context) {
   study::Support support;
   MapReader map(value);
@@ -91,6 +107,8 @@ study::Support read_support(const Value& value, const Context& context) {
         support.turns[axis] = read_motion(*given, context);
     axes.finish();
   }
+  if (const auto rotate = map.find("rotate"))
+    support.rotate = read_rotation(*rotate, context);
   read(map.find("until"), support.until);
   map.finish();
   return support;
@@ -118,10 +136,12 @@ study::Load read_load(const Value& value, study::LoadKind kind, const Context& c
   load.kind = kind;
   MapReader map(value);
   read_name(kind == study::LoadKind::gravity ? map.find("on") : map.require("on"), load.on);
-  if (kind == study::LoadKind::pressure)
+  if (kind == study::LoadKind::pressure) {
     read_field_value(map.require("value"), context, load.components[0]);
-  else
+    read(map.find("follower"), load.follower);
+  } else {
     read_components(map, context, load);
+  }
   read_name(map.find("function"), load.function);
   map.finish();
   return load;

@@ -40,6 +40,21 @@ void read_explicit_steps(MapReader& map, study::TimeStepping& time) {
     map.spoil("record");
 }
 
+void read_mass_scaling(MapReader& map, study::TimeStepping& time) {
+  if (!study::is_explicit(time.scheme)) {
+    map.refuse("mass_scaling", fmt::format("the scheme {} has no step that is too long for a cell; "
+                                           "central_difference takes it",
+                                           word_of(study::scheme_words, time.scheme)));
+    return;
+  }
+  const auto value = map.find("mass_scaling");
+  if (!value)
+    return;
+  MapReader scaling(*value);
+  read(scaling.require("step"), time.mass_scaling, study::bounds::scaled_step);
+  scaling.finish();
+}
+
 void read_instants(const Found& instants, study::TimeStepping& time) {
   if (!read(instants, time.instants))
     return;
@@ -111,6 +126,7 @@ void read_time(const Found& value, Context& context, study::TimeStepping& time) 
   read(map.find("contact_mass"), time.contact_mass, study::contact_mass_words);
   read_course(map, time);
   read_step_control(map, time);
+  read_mass_scaling(map, time);
   read_start(map.find("start"), time);
   if (study::is_explicit(time.scheme))
     map.refuse("on_failure", "the scheme central_difference has no steps that fail");

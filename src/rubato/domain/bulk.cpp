@@ -24,6 +24,13 @@ std::string middle_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
 
 } // namespace
 
+bool is_linear(const Bulk& bulk) {
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i)
+    if (!bulk.is_constant(i))
+      return false;
+  return true;
+}
+
 element::CellKind kind_of(const Bulk& bulk, const Behaviour& behaviour, CellType type) {
   element::CellKind kind{type, bulk.section, behaviour.strain, behaviour.formulation};
   if (!element::is_offered(kind))

@@ -58,6 +58,9 @@ struct Bulk {
   }
 };
 
+/// Whether forces are a constant matrix times the displacements in all cells.
+bool is_linear(const Bulk& bulk);
+
 /// Of a cell of that type with that behaviour.
 element::CellKind kind_of(const Bulk& bulk, const Behaviour& behaviour, CellType type);
 

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace rubato::domain {
@@ -46,6 +47,57 @@ void add_entries(const MatrixXd& effects, std::span<const int> columns, Entries&
         entries.emplace_back(static_cast<int>(row), columns[static_cast<std::size_t>(j)], value);
 }
 
+std::vector<CutForces::Node> arms_of(const mesh::Mesh& mesh, const DofMap& dofs,
+                                     std::span<const NodeIndex> nodes, const Eigen::Vector3d& point) {
+  std::vector<CutForces::Node> arms;
+  for (const auto node : nodes)
+    if (dofs.has(node))
+      arms.push_back({dofs.dof(node, 0), mesh.points[static_cast<std::size_t>(node)] - point});
+  return arms;
+}
+
+/// The cells that are evaluated, those that follow large turns apart from those that do not.
+std::vector<CutForces::Evaluated> evaluated_cells(const mesh::Mesh& mesh, const Bulk& bulk,
+                                                  const DofMap& dofs, std::span<const std::size_t> cells) {
+  std::vector<CutForces::Evaluated> all;
+  for (const bool large : {false, true}) {
+    std::vector<std::size_t> chosen;
+    for (const auto cell : cells)
+      if (const auto* behaviour = bulk.behaviour(cell); !bulk.is_constant(cell))
+        if ((behaviour->strain != element::StrainKind::small) == large)
+          chosen.push_back(cell);
+    std::ranges::sort(chosen);
+    if (!chosen.empty())
+      all.push_back({NonlinearCells(mesh, bulk, dofs, chosen), large});
+  }
+  return all;
+}
+
+Eigen::Vector3d at_node(const Eigen::VectorXd& values, const CutForces::Node& node, int components) {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  at.head(components) = values.segment(node.first_dof, components);
+  return at;
+}
+
+/// Force and moment of evaluated cells on the nodes of the cut.
+Eigen::Matrix<double, 6, 1> evaluated_forces(const CutForces& cut, const CutForces::Evaluated& evaluated,
+                                             const Eigen::VectorXd& u, double t,
+                                             const QuadratureStates& states) {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(u.size());
+  QuadratureStates unchanged;
+  evaluated.cells.add({u, u, t, t}, states, unchanged, {.forces = &forces});
+  Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+  for (const auto& node : cut.nodes) {
+    const auto force = at_node(forces, node, cut.components);
+    Eigen::Vector3d arm = node.arm;
+    if (evaluated.at_deformed)
+      arm += at_node(u, node, cut.components);
+    sum.head<3>() += force;
+    sum.tail<3>() += arm.cross(force);
+  }
+  return sum;
+}
+
 std::vector<int> dofs_of(const DofMap& dofs, std::span<const NodeIndex> nodes) {
   std::vector<int> all;
   for (const auto node : nodes)
@@ -62,20 +114,25 @@ CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap
   std::vector<char> in_cut(mesh.points.size(), 0);
   for (const auto node : nodes)
     in_cut[static_cast<std::size_t>(node)] = 1;
+  std::vector<std::size_t> at_cut;
+  std::ranges::copy_if(cells, std::back_inserter(at_cut), [&](std::size_t cell) {
+    return std::ranges::any_of(mesh.nodes_of(bulk.cells[cell]),
+                               [&](NodeIndex n) { return in_cut[static_cast<std::size_t>(n)] != 0; });
+  });
   Entries entries;
   Entries of_temperature;
   CutForces cut;
-  const auto effects = [&](std::span<const NodeIndex> nodes, const MatrixXd& forces) {
-    return effects_of(mesh, dofs.components, nodes, in_cut, point, forces);
+  const auto effects = [&](std::span<const NodeIndex> of_cell, const MatrixXd& forces) {
+    return effects_of(mesh, dofs.components, of_cell, in_cut, point, forces);
   };
-  for (const auto i : cells) {
+  for (const auto i : at_cut) {
     const auto of_cell = mesh.nodes_of(bulk.cells[i]);
-    if (std::ranges::none_of(of_cell, [&](NodeIndex n) { return in_cut[static_cast<std::size_t>(n)] != 0; }))
-      continue;
-    const auto size = static_cast<Index>(of_cell.size()) * dofs.components;
-    MatrixXd stiffness(size, size);
-    cell_stiffness(bulk, i, mesh.type_of(bulk.cells[i]), CellPoints(mesh, of_cell), stiffness);
-    add_entries(effects(of_cell, stiffness), dofs_of(dofs, of_cell), entries);
+    if (bulk.is_constant(i)) {
+      const auto size = static_cast<Index>(of_cell.size()) * dofs.components;
+      MatrixXd stiffness(size, size);
+      cell_stiffness(bulk, i, mesh.type_of(bulk.cells[i]), CellPoints(mesh, of_cell), stiffness);
+      add_entries(effects(of_cell, stiffness), dofs_of(dofs, of_cell), entries);
+    }
     if (heat == nullptr || heat->expansion_of(i) == nullptr)
       continue;
     const auto of_heat = heat->cell_heat(mesh, bulk, i);
@@ -88,13 +145,19 @@ CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap
     cut.of_temperature.resize(2 * axes, static_cast<Index>(dofs.nodes.size()));
     cut.of_temperature.setFromTriplets(of_temperature.begin(), of_temperature.end());
   }
+  cut.components = dofs.components;
+  cut.nodes = arms_of(mesh, dofs, nodes, point);
+  cut.evaluated = evaluated_cells(mesh, bulk, dofs, at_cut);
   return cut;
 }
 
-Eigen::Matrix<double, 6, 1> forces_at(const CutForces& cut, const Eigen::VectorXd& u, HeatAt heat) {
+Eigen::Matrix<double, 6, 1> forces_at(const CutForces& cut, const Eigen::VectorXd& u, HeatAt heat,
+                                      const QuadratureStates* states) {
   Eigen::Matrix<double, 6, 1> forces = cut.of_displacement * u;
   if (heat.heat != nullptr)
     forces -= cut.of_temperature * heat.heat->temperatures(heat.t) - cut.of_reference;
+  for (const auto& evaluated : cut.evaluated)
+    forces += evaluated_forces(cut, evaluated, u, heat.t, *states);
   return forces;
 }
 

@@ -20,6 +20,18 @@ double Domain::energy(const VectorXd& u, const VectorXd& forces, double t,
   return std::visit([&](const auto& kind) { return kind.energy(u, forces, t, states); }, kind_);
 }
 
+VectorXd Domain::constant_forces(const VectorXd& u, double t) const {
+  return std::visit([&](const auto& kind) { return kind.constant_forces(u, t); }, kind_);
+}
+
+Balance Domain::balance(const QuadratureStates& old, const QuadratureStates& now) const {
+  return std::visit([&](const auto& kind) { return kind.balance(old, now); }, kind_);
+}
+
+double Domain::back_stress_energy(const QuadratureStates& states) const {
+  return std::visit([&](const auto& kind) { return kind.back_stress_energy(states); }, kind_);
+}
+
 std::span<const LawSpring> Domain::law_springs() const {
   return std::visit([](const auto& kind) { return kind.law_springs(); }, kind_);
 }
@@ -42,6 +54,15 @@ PlasticStep Domain::plastic_step(const QuadratureStates& old, const QuadratureSt
 
 double Domain::largest_eigenvalue(const VectorXd& inverse_mass) const {
   return std::visit([&](const auto& kind) { return kind.largest_eigenvalue(inverse_mass); }, kind_);
+}
+
+double Domain::growth(const VectorXd& u, const QuadratureStates& states, const LawPath& path,
+                      double rate) const {
+  return std::visit([&](const auto& kind) { return kind.growth(u, states, path, rate); }, kind_);
+}
+
+bool Domain::has_finite_strain() const {
+  return std::visit([](const auto& kind) { return kind.has_finite_strain(); }, kind_);
 }
 
 } // namespace rubato::domain

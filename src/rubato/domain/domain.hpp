@@ -2,6 +2,7 @@
 /// What deforms: internal forces, tangents and stored energy of all bodies and of the springs on them.
 #pragma once
 
+#include "rubato/domain/balance.hpp"
 #include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/linear_domain.hpp"
 #include "rubato/domain/nonlinear_domain.hpp"
@@ -39,6 +40,16 @@ public:
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
 
+  /// The part of the internal forces that comes from cells of a constant stiffness and from springs, with the
+  /// forces of temperatures: K u − f(t) and what springs by tables add [force].
+  Eigen::VectorXd constant_forces(const Eigen::VectorXd& u, double t) const;
+
+  /// Where the work of the other part went in a step from `old` to `now`, states with records. Throws
+  /// std::invalid_argument without them.
+  Balance balance(const QuadratureStates& old, const QuadratureStates& now) const;
+  /// What back stresses store, of states with records [force · length].
+  double back_stress_energy(const QuadratureStates& states) const;
+
   /// Springs by tables.
   std::span<const LawSpring> law_springs() const;
 
@@ -50,7 +61,8 @@ public:
   bool is_linear() const;
 
   /// ∂f_int/∂u at u = 0 where nothing has happened yet [force/length]. Whoever wants scales, or an elastic
-  /// stiffness by definition, takes this one.
+  /// stiffness by definition, takes this one. Throws InputError of a domain that is not linear in the model
+  /// of an explicit run, where it is not assembled.
   const SparseMatrix& initial_tangent() const;
 
   /// How far materials have yielded in a step.
@@ -59,6 +71,13 @@ public:
   /// A bound from above of the largest λ of K x = λ M x, K the initial tangent, at most 1 % beyond it
   /// [1/time²]. `inverse_mass`: of each dof, 0 where it is held.
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
+
+  /// By what the largest λ may have grown since nothing had happened, where cells of finite strain are
+  /// compressed or grow stiffer; below 1 where it has not grown, 0 without such cells. `rate`: λ at first, as
+  /// largest_eigenvalue gives it; the path leads to u and `states`. Of models of explicit runs only.
+  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path,
+                double rate) const;
+  bool has_finite_strain() const;
 
   /// What a run begins with.
   const QuadratureStates& initial_states() const { return initial_states_; }

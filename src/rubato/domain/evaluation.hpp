@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/domain/assembly.hpp"
+#include "rubato/domain/law_path.hpp"
 #include "rubato/element/nonlinear.hpp"
 
 #include <Eigen/Core>
@@ -28,6 +29,9 @@ struct Wanted {
   Eigen::VectorXd* forces = nullptr; ///< f_int, an entry a dof [force]
   SparseMatrix* tangent = nullptr; ///< ∂f_int/∂u1, always in the pattern of initial_tangent [force/length]
   bool records = false;            ///< QuadratureStates::records of the end of the step
+  /// Goes on from the evaluation before, which must have been that of the start of the step; of cells that
+  /// nothing has happened to a path is empty. A linear domain leaves it alone.
+  LawPath* path = nullptr;
 };
 
 /// A cell that has no forces at the end of a step: then nothing that was written has a meaning, and forces

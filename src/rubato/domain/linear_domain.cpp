@@ -11,7 +11,9 @@ using Eigen::VectorXd;
 
 LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat,
                            std::vector<LawSpring> springs)
-    : heat_(std::move(heat)), springs_(std::move(springs)), product_(std::in_place, stiffness, components) {
+    : heat_(std::move(heat)), springs_(std::move(springs)) {
+  if (stiffness.nonZeros() > 0)
+    product_.emplace(stiffness, components);
   const auto own = std::make_shared<SparseMatrix>();
   own->swap(stiffness);
   stiffness_ = own;
@@ -29,7 +31,7 @@ Failed LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old,
     return {};
   }
   wanted.forces->resize(step.u1.size());
-  product_->multiply(step.u1, *wanted.forces);
+  multiply(step.u1, *wanted.forces);
   add_beyond_matrix(springs_, step.u1, *wanted.forces);
   if (heat_)
     *wanted.forces -= heat_->force(step.t1);
@@ -42,8 +44,22 @@ double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, double t,
   return heat_ ? energy - 0.5 * u.dot(heat_->force(t)) + heat_->held_energy(t) : energy;
 }
 
+VectorXd LinearDomain::constant_forces(const VectorXd& u, double t) const {
+  VectorXd forces;
+  QuadratureStates none;
+  evaluate({u, u, t, t}, {}, none, {.forces = &forces});
+  return forces;
+}
+
+void LinearDomain::multiply(const VectorXd& x, VectorXd& y) const {
+  if (product_)
+    product_->multiply(x, y);
+  else
+    y.setZero();
+}
+
 double LinearDomain::largest_eigenvalue(const VectorXd& inverse_mass) const {
-  return linalg::largest_eigenvalue(*product_, inverse_mass);
+  return linalg::largest_eigenvalue([&](const VectorXd& x, VectorXd& y) { multiply(x, y); }, inverse_mass);
 }
 
 } // namespace rubato::domain

@@ -4,6 +4,7 @@
 /// lacks of them.
 #pragma once
 
+#include "rubato/domain/balance.hpp"
 #include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/heat.hpp"
 #include "rubato/domain/law_springs.hpp"
@@ -32,18 +33,27 @@ public:
                   const Wanted& wanted) const;
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
+  Eigen::VectorXd constant_forces(const Eigen::VectorXd& u, double t) const;
+  /// Materials take nothing: all that is put into them is stored.
+  Balance balance(const QuadratureStates&, const QuadratureStates&) const { return {}; }
+  double back_stress_energy(const QuadratureStates&) const { return 0; }
   const Heat* heat() const { return heat_.get(); }
   std::span<const LawSpring> law_springs() const { return springs_; }
   const SparseMatrix& initial_tangent() const { return *stiffness_; }
+  /// y = K x, both with an entry a dof.
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   PlasticStep plastic_step(const QuadratureStates&, const QuadratureStates&) const { return {}; }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
+  bool has_finite_strain() const { return false; }
+  double growth(const Eigen::VectorXd&, const QuadratureStates&, const LawPath&, double) const { return 0; }
 
 private:
   /// Shared by copies, which only read it.
   std::shared_ptr<const SparseMatrix> stiffness_ = std::make_shared<const SparseMatrix>();
   std::shared_ptr<const Heat> heat_;
   std::vector<LawSpring> springs_;
-  std::optional<linalg::SymmetricBlockMatrix> product_; ///< the same K: its product reads least memory
+  /// The same K: its product reads least memory. Nothing where K is 0.
+  std::optional<linalg::SymmetricBlockMatrix> product_;
 };
 
 } // namespace rubato::domain

@@ -3,30 +3,49 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 namespace rubato::domain {
 
 using Eigen::VectorXd;
 
-/// Storage of one cell at a time.
-struct NonlinearCells::Scratch {
-  std::vector<double> displacement, force, tangent;
-};
+NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs)
+    : components_(dofs.components) {
+  add_cells(mesh, bulk, dofs, [&](std::size_t cell) { return !bulk.is_constant(cell); });
+}
 
 NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                               const SparseMatrix& pattern)
+                               std::span<const std::size_t> cells)
     : components_(dofs.components) {
+  add_cells(mesh, bulk, dofs, [&](std::size_t cell) { return std::ranges::binary_search(cells, cell); });
+}
+
+void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                               const std::function<bool(std::size_t)>& has) {
   std::size_t state = 0;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    if (!bulk.is_constant(i))
+    if (has(i))
       add_cell(mesh, dofs,
                {.index = bulk.cells[i],
                 .group = group_of(bulk, i, mesh.type_of(bulk.cells[i])),
                 .first_state = state});
     state += state_size(mesh, bulk, i);
   }
-  find_places(pattern);
 }
+
+namespace {
+
+/// Its tangent in small strain where nothing has happened.
+material::ElasticPoint first_tangent(const material::PointLaw& law) {
+  const std::vector<double> old(static_cast<std::size_t>(material::state_size(law)), 0.0);
+  auto now = old;
+  material::Response response;
+  material::respond(law, material::Strain6::Zero(), old, now, {}, material::Want::tangent, response);
+  return {response.tangent};
+}
+
+} // namespace
 
 int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) {
   const auto law = bulk.law_of_cell[cell];
@@ -36,8 +55,12 @@ int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) 
   const auto& behaviour = *bulk.behaviour(cell);
   const auto kind = kind_of(bulk, behaviour, type);
   const int remembered = element::state_size_of_cell(kind, material::state_size(behaviour.law));
+  auto undeformed = kind;
+  undeformed.strain = element::StrainKind::small;
   groups_.push_back({kind, behaviour.law, cell::topology(type).node_count, element::point_count(type),
-                     static_cast<std::size_t>(remembered)});
+                     static_cast<std::size_t>(remembered),
+                     material::state_size(behaviour.law) > 0 && has_linear_stress(behaviour.law), undeformed,
+                     first_tangent(behaviour.law)});
   law_of_group_.push_back(law);
   return static_cast<int>(groups_.size()) - 1;
 }
@@ -47,12 +70,15 @@ void NonlinearCells::add_cell(const mesh::Mesh& mesh, const DofMap& dofs, Cell c
   cell.first_node = points_.size();
   cell.first_place = cells_.empty() ? 0 : cells_.back().first_place;
   if (!cells_.empty()) {
-    const auto before =
-        static_cast<std::size_t>(groups_[static_cast<std::size_t>(cells_.back().group)].nodes);
+    const auto before = static_cast<std::size_t>(group_of(cells_.back()).nodes);
     cell.first_place += before * before;
   }
+  const auto& group = group_of(cell);
   cell.first_record = record_count_;
-  record_count_ += static_cast<std::size_t>(groups_[static_cast<std::size_t>(cell.group)].points);
+  record_count_ += static_cast<std::size_t>(group.points);
+  cell.first_follow = followed_count_;
+  followed_count_ += group.followed ? static_cast<std::size_t>(group.points) : 0;
+  own_states_ += group.state_size;
   for (const auto node : nodes) {
     points_.push_back(mesh.points[static_cast<std::size_t>(node)]);
     dofs_.push_back(dofs.dof(node, 0));
@@ -62,7 +88,7 @@ void NonlinearCells::add_cell(const mesh::Mesh& mesh, const DofMap& dofs, Cell c
 
 void NonlinearCells::find_places(const SparseMatrix& pattern) {
   for (const auto& cell : cells_) {
-    const auto nodes = static_cast<std::size_t>(groups_[static_cast<std::size_t>(cell.group)].nodes);
+    const auto nodes = static_cast<std::size_t>(group_of(cell).nodes);
     const auto dofs = std::span(dofs_).subspan(cell.first_node, nodes);
     for (const int column : dofs) {
       const int* begin = pattern.innerIndexPtr() + pattern.outerIndexPtr()[column];
@@ -73,14 +99,41 @@ void NonlinearCells::find_places(const SparseMatrix& pattern) {
   }
 }
 
+bool NonlinearCells::has_finite_strain() const {
+  return std::ranges::any_of(
+      groups_, [](const Group& group) { return group.kind.strain != element::StrainKind::small; });
+}
+
 Failed NonlinearCells::add(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                            const Wanted& wanted) const {
-  now.values = old.values; // of constant cells they stay
+  if (own_states_ < old.values.size()) // of constant cells they stay
+    now.values = old.values;
+  else
+    now.values.resize(old.values.size());
   now.mode_force = 0;
   if (wanted.records)
     now.records.resize(record_count_);
   else
     now.records.clear();
+  if (wanted.path == nullptr)
+    return add_each(step, old, now, wanted);
+  auto& path = *wanted.path;
+  path.points.resize(followed_count_);
+  path.forces.setZero(step.u1.size());
+  path.taken = {};
+  path.stored = 0;
+  path.law_work = -std::exchange(path.elsewhere, 0);
+  auto by_cells = wanted;
+  by_cells.forces = &path.forces;
+  const auto failed = add_each(step, old, now, by_cells);
+  path.law_work += path.elsewhere;
+  if (wanted.forces != nullptr)
+    *wanted.forces += path.forces;
+  return failed;
+}
+
+Failed NonlinearCells::add_each(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                                const Wanted& wanted) const {
   Scratch scratch;
   for (const auto& cell : cells_) {
     const auto result = evaluate(cell, step, old, now, wanted, scratch);
@@ -90,29 +143,39 @@ Failed NonlinearCells::add(const StepSpan& step, const QuadratureStates& old, Qu
       return CellFailure{result.failure, cell.index, result.point};
     }
     now.mode_force = std::max(now.mode_force, result.mode_force);
+    if (wanted.path != nullptr)
+      go_along(cell, old, now, result.stored, scratch, *wanted.path);
   }
   return {};
+}
+
+void NonlinearCells::gather(const Cell& cell, const VectorXd& u, std::vector<double>& values) const {
+  const auto nodes = static_cast<std::size_t>(group_of(cell).nodes);
+  const auto d = static_cast<std::size_t>(components_);
+  values.resize(nodes * d);
+  const int* first = dofs_.data() + cell.first_node;
+  for (std::size_t n = 0; n < nodes; ++n)
+    for (std::size_t a = 0; a < d; ++a)
+      values[n * d + a] = u[first[n] + static_cast<int>(a)];
 }
 
 element::CellResult NonlinearCells::evaluate(const Cell& cell, const StepSpan& step,
                                              const QuadratureStates& old, QuadratureStates& now,
                                              const Wanted& wanted, Scratch& scratch) const {
-  const auto& group = groups_[static_cast<std::size_t>(cell.group)];
+  const auto& group = group_of(cell);
   const auto nodes = static_cast<std::size_t>(group.nodes);
-  const auto size = nodes * static_cast<std::size_t>(components_);
-  const auto dofs = std::span(dofs_).subspan(cell.first_node, nodes);
-  scratch.displacement.resize(size);
+  const auto points = static_cast<std::size_t>(group.points);
+  gather(cell, step.u1, scratch.displacement);
+  const auto size = scratch.displacement.size();
   scratch.force.resize(size);
   scratch.tangent.resize(wanted.tangent != nullptr ? size * size : 0);
-  for (std::size_t n = 0; n < nodes; ++n)
-    for (int a = 0; a < components_; ++a)
-      scratch.displacement[n * static_cast<std::size_t>(components_) + static_cast<std::size_t>(a)] =
-          step.u1[dofs[n] + a];
   element::CellOutput output{std::span(now.values).subspan(cell.first_state, group.state_size), scratch.force,
                              scratch.tangent};
+  scratch.records.resize(points);
   if (wanted.records)
-    output.records =
-        std::span(now.records).subspan(cell.first_record, static_cast<std::size_t>(group.points));
+    output.records = std::span(now.records).subspan(cell.first_record, points);
+  else if (wanted.path != nullptr && group.followed)
+    output.records = scratch.records;
   const element::CellInput input{std::span(points_).subspan(cell.first_node, nodes),
                                  scratch.displacement,
                                  std::span(old.values).subspan(cell.first_state, group.state_size),
@@ -122,19 +185,41 @@ element::CellResult NonlinearCells::evaluate(const Cell& cell, const StepSpan& s
   if (!result)
     return result;
   if (wanted.forces != nullptr)
-    for (std::size_t n = 0; n < nodes; ++n)
-      for (int a = 0; a < components_; ++a)
-        (*wanted.forces)[dofs[n] + a] +=
-            scratch.force[n * static_cast<std::size_t>(components_) + static_cast<std::size_t>(a)];
+    scatter(cell, scratch.force, *wanted.forces);
   if (wanted.tangent != nullptr)
     add_tangent(cell, scratch.tangent, *wanted.tangent);
   return result;
 }
 
+void NonlinearCells::scatter(const Cell& cell, const std::vector<double>& values, VectorXd& sum) const {
+  const auto nodes = static_cast<std::size_t>(group_of(cell).nodes);
+  const auto d = static_cast<std::size_t>(components_);
+  const int* first = dofs_.data() + cell.first_node;
+  for (std::size_t n = 0; n < nodes; ++n)
+    for (std::size_t a = 0; a < d; ++a)
+      sum[first[n] + static_cast<int>(a)] += values[n * d + a];
+}
+
+void NonlinearCells::go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now,
+                              double stored, const Scratch& scratch, LawPath& path) const {
+  path.stored += stored;
+  const auto& group = group_of(cell);
+  if (!group.followed) {
+    path.elsewhere += stored;
+    return;
+  }
+  const auto points = static_cast<std::size_t>(group.points);
+  auto end = end_of(cell, now);
+  if (now.records.empty())
+    end.records = scratch.records;
+  domain::go_along(group.law, end, std::span(old.values).subspan(cell.first_state, group.state_size),
+                   std::span(path.points).subspan(cell.first_follow, points), path);
+}
+
 PlasticStep NonlinearCells::plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
   PlasticStep most;
   for (const auto& cell : cells_) {
-    const auto& group = groups_[static_cast<std::size_t>(cell.group)];
+    const auto& group = group_of(cell);
     const auto size = static_cast<std::size_t>(material::state_size(group.law));
     const auto p = [&](const QuadratureStates& states, int point) {
       const auto first = cell.first_state + static_cast<std::size_t>(point) * size;
@@ -147,9 +232,42 @@ PlasticStep NonlinearCells::plastic_step(const QuadratureStates& old, const Quad
   return most;
 }
 
+Balance NonlinearCells::balance(const QuadratureStates& old, const QuadratureStates& now) const {
+  require_records(old);
+  require_records(now);
+  Balance sum;
+  for (const auto& cell : cells_) {
+    const auto& group = group_of(cell);
+    add_balance(group.law, group.kind.strain, end_of(cell, old), end_of(cell, now), sum);
+  }
+  return sum;
+}
+
+double NonlinearCells::back_stress_energy(const QuadratureStates& states) const {
+  require_records(states);
+  double sum = 0;
+  for (const auto& cell : cells_)
+    sum += domain::back_stress_energy(group_of(cell).law, end_of(cell, states));
+  return sum;
+}
+
+CellEnd NonlinearCells::end_of(const Cell& cell, const QuadratureStates& states) const {
+  const auto& group = group_of(cell);
+  const auto states_of_cell = std::span(states.values).subspan(cell.first_state, group.state_size);
+  if (states.records.empty())
+    return {{}, states_of_cell};
+  return {std::span(states.records).subspan(cell.first_record, static_cast<std::size_t>(group.points)),
+          states_of_cell};
+}
+
+void NonlinearCells::require_records(const QuadratureStates& states) const {
+  if (states.records.size() != record_count_)
+    throw std::invalid_argument("the balance of energy needs the records of both ends of a step");
+}
+
 void NonlinearCells::add_tangent(const Cell& cell, const std::vector<double>& tangent,
                                  SparseMatrix& matrix) const {
-  const auto nodes = static_cast<std::size_t>(groups_[static_cast<std::size_t>(cell.group)].nodes);
+  const auto nodes = static_cast<std::size_t>(group_of(cell).nodes);
   const auto d = static_cast<std::size_t>(components_);
   const auto* place = places_.data() + cell.first_place;
   for (std::size_t j = 0; j < nodes; ++j, place += nodes) {

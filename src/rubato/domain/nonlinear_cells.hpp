@@ -3,6 +3,7 @@
 /// evaluation reads stands side by side.
 #pragma once
 
+#include "rubato/domain/balance.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/evaluation.hpp"
@@ -11,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,11 +21,22 @@ namespace rubato::domain {
 class NonlinearCells {
 public:
   NonlinearCells() = default;
-  /// Those of the bulk that are not constant. `pattern`: where their tangents are added.
-  NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, const SparseMatrix& pattern);
+  /// Those of the bulk that are not constant.
+  NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs);
+  /// Some of them, by their places in the bulk, ascending. States are those of the whole bulk, records those
+  /// of these cells.
+  NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                 std::span<const std::size_t> cells);
+
+  /// Tangents may be asked for from now on; `pattern`: where they are added.
+  void find_places(const SparseMatrix& pattern);
+  /// `growth` may be asked for from now on. `mass_factors`: what multiplies the mass of each cell of
+  /// Bulk::cells; empty: nothing.
+  void find_rates(const mesh::Mesh& mesh, const Bulk& bulk, std::span<const double> mass_factors);
 
   bool empty() const { return cells_.empty(); }
   std::size_t record_count() const { return record_count_; }
+  bool has_finite_strain() const;
 
   /// Adds forces and tangents at the end of the step to what is wanted, which has its size and pattern.
   Failed add(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
@@ -31,6 +44,20 @@ public:
 
   /// Over a step.
   PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
+  /// Of a step from `old` to `now`. Throws std::invalid_argument when one of them has no records.
+  Balance balance(const QuadratureStates& old, const QuadratureStates& now) const;
+  /// What back stresses store, of states with records [force · length].
+  double back_stress_energy(const QuadratureStates& states) const;
+
+  /// y += K x, K the tangent where nothing has happened yet.
+  void add_initial_product(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+
+  /// By what the largest λ of the whole may have grown since nothing had happened, by the cells of finite
+  /// strain: max κ min(1, λ_e/λ), κ the growth of the stiffness of a cell, λ_e its own λ at first
+  /// (cell_rates.hpp), `rate`: λ of the whole at first [1/time²]. Of plastic and viscoelastic cells κ is by
+  /// their height and their stress, which the path has, of others by their tangent.
+  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path,
+                double rate) const;
 
 private:
   /// Cells of one kind and law.
@@ -40,6 +67,9 @@ private:
     int nodes = 0;
     int points = 0;
     std::size_t state_size = 0;
+    bool followed = false;        ///< whether a path has its points
+    element::CellKind undeformed; ///< small strain
+    material::ElasticPoint first; ///< the law's tangent where nothing has happened
   };
   struct Cell {
     mesh::CellIndex index = -1;
@@ -48,14 +78,39 @@ private:
     std::size_t first_place = 0;  ///< in places_
     std::size_t first_state = 0;  ///< in QuadratureStates::values
     std::size_t first_record = 0; ///< in QuadratureStates::records
+    std::size_t first_follow = 0; ///< in LawPath::points
   };
-  struct Scratch;
+  /// Of one cell where nothing has happened.
+  struct Rate {
+    double stiffness = 0; ///< ‖K_e‖ [force/length]
+    double lambda = 0;    ///< bound of its own λ [1/time²]
+  };
+  /// Storage of one cell at a time.
+  struct Scratch {
+    std::vector<double> displacement, force, tangent, states;
+    std::vector<Eigen::Vector3d> places;
+    std::vector<element::PointRecord> records;
+  };
 
+  void add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                 const std::function<bool(std::size_t)>& has);
   int group_of(const Bulk& bulk, std::size_t cell, CellType type);
   void add_cell(const mesh::Mesh& mesh, const DofMap& dofs, Cell cell);
-  void find_places(const SparseMatrix& pattern);
+  const Group& group_of(const Cell& cell) const { return groups_[static_cast<std::size_t>(cell.group)]; }
+  Failed add_each(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                  const Wanted& wanted) const;
   element::CellResult evaluate(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
                                QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
+  void go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now, double stored,
+                const Scratch& scratch, LawPath& path) const;
+  double growth_of_shape(const Cell& cell, const Eigen::VectorXd& u, const LawPath& path,
+                         Scratch& scratch) const;
+  double growth_of_tangent(std::size_t cell, const Eigen::VectorXd& u, const QuadratureStates& states,
+                           Scratch& scratch) const;
+  void gather(const Cell& cell, const Eigen::VectorXd& u, std::vector<double>& values) const;
+  void scatter(const Cell& cell, const std::vector<double>& values, Eigen::VectorXd& sum) const;
+  CellEnd end_of(const Cell& cell, const QuadratureStates& states) const;
+  void require_records(const QuadratureStates& states) const;
   void add_tangent(const Cell& cell, const std::vector<double>& tangent, SparseMatrix& matrix) const;
 
   int components_ = 0;
@@ -65,8 +120,11 @@ private:
   std::vector<Eigen::Vector3d> points_;
   std::vector<int> dofs_; ///< the first one of each node
   std::vector<std::int32_t>
-      places_; ///< node by node: where the row block of one begins in the columns of another
+      places_;              ///< node by node: where the row block of one begins in the columns of another
+  std::vector<Rate> rates_; ///< one a cell, when found
   std::size_t record_count_ = 0;
+  std::size_t followed_count_ = 0;
+  std::size_t own_states_ = 0; ///< of these cells, in QuadratureStates::values
 };
 
 } // namespace rubato::domain

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/nonlinear_domain.hpp"
 
+#include "rubato/core/error.hpp"
 #include "rubato/linalg/lanczos.hpp"
 
 #include <utility>
@@ -10,40 +11,55 @@ namespace {
 
 using Eigen::VectorXd;
 
-std::shared_ptr<const SparseMatrix> shared(SparseMatrix&& matrix) {
+std::shared_ptr<const SparseMatrix> shared(std::optional<SparseMatrix>&& matrix) {
+  if (!matrix)
+    return nullptr;
   auto own = std::make_shared<SparseMatrix>();
-  own->swap(matrix);
+  own->swap(*matrix);
   return own;
 }
 
 } // namespace
 
-NonlinearDomain::NonlinearDomain(SparseMatrix&& constant, SparseMatrix&& initial,
+NonlinearDomain::NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                                  std::shared_ptr<const NonlinearCells> cells, int components,
                                  std::shared_ptr<const Heat> heat, std::vector<LawSpring> springs)
     : constant_(std::move(constant), components, std::move(heat), std::move(springs)),
-      initial_(shared(std::move(initial))), cells_(std::move(cells)), components_(components) {}
+      initial_(shared(std::move(initial))), cells_(std::move(cells)) {}
 
 Failed NonlinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                                  const Wanted& wanted) const {
-  constant_.evaluate({step.u0, step.u1, step.t0, step.t1}, {}, now, wanted);
+  QuadratureStates none;
+  constant_.evaluate({step.u0, step.u1, step.t0, step.t1}, {}, none, wanted);
   return cells_->add(step, old, now, wanted);
 }
 
 double NonlinearDomain::energy(const VectorXd& u, const VectorXd&, double t,
                                const QuadratureStates& states) const {
-  VectorXd constant;
-  QuadratureStates none;
-  constant_.evaluate({u, u, t, t}, {}, none, {.forces = &constant});
-  double energy = constant_.energy(u, constant, t, none);
+  double energy = constant_.energy(u, constant_.constant_forces(u, t), t, {});
   for (const auto& record : states.records)
     energy += record.volume * record.stored;
   return energy;
 }
 
+VectorXd NonlinearDomain::constant_forces(const VectorXd& u, double t) const {
+  return constant_.constant_forces(u, t);
+}
+
+const SparseMatrix& NonlinearDomain::initial_tangent() const {
+  if (initial_ == nullptr)
+    throw InputError(
+        "an explicit run of nonlinear bodies has no stiffness of the whole: it is not assembled");
+  return *initial_;
+}
+
 double NonlinearDomain::largest_eigenvalue(const VectorXd& inverse_mass) const {
-  const linalg::SymmetricBlockMatrix product(*initial_, components_);
-  return linalg::largest_eigenvalue(product, inverse_mass);
+  return linalg::largest_eigenvalue(
+      [&](const VectorXd& x, VectorXd& y) {
+        constant_.multiply(x, y);
+        cells_->add_initial_product(x, y);
+      },
+      inverse_mass);
 }
 
 } // namespace rubato::domain

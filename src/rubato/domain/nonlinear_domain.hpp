@@ -14,14 +14,17 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace rubato::domain {
 
 class NonlinearDomain {
 public:
   /// `constant`: K of the cells that are constant and of springs. `initial`: the same with the tangents of
-  /// the other cells where nothing has happened yet. Both have the pattern that `cells` was made for.
-  NonlinearDomain(SparseMatrix&& constant, SparseMatrix&& initial,
+  /// the other cells where nothing has happened yet; nothing where nobody asks for it. Both have the pattern
+  /// that `cells` have places in.
+  NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                   std::shared_ptr<const NonlinearCells> cells, int components,
                   std::shared_ptr<const Heat> heat = nullptr, std::vector<LawSpring> springs = {});
 
@@ -31,20 +34,32 @@ public:
                   const Wanted& wanted) const;
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
+  Eigen::VectorXd constant_forces(const Eigen::VectorXd& u, double t) const;
+  Balance balance(const QuadratureStates& old, const QuadratureStates& now) const {
+    return cells_->balance(old, now);
+  }
+  double back_stress_energy(const QuadratureStates& states) const {
+    return cells_->back_stress_energy(states);
+  }
   const Heat* heat() const { return constant_.heat(); }
   std::span<const LawSpring> law_springs() const { return constant_.law_springs(); }
-  const SparseMatrix& initial_tangent() const { return *initial_; }
+  /// Throws InputError where there is none.
+  const SparseMatrix& initial_tangent() const;
   PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
     return cells_->plastic_step(old, now);
   }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
+  bool has_finite_strain() const { return cells_->has_finite_strain(); }
+  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path,
+                double rate) const {
+    return cells_->growth(u, states, path, rate);
+  }
 
 private:
   LinearDomain constant_;
   /// Shared by copies, which only read them.
-  std::shared_ptr<const SparseMatrix> initial_;
+  std::shared_ptr<const SparseMatrix> initial_; ///< null where nobody asks for it
   std::shared_ptr<const NonlinearCells> cells_;
-  int components_ = 0;
 };
 
 } // namespace rubato::domain

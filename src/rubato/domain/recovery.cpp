@@ -103,6 +103,15 @@ MatrixXd CellTensors::at_points(Tensor what, std::size_t cell) {
 
 namespace {
 
+/// In plane stress with what the law has made of it across the plane.
+material::Strain6 whole_strain(const material::PointLaw& law, const element::PointRecord& record,
+                               std::span<const double> state) {
+  auto strain = record.strain;
+  if (std::holds_alternative<material::PlaneStress>(law))
+    strain[2] = material::strain_across(state);
+  return strain;
+}
+
 /// Engineering shears become those of a tensor.
 Eigen::Matrix<double, 6, 1> as_tensor(const material::Strain6& strain) {
   Eigen::Matrix<double, 6, 1> tensor = strain;
@@ -133,9 +142,12 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
   std::vector<element::PointRecord> records(count);
   element::evaluate(kind, element::PointLaws(behaviour.law), {points, local_, old},
                     {now, force, {}, records});
+  const auto size = slot(material::state_size(behaviour.law));
   for (std::size_t q = 0; q < count; ++q)
     result.col(static_cast<Index>(q)) =
-        what == Tensor::stress ? records[q].cauchy : as_tensor(records[q].strain);
+        what == Tensor::stress
+            ? records[q].cauchy
+            : as_tensor(whole_strain(behaviour.law, records[q], std::span(now).subspan(q * size, size)));
   return result;
 }
 

@@ -61,7 +61,7 @@ int state_size_of_cell(const CellKind& kind, int law_state_size);
 struct PointRecord {
   double volume = 0;        ///< weight of the point, measure included
   double stored = 0;        ///< by undeformed volume
-  material::Strain6 strain; ///< what the law saw
+  material::Strain6 strain; ///< what the law saw, without the free one
   material::Stress6 stress; ///< conjugate to it
   material::Stress6 cauchy; ///< true stress P Fᵀ/J of what the law saw; plane stress: by undeformed
                             ///< thickness
@@ -84,6 +84,9 @@ struct CellInput {
   std::span<const double> old;             ///< state_size_of_cell numbers, at the start of the step
   material::StepInfo step = {};
   ModeIteration modes = {};
+  /// What expands freely (α ΔT), one a point; empty: nothing. Taken from the strain of the kind; hyperelastic
+  /// laws: xx = yy = zz > −1 without shears, the law sees F/(1 + xx) and stores by undeformed volume.
+  std::span<const material::Strain6> free_strain = {};
 };
 
 /// Where results go; what is empty is not wanted.

@@ -37,6 +37,10 @@ VectorXd random_direction(const VectorXd& diagonal) {
 } // namespace
 
 double largest_eigenvalue(const SymmetricBlockMatrix& matrix, const VectorXd& diagonal) {
+  return largest_eigenvalue([&](const VectorXd& x, VectorXd& y) { matrix.multiply(x, y); }, diagonal);
+}
+
+double largest_eigenvalue(const Product& multiply, const VectorXd& diagonal) {
   const VectorXd root = diagonal.cwiseSqrt();
   const Index most = steps_for(diagonal.size());
   VectorXd now = random_direction(diagonal);
@@ -50,7 +54,7 @@ double largest_eigenvalue(const SymmetricBlockMatrix& matrix, const VectorXd& di
   double scale = 0;
   while (steps < most) {
     scaled = root.cwiseProduct(now);
-    matrix.multiply(scaled, next);
+    multiply(scaled, next);
     next.array() *= root.array();
     alpha[steps] = next.dot(now);
     next -= alpha[steps] * now + coupling * before;

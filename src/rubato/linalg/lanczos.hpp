@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
 namespace rubato::linalg {
 
 /// A bound from above of the largest λ of A x = λ D⁻¹ x, at most 1 % beyond it. A must be positive
@@ -16,5 +18,10 @@ namespace rubato::linalg {
 /// Estimating the largest eigenvalue by the power and Lanczos algorithms with a random start, SIAM J. Matrix
 /// Anal. Appl. 13 (1992) 1094–1122, theorem 4.2. The start is always the same, so is the result.
 double largest_eigenvalue(const SymmetricBlockMatrix& matrix, const Eigen::VectorXd& diagonal);
+
+/// y = A x; both have an entry a row and are not the same.
+using Product = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& y)>;
+/// The same of a matrix that nobody holds.
+double largest_eigenvalue(const Product& multiply, const Eigen::VectorXd& diagonal);
 
 } // namespace rubato::linalg

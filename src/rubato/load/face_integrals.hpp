@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Integrals over the sides of bodies, by quadrature on the undeformed shape. Only this module includes this.
+/// Integrals over the sides of bodies, by quadrature. Only this module includes this.
 #pragma once
 
 #include "rubato/cell/shape_table.hpp"
@@ -19,12 +19,13 @@ struct FacePoint {
   Eigen::Vector3d second_tangent = Eigen::Vector3d::Zero();
 };
 
-inline FacePoint face_point(const mesh::Mesh& mesh, const Face& face, const cell::ShapeTable& table,
-                            Eigen::Index q) {
+/// `place_of(i)`: where the i-th node of the face is.
+template <class PlaceOf>
+FacePoint face_point(const cell::ShapeTable& table, Eigen::Index q, const PlaceOf& place_of) {
   const bool edge = table.gradients.rows() == table.values.rows();
   FacePoint point;
   for (Eigen::Index i = 0; i < table.values.rows(); ++i) {
-    const auto& x = mesh.points[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])];
+    const Eigen::Vector3d& x = place_of(static_cast<std::size_t>(i));
     point.place += table.values(i, q) * x;
     point.tangent += table.gradients(edge ? i : 2 * i, q) * x;
     if (!edge)
@@ -34,8 +35,8 @@ inline FacePoint face_point(const mesh::Mesh& mesh, const Face& face, const cell
 }
 
 /// Outward, its length the area (edges: the length) per reference measure.
-inline Eigen::Vector3d area_vector(const Face& face, const FacePoint& point) {
-  if (cell::topology(face.type).dimension == 1)
+inline Eigen::Vector3d area_vector(CellType type, const FacePoint& point) {
+  if (cell::topology(type).dimension == 1)
     return {point.tangent[1], -point.tangent[0], 0.};
   return point.tangent.cross(point.second_tangent);
 }
@@ -47,8 +48,11 @@ void for_each_face_point(const mesh::Mesh& mesh, std::span<const Face> faces, co
                          const Add& add) {
   for (const auto& face : faces) {
     const auto& table = cell::mass_table(face.type);
+    const auto place_of = [&](std::size_t i) -> const Eigen::Vector3d& {
+      return mesh.points[static_cast<std::size_t>(face.nodes[i])];
+    };
     for (Eigen::Index q = 0; q < table.weights.size(); ++q) {
-      const auto point = face_point(mesh, face, table, q);
+      const auto point = face_point(table, q, place_of);
       const Eigen::Vector3d value = table.weights[q] * traction_at(face, point);
       add(face, point.place, table, q, value);
     }
@@ -61,12 +65,12 @@ inline auto per_length(const Eigen::Vector3d& s) {
 }
 inline auto per_area(const element::Section& section, const Eigen::Vector3d& s) {
   return [&section, s](const Face& face, const FacePoint& point) -> Eigen::Vector3d {
-    return area_vector(face, point).norm() * element::measure(section, point.place.x()) * s;
+    return area_vector(face.type, point).norm() * element::measure(section, point.place.x()) * s;
   };
 }
 inline auto against_normal(const element::Section& section, double pressure) {
   return [&section, pressure](const Face& face, const FacePoint& point) -> Eigen::Vector3d {
-    return -pressure * element::measure(section, point.place.x()) * area_vector(face, point);
+    return -pressure * element::measure(section, point.place.x()) * area_vector(face.type, point);
   };
 }
 

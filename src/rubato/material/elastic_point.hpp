@@ -13,6 +13,7 @@ namespace rubato::material {
 
 struct ElasticPoint {
   static constexpr bool has_memory = false;
+  static constexpr bool is_hyperelastic = false;
   Tangent6 stiffness; ///< D, symmetric [stress]
 };
 

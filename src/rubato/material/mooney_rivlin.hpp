@@ -11,6 +11,7 @@ namespace rubato::material {
 
 struct MooneyRivlin {
   static constexpr bool has_memory = false;
+  static constexpr bool is_hyperelastic = true;
   double c10 = 0;  ///< [stress]
   double c01 = 0;  ///< [stress]; c10 + c01 > 0
   double bulk = 0; ///< K > 0 [stress]

@@ -19,6 +19,7 @@ namespace rubato::material {
 
 struct Ogden {
   static constexpr bool has_memory = false;
+  static constexpr bool is_hyperelastic = true;
   struct Term {
     double shear = 0;    ///< μ_i [stress]; their sum > 0
     double exponent = 2; ///< α_i, not 0

@@ -109,6 +109,10 @@ bool tangent_is_symmetric(const PlaneStress& law) {
   return std::visit([](const auto& one) { return tangent_is_symmetric(one); }, law.law);
 }
 
+bool is_hyperelastic(const PlaneStress& law) {
+  return std::visit([](const auto& one) { return is_hyperelastic(one); }, law.law);
+}
+
 bool depends_on_rate(const PlaneStress& law) {
   return std::visit([](const auto& one) { return depends_on_rate(one); }, law.law);
 }

@@ -27,6 +27,7 @@ Dissipation dissipation(const PlaneStress& law, std::span<const double> old, std
 Strain6 plastic_strain(const PlaneStress& law, std::span<const double> state);
 double cumulated_plastic_strain(const PlaneStress& law, std::span<const double> state);
 bool tangent_is_symmetric(const PlaneStress& law);
+bool is_hyperelastic(const PlaneStress& law);
 bool depends_on_rate(const PlaneStress& law);
 
 /// E_zz of a state.

@@ -42,6 +42,7 @@ struct BackStresses {
 /// State: ε^p (6, engineering shears), p, then 6 numbers α a back stress.
 struct Plastic {
   static constexpr bool has_memory = true;
+  static constexpr bool is_hyperelastic = false;
   double young = 0;   ///< E > 0 [stress]
   double poisson = 0; ///< ν
   Hardening hardening;

@@ -29,6 +29,10 @@ bool tangent_is_symmetric(const PointLaw& law) {
   return std::visit([](const auto& one) { return tangent_is_symmetric(one); }, law);
 }
 
+bool is_hyperelastic(const PointLaw& law) {
+  return std::visit([](const auto& one) { return is_hyperelastic(one); }, law);
+}
+
 bool depends_on_rate(const PointLaw& law) {
   return std::visit([](const auto& one) { return depends_on_rate(one); }, law);
 }

@@ -4,7 +4,8 @@
 ///
 /// The strain is ε (small), Green–Lagrange's E or ½ ln C (logarithmic). Hyperelastic laws take
 /// Green–Lagrange's E and give S. A state is zero at first. A new law is a file with a type and the functions
-/// below (those of point_response.hpp come by themselves for laws without memory), and its row in `SpaceLaw`.
+/// below (those of point_response.hpp come by themselves for laws without memory), `is_hyperelastic`, and its
+/// row in `SpaceLaw`.
 #pragma once
 
 #include "rubato/material/elastic_point.hpp"
@@ -46,6 +47,10 @@ double cumulated_plastic_strain(const PointLaw& law, std::span<const double> sta
 
 /// Whether the tangent is symmetric at every state.
 bool tangent_is_symmetric(const PointLaw& law);
+
+/// Whether free expansion divides F: the law stores W(F/(1 + α ΔT)) by undeformed volume. From the strains of
+/// other laws it is subtracted.
+bool is_hyperelastic(const PointLaw& law);
 
 /// Whether the response depends on StepInfo::length.
 bool depends_on_rate(const PointLaw& law);

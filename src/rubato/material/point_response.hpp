@@ -35,6 +35,18 @@ struct Dissipation {
   double viscous = 0;     ///< Σ {h}:[e_v]
 };
 
+/// Every law says of itself whether it is.
+template <class L>
+concept SaysWhetherHyperelastic = requires {
+  L::is_hyperelastic;
+};
+
+/// Whether free expansion divides F: the law stores W(F/(1 + α ΔT)). From the strains of other laws it is
+/// subtracted.
+template <SaysWhetherHyperelastic L> constexpr bool is_hyperelastic(const L&) {
+  return L::is_hyperelastic;
+}
+
 /// The functions that laws without memory need not have of their own. Such a law says `has_memory = false`.
 template <class L>
 concept Memoryless = !L::has_memory;

@@ -19,6 +19,7 @@ namespace rubato::material {
 /// State: e₀ (6, engineering shears), then 6 numbers e_v a term.
 struct Prony {
   static constexpr bool has_memory = true;
+  static constexpr bool is_hyperelastic = false;
   struct Term {
     double shear = 0; ///< G_i > 0 [stress]
     double time = 0;  ///< τ_i > 0 [time]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/voigt.hpp"
 
+#include "rubato/linalg/dense_decompositions.hpp"
+
 #include <array>
 #include <cmath>
 
@@ -50,6 +52,23 @@ double von_mises(const FullStress& stress) {
   const double direct = std::pow(stress[0] - stress[1], 2) + std::pow(stress[1] - stress[2], 2) +
                         std::pow(stress[2] - stress[0], 2);
   return std::sqrt(0.5 * direct + 3 * stress.tail<3>().squaredNorm());
+}
+
+Eigen::Vector3d principal_values(const FullStress& stress) {
+  Eigen::Matrix3d tensor;
+  tensor << stress[0], stress[3], stress[5], //
+      stress[3], stress[1], stress[4],       //
+      stress[5], stress[4], stress[2];
+  return linalg::symmetric_eigenvalues(tensor).reverse();
+}
+
+double tresca(const FullStress& stress) {
+  const auto principal = principal_values(stress);
+  return principal[0] - principal[2];
+}
+
+double mean_stress(const FullStress& stress) {
+  return stress.head<3>().sum() / 3;
 }
 
 Eigen::Matrix<double, 6, 6> strain_rotation(const Eigen::Matrix3d& r) {

@@ -33,6 +33,12 @@ FullStrain tensor_of(study::Physics physics, const Voigt& strain);
 
 /// √(3/2 s:s), s the deviator.
 double von_mises(const FullStress& stress);
+/// σ₁ ≥ σ₂ ≥ σ₃.
+Eigen::Vector3d principal_values(const FullStress& stress);
+/// σ₁ − σ₃.
+double tresca(const FullStress& stress);
+/// A third of the trace.
+double mean_stress(const FullStress& stress);
 
 /// Takes all six strains in the axes of the model to those in axes R, its columns: ε' = Rᵀ ε R with
 /// engineering shears. Its transpose takes stresses back.

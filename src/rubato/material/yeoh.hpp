@@ -11,6 +11,7 @@ namespace rubato::material {
 
 struct Yeoh {
   static constexpr bool has_memory = false;
+  static constexpr bool is_hyperelastic = true;
   double c10 = 0;  ///< > 0 [stress]
   double c20 = 0;  ///< [stress], often negative
   double c30 = 0;  ///< ≥ 0 [stress]

@@ -5,15 +5,17 @@
 
 namespace rubato::model {
 
-Bodies::Bodies(const mesh::Mesh& mesh, const domain::Bulk& bulk)
+Bodies::Bodies(const mesh::Mesh& mesh, const domain::Bulk& bulk) : Bodies(mesh, bulk.cells) {}
+
+Bodies::Bodies(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells)
     : of_node_(static_cast<std::size_t>(mesh.node_count()), -1) {
   const auto at = [](mesh::NodeIndex node) { return static_cast<std::size_t>(node); };
   DisjointSets sets(of_node_.size());
-  for (const auto cell : bulk.cells)
+  for (const auto cell : cells)
     for (const auto node : mesh.nodes_of(cell))
       sets.join(at(node), at(mesh.nodes_of(cell).front()));
   std::vector<int> of_root(of_node_.size(), -1);
-  for (const auto cell : bulk.cells)
+  for (const auto cell : cells)
     for (const auto node : mesh.nodes_of(cell)) {
       auto& number = of_root[sets.root(at(node))];
       if (number < 0) {

@@ -5,6 +5,7 @@
 #include "rubato/domain/bulk.hpp"
 #include "rubato/mesh/mesh.hpp"
 
+#include <span>
 #include <vector>
 
 namespace rubato::model {
@@ -12,6 +13,8 @@ namespace rubato::model {
 class Bodies {
 public:
   Bodies(const mesh::Mesh& mesh, const domain::Bulk& bulk);
+  /// What those cells connect.
+  Bodies(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells);
 
   /// The body of a node, −1 where no cell is.
   int of(mesh::NodeIndex node) const { return of_node_[static_cast<std::size_t>(node)]; }

@@ -94,10 +94,15 @@ InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& m
                                   const domain::DofMap& dofs, const constraint::Reduction& reduction,
                                   std::vector<Fault>& faults);
 
-/// Loads as nodal forces.
+/// Loads as nodal forces, but for those that follow faces.
 std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                                const domain::Bulk& bulk, std::span<const Reference> references,
                                std::vector<Fault>& faults);
+
+/// Pressures that follow the faces they act on.
+std::vector<load::FollowerPressure> make_followers(const study::Study& study, const mesh::Mesh& mesh,
+                                                   const domain::DofMap& dofs, const domain::Bulk& bulk,
+                                                   std::vector<Fault>& faults);
 
 /// Contact zones on oriented surfaces.
 std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mesh& mesh,
@@ -108,12 +113,18 @@ std::vector<contact::Zone> make_zones(const study::Study& study, const mesh::Mes
 std::vector<mesh::CellIndex> rigid_faces(const study::Study& study, const mesh::Mesh& mesh);
 
 /// The nodes of each probe: those of its group when something is taken of them, else one. A note for each
-/// point that several nodes are equally near to. None of references.
+/// point that several nodes are equally near to. None of references, and of probes in cells.
 std::vector<std::vector<mesh::NodeIndex>> make_probe_nodes(const study::Study& study, const mesh::Mesh& mesh,
                                                            const domain::DofMap& dofs,
                                                            std::span<const Reference> references,
                                                            std::vector<Fault>& faults,
                                                            std::vector<std::string>& notes);
+
+/// The cells of those probes that have values in cells: of their group, or the one of the Gauss point nearest
+/// to a place, with a note when several are equally near.
+std::vector<ProbedCells> make_probe_cells(const study::Study& study, const mesh::Mesh& mesh,
+                                          const domain::Bulk& bulk, std::vector<Fault>& faults,
+                                          std::vector<std::string>& notes);
 
 /// Faults for probes of contact zones that there are not.
 void check_probed_zones(const Model& model, std::vector<Fault>& faults);

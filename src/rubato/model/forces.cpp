@@ -38,6 +38,20 @@ public:
     return force;
   }
 
+  load::FollowerPressure follower_of(const study::Load& load, const std::string& path) {
+    load::FollowerPressure follower;
+    const Mention on{load.on, path + ".on"};
+    auto value = study::field_function(load.components[0], load.function, study_.functions, path + ".value");
+    add_on_faces(on, [&](const auto& faces) {
+      follower = load::make_follower_pressure(mesh_, dofs_, bulk_.section, faces, std::move(value));
+    });
+    const VectorXd undeformed = VectorXd::Zero(dofs_.dof_count);
+    VectorXd force = undeformed;
+    for (const double t : {study_.time.begin, study_.time.end})
+      load::add_follower_force(follower, undeformed, t, force); // throws now rather than in a step
+    return follower;
+  }
+
 private:
   /// The reference that a force or moment acts on; null when it acts on something else.
   const Reference* reference_of(const study::Load& load) const {
@@ -227,6 +241,23 @@ private:
   std::vector<Fault>& faults_;
 };
 
+/// Calls take(load, path) for loads that follow faces, or for the others.
+template <class Take>
+void for_each_load(const study::Study& study, bool follower, std::vector<Fault>& faults, const Take& take) {
+  for (std::size_t i = 0; i < study.loads.size(); ++i) {
+    const auto& load = study.loads[i];
+    if (load.follower != follower)
+      continue;
+    const auto path = fmt::format("loads.{}.{}", i, study::word_of(study::load_words, load.kind));
+    try {
+      take(load, path);
+    } catch (const InputError& error) {
+      for (const auto& fault : error.faults())
+        faults.push_back(fault_at(fault.path.empty() ? path + ".on" : fault.path, fault.text));
+    }
+  }
+}
+
 } // namespace
 
 std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
@@ -234,17 +265,21 @@ std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh
                                std::vector<Fault>& faults) {
   LoadBuilder builder(study, mesh, dofs, bulk, references, faults);
   std::vector<Force> forces;
-  for (std::size_t i = 0; i < study.loads.size(); ++i) {
-    const auto& load = study.loads[i];
-    const auto path = fmt::format("loads.{}.{}", i, study::word_of(study::load_words, load.kind));
-    try {
-      forces.push_back(builder.force_of(load, path));
-    } catch (const InputError& error) {
-      for (const auto& fault : error.faults())
-        faults.push_back(fault_at(fault.path.empty() ? path + ".on" : fault.path, fault.text));
-    }
-  }
+  for_each_load(study, false, faults, [&](const study::Load& load, const std::string& path) {
+    forces.push_back(builder.force_of(load, path));
+  });
   return forces;
+}
+
+std::vector<load::FollowerPressure> make_followers(const study::Study& study, const mesh::Mesh& mesh,
+                                                   const domain::DofMap& dofs, const domain::Bulk& bulk,
+                                                   std::vector<Fault>& faults) {
+  LoadBuilder builder(study, mesh, dofs, bulk, {}, faults);
+  std::vector<load::FollowerPressure> followers;
+  for_each_load(study, true, faults, [&](const study::Load& load, const std::string& path) {
+    followers.push_back(builder.follower_of(load, path));
+  });
+  return followers;
 }
 
 } // namespace rubato::model

@@ -14,6 +14,7 @@
 #include "rubato/model/build.hpp"
 #include "rubato/model/contact_mass.hpp"
 #include "rubato/model/gauges.hpp"
+#include "rubato/model/mass_scaling.hpp"
 #include "rubato/model/mortar_edges.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/model/rigid_sides.hpp"
@@ -62,6 +63,12 @@ void take(SparseMatrix& to, SparseMatrix&& from) {
   to.swap(from);
 }
 
+SparseMatrix diagonal_matrix(const VectorXd& diagonal) {
+  SparseMatrix matrix(diagonal.size(), diagonal.size());
+  matrix = diagonal.asDiagonal();
+  return matrix;
+}
+
 void add_springs(const Model& model, SparseMatrix& stiffness) {
   for (const auto& spring : model.springs)
     stiffness.coeffRef(spring.dof, spring.dof) += spring.stiffness;
@@ -69,11 +76,33 @@ void add_springs(const Model& model, SparseMatrix& stiffness) {
   add_gauges(model, stiffness);
 }
 
-bool is_linear(const domain::Bulk& bulk) {
+/// The stiffness of nonlinear bodies is not assembled.
+domain::Domain make_explicit_domain(const Model& model, std::span<const double> mass_factors) {
+  const auto& bulk = model.bulk;
+  std::vector<mesh::CellIndex> constant_cells;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i)
-    if (!bulk.is_constant(i))
-      return false;
-  return true;
+    if (bulk.is_constant(i))
+      constant_cells.push_back(bulk.cells[i]);
+  const domain::BlockPattern pattern(model.mesh, constant_cells, model.dofs);
+  auto constant = domain::assemble_constant_stiffness(model.mesh, bulk, pattern);
+  VectorXd springs = VectorXd::Zero(constant.rows());
+  for (const auto& spring : model.springs)
+    springs[spring.dof] += spring.stiffness;
+  if (!model.springs.empty())
+    linalg::add_scaled(1, diagonal_matrix(springs), constant);
+  add_connectors(model, constant);
+  const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, bulk, model.dofs);
+  cells->find_rates(model.mesh, bulk, mass_factors);
+  return {domain::NonlinearDomain(std::move(constant), std::nullopt, cells, model.dofs.components, model.heat,
+                                  law_springs(model)),
+          domain::initial_states(model.mesh, bulk)};
+}
+
+void add_to_damping(const VectorXd& diagonal, Model& model) {
+  if (model.damping.nonZeros() > 0)
+    model.damping.diagonal() += diagonal;
+  else
+    take(model.damping, diagonal_matrix(diagonal));
 }
 
 domain::Domain make_domain(const Model& model, const domain::BlockPattern& pattern) {
@@ -81,26 +110,16 @@ domain::Domain make_domain(const Model& model, const domain::BlockPattern& patte
   add_springs(model, stiffness);
   auto states = domain::initial_states(model.mesh, model.bulk);
   const int components = model.dofs.components;
-  if (is_linear(model.bulk))
+  if (domain::is_linear(model.bulk))
     return {domain::LinearDomain(std::move(stiffness), components, model.heat, law_springs(model)),
             std::move(states)};
   auto constant = domain::assemble_constant_stiffness(model.mesh, model.bulk, pattern);
   add_springs(model, constant);
-  const auto cells =
-      std::make_shared<const domain::NonlinearCells>(model.mesh, model.bulk, model.dofs, constant);
+  const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, model.bulk, model.dofs);
+  cells->find_places(constant);
   return {domain::NonlinearDomain(std::move(constant), std::move(stiffness), cells, components, model.heat,
                                   law_springs(model)),
           std::move(states)};
-}
-
-void assemble_rayleigh(Model& model, const domain::BlockPattern& pattern,
-                       const std::vector<double>& by_stiffness, const std::vector<double>& by_mass) {
-  const auto& bulk = model.bulk;
-  take(model.damping, domain::assemble_stiffness(model.mesh, bulk, pattern, by_stiffness));
-  if (study::is_explicit(model.study.time.scheme))
-    model.damping.diagonal() += domain::lumped_mass(model.mesh, bulk, model.dofs, by_mass);
-  else
-    linalg::add_scaled(1, domain::assemble_mass(model.mesh, bulk, pattern, by_mass), model.damping);
 }
 
 void add_point_masses(Model& model) {
@@ -120,34 +139,74 @@ void add_masses_of_references(Model& model) {
   add_reference_masses(model, model.mass);
 }
 
-void assemble_matrices(Model& model, const std::vector<study::Material>& materials) {
+/// Rayleigh's coefficients, one a material.
+struct Rayleigh {
+  std::vector<double> stiffness;
+  std::vector<double> mass;
+
+  static bool any(const std::vector<double>& factors) {
+    return std::ranges::any_of(factors, [](double factor) { return factor != 0; });
+  }
+};
+
+Rayleigh rayleigh_of(const std::vector<study::Material>& materials) {
+  Rayleigh rayleigh;
+  for (const auto& material : materials) {
+    const auto [stiffness, mass] = study::rayleigh_coefficients(material);
+    rayleigh.stiffness.push_back(stiffness);
+    rayleigh.mass.push_back(mass);
+  }
+  return rayleigh;
+}
+
+void assemble_implicit(Model& model) {
   const auto& bulk = model.bulk;
   const domain::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
   model.domain = make_domain(model, pattern);
-  const auto scheme = model.study.time.scheme;
-  if (scheme == study::SchemeKind::static_steps)
+  if (model.study.time.scheme == study::SchemeKind::static_steps)
     return;
-  const bool lumped = study::is_explicit(scheme);
-  if (lumped)
-    model.lumped_mass = domain::lumped_mass(model.mesh, bulk, model.dofs);
-  else
-    take(model.mass, domain::assemble_mass(model.mesh, bulk, pattern));
+  take(model.mass, domain::assemble_mass(model.mesh, bulk, pattern));
   if (model.study.time.contact_mass == study::ContactMass::redistributed)
     free_contact_of_mass(model);
   add_point_masses(model);
-  if (!lumped)
-    add_masses_of_references(model);
-  std::vector<double> by_stiffness;
-  std::vector<double> by_mass;
-  bool damped = false;
-  for (const auto& material : materials) {
-    const auto [stiffness, mass] = study::rayleigh_coefficients(material);
-    by_stiffness.push_back(stiffness);
-    by_mass.push_back(mass);
-    damped = damped || stiffness != 0 || mass != 0;
+  add_masses_of_references(model);
+  const auto rayleigh = rayleigh_of(model.study.materials);
+  if (!Rayleigh::any(rayleigh.stiffness) && !Rayleigh::any(rayleigh.mass))
+    return;
+  take(model.damping, domain::assemble_stiffness(model.mesh, bulk, pattern, rayleigh.stiffness));
+  linalg::add_scaled(1, domain::assemble_mass(model.mesh, bulk, pattern, rayleigh.mass), model.damping);
+}
+
+/// Only what the steps multiply with: of nonlinear bodies no stiffness, of damping by the mass a diagonal.
+void assemble_explicit(Model& model) {
+  const auto& bulk = model.bulk;
+  const auto rayleigh = rayleigh_of(model.study.materials);
+  const bool linear = domain::is_linear(bulk);
+  const bool by_stiffness = Rayleigh::any(rayleigh.stiffness);
+  std::optional<domain::BlockPattern> pattern;
+  if (linear || by_stiffness)
+    pattern.emplace(model.mesh, bulk.cells, model.dofs);
+  const auto scaling = model.study.time.mass_scaling ? scaled_masses(model) : MassScaling{};
+  model.domain = linear ? make_domain(model, *pattern) : make_explicit_domain(model, scaling.factors);
+  model.lumped_mass = domain::lumped_mass(model.mesh, bulk, model.dofs);
+  if (model.study.time.mass_scaling) {
+    model.lumped_mass += scaling.added;
+    model.notes.push_back(described(scaling, model.study.time));
   }
-  if (damped)
-    assemble_rayleigh(model, pattern, by_stiffness, by_mass);
+  add_point_masses(model);
+  if (by_stiffness)
+    take(model.damping, domain::assemble_stiffness(model.mesh, bulk, *pattern, rayleigh.stiffness));
+  if (Rayleigh::any(rayleigh.mass))
+    add_to_damping(domain::lumped_mass(model.mesh, bulk, model.dofs, rayleigh.mass), model);
+}
+
+void assemble_matrices(Model& model) {
+  if (study::is_explicit(model.study.time.scheme))
+    assemble_explicit(model);
+  else
+    assemble_implicit(model);
+  if (model.study.time.scheme == study::SchemeKind::static_steps)
+    return;
   add_dashpots(model, model.damping);
   model.dampers = law_dampers(model);
   model.modal_damping = make_modal_damping(model);
@@ -229,10 +288,12 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   if (std::isinf(stage.released)) // later ones go on from what is
     model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, model.references, faults);
+  model.followers = make_followers(study, model.mesh, model.dofs, model.bulk, faults);
   add_preload_forces(model, stage);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
   carry_obstacles(model);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, model.references, faults, model.notes);
+  model.probe_cells = make_probe_cells(study, model.mesh, model.bulk, faults, model.notes);
   model.probe_cuts =
       make_probe_cuts(study, model.mesh, model.dofs, model.bulk, model.heat.get(), faults, model.preloads);
   check_probed_zones(model, faults);
@@ -296,7 +357,7 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
 }
 
 Model assembled(Model model) {
-  assemble_matrices(model, model.study.materials);
+  assemble_matrices(model);
   move_ground(model);
   add_base_inertia(model);
   return model;
@@ -359,6 +420,17 @@ VectorXd external_force(const Model& model, double t) {
       force += pull.rate(t) * pull.damping;
   }
   return force;
+}
+
+void add_follower_forces(const Model& model, double t, const VectorXd& u, VectorXd& force) {
+  for (const auto& follower : model.followers)
+    load::add_follower_force(follower, u, t, force);
+}
+
+void add_follower_tangent(const Model& model, double t, const VectorXd& u, double factor,
+                          SparseMatrix& matrix) {
+  for (const auto& follower : model.followers)
+    load::add_follower_tangent(follower, u, t, factor, matrix);
 }
 
 bool is_damped(const Model& model) {

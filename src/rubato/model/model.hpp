@@ -11,6 +11,7 @@
 #include "rubato/domain/domain.hpp"
 #include "rubato/domain/heat.hpp"
 #include "rubato/load/field_forces.hpp"
+#include "rubato/load/follower_pressure.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/modal_damping.hpp"
 #include "rubato/model/preloads.hpp"
@@ -87,6 +88,12 @@ struct InitialMotion {
   Eigen::VectorXd velocity;     ///< [length/time]
 };
 
+/// Cells that a probe has values of, by their places in the bulk.
+struct ProbedCells {
+  std::vector<std::size_t> cells;
+  int point = -1; ///< the Gauss point of the one cell; −1: every point of each
+};
+
 struct Model {
   study::Study study;
   mesh::Mesh mesh;
@@ -103,6 +110,7 @@ struct Model {
   std::vector<domain::LawSpring> dampers; ///< by tables
   Products products;                      ///< with the mass, in an implicit run
   std::vector<Force> forces;
+  std::vector<load::FollowerPressure> followers;
   constraint::Reduction reduction; ///< which displacements are unknown, and what supports prescribe
   std::vector<Reference> references;
   std::vector<Spring> springs;
@@ -121,8 +129,9 @@ struct Model {
   std::vector<contact::Zone> zones;
   /// The points of each slave node that has several.
   std::vector<std::vector<contact::PointOfZone>> shared_nodes;
-  /// Of each probe of the study, at least one; none of cuts, differences and references.
+  /// Of each probe of the study, at least one; none of cuts, differences and references, and in cells.
   std::vector<std::vector<mesh::NodeIndex>> probe_nodes;
+  std::vector<ProbedCells> probe_cells;      ///< of each probe; none of those at nodes
   std::vector<domain::CutForces> probe_cuts; ///< of each probe of the study; empty where it is no cut
   std::vector<std::string> notes;            ///< sentences that whoever runs the model should read
   std::vector<int> multiplier_offsets;       ///< first multiplier of each zone
@@ -160,8 +169,16 @@ std::vector<std::vector<Fault>> faults_of(std::span<const study::Study> studies)
 /// what is wrong with a mesh file is told at the path that names it.
 mesh::Mesh load_mesh(const study::MeshSource& source);
 
-/// [force], one a dof.
+/// Of loads that do not depend on displacements [force], one a dof.
 Eigen::VectorXd external_force(const Model& model, double t);
+
+/// Adds the forces of pressures that follow their faces at displacements u to `force`, both with an entry a
+/// dof [force].
+void add_follower_forces(const Model& model, double t, const Eigen::VectorXd& u, Eigen::VectorXd& force);
+/// Adds `factor` times the symmetric part of their −∂f/∂u to a compressed matrix with the places of the
+/// stiffness.
+void add_follower_tangent(const Model& model, double t, const Eigen::VectorXd& u, double factor,
+                          SparseMatrix& matrix);
 
 /// Whether velocities are resisted.
 bool is_damped(const Model& model);

@@ -189,15 +189,19 @@ constexpr int looks = 8;
 /// What the loads push with, each a pattern whose size does not matter.
 std::vector<VectorXd> load_patterns(const Model& model) {
   std::vector<VectorXd> patterns;
+  const VectorXd none = VectorXd::Zero(model.dofs.dof_count);
   const auto& time = model.study.time;
+  const auto look = [&](const auto& add) {
+    for (int i = 0; i <= looks; ++i)
+      add(time.begin + i * (time.end - time.begin) / looks, patterns.emplace_back(none));
+  };
   for (const auto& force : model.forces) {
     patterns.push_back(force.pattern);
     for (const auto& field : force.fields)
-      for (int i = 0; i <= looks; ++i) {
-        auto& pattern = patterns.emplace_back(VectorXd::Zero(force.pattern.size()));
-        load::add_field_force(field, time.begin + i * (time.end - time.begin) / looks, pattern);
-      }
+      look([&](double t, VectorXd& pattern) { load::add_field_force(field, t, pattern); });
   }
+  for (const auto& follower : model.followers)
+    look([&](double t, VectorXd& pattern) { load::add_follower_force(follower, none, t, pattern); });
   return patterns;
 }
 

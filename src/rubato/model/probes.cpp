@@ -109,7 +109,7 @@ std::vector<Nodes> make_probe_nodes(const study::Study& study, const mesh::Mesh&
                                     std::vector<Fault>& faults, std::vector<std::string>& notes) {
   std::vector<Nodes> nodes;
   for (const auto& probe : study.probes)
-    if (probe.section || probe.contact || !probe.minus.empty() ||
+    if (probe.section || probe.contact || !probe.minus.empty() || probe.place != study::ProbePlace::nodes ||
         reference_named(references, probe.node) != nullptr)
       nodes.emplace_back();
     else

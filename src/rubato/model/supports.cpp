@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/memory.hpp"
 #include "rubato/model/relations.hpp"
+#include "rubato/model/rotations.hpp"
 #include "rubato/study/fields.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +32,9 @@ public:
         return hold_reference(support, path);
       if (support.along)
         add_oblique(parts_, support, path, equations_, faults_);
-      if (has_components(support))
+      if (support.rotate)
+        rotate(support, path);
+      else if (has_components(support))
         prescribe(support, path);
     } catch (const InputError& error) {
       std::ranges::copy(error.faults(), std::back_inserter(faults_));
@@ -93,6 +96,27 @@ private:
     for (int i = 0; i < parts_.dofs.components; ++i)
       if (const auto& displacement = support.components[static_cast<std::size_t>(i)])
         prescribe(path, nodes, i, *displacement);
+  }
+
+  /// Every component of every node: translations that are not given are 0.
+  void rotate(const study::Support& support, const std::string& path) {
+    const auto nodes =
+        body_nodes_or_fault(parts_.mesh, parts_.dofs, {support.on, path + ".on"}, "to hold", faults_);
+    const auto rotation = shared_rotation(parts_, *support.rotate, path + ".rotate");
+    check_angle(parts_, nodes, *rotation, path + ".rotate");
+    for (int i = 0; i < parts_.dofs.components; ++i) {
+      const auto& given = support.components[static_cast<std::size_t>(i)];
+      const auto field =
+          shared_field(parts_, given.value_or(study::Field()), fmt::format("{}.{}", path, "xyz"[i]));
+      for (const auto node : nodes) {
+        PrescribedDof wanted{parts_.dofs.dof(node, i), imposed_at(parts_, node, field)};
+        const auto& place = parts_.mesh.points[static_cast<std::size_t>(node)];
+        if (!constraint::leaves(*rotation, place, i))
+          wanted.imposed.rotation =
+              std::make_shared<const constraint::RotatedPlace>(constraint::RotatedPlace{rotation, place, i});
+        prescribe(path, node, i, wanted);
+      }
+    }
   }
 
   void prescribe(const std::string& path, std::span<const mesh::NodeIndex> nodes, int component,

@@ -95,6 +95,10 @@ Modes modes_of(const Model& model, const ModeRequest& request) {
   const auto found = find_modes(model, closed.relations, request.number);
   Modes modes;
   modes.notes = std::move(closed.notes);
+  if (!model.domain.is_linear())
+    modes.notes.emplace_back(
+        "bodies are nonlinear: these are small vibrations about their undeformed shape, with "
+        "the stiffness that they begin with");
   modes.frequencies = found.values.cwiseSqrt() / (2 * std::numbers::pi);
   modes.residuals = found.residuals;
   modes.converged = found.converged;

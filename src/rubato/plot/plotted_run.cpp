@@ -18,13 +18,16 @@ struct Dimension {
   std::string_view text;
 };
 
-constexpr std::array<Dimension, 30> dimensions{{
+constexpr std::array<Dimension, 33> dimensions{{
     {"displacement", "length"},
     {"velocity", "length/time"},
     {"acceleration", "length/time²"},
     {"reaction", "force"},
     {"stress", "force/length²"},
     {"von_mises", "force/length²"},
+    {"tresca", "force/length²"},
+    {"mean_stress", "force/length²"},
+    {"principal_stress", "force/length²"},
     {"contact_pressure", "force/length²"},
     {"contact_gap", "length"},
     {"contact_slip", "length"},

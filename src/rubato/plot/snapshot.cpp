@@ -33,9 +33,9 @@ bool is_scalar(const NodeArray& array) {
   return array.components.size() == 1;
 }
 
-/// Stresses have no length: which component is meant has to be said.
+/// Stresses have no length, neither have three principal ones: which component is meant has to be said.
 bool has_length(const NodeArray& array) {
-  return array.components.size() <= 3;
+  return array.components.size() <= 3 && array.name != "principal_stress";
 }
 
 std::vector<std::string> names_of(const Snapshot& snapshot) {

@@ -19,13 +19,19 @@ const std::string& zone_name(const model::Model& model, int zone) {
   return model.zones[static_cast<std::size_t>(zone)].settings.name;
 }
 
+/// Which cell has no forces, and why.
+ordered_json to_json(const model::Model& model, const domain::CellFailure& failure) {
+  return {{"label", domain::cell_label(model.mesh, failure.cell)},
+          {"reason", element::described(failure.reason)}};
+}
+
 ordered_json to_json(const model::Model& model, const step::Unmet& unmet) {
   ordered_json json{{"criterion", step::to_string(unmet.criterion)}};
   if (unmet.zone >= 0)
     json["zone"] = zone_name(model, unmet.zone);
   if (unmet.node >= 0)
     json["node"] = model::node_label(model.mesh, unmet.node);
-  if (unmet.criterion != step::Criterion::singular)
+  if (unmet.criterion != step::Criterion::singular && unmet.criterion != step::Criterion::cell)
     json.update({{"value", finite(unmet.value)}, {"allowed", unmet.allowed}, {"count", unmet.count}});
   return json;
 }
@@ -48,6 +54,11 @@ ordered_json to_json(const model::Model& model, const simulation::Attempt& attem
   json["accepted"] = attempt.accepted;
   json["outcome"] = step::to_string(report.outcome);
   json["iterations"] = report.iterations;
+  if (!model.domain.is_linear()) {
+    json["bulk_iterations"] = report.bulk_iterations;
+    json["factorisations"] = report.factorisations;
+    json["indefinite"] = report.indefinite;
+  }
   json["residual"] = report.residual;
   json["status_changes"] = report.status_changes;
   json["geometry_by_loop"] = report.geometry_by_loop;
@@ -61,6 +72,8 @@ ordered_json to_json(const model::Model& model, const simulation::Attempt& attem
                               {"settled", round.settled}});
   if (!attempt.accepted)
     json["unmet"] = to_json(model, report.unmet);
+  if (!attempt.accepted && report.failed_cell)
+    json["failed_cell"] = to_json(model, *report.failed_cell);
   if (!attempt.accepted && report.worst_node >= 0)
     json["worst_node"] = model::node_label(model.mesh, report.worst_node);
   return json;
@@ -81,6 +94,10 @@ ordered_json to_json(const model::Model& model, const Failure& failure) {
                     {"status_changes", report.status_changes},
                     {"changed_status", ordered_json::array()},
                     {"advice", failure.advice}};
+  if (report.failed_cell)
+    json["failed_cell"] = to_json(model, *report.failed_cell);
+  if (!model.domain.is_linear())
+    json["indefinite"] = report.indefinite;
   if (!failure.not_finite.empty())
     json["not_finite"] = failure.not_finite;
   for (const auto& worst : report.worst)

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/cell_fields.hpp"
 
-#include "rubato/domain/recovery.hpp"
+#include "rubato/results/cell_quantities.hpp"
+#include "rubato/study/words.hpp"
 
 #include <algorithm>
 
 namespace rubato::results {
 namespace {
 
-using domain::Tensor;
 using Eigen::Index;
 using study::FieldPlace;
-
-constexpr int tensor_size = 6;
 
 /// Of each cell of the mesh its place in the bulk; −1 of others.
 std::vector<std::int64_t> places_in_bulk(const model::Model& model) {
@@ -33,22 +31,26 @@ void append(const Eigen::MatrixXd& values, std::vector<double>& to) {
   to.insert(to.end(), values.data(), values.data() + values.size());
 }
 
+study::ProbeField quantity(const study::StoredField& stored) {
+  return std::ranges::find(study::probe_field_words, study::quantity_of(stored),
+                           &study::Word<study::ProbeField>::text)
+      ->value;
+}
+
 class FieldMaker {
 public:
   FieldMaker(const model::Model& model, const step::State& now)
-      : model_(model), tensors_(model.mesh, model.bulk, model.dofs, now.motion.u,
-                                {model.domain.heat(), now.t}, &now.bulk_points),
-        in_bulk_(places_in_bulk(model)) {}
+      : model_(model), quantities_(model, now), in_bulk_(places_in_bulk(model)) {}
 
   CellField make(const study::StoredField& stored) {
-    CellField field{stored.name, tensor_size, stored.components, stored.place, {}, {}};
-    const auto what = stored.name.starts_with("strain") ? Tensor::strain : Tensor::stress;
+    const auto components = static_cast<int>(std::max<std::size_t>(1, stored.components.size()));
+    CellField field{stored.name, components, stored.components, stored.place, {}, {}};
     const int highest = highest_dimension(model_.mesh);
     std::size_t cell = 0;
     for (const auto& block : model_.mesh.blocks) {
       const auto count = static_cast<std::size_t>(block.cell_count());
       if (cell::topology(block.type).dimension == highest)
-        add_part(block, cell, what, field);
+        add_part(block, cell, quantity(stored), field);
       cell += count;
     }
     return field;
@@ -56,23 +58,32 @@ public:
 
 private:
   /// Cells that do not deform have no stress.
-  void add_part(const mesh::CellBlock& block, std::size_t first, Tensor what, CellField& field) {
-    const bool at_points = field.place == FieldPlace::gauss_points;
-    const auto& to_nodes = domain::extrapolation(block.type);
+  void add_part(const mesh::CellBlock& block, std::size_t first, study::ProbeField what, CellField& field) {
     auto& part = field.parts.emplace_back();
     part.type = block.type;
-    part.places = static_cast<int>(at_points ? to_nodes.cols() : to_nodes.rows());
+    part.places = places_in(field.place, block.type);
     for (mesh::CellIndex i = 0; i < block.cell_count(); ++i) {
       const auto place = in_bulk_[first + static_cast<std::size_t>(i)];
-      if (place < 0)
-        append(Eigen::MatrixXd::Zero(tensor_size, part.places), part.values);
-      else if (at_points)
-        append(tensors_.at_points(what, static_cast<std::size_t>(place)), part.values);
-      else
-        append(tensors_.at_nodes(what, static_cast<std::size_t>(place)), part.values);
-      if (at_points)
+      append(place < 0 ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(field.components, part.places))
+                       : values_of(what, field.place, static_cast<std::size_t>(place)),
+             part.values);
+      if (field.place == FieldPlace::gauss_points)
         append(point_volumes(block, i, part.places), field.volumes);
     }
+  }
+
+  static int places_in(FieldPlace place, CellType type) {
+    const auto& to_nodes = domain::extrapolation(type);
+    if (place == FieldPlace::cells)
+      return 1;
+    return static_cast<int>(place == FieldPlace::gauss_points ? to_nodes.cols() : to_nodes.rows());
+  }
+
+  Eigen::MatrixXd values_of(study::ProbeField what, FieldPlace place, std::size_t cell) {
+    if (place == FieldPlace::cells)
+      return quantities_.mean(what, cell);
+    return place == FieldPlace::gauss_points ? quantities_.at_points(what, cell)
+                                             : quantities_.at_nodes(what, cell);
   }
 
   Eigen::MatrixXd point_volumes(const mesh::CellBlock& block, mesh::CellIndex cell, int points) const {
@@ -83,9 +94,14 @@ private:
   }
 
   const model::Model& model_;
-  domain::CellTensors tensors_;
+  CellQuantities quantities_;
   std::vector<std::int64_t> in_bulk_;
 };
+
+/// Temperatures of a model that has none are left out.
+bool is_known(const model::Model& model, const study::StoredField& stored) {
+  return quantity(stored) != study::ProbeField::temperature || model.domain.heat() != nullptr;
+}
 
 } // namespace
 
@@ -94,7 +110,7 @@ std::vector<CellField> cell_fields(const model::Model& model, const step::State&
   std::vector<CellField> fields;
   FieldMaker maker(model, now);
   for (const auto& stored : study::stored_fields(model.dofs.components))
-    if (stored.place != FieldPlace::nodes && study::is_written(output, stored))
+    if (stored.place != FieldPlace::nodes && study::is_written(output, stored) && is_known(model, stored))
       fields.push_back(maker.make(stored));
   return fields;
 }

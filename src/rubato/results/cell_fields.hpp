@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Stresses and strains of each cell by itself, at its nodes and at its Gauss points: nothing is averaged.
+/// Stresses, strains and the like of each cell by itself, at its nodes, at its Gauss points and as their
+/// mean.
 #pragma once
 
 #include "rubato/model/model.hpp"
@@ -16,7 +17,7 @@ struct CellField {
   /// The cells of one type.
   struct Part {
     CellType type = CellType::point1;
-    int places = 0;             ///< a cell: its nodes, or the points of cell::stiffness_rule
+    int places = 0;             ///< a cell: its nodes, the points of cell::stiffness_rule, or 1
     std::vector<double> values; ///< cell by cell, place by place, component by component
   };
 
@@ -28,8 +29,10 @@ struct CellField {
   std::vector<double> volumes; ///< of Gauss points, as the values; empty at nodes
 };
 
-/// stress_elno, strain_elno, stress_elga, strain_elga, as far as `output` writes them. Components are xx yy
-/// zz xy yz xz, strains those of the tensor. At the nodes: extrapolated from the Gauss points in each cell.
+/// stress_elno, stress_elga, stress_elem, strain_elno and so on (study::stored_fields), as far as `output`
+/// writes them. Of tensors components are xx yy zz xy yz xz, strains those of the tensor. At the nodes:
+/// extrapolated from the Gauss points in each cell; what is made of stresses, from stresses there. In cells:
+/// the mean of the Gauss points by volume. Temperatures are left out of a model without any.
 std::vector<CellField> cell_fields(const model::Model& model, const step::State& now,
                                    const study::FieldOutput& output);
 

@@ -64,6 +64,11 @@ template <class Visit> void each_number(time::StepControl::End& end, const Visit
   end.level = static_cast<int>(level);
 }
 
+template <class Visit> void each_number(domain::LawPoint& point, const Visit& visit) {
+  std::ranges::for_each(point.strain, visit);
+  std::ranges::for_each(point.stress, visit);
+}
+
 template <class Visit> void each_number(element::PointRecord& record, const Visit& visit) {
   visit(record.volume);
   visit(record.stored);
@@ -119,6 +124,10 @@ public:
     table(name + "_records", states.records);
     number(name + "_mode_force", states.mode_force);
   }
+  template <class Record> void few_in_table(const std::string& name, std::vector<Record>& records) {
+    if (!records.empty())
+      table(name, records);
+  }
   template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
     std::vector<std::int64_t> integers;
     std::ranges::transform(values, std::back_inserter(integers),
@@ -165,6 +174,9 @@ public:
       return;
     table(name, states.records);
     number(name, states.mode_force);
+  }
+  template <class Record> void few_in_table(const std::string& name, std::vector<Record>& records) {
+    table(name, records);
   }
   template <Whole T> void wholes(const std::string&, std::vector<T>& values) {
     add(values.size() * sizeof(std::int64_t));
@@ -217,6 +229,11 @@ public:
     table(name + "_records", states.records);
     number(name + "_mode_force", states.mode_force);
   }
+  template <class Record> void few_in_table(const std::string& name, std::vector<Record>& records) {
+    records.clear();
+    if (file_->has(name))
+      table(name, records);
+  }
   template <Whole T> void wholes(const std::string& name, std::vector<T>& values) {
     values.clear();
     for (const auto integer : file_->integers(name))
@@ -265,6 +282,9 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.states("state/bulk_points", state.bulk_points);
   archive.few_numbers("state/moved", state.moved);
   archive.tangent("state/tangent", state.tangent);
+  double indefinite = state.indefinite ? 1 : 0;
+  archive.number_if("state/indefinite", indefinite);
+  state.indefinite = indefinite != 0;
   archive.parts("state/zones", state.zones);
   for (std::size_t z = 0; z < state.zones.size(); ++z) {
     const auto at = fmt::format("state/zone_{}/", z);
@@ -304,6 +324,11 @@ template <class Archive> void exchange(Archive& archive, const std::string& at, 
   archive.number(at + "numerical", energy.numerical);
   archive.number(at + "unbalanced", energy.unbalanced);
   archive.number(at + "start", energy.start);
+  archive.number_if(at + "plastic", energy.plastic);
+  archive.number_if(at + "back_stress", energy.back_stress);
+  archive.number_if(at + "viscous", energy.viscous);
+  archive.number_if(at + "hourglass", energy.hourglass);
+  archive.number_if(at + "bulk_scheme", energy.bulk_scheme);
 }
 
 template <class Archive> void exchange(Archive& archive, step::EnergyRecord& record) {
@@ -313,6 +338,7 @@ template <class Archive> void exchange(Archive& archive, step::EnergyRecord& rec
   archive.number("energy_record/gained_at", record.gained_at);
   archive.number("energy_record/by_impact", record.by_impact);
   archive.number("energy_record/by_scheme", record.by_scheme);
+  archive.number_if("energy_record/by_bulk_scheme", record.by_bulk_scheme);
 }
 
 template <class Archive> void exchange(Archive& archive, RecorderPosition& position) {
@@ -347,6 +373,13 @@ template <class Archive> void exchange(Archive& archive, simulation::ExplicitPro
   archive.numbers("explicit/load_displacements", motion.load_displacements);
   archive.numbers("explicit/reactions", motion.reactions);
   archive.states("explicit/bulk_points", motion.bulk_points);
+  archive.few_in_table("explicit/path_points", motion.path.points);
+  archive.few_numbers("explicit/path_forces", motion.path.forces);
+  archive.number("explicit/path_stored", motion.path.stored);
+  archive.number("explicit/path_elsewhere", motion.path.elsewhere);
+  archive.number("explicit/growth", motion.survey.growth);
+  archive.whole("explicit/survey_interval", motion.survey.interval);
+  archive.whole("explicit/steps_since_survey", motion.survey.made);
   archive.parts("explicit/zones", motion.zones);
   for (std::size_t z = 0; z < motion.zones.size(); ++z) {
     const auto at = fmt::format("explicit/zone_{}/", z);

@@ -3,7 +3,10 @@
 
 #include "rubato/contact/nodal_pressure.hpp"
 #include "rubato/domain/recovery.hpp"
+#include "rubato/results/cell_quantities.hpp"
+#include "rubato/study/formulation.hpp"
 #include "rubato/study/stored_fields.hpp"
+#include "rubato/study/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,10 +107,43 @@ std::vector<OwnedField> stress_fields(const Model& model, const step::State& now
           {"von_mises", 1, {recovered.von_mises.begin(), recovered.von_mises.end()}, {}}};
 }
 
+std::vector<OwnedField> other_stress_fields(const OwnedField& stress) {
+  const Eigen::Map<const Eigen::MatrixXd> stresses(
+      stress.values.data(), stress.components, static_cast<Index>(stress.values.size()) / stress.components);
+  std::vector<OwnedField> fields;
+  for (const auto what :
+       {study::ProbeField::tresca, study::ProbeField::mean_stress, study::ProbeField::principal_stress}) {
+    const Eigen::MatrixXd values = of_stresses(what, stresses);
+    fields.push_back({std::string(study::word_of(study::probe_field_words, what)),
+                      static_cast<int>(values.rows()),
+                      {values.data(), values.data() + values.size()},
+                      study::components_of(what, 3)});
+  }
+  return fields;
+}
+
+namespace {
+
+OwnedField tensor_field(const Model& model, const step::State& now, domain::Tensor what, std::string name) {
+  const auto tensors = domain::nodal_tensors(what, model.mesh, model.bulk, model.dofs, now.motion.u,
+                                             {model.domain.heat(), now.t}, &now.bulk_points);
+  return {std::move(name), 6, {tensors.data(), tensors.data() + tensors.size()}, tensor_components};
+}
+
+} // namespace
+
 OwnedField strain_field(const Model& model, const step::State& now) {
-  const auto strain = domain::nodal_tensors(domain::Tensor::strain, model.mesh, model.bulk, model.dofs,
-                                            now.motion.u, {model.domain.heat(), now.t}, &now.bulk_points);
-  return {"strain", 6, {strain.data(), strain.data() + strain.size()}, tensor_components};
+  return tensor_field(model, now, domain::Tensor::strain, "strain");
+}
+
+OwnedField plastic_strain_field(const Model& model, const step::State& now) {
+  return tensor_field(model, now, domain::Tensor::plastic_strain, "plastic_strain");
+}
+
+OwnedField cumulated_plastic_strain_field(const Model& model, const step::State& now) {
+  const auto values = domain::nodal_plastic_strain(model.mesh, model.bulk, model.dofs, now.motion.u,
+                                                   {model.domain.heat(), now.t}, &now.bulk_points);
+  return {"cumulated_plastic_strain", 1, {values.begin(), values.end()}, {}};
 }
 
 VectorXd internal_force(const Model& model, const step::State& now) {
@@ -130,25 +166,65 @@ OwnedField temperature_field(const Model& model, double t) {
   return field;
 }
 
+namespace {
+
+/// What of the fields to write.
+class Wanted {
+public:
+  Wanted(const Model& model, const study::FieldOutput& output)
+      : stored_(study::stored_fields(model.dofs.components)), output_(output) {}
+
+  bool operator()(std::string_view name) const {
+    return study::is_written(output_, *std::ranges::find(stored_, name, &study::StoredField::name));
+  }
+  bool any(std::initializer_list<std::string_view> names) const { return std::ranges::any_of(names, *this); }
+  /// Not as one of the usual ones.
+  bool by_name(std::string_view name) const {
+    const auto has = [&](const auto& names) { return std::ranges::find(names, name) != names.end(); };
+    return has(output_.only) || has(output_.also);
+  }
+
+private:
+  std::vector<study::StoredField> stored_;
+  const study::FieldOutput& output_;
+};
+
+/// Stresses and what is made of them, as far as anything of it is wanted.
+void add_stresses(const Model& model, const step::State& now, const Wanted& is_wanted,
+                  std::vector<OwnedField>& usual, std::vector<OwnedField>& others) {
+  const bool any_other = is_wanted.any({"tresca", "mean_stress", "principal_stress"});
+  if (!any_other && !is_wanted.any({"stress", "von_mises"}))
+    return;
+  auto stresses = stress_fields(model, now);
+  if (any_other)
+    others = other_stress_fields(stresses.front());
+  std::ranges::move(stresses, std::back_inserter(usual));
+}
+
+} // namespace
+
 std::vector<OwnedField> nodal_fields(const Model& model, const step::State& now,
                                      const study::FieldOutput& output) {
-  const auto stored = study::stored_fields(model.dofs.components);
-  const auto is_wanted = [&](const std::string& name) {
-    return study::is_written(output, *std::ranges::find(stored, name, &study::StoredField::name));
-  };
+  const Wanted is_wanted(model, output);
   std::vector<OwnedField> fields;
   fields.push_back(vector_field(model, "displacement", now.motion.u));
   fields.push_back(vector_field(model, "velocity", now.motion.v));
   fields.push_back(vector_field(model, "acceleration", now.motion.a));
-  if (is_wanted("stress") || is_wanted("von_mises"))
-    std::ranges::move(stress_fields(model, now), std::back_inserter(fields));
+  std::vector<OwnedField> others;
+  add_stresses(model, now, is_wanted, fields, others);
+  if (is_wanted("cumulated_plastic_strain") &&
+      (study::yields(model.study) || is_wanted.by_name("cumulated_plastic_strain")))
+    fields.push_back(cumulated_plastic_strain_field(model, now));
   if (model.domain.heat() != nullptr)
     fields.push_back(temperature_field(model, now.t));
   if (!model.zones.empty())
     std::ranges::move(contact_fields(model, now), std::back_inserter(fields));
-  std::erase_if(fields, [&](const OwnedField& field) { return !is_wanted(field.name); });
   if (is_wanted("strain"))
     fields.push_back(strain_field(model, now));
+  if (is_wanted("plastic_strain"))
+    fields.push_back(plastic_strain_field(model, now));
+  std::ranges::move(others, std::back_inserter(fields));
+  std::erase_if(fields, [&](const OwnedField& field) { return !is_wanted(field.name); });
   if (is_wanted("reaction"))
     fields.push_back(vector_field(model, "reaction", now.reaction));
   if (is_wanted("internal_force"))

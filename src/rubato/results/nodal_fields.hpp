@@ -22,18 +22,23 @@ struct OwnedField {
   NodalField view() const { return {name, components, values, component_names, ""}; }
 };
 
-/// At the nodes: displacement, velocity, acceleration; stress (averaged at the nodes) and von_mises; with
-/// contact also contact_pressure (≥ 0; of ties and bilateral zones < 0 where it pulls), contact_gap (> 0
-/// open; 0 where nothing faces the node), contact_slip (along the master's first and second tangent, of the
-/// last step), contact_status (0 open, 1 sticking, 2 slipping), contact_cumulated_slip and
-/// contact_friction_work (since the run began; of several points on a node the largest slip and the sum of
-/// the works). Nodes off the slave surfaces carry 0. Those of them that `output` writes, and strain (as a
-/// tensor, averaged at the nodes) if it does.
+/// At the nodes: displacement, velocity, acceleration; stress (averaged at the nodes) and von_mises; where a
+/// material flows, cumulated_plastic_strain; with contact also contact_pressure (≥ 0; of ties and bilateral
+/// zones < 0 where it pulls), contact_gap (> 0 open; 0 where nothing faces the node), contact_slip (along the
+/// master's first and second tangent, of the last step), contact_status (0 open, 1 sticking, 2 slipping),
+/// contact_cumulated_slip and contact_friction_work (since the run began; of several points on a node the
+/// largest slip and the sum of the works). Nodes off the slave surfaces carry 0. Those of them that `output`
+/// writes, and of the following those that it names: strain and plastic_strain (as tensors, averaged at the
+/// nodes), tresca, mean_stress, principal_stress, forces.
 std::vector<OwnedField> nodal_fields(const model::Model& model, const step::State& now,
                                      const study::FieldOutput& output = {});
-/// Parts of these: stress and von_mises; strain; those of contact.
+/// Parts of these: stress and von_mises; tresca, mean_stress and principal_stress of a field of stresses;
+/// strain; plastic_strain; cumulated_plastic_strain.
 std::vector<OwnedField> stress_fields(const model::Model& model, const step::State& now);
+std::vector<OwnedField> other_stress_fields(const OwnedField& stress);
 OwnedField strain_field(const model::Model& model, const step::State& now);
+OwnedField plastic_strain_field(const model::Model& model, const step::State& now);
+OwnedField cumulated_plastic_strain_field(const model::Model& model, const step::State& now);
 
 /// By which cells, springs and connectors resist, one a dof [force]: what external forces, inertia, damping,
 /// contact and supports balance.

@@ -2,6 +2,7 @@
 #include "rubato/results/probe_values.hpp"
 
 #include "rubato/contact/discretisation.hpp"
+#include "rubato/results/cell_quantities.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/study/stored_fields.hpp"
 #include "rubato/study/words.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -54,6 +56,12 @@ public:
     return *std::ranges::find(fields, study::word_of(study::probe_field_words, field), &OwnedField::name);
   }
 
+  CellQuantities& in_cells() {
+    if (!in_cells_)
+      in_cells_.emplace(model_, state_);
+    return *in_cells_;
+  }
+
 private:
   using Fields = std::vector<OwnedField>;
 
@@ -64,8 +72,20 @@ private:
   }
 
   const Fields& fields_with(ProbeField field) {
-    if (field == ProbeField::strain)
+    switch (field) {
+    case ProbeField::strain:
       return made(strain_, [&] { return Fields{strain_field(model_, state_)}; });
+    case ProbeField::plastic_strain:
+      return made(plastic_, [&] { return Fields{plastic_strain_field(model_, state_)}; });
+    case ProbeField::cumulated_plastic_strain:
+      return made(cumulated_, [&] { return Fields{cumulated_plastic_strain_field(model_, state_)}; });
+    case ProbeField::tresca:
+    case ProbeField::mean_stress:
+    case ProbeField::principal_stress:
+      return made(other_stress_, [&] { return other_stress_fields(of_nodes(ProbeField::stress)); });
+    default:
+      break;
+    }
     if (field == ProbeField::temperature)
       return made(temperature_, [&] { return Fields{temperature_field(model_, state_.t)}; });
     if (study::is_of_contact(field))
@@ -75,8 +95,9 @@ private:
 
   const model::Model& model_;
   const step::State& state_;
-  std::optional<Fields> contact_, stress_, strain_, temperature_;
+  std::optional<Fields> contact_, stress_, other_stress_, strain_, plastic_, cumulated_, temperature_;
   std::optional<Eigen::VectorXd> internal_, pushed_;
+  std::optional<CellQuantities> in_cells_;
 };
 
 /// `values`: of one component at the nodes of a probe, at least one.
@@ -115,7 +136,86 @@ std::vector<double> node_values(const model::Model& model, std::size_t p, MadeFi
   return result;
 }
 
-/// As study::force_and_moment has them: the forces of contact_<zone>.csv at its places.
+/// A force and its moment about a place.
+class Resultant {
+public:
+  explicit Resultant(const std::array<double, 3>& about) : about_(about.data()) {}
+
+  void add(const Eigen::Vector3d& place, const Eigen::Vector3d& force) {
+    force_ += force;
+    moment_ += (place - about_).cross(force);
+  }
+
+  /// As study::force_and_moment has them.
+  std::vector<double> values(int dimension) const {
+    std::vector<double> values(force_.data(), force_.data() + dimension);
+    values.insert(values.end(), moment_.data() + (dimension == 3 ? 0 : 2), moment_.data() + 3);
+    return values;
+  }
+
+private:
+  Eigen::Vector3d about_;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d moment_ = Eigen::Vector3d::Zero();
+};
+
+/// Forces on the nodes of a probe where these are in the deformed bodies.
+std::vector<double> moment_values(const model::Model& model, const step::State& state, std::size_t p,
+                                  MadeFields& made) {
+  const auto& probe = model.study.probes[p];
+  const auto& forces = *made.of_dofs(probe.field);
+  const int d = model.dofs.components;
+  Resultant resultant(*probe.about);
+  for (const auto node : model.probe_nodes[p]) {
+    Eigen::Vector3d place = model.mesh.points[static_cast<std::size_t>(node)];
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    place.head(d) += state.motion.u.segment(model.dofs.dof(node, 0), d);
+    force.head(d) = forces.segment(model.dofs.dof(node, 0), d);
+    resultant.add(place, force);
+  }
+  return resultant.values(d);
+}
+
+/// Of one cell what a probe looks at, a column each, and its volume, an entry each.
+struct InCell {
+  Eigen::MatrixXd values;
+  Eigen::VectorXd volumes;
+};
+
+InCell in_cell(const study::Probe& probe, int point, std::size_t cell, CellQuantities& quantities) {
+  const auto volumes = quantities.volumes(cell);
+  if (probe.place == study::ProbePlace::cells)
+    return {quantities.mean(probe.field, cell), Eigen::VectorXd::Constant(1, volumes.sum())};
+  const auto values = quantities.at_points(probe.field, cell);
+  if (point < 0)
+    return {values, volumes};
+  return {values.col(point), volumes.segment(point, 1)};
+}
+
+/// What is taken of the cells of a probe, or of their Gauss points, component by component; means are those
+/// by volume.
+std::vector<double> cell_values(const model::Model& model, std::size_t p, MadeFields& made) {
+  const auto& probe = model.study.probes[p];
+  const auto& probed = model.probe_cells[p];
+  std::vector<std::vector<double>> rows;
+  std::vector<double> weights;
+  for (const auto cell : probed.cells) {
+    const auto [values, volumes] = in_cell(probe, probed.point, cell, made.in_cells());
+    rows.resize(static_cast<std::size_t>(values.rows()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      std::ranges::copy(values.row(static_cast<Eigen::Index>(i)), std::back_inserter(rows[i]));
+    weights.insert(weights.end(), volumes.begin(), volumes.end());
+  }
+  const double volume = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<double> result;
+  for (const auto& row : rows)
+    result.push_back(probe.take == study::ProbeTake::mean
+                         ? std::inner_product(row.begin(), row.end(), weights.begin(), 0.0) / volume
+                         : taken(probe.take, row));
+  return result;
+}
+
+/// The forces of contact_<zone>.csv at its places.
 std::vector<double> contact_values(const model::Model& model, const step::State& state,
                                    const study::ContactForce& asked) {
   const auto zone =
@@ -123,24 +223,17 @@ std::vector<double> contact_values(const model::Model& model, const step::State&
   const auto& outcomes = state.zones[static_cast<std::size_t>(zone - model.zones.begin())].outcomes;
   const auto& u = state.motion.u;
   const contact::Configuration now{&model.mesh, &model.dofs, &u, &u, state.t, state.t};
-  const Eigen::Vector3d about(asked.about[0], asked.about[1], asked.about[2]);
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const Eigen::Vector3d at_point = outcomes[i].normal + outcomes[i].tangential;
-    force += at_point;
-    moment += (contact::position(zone->points[i], now) - about).cross(at_point);
-  }
-  const int d = model.dofs.components;
-  std::vector<double> values(force.data(), force.data() + d);
-  values.insert(values.end(), moment.data() + (d == 3 ? 0 : 2), moment.data() + 3);
-  return values;
+  Resultant resultant(asked.about);
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    resultant.add(contact::position(zone->points[i], now), outcomes[i].normal + outcomes[i].tangential);
+  return resultant.values(model.dofs.components);
 }
 
 /// As study::cut_quantities has them.
 std::vector<double> section_values(const model::Model& model, const step::State& state, std::size_t p) {
   const auto& cut = *model.study.probes[p].section;
-  const auto forces = domain::forces_at(model.probe_cuts[p], state.motion.u, {model.domain.heat(), state.t});
+  const auto forces = domain::forces_at(model.probe_cuts[p], state.motion.u, {model.domain.heat(), state.t},
+                                        &state.bulk_points);
   const Eigen::Vector3d force = forces.head<3>();
   const Eigen::Vector3d normal = Eigen::Vector3d(cut.normal[0], cut.normal[1], cut.normal[2]).normalized();
   const double along = normal.dot(force);
@@ -194,6 +287,10 @@ void add_probe_values(const model::Model& model, const step::State& state, std::
       values[p] = contact_values(model, state, *contact);
     else if (const auto* reference = model::reference_named(model.references, probes[p].node))
       values[p] = reference_values(model, *reference, state, probes[p].field);
+    else if (probes[p].about)
+      values[p] = moment_values(model, state, p, made);
+    else if (probes[p].place != study::ProbePlace::nodes)
+      values[p] = cell_values(model, p, made);
     else if (probes[p].minus.empty())
       values[p] = node_values(model, p, made);
   const auto of = [&](const std::string& name) {

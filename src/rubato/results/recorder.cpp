@@ -73,6 +73,7 @@ public:
   Impl(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position)
       : model_(model), folder_(std::move(folder)), probes_(folder_ / probes_file, position.probes),
         steps_(folder_ / steps_file, position.attempts), energy_(folder_ / energy_file, position.energy),
+        energy_places_(places_of_energies(read_csv(folder_ / energy_file).columns)),
         series_(folder_ / pvd_file, series_of(position)), history_(read_csv(folder_ / probes_file)),
         unwritten_(position.unwritten), steps_done_(position.steps), warnings_(stored_warnings(folder_)) {
     place_growing_files(position.med_copy, position.vtkhdf_copy);
@@ -128,9 +129,14 @@ public:
   }
 
   void energy(double t, const step::EnergyLedger& e) {
-    energy_.row(std::array{t, e.kinetic, e.strain, e.external_work, e.support_work, e.overlap_work, e.heat,
-                           e.damping, e.contact, e.friction, e.impact, e.numerical, e.unbalanced,
-                           e.balance()});
+    const std::array<double, study::energy_quantities.size()> all{
+        e.kinetic,   e.strain,  e.external_work, e.support_work, e.overlap_work, e.heat,
+        e.damping,   e.contact, e.friction,      e.plastic,      e.back_stress,  e.viscous,
+        e.hourglass, e.impact,  e.numerical,     e.bulk_scheme,  e.unbalanced,   e.balance()};
+    std::vector<double> row{t};
+    for (const auto place : energy_places_)
+      row.push_back(all[place]);
+    energy_.row(row);
   }
 
   /// A .vtu file that was written whole stays; the next one of that number takes its place.
@@ -290,6 +296,20 @@ private:
     return after_instant({study::energy_quantities.begin(), study::energy_quantities.end()});
   }
 
+  /// In energy_quantities, of the columns after the instant. A table that an older program began goes on with
+  /// the columns that it has.
+  static std::vector<std::size_t> places_of_energies(const std::vector<std::string>& columns) {
+    std::vector<std::size_t> places;
+    for (std::size_t column = 1; column < columns.size(); ++column) {
+      const auto found = std::ranges::find(study::energy_quantities, columns[column]);
+      if (found == study::energy_quantities.end())
+        throw InputError(fmt::format("{}: found the column '{}', expected energies that this program knows",
+                                     energy_file, columns[column]));
+      places.push_back(static_cast<std::size_t>(found - study::energy_quantities.begin()));
+    }
+    return places;
+  }
+
   std::vector<std::string> probe_columns() const { return after_instant(results::probe_columns(model_)); }
 
   void write_probes(const step::State& state) {
@@ -361,6 +381,7 @@ private:
   CsvWriter probes_;
   LineFile steps_;
   CsvWriter energy_;
+  std::vector<std::size_t> energy_places_ = places_of_energies(energy_columns());
   PvdSeries series_;
   std::vector<CsvWriter> resultants_;
   std::vector<ContactTable> contact_;

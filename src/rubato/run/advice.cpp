@@ -3,6 +3,7 @@
 
 #include "rubato/contact/springs.hpp"
 #include "rubato/model/rigid_motions.hpp"
+#include "rubato/study/formulation.hpp"
 #include "rubato/study/schemes.hpp"
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"
@@ -147,6 +148,23 @@ void on_coefficients(const contact::Zone& zone, Advice& advice) {
                            key_of(zone, fmt::format("coefficients.{}", key)), value));
 }
 
+/// How the cells of a material are integrated, where others bear more strain.
+void on_cell(const model::Model& model, const step::StepReport& report, Advice& advice) {
+  const auto& failed = *report.failed_cell;
+  const auto place = std::ranges::find(model.bulk.cells, failed.cell) - model.bulk.cells.begin();
+  const auto& material =
+      model.study
+          .materials[static_cast<std::size_t>(model.bulk.law_of_cell[static_cast<std::size_t>(place)])];
+  const auto type = model.mesh.type_of(failed.cell);
+  const auto& physics = model.study.physics;
+  if (study::formulation_of(material, physics, type) != study::Formulation::enhanced)
+    return;
+  const auto other = study::averages_dilatation(type, physics) ? study::Formulation::mean_dilatation
+                                                               : study::Formulation::full;
+  advice.add(fmt::format("materials.{}.formulation: {}", material.name,
+                         study::word_of(study::formulation_words, other)));
+}
+
 void on_criterion(const model::Model& model, const step::Unmet& unmet, Advice& advice) {
   if (unmet.criterion == Criterion::singular)
     return on_singular(model, advice);
@@ -229,10 +247,16 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
                                 const results::Failure& failure) {
   const auto& report = failure.report;
   Advice advice(model.study);
-  if (report.outcome == Outcome::not_finite) {
+  if (report.outcome == Outcome::not_finite && !report.failed_cell) {
     advice.add("a look at the loads and the mesh there");
     return advice.take();
   }
+  if (report.failed_cell)
+    on_cell(model, report, advice);
+  if (report.outcome == Outcome::plastic_step)
+    advice.add(fmt::format("a larger time.max_plastic_step than {:g}", *model.study.time.max_plastic_step));
+  if (report.indefinite && model.study.time.scheme == study::SchemeKind::static_steps)
+    advice.add("supports that move in the place of loads, or a scheme with inertia");
   if (!model.free_body_nodes.empty())
     on_singular(model, advice);
   for (const auto& unmet : report.unmet)

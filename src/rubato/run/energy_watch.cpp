@@ -2,9 +2,12 @@
 #include "rubato/run/energy_watch.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace rubato::run {
 namespace {
@@ -17,20 +20,46 @@ constexpr int soon = 10;
 /// Of the largest energy. Rounding makes meshes that touch overlap by less.
 constexpr double worth_telling = 1e-6;
 
-/// What the bodies have from nowhere: all in all, or from contact alone where the scheme takes that again.
+/// What the bodies have from nowhere: all in all, or from contact or finite strain alone where the scheme
+/// takes that again.
 double gained(const step::EnergyLedger& ledger) {
-  return std::max(ledger.gain(), -ledger.impact);
+  return std::max({ledger.gain(), -ledger.impact, -ledger.bulk_scheme});
 }
 
+struct Cause {
+  double taken = 0;
+  std::string text;
+};
+
+/// Whatever gave most first. What steps give in finite strain feeds high frequencies, which schemes without
+/// damping keep.
 std::string causes_of(const step::EnergyLedger& ledger) {
-  auto impact = fmt::format("contact pressures gave {:.3g} more than they took", -ledger.impact);
-  auto scheme = ledger.numerical < 0 ? fmt::format("the time scheme gave {:.3g}", -ledger.numerical)
-                                     : fmt::format("the time scheme took {:.3g}", ledger.numerical);
-  if (ledger.numerical == 0)
-    return impact;
-  if (ledger.impact >= 0)
-    return scheme;
-  return ledger.impact < ledger.numerical ? impact + ", " + scheme : scheme + ", " + impact;
+  const double impact = ledger.impact;
+  const double scheme = ledger.numerical;
+  const double strain = ledger.bulk_scheme;
+  std::vector<Cause> causes;
+  if (scheme != 0)
+    causes.push_back({scheme, scheme < 0 ? fmt::format("the time scheme gave {:.3g}", -scheme)
+                                         : fmt::format("the time scheme took {:.3g}", scheme)});
+  if (impact < 0 || (scheme == 0 && strain >= 0))
+    causes.push_back({impact, fmt::format("contact pressures gave {:.3g} more than they took", -impact)});
+  if (strain < 0)
+    causes.push_back(
+        {strain, fmt::format("steps too long for finite strain gave {:.3g} (bulk_scheme)", -strain)});
+  std::ranges::stable_sort(causes, {}, &Cause::taken);
+  std::vector<std::string> texts;
+  std::ranges::transform(causes, std::back_inserter(texts), &Cause::text);
+  const bool by_strain = strain < 0 && causes.front().taken == strain;
+  return fmt::format("{}{}", fmt::join(texts, ", "),
+                     by_strain ? "; expected a time.scheme that damps, such as hht, or a shorter time.step"
+                               : "");
+}
+
+/// Of a run's largest gain.
+const char* cause_of(const step::EnergyRecord& record) {
+  if (record.by_bulk_scheme > std::max(record.by_scheme, record.by_impact))
+    return "by finite strain";
+  return record.by_scheme > record.by_impact ? "by the time scheme" : "by contact";
 }
 
 } // namespace
@@ -61,12 +90,10 @@ void EnergyWatch::tell() {
     return;
   if (gained_for_ > 0)
     warn(fmt::format("from t = {:g} to the end", gained_since_));
-  const auto gain =
-      record_.gain > 0
-          ? fmt::format("; largest gain {:.2g} of it, at t = {:g}, {}", record_.gain / record_.largest,
-                        record_.gained_at,
-                        record_.by_scheme > record_.by_impact ? "by the time scheme" : "by contact")
-          : "";
+  const auto gain = record_.gain > 0
+                        ? fmt::format("; largest gain {:.2g} of it, at t = {:g}, {}",
+                                      record_.gain / record_.largest, record_.gained_at, cause_of(record_))
+                        : "";
   const auto overlap = now_.overlap_work > worth_telling * record_.largest
                            ? fmt::format("; what overlapped at the start gave {:.4g}", now_.overlap_work)
                            : "";

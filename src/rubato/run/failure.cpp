@@ -115,6 +115,25 @@ std::string friction_loop_of(const model::Model& model, const Unmet& unmet) {
                      unmet.value, node_of(model, unmet), zone_name(model, unmet.zone), unmet.allowed);
 }
 
+std::string cell_of(const model::Model& model, const step::StepReport& report) {
+  return fmt::format("{} has no forces: {}", domain::cell_label(model.mesh, report.failed_cell->cell),
+                     element::described(report.failed_cell->reason));
+}
+
+std::string plastic_step_of(const model::Model& model, const Unmet& unmet) {
+  return fmt::format("the plastic strain at node {} grew by {:.2e} in one step (time.max_plastic_step: {:g})",
+                     node_of(model, unmet), unmet.value, unmet.allowed);
+}
+
+/// Of a nonlinear bulk.
+std::string stability_of(const model::Model& model) {
+  return fmt::format("the effective matrix without contact was not positive definite: {}",
+                     model.study.time.scheme == study::SchemeKind::static_steps
+                         ? "the state is not stable under these loads, as past a limit load or where a part "
+                           "buckles"
+                         : "a part buckles, faster than the steps follow");
+}
+
 std::string sentence(const model::Model& model, const step::StepReport& report, const Unmet& unmet) {
   switch (unmet.criterion) {
   case Criterion::residual:
@@ -135,11 +154,19 @@ std::string sentence(const model::Model& model, const step::StepReport& report, 
     return geometry_loop_of(model, unmet);
   case Criterion::friction_loop:
     return friction_loop_of(model, unmet);
+  case Criterion::plastic_step:
+    return plastic_step_of(model, unmet);
+  case Criterion::cell:
+    return cell_of(model, report);
   }
   return "";
 }
 
-std::string explain_growth(const results::Failure& failure) {
+/// Of an explicit run.
+std::string explain_growth(const model::Model& model, const results::Failure& failure) {
+  if (failure.report.failed_cell)
+    return fmt::format("{} (between t = {:g} and {:g})", cell_of(model, failure.report), failure.begin,
+                       failure.end);
   return fmt::format("displacements grew beyond all bounds between t = {:g} and {:g}; the first that is not "
                      "finite: {}",
                      failure.begin, failure.end, failure.not_finite);
@@ -161,7 +188,7 @@ results::Failure failure_of(const model::Model& model, const simulation::Rejecte
 
 std::string explain(const model::Model& model, const results::Failure& failure) {
   if (study::is_explicit(model.study.time.scheme))
-    return explain_growth(failure);
+    return explain_growth(model, failure);
   const auto& report = failure.report;
   auto text = fmt::format("no convergence from t = {:g} to {:g} ({}, {} iterations)", failure.begin,
                           failure.end, step::to_string(report.outcome), report.iterations);
@@ -171,8 +198,11 @@ std::string explain(const model::Model& model, const results::Failure& failure) 
     if (const auto loose = loose_of(model); !loose.empty())
       text += fmt::format("; {}, which may not hold this load", loose);
   for (const auto& unmet : report.unmet)
-    if (const auto line = sentence(model, report, unmet); !line.empty() && failure.not_finite.empty())
+    if (const auto line = sentence(model, report, unmet);
+        !line.empty() && (failure.not_finite.empty() || unmet.criterion == Criterion::cell))
       text += "; " + line;
+  if (report.indefinite)
+    text += "; " + stability_of(model);
   if (!failure.advice.empty())
     text += fmt::format("; what may help: {}", fmt::join(failure.advice, "; "));
   return text;

@@ -11,6 +11,7 @@
 #include "rubato/run/failure.hpp"
 #include "rubato/run/overlap_watch.hpp"
 #include "rubato/simulation/simulation.hpp"
+#include "rubato/study/damping.hpp"
 #include "rubato/study/schemes.hpp"
 
 #include <fmt/format.h>
@@ -38,6 +39,13 @@ void take_folder(RunContext& course, const std::string& run, const Watch& watch)
 
 std::string warning_of(const model::Model& model, const std::string& note) {
   return fmt::format("{}: {}", model.study.name, note);
+}
+
+/// By Rayleigh's part of the stiffness, or as modes.
+bool is_damped_by_stiffness(const study::Study& study) {
+  return study.modal_damping || std::ranges::any_of(study.materials, [](const study::Material& material) {
+           return study::rayleigh_coefficients(material).stiffness != 0;
+         });
 }
 
 /// A simulation that is recorded.
@@ -162,6 +170,11 @@ private:
       tell_scheme();
     if (const auto method = simulation_.method(); !method.empty())
       watch_.say(fmt::format("{}: {}", name(), method));
+    if (!model_.domain.is_linear() && is_damped_by_stiffness(model_.study))
+      watch_.say(
+          fmt::format("{}: bodies are nonlinear, their damping is made of the stiffness that they begin "
+                      "with",
+                      name()));
   }
 
   void tell_scheme() const {
@@ -232,6 +245,7 @@ private:
     const double t = simulation_.state().t;
     energy_.note(t, result.energy);
     tell_rounding(t, result.report);
+    tell_instability(t, result.report);
     if (keeper_.is_due(records_, t, result.attempt.end - result.attempt.begin) && !simulation_.finished())
       keep_checkpoint();
   }
@@ -245,6 +259,16 @@ private:
         "{}: at t = {:g} rounding leaves a force of {:.1e} unbalanced, {:.1e} of the largest load or "
         "reaction (wanted {:.0e}); the step counts as converged, and so do later ones",
         name(), t, report.unbalanced_force, report.rounding, report.tolerance));
+  }
+
+  /// Once a run.
+  void tell_instability(double t, const step::StepReport& report) {
+    if (!report.indefinite || std::exchange(told_instability_, true))
+      return;
+    watch_.warn(
+        fmt::format("{}: in the step to t = {:g} the effective matrix without contact is not positive "
+                    "definite: bodies may buckle there, or be past a limit load",
+                    name(), t));
   }
 
   void fail() {
@@ -312,6 +336,7 @@ private:
   double former_loop_seconds_ = 0;
   bool broken_off_ = false;
   bool told_rounding_ = false;
+  bool told_instability_ = false;
   std::optional<results::Failure> failure_;
   RunResult result_;
 };

@@ -18,14 +18,12 @@ namespace {
 
 /// Quotients this little above a whole number are that number but for rounding.
 constexpr double rounding = 1e-9;
-/// Contact stiffens as points slide to lighter nodes of the master; in that many steps they move by a small
-/// part of a face, which the safety of the step allows for.
-constexpr int steps_between_estimates = 20;
 /// Counting points in contact copies the state.
 constexpr std::chrono::seconds between_counts(1);
 
 int whole(double quotient) {
-  return std::max(1, static_cast<int>(std::ceil(quotient - rounding)));
+  constexpr double most = 1e9;
+  return static_cast<int>(std::clamp(std::ceil(quotient - rounding), 1.0, most));
 }
 
 /// The begin and the instants of records, those of `time.stops` among them.
@@ -84,43 +82,49 @@ Trial ExplicitIntegrator::make(const GoesOn& goes_on) {
   if (stages_.go_to_begin_at(motion_.t(), {}))
     motion_.take_supports(stages_.model().reduction);
   const auto steps_before = motion_.steps();
-  bool reached = false;
+  auto& report = trial.report;
   try {
-    reached = go_to(trial.attempt, goes_on);
+    report.outcome = go_to(trial.attempt, goes_on, report.failed_cell);
   } catch (...) {
     go_back();
     throw;
   }
+  if (report.failed_cell)
+    report.unmet.push_back(
+        {step::Criterion::cell, -1, stages_.model().mesh.nodes_of(report.failed_cell->cell).front()});
   trial.attempt.steps = trial.spent.steps = static_cast<int>(motion_.steps() - steps_before);
-  if (!reached) {
-    trial.report.outcome = step::Outcome::interrupted;
+  if (report.outcome == step::Outcome::interrupted) {
     before_.reset();
     return trial;
   }
   trial.state = motion_.state();
-  trial.attempt.accepted = trial.state.motion.u.allFinite();
+  trial.attempt.accepted = report.converged();
   trial.attempt.seconds = processor_seconds() - start;
-  trial.report.outcome = trial.attempt.accepted ? step::Outcome::converged : step::Outcome::not_finite;
-  trial.energy = motion_.energy();
+  if (report.converged())
+    trial.energy = motion_.energy();
   trial.last = trial.attempt.end == time_.end;
   trial.final = true;
   return trial;
 }
 
-/// In steps that the contact as it stands allows. False when it was asked to end.
-bool ExplicitIntegrator::go_to(const Attempt& attempt, const GoesOn& goes_on) {
+/// In steps that the bodies and the contact as they stand allow.
+step::Outcome ExplicitIntegrator::go_to(const Attempt& attempt, const GoesOn& goes_on,
+                                        domain::Failed& failed) {
   points_in_contact_ = step::points_in_contact(*state_);
   counted_ = std::chrono::steady_clock::now();
   while (true) {
+    motion_.survey();
     limit_step(motion_.spectrum());
     const double left = attempt.end - motion_.t();
     const int steps = whole(left / limit_);
-    const int part = std::min(steps, steps_between_estimates);
-    motion_.advance(part == steps ? attempt.end : motion_.t() + left * part / steps, part);
+    const int part = std::min(steps, motion_.steps_between_surveys());
+    failed = motion_.advance(part == steps ? attempt.end : motion_.t() + left * part / steps, part);
+    if (failed)
+      return step::Outcome::cell_failed;
     if (motion_.t() >= attempt.end)
-      return true;
+      return motion_.is_finite() ? step::Outcome::converged : step::Outcome::not_finite;
     if (goes_on && !goes_on_from_here(attempt, goes_on))
-      return false;
+      return step::Outcome::interrupted;
   }
 }
 

@@ -51,7 +51,7 @@ public:
 
 private:
   void limit_step(const step::Spectrum& spectrum);
-  bool go_to(const Attempt& attempt, const GoesOn& goes_on);
+  step::Outcome go_to(const Attempt& attempt, const GoesOn& goes_on, domain::Failed& failed);
   bool goes_on_from_here(const Attempt& attempt, const GoesOn& goes_on);
   std::size_t first_record_ahead() const;
   void take_stage_of(const ExplicitProgress& progress);

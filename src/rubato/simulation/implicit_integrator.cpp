@@ -5,9 +5,11 @@
 #include "rubato/core/processor_time.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/start.hpp"
+#include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -15,17 +17,18 @@
 namespace rubato::simulation {
 namespace {
 
-/// The end of another run goes on only on the same unknowns and contact points.
+/// The end of another run goes on only on the same unknowns and contact points, and where the past counts
+/// with the same materials.
 const step::State& checked_end(const model::Model& model, const step::State* previous) {
   if (previous == nullptr)
     throw std::invalid_argument("a study that starts from another run needs the end of that run");
-  if (fits(model, *previous))
+  if (fits(model, *previous) && (remembers_alike(model, *previous) || !study::remembers(model.study)))
     return *previous;
-  throw InputError(
-      {fault_at("time.start.from",
-                fmt::format("run '{}' cannot start from the end of run '{}': that one has another mesh or "
-                            "other contact zones",
-                            model.study.name, model.study.time.start_run))});
+  throw InputError({fault_at(
+      "time.start.from",
+      fmt::format("run '{}' cannot start from the end of run '{}': that one has another mesh, other "
+                  "contact zones or materials that remember something else",
+                  model.study.name, model.study.time.start_run))});
 }
 
 step::State first_state(const model::Model& model, const time::Scheme& scheme, const Start& start) {
@@ -36,6 +39,12 @@ step::State first_state(const model::Model& model, const time::Scheme& scheme, c
     return step::continued_state(model, scheme, checked_end(model, start.previous), settings.begin);
   return step::initial_state(model, scheme, settings.begin,
                              settings.start != study::StartKind::at_rest_unloaded);
+}
+
+/// Of Newton's method: three with an old tangent do about what one with its own does.
+int iterations_of(const step::StepReport& report) {
+  const int own = std::min(report.factorisations, report.bulk_iterations);
+  return own + (report.bulk_iterations - own + 2) / 3;
 }
 
 } // namespace
@@ -112,7 +121,7 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
 }
 
 void ImplicitIntegrator::accept(Trial trial) {
-  control_.accept(trial.report.bulk_iterations);
+  control_.accept(iterations_of(trial.report));
   std::swap(account_, next_account_);
   spare_ = state_.replace(std::move(trial.state));
 }

@@ -2,6 +2,7 @@
 #include "rubato/simulation/memento.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,11 @@ bool fits(const model::Model& model, const step::State& state) {
   };
   return state.motion.u.size() == model.dofs.dof_count &&
          std::ranges::equal(model.zones, state.zones, same_zone);
+}
+
+bool remembers_alike(const model::Model& model, const step::State& state) {
+  return !study::remembers(model.study) ||
+         state.bulk_points.values.size() == model.domain.initial_states().values.size();
 }
 
 namespace {
@@ -34,9 +40,12 @@ void check_fits(const model::Model& model, const Memento& memento) {
     throw InputError(fmt::format(
         "run '{}' cannot go on from a memento of another kind: one run is implicit, the other explicit",
         name));
-  if (!fits(model, memento.state) || (motion != nullptr && !fits(model, *motion)))
+  if (!fits(model, memento.state) || !remembers_alike(model, memento.state) ||
+      (motion != nullptr && !fits(model, *motion)))
     throw InputError(fmt::format(
-        "run '{}' cannot go on from a memento that has another mesh or other contact zones", name));
+        "run '{}' cannot go on from a memento that has another mesh, other contact zones or materials that "
+        "remember something else",
+        name));
 }
 
 } // namespace rubato::simulation

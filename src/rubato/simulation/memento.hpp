@@ -45,6 +45,8 @@ struct Memento {
 
 /// Whether a state has the unknowns and contact points of a model.
 bool fits(const model::Model& model, const step::State& state);
+/// Whether its materials remember as many numbers as those of the model.
+bool remembers_alike(const model::Model& model, const step::State& state);
 
 /// Throws InputError for a memento of another model, or of another way to step.
 void check_fits(const model::Model& model, const Memento& memento);

@@ -8,6 +8,8 @@
 #include "rubato/step/full/whole_system.hpp"
 #include "rubato/step/interface/condensed.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -35,6 +37,12 @@ public:
         has_augmentation_(std::ranges::any_of(model.zones, contact::has_augmentation)) {}
 
   StepReport plainly(State& trial) { return afresh({}, trial); }
+
+  /// Contact stands in the matrix of every iteration, from here on: what it holds is stable then.
+  StepReport whole(State& trial) {
+    whole_ = true;
+    return plainly(trial);
+  }
 
   StepReport from_other_start(State& trial) { return afresh({.start = *other_start_}, trial); }
 
@@ -104,9 +112,10 @@ private:
   /// Also counts what earlier attempts have cost.
   StepReport solve(const RetrySettings& variant, State& trial) {
     ContactEvaluator side(model_, scheme_, system_, committed_, variant);
-    auto report =
-        can_condense(model_, system_) ? solve_by<Condensed>(side, trial) : solve_by<WholeSystem>(side, trial);
+    auto report = whole_ || !can_condense(model_, system_) ? solve_by<WholeSystem>(side, trial)
+                                                           : solve_by<Condensed>(side, trial);
     report.iterations = spent_ += report.iterations;
+    report.indefinite = report.indefinite || whole_;
     if (report.converged())
       refuse_if_pressed_afar(trial, report);
     return report;
@@ -137,6 +146,7 @@ private:
   Progress progress_;
   std::optional<Start> other_start_;
   bool has_augmentation_;
+  bool whole_ = false;
   int spent_ = 0;
 };
 
@@ -145,6 +155,12 @@ std::string solver_text(const Model& model, const EffectiveSystem& system) {
     return "full, as the deck says";
   if (!system.compliance)
     return "full: the effective matrix is not positive definite without contact";
+  if (!model.domain.is_linear())
+    return fmt::format("{}the bulk is nonlinear, its tangent factored {}",
+                       model.zones.empty() ? "" : "condensed on contact points: ",
+                       model.study.newton.tangent == study::TangentChoice::full
+                           ? "in every iteration"
+                           : "in every step, and when iterations come to little");
   if (model.zones.empty())
     return "the bulk factored once a step length";
   return "condensed on contact points: the bulk is linear and factored once a step length";
@@ -179,6 +195,8 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
                    const State& committed, double t, State& trial, const GoesOn& goes_on) {
   Attempts attempts(model, scheme, system, committed, t, goes_on);
   auto report = attempts.plainly(trial);
+  if (report.failed() && report.indefinite)
+    report = attempts.whole(trial);
   if (report.failed() && attempts.has_other_start())
     report = attempts.from_other_start(trial);
   if (report.failed() && attempts.has_augmentation())

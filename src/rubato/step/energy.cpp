@@ -66,6 +66,13 @@ double work_on_dashpots(const Model& model, const State& committed, const State&
 
 } // namespace
 
+void enter(const domain::Balance& balance, EnergyLedger& ledger) {
+  ledger.plastic += balance.plastic;
+  ledger.back_stress += balance.back_stress;
+  ledger.viscous += balance.viscous;
+  ledger.bulk_scheme += balance.scheme;
+}
+
 void EnergyRecord::note(double t, const EnergyLedger& ledger) {
   largest = std::max(largest, ledger.largest());
   largest_balance = std::max(largest_balance, std::abs(ledger.balance()));
@@ -75,13 +82,15 @@ void EnergyRecord::note(double t, const EnergyLedger& ledger) {
   gained_at = t;
   by_impact = -ledger.impact;
   by_scheme = -ledger.numerical;
+  by_bulk_scheme = -ledger.bulk_scheme;
 }
 
 EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, const State& start)
     : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)) {
   ledger_.kinetic = scheme.dynamic ? kinetic_energy(start) : 0;
-  ledger_.strain = strain_energy(start, rigid_->resultants(start.bulk.internal));
+  ledger_.strain = strain_energy(start, constant_resultants(start));
   ledger_.strain += energy_of_ground(model, start);
+  ledger_.back_stress = model.domain.back_stress_energy(start.bulk_points);
   ledger_.contact = energy_of_springs(model.zones, start.zones);
   ledger_.held_heat = model.domain.heat() != nullptr ? model.domain.heat()->held_energy(start.t) : 0;
   ledger_.start = ledger_.stored();
@@ -94,8 +103,9 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   const auto& now = trial.bulk;
   const VectorXd moved = trial.motion.u - committed.motion.u;
   ledger_.kinetic = scheme_->dynamic ? kinetic_energy(trial) : 0;
-  const auto internal = rigid_->resultants(now.internal);
-  ledger_.strain = strain_energy(trial, internal);
+  const auto constant = constant_resultants(trial);
+  ledger_.strain = strain_energy(trial, constant);
+  step::enter(model_->domain.balance(committed.bulk_points, trial.bulk_points), ledger_);
   ledger_.external_work += work(moved, committed.external_force, trial.external_force);
   enter_heat(committed, trial);
   if (damped(trial))
@@ -116,8 +126,8 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   const auto supports = enter_supports(moved, committed, trial);
   ledger_.support_work += supports.work;
   const auto motion = rigid_->resultants(moved);
-  const double rigid_before = rigid_->work(motion, rigid_->resultants(before.internal));
-  const double rigid_now = rigid_->work(motion, internal);
+  const double rigid_before = rigid_->work(motion, constant_resultants(committed));
+  const double rigid_now = rigid_->work(motion, constant);
   ledger_.numerical += scheme_dissipation(moved, committed, trial) -
                        (scheme_->forces.now - 0.5) * (rigid_now - rigid_before) + supports.work -
                        supports.with_step;
@@ -142,11 +152,18 @@ void EnergyAccount::enter_ground(const VectorXd& moved, const State& committed, 
   ledger_.damping += taken - by_damping;
 }
 
-/// U less ½ r·f_int, r the rigid part of u: rounding, which far away from where it began would hide the
-/// strain of a body. `internal`: resultants of f_int.
-double EnergyAccount::strain_energy(const State& state, const Eigen::MatrixXd& internal) const {
+/// Of the internal forces that are a constant matrix times u.
+Eigen::MatrixXd EnergyAccount::constant_resultants(const State& state) const {
+  const auto& domain = model_->domain;
+  return domain.is_linear() ? rigid_->resultants(state.bulk.internal)
+                            : rigid_->resultants(domain.constant_forces(state.motion.u, state.t));
+}
+
+/// U less ½ r·f, r the rigid part of u: rounding, which far away from where it began would hide the strain of
+/// a body. `constant`: resultants of f, the forces that are a constant matrix times u.
+double EnergyAccount::strain_energy(const State& state, const Eigen::MatrixXd& constant) const {
   const auto motion = rigid_->resultants(state.motion.u);
-  double rigid = rigid_->work(motion, internal);
+  double rigid = rigid_->work(motion, constant);
   if (const auto* heat = model_->domain.heat())
     rigid -= rigid_->work(motion, rigid_->resultants(heat->force(state.t)));
   return model_->domain.energy(state.motion.u, state.bulk.internal, state.t, state.bulk_points) - 0.5 * rigid;

@@ -27,6 +27,8 @@ std::string_view to_string(Outcome outcome) {
     return "too many rounds of the status loop";
   case Outcome::pressed_afar:
     return "pressed where nothing is";
+  case Outcome::indefinite:
+    return "the matrix is not positive definite";
   case Outcome::plastic_step:
     return "plastic strain grew too much";
   case Outcome::cell_failed:

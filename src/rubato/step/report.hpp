@@ -25,6 +25,7 @@ enum class Outcome {
   friction_unsettled,
   status_unsettled,
   pressed_afar, ///< forces in balance, but a point presses where its master is not
+  indefinite,   ///< the effective matrix without contact is not positive definite at the start
   plastic_step, ///< in balance, but plastic strain grew by more than the study allows in a step
   cell_failed,  ///< a cell has no forces, however short the corrections
   interrupted   ///< asked to end: neither converged nor failed
@@ -62,7 +63,7 @@ enum class Criterion {
   geometry_loop, ///< value: as LoopRound::change, infinite of a loop that had one round
   friction_loop, ///< value: as LoopRound::change
   plastic_step,  ///< value: growth of the cumulated plastic strain; node: one of the cell
-  cell           ///< every cell has forces; node: one of the cell
+  cell           ///< every cell has forces; node: one of the cell; value 0
 };
 
 /// "residual", "status", "gap", "projection", "point lost", "distance", "singular matrix", "geometry loop",
@@ -100,8 +101,8 @@ struct StepReport {
   /// matrices that were factored.
   int bulk_iterations = 0;
   int factorisations = 0;
-  bool indefinite = false;     ///< whether an effective matrix was not positive definite
-  domain::Failed failed_cell;  ///< of an attempt that ended as cell_failed
+  bool indefinite = false;     ///< whether an effective matrix without contact was not positive definite
+  domain::Failed failed_cell;  ///< of an attempt that ended where a cell has no forces
   double residual = 0;         ///< relative, of the last iterate
   double unbalanced_force = 0; ///< the largest, of the last iterate
   double tolerance = 0;

@@ -4,9 +4,11 @@
 #include "rubato/contact/discretisation.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -90,20 +92,44 @@ contact::ZoneState untouched_zone(const Model& model, const contact::Zone& zone,
   return state;
 }
 
+void refuse(const Model& model, const domain::Failed& failed) {
+  if (failed)
+    throw InputError(
+        fmt::format("{} has no forces where the run begins: {}; expected initial displacements and "
+                    "supports that deform it less",
+                    domain::cell_label(model.mesh, failed->cell), element::described(failed->reason)));
+}
+
+/// With those that follow their faces [force].
+VectorXd loads(const Model& model, double t, const VectorXd& u) {
+  VectorXd force = model::external_force(model, t);
+  model::add_follower_forces(model, t, u, force);
+  return force;
+}
+
 /// Without a step: at the state's displacements, from the state that the materials are in.
 VectorXd internal_forces(const Model& model, const State& state) {
   const auto& u = state.motion.u;
   VectorXd forces;
   domain::QuadratureStates unchanged;
-  model.domain.evaluate({u, u, state.t, state.t}, state.bulk_points, unchanged, {.forces = &forces});
+  refuse(model,
+         model.domain.evaluate({u, u, state.t, state.t}, state.bulk_points, unchanged, {.forces = &forces}));
   return forces;
 }
 
 /// The bodies come to the initial displacements from their undeformed shape at once.
 void deform(const Model& model, State& state) {
   const VectorXd undeformed = VectorXd::Zero(state.motion.u.size());
-  model.domain.evaluate({undeformed, state.motion.u, state.t, state.t}, model.domain.initial_states(),
-                        state.bulk_points, {});
+  refuse(model, model.domain.evaluate({undeformed, state.motion.u, state.t, state.t},
+                                      model.domain.initial_states(), state.bulk_points, {.records = true}));
+}
+
+/// What the model's materials make of a state that another run has left: they may have other numbers than
+/// those of that run.
+void take_states(const Model& model, State& state) {
+  const auto& u = state.motion.u;
+  const auto left = std::exchange(state.bulk_points, {});
+  refuse(model, model.domain.evaluate({u, u, state.t, state.t}, left, state.bulk_points, {.records = true}));
 }
 
 } // namespace
@@ -126,7 +152,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   model.reduction.relate(state.motion.v);
   model.reduction.impose_rates(1, t, state.motion.v);
   deform(model, state);
-  state.residual_force = internal_forces(model, state) - model::external_force(model, t);
+  state.residual_force = internal_forces(model, state) - loads(model, t, state.motion.u);
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
@@ -139,7 +165,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   if (!loaded_history)
     state.residual_force.setZero();
   state.bulk = bulk_forces(model, state);
-  state.external_force = model::external_force(model, t);
+  state.external_force = loads(model, t, state.motion.u);
   return state;
 }
 
@@ -150,22 +176,28 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
     std::ranges::fill(zone.friction_history, contact::FrictionHistory());
   state.t = t;
   state.step = 0; // the acceleration that follows is that of the instant, not of the last step
+  state.tangent.reset();
   if (scheme.dynamic)
     model.reduction.impose_rates(1, t, state.motion.v);
-  state.residual_force = internal_forces(model, state) - model::external_force(model, t);
+  if (state.bulk_points.values.size() != model.domain.initial_states().values.size())
+    deform(model, state);
+  else
+    take_states(model, state);
+  state.residual_force = internal_forces(model, state) - loads(model, t, state.motion.u);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
   if (scheme.dynamic)
     state.motion.a =
         balanced_acceleration(model, state.residual_force, state.motion.v, given_acceleration(model, t));
   state.bulk = bulk_forces(model, state);
-  state.external_force = model::external_force(model, t);
+  state.external_force = loads(model, t, state.motion.u);
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
     state.friction_force = VectorXd::Zero(state.contact_force.size());
   return state;
 }
 
 void release(const Model& model, const time::Scheme& scheme, State& state) {
+  state.tangent.reset();                   // springs of gauges may be others
   if (!scheme.dynamic || scheme.nonsmooth) // a is none, or the mean of the step before
     return;
   state.step = 0; // as of a run that continues another one

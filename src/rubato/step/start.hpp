@@ -12,12 +12,15 @@ namespace rubato::step {
 BulkForces bulk_forces(const model::Model& model, const State& state);
 
 /// The model's initial motion, imposed displacements applied, M a = external − internal − damping force.
-/// `loaded_history` false takes the first history bracket as zero (Code_Aster's start). Throws InputError
-/// when the mass matrix is singular.
+/// `loaded_history` false takes the first history bracket as zero (Code_Aster's start). Materials come to the
+/// initial displacements from the undeformed shape at once. Throws InputError when the mass matrix is
+/// singular or a cell has no forces there.
 State initial_state(const model::Model& model, const time::Scheme& scheme, double t, bool loaded_history);
 
-/// Continues another run's end: u, multipliers and statuses are kept; velocity too when both runs are
-/// dynamic; the acceleration follows from equilibrium with the contact forces in place.
+/// Continues another run's end: u, multipliers, statuses and what materials remember are kept; velocity too
+/// when both runs are dynamic. Materials that have nothing of the other run to remember come to its
+/// displacements at once. The acceleration follows from equilibrium with the contact forces in place. Throws
+/// InputError as initial_state does.
 State continued_state(const model::Model& model, const time::Scheme& scheme, const State& end, double t);
 
 /// Where supports have ended, at an instant of the run: u, v and contact are kept, the acceleration follows

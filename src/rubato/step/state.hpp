@@ -35,6 +35,8 @@ struct State {
   Eigen::VectorXd
       moved;       ///< by the step that ended here, of static runs with nonlinear bodies; else empty [length]
   Tangent tangent; ///< that the last step ended with, of nonlinear bodies; else null
+  /// Whether an effective matrix of the last step was not positive definite without contact.
+  bool indefinite = false;
   Eigen::VectorXd
       residual_force; ///< internal + contact − external force at t: the scheme's history bracket [force]
   Eigen::VectorXd contact_force;  ///< contact and friction, internal side [force]

@@ -35,6 +35,7 @@ inline constexpr Range step = above(0);
 inline constexpr Range record = above(0);
 inline constexpr Range max_step = above(0);
 inline constexpr Range max_plastic_step = above(0);
+inline constexpr Range scaled_step = above(0);
 inline constexpr Range cut_parts = from_to(2, 1000);
 inline constexpr Range cut_levels = from_to(0, 50);
 inline constexpr Range max_iterations = from_to(1, 1'000'000);

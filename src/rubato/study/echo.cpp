@@ -129,6 +129,13 @@ void put_components(Json& map, const std::array<std::optional<Varying>, 3>& comp
       map[std::string(axis_words[axis])] = echo_varying(*components[axis]);
 }
 
+Json echo(const Rotation& rotation, int dimension) {
+  Json map{{"about", first(rotation.about, dimension)}, {"angle", echo_varying(rotation.angle)}};
+  if (dimension == 3)
+    map["axis"] = first(rotation.axis, dimension);
+  return map;
+}
+
 Json echo(const Support& support, int dimension) {
   Json map{{"on", support.on}};
   put_components(map, support.components);
@@ -140,6 +147,8 @@ Json echo(const Support& support, int dimension) {
   }
   if (auto turns = Json::object(); put_components(turns, support.turns), !turns.empty())
     map["turn"] = turns;
+  if (support.rotate)
+    map["rotate"] = echo(*support.rotate, dimension);
   put_optional(map, "until", support.until);
   return map;
 }
@@ -199,6 +208,8 @@ Json echo(const Load& load, int dimension) {
       if (load.kind != LoadKind::moment || load.components[axis] != 0.0)
         map[std::string(axis_words[axis])] = echo(load.components[axis]);
   put_name(map, "function", load.function);
+  if (load.kind == LoadKind::pressure)
+    map["follower"] = load.follower;
   return {{word(load_words, load.kind), map}};
 }
 
@@ -347,17 +358,12 @@ Json echo(const TimeStepping& time) {
   }
   put_optional(map, "max_step", time.max_step);
   put_optional(map, "max_plastic_step", time.max_plastic_step);
+  if (time.mass_scaling)
+    map["mass_scaling"] = {{"step", *time.mass_scaling}};
   map["start"] = time.start == StartKind::from_run ? Json{{"from", time.start_run}}
                                                    : Json(word(start_words, time.start));
   if (!is_explicit(time.scheme))
     map["on_failure"] = {{"cut", time.cut_parts}, {"levels", time.cut_levels}};
-  return map;
-}
-
-Json echo(const Cut& cut, int dimension) {
-  Json map{{"point", first(cut.point, dimension)}, {"normal", first(cut.normal, dimension)}};
-  put_name(map, "on", cut.on);
-  put_name(map, "cells", cut.cells);
   return map;
 }
 
@@ -366,79 +372,6 @@ Json echo(const Preload& preload, int dimension) {
            {preload.by_force ? "force" : "displacement", preload.value.value}};
   put_name(map, "function", preload.value.function);
   put_optional(map, "lock", preload.lock);
-  return map;
-}
-
-Json echo(const Probe& probe, int dimension) {
-  auto map = Json::object();
-  if (probe.take == ProbeTake::node) {
-    put_name(map, "node", probe.node);
-  } else {
-    put_name(map, "on", probe.node);
-    map["take"] = word(probe_take_words, probe.take);
-  }
-  if (probe.point)
-    map["point"] = first(*probe.point, dimension);
-  if (probe.section)
-    map["section"] = echo(*probe.section, dimension);
-  if (probe.contact)
-    map["contact"] = {{"zone", probe.contact->zone}, {"about", first(probe.contact->about, dimension)}};
-  if (!probe.minus.empty())
-    map["minus"] = probe.minus;
-  if (probe.section || probe.contact || !probe.minus.empty())
-    return map;
-  map["field"] = word(probe_field_words, probe.field);
-  return map;
-}
-
-Json echo(const FieldOutput& fields) {
-  auto formats = Json::array();
-  if (fields.vtu)
-    formats.push_back("vtu");
-  if (fields.med)
-    formats.push_back("med");
-  if (fields.vtkhdf)
-    formats.push_back("vtkhdf");
-  Json map{{"formats", formats}};
-  if (!fields.only.empty())
-    map["only"] = fields.only;
-  else
-    map["also"] = fields.also;
-  map["digits"] = fields.digits;
-  map["at"] = fields.at;
-  map["every"] = fields.every;
-  map["last"] = fields.last;
-  return map;
-}
-
-Json echo(const CheckpointOutput& checkpoint) {
-  return {{"at", checkpoint.at}, {"every", checkpoint.every}, {"last", checkpoint.last}};
-}
-
-Json echo(const Check& check) {
-  auto map = Json::object();
-  if (check.field) {
-    const auto& field = *check.field;
-    map["field"] = field.component.empty() ? field.name : field.name + "." + field.component;
-    put_name(map, "on", field.on);
-  } else if (check.resultant) {
-    map["resultant"] = check.resultant->zone + "." + check.resultant->quantity;
-  } else if (!check.energy.empty()) {
-    map["energy"] = check.energy;
-  } else {
-    map["probe"] = check.component.empty() ? check.probe : check.probe + "." + check.component;
-  }
-  if (check.when == CheckedTime::instant)
-    map["at"] = check.at;
-  else
-    map["over"] = word(checked_time_words, check.when);
-  if (check.run.empty())
-    map["reference"] = check.reference;
-  put_name(map, "run", check.run);
-  map["tolerance"] = check.tolerance;
-  map["kind"] = word(check_kind_words, check.relative);
-  map["source"] = word(check_source_words, check.source);
-  map["note"] = check.note;
   return map;
 }
 

@@ -45,5 +45,11 @@ void put_law_words(Json& map, const Material& material);
 
 /// The mesh as a deck has it.
 Json echo(const MeshSource& mesh, int dimension);
+/// Results as a deck has them.
+Json echo(const Cut& cut, int dimension);
+Json echo(const Probe& probe, int dimension);
+Json echo(const FieldOutput& fields);
+Json echo(const CheckpointOutput& checkpoint);
+Json echo(const Check& check);
 
 } // namespace rubato::study

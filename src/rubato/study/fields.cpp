@@ -28,6 +28,18 @@ bool varies_in_time(const Field& field) {
   }
 }
 
+bool varies_in_place(const Field& field) {
+  const auto* formula = field.value.formula();
+  if (formula == nullptr)
+    return field.value.number() == nullptr;
+  try {
+    const Expression expression(formula->text);
+    return expression.has('x') || expression.has('y') || expression.has('z');
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 namespace {
 
 std::shared_ptr<const SampledField> values_of(const FileField& field, const std::string& path) {

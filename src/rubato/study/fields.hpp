@@ -17,6 +17,9 @@ bool is_zero(const Field& field);
 /// does not.
 bool varies_in_time(const Field& field);
 
+/// Whether it depends on the place. An expression that is broken does not.
+bool varies_in_place(const Field& field);
+
 /// What a field is where and when; `functions` has the one that it names. `path` is that of the field in the
 /// study. Throws InputError when the expression is broken.
 FieldFunction field_function(const FieldValue& value, const std::string& function,

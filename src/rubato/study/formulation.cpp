@@ -58,9 +58,24 @@ bool is_linear(const Study& study) {
   });
 }
 
+bool remembers(const Material& material) {
+  return material.law == LawKind::plastic || material.law == LawKind::prony ||
+         wanted_formulation(material) == Formulation::enhanced;
+}
+
+bool remembers(const Study& study) {
+  return std::ranges::any_of(study.materials, [](const Material& material) { return remembers(material); });
+}
+
+bool yields(const Study& study) {
+  return std::ranges::any_of(study.materials,
+                             [](const Material& material) { return material.law == LawKind::plastic; });
+}
+
 bool takes_large_rotations(const Study& study) {
-  return std::ranges::any_of(
-      study.materials, [](const Material& material) { return strain_of(material) != StrainKind::small; });
+  return std::ranges::any_of(study.materials, [](const Material& material) {
+    return strain_of(material) != StrainKind::small;
+  });
 }
 
 } // namespace rubato::study

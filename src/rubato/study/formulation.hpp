@@ -29,6 +29,13 @@ Formulation formulation_of(const Material& material, Physics physics, CellType t
 /// temperatures of cells that are not integrated in full.
 bool is_linear(const Study& study);
 
+/// Whether points or cells of the material remember their past; whether some material's do.
+bool remembers(const Material& material);
+bool remembers(const Study& study);
+
+/// Whether some material flows plastically.
+bool yields(const Study& study);
+
 /// Whether some material takes large turns.
 bool takes_large_rotations(const Study& study);
 

@@ -14,30 +14,91 @@ std::vector<std::string> axes_of(int dimension) {
 
 } // namespace
 
-std::vector<StoredField> stored_fields(int dimension) {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names of_tensor() {
+  return {"xx", "yy", "zz", "xy", "yz", "xz"};
+}
+Names of_principal() {
+  return {"1", "2", "3"};
+}
+
+/// What cells have at their Gauss points.
+constexpr std::array<ProbeField, 9> fields_of_cells{
+    ProbeField::stress,         ProbeField::strain,
+    ProbeField::plastic_strain, ProbeField::cumulated_plastic_strain,
+    ProbeField::von_mises,      ProbeField::tresca,
+    ProbeField::mean_stress,    ProbeField::principal_stress,
+    ProbeField::temperature};
+
+Names components_in_cells(ProbeField field) {
+  switch (field) {
+  case ProbeField::stress:
+  case ProbeField::strain:
+  case ProbeField::plastic_strain:
+    return of_tensor();
+  case ProbeField::principal_stress:
+    return of_principal();
+  default:
+    return {};
+  }
+}
+
+/// How Code_Aster ends the names of such fields.
+struct Ending {
+  FieldPlace place;
+  std::string_view text;
+};
+constexpr std::array<Ending, 3> endings{{{FieldPlace::element_nodes, "_elno"},
+                                         {FieldPlace::gauss_points, "_elga"},
+                                         {FieldPlace::cells, "_elem"}}};
+
+std::vector<StoredField> fields_at_nodes(int dimension) {
   const bool flat = dimension == 2;
   const auto axes = axes_of(dimension);
-  const std::vector<std::string> tensor{"xx", "yy", "zz", "xy", "yz", "xz"};
+  const auto named = [](std::string name, Names components) {
+    return StoredField{std::move(name), std::move(components), FieldPlace::nodes, false};
+  };
   return {{"displacement", axes},
           {"velocity", axes},
           {"acceleration", axes},
-          {"stress", tensor},
+          {"stress", of_tensor()},
           {"von_mises", {}},
-          {"reaction", axes, FieldPlace::nodes, false},
-          {"internal_force", axes, FieldPlace::nodes, false},
-          {"contact_force", axes, FieldPlace::nodes, false},
+          {"cumulated_plastic_strain", {}},
+          named("reaction", axes),
+          named("internal_force", axes),
+          named("contact_force", axes),
           {"temperature", {}},
           {"contact_pressure", {}},
           {"contact_gap", {}},
-          {"contact_slip", flat ? std::vector<std::string>{"t"} : std::vector<std::string>{"t1", "t2"}},
+          {"contact_slip", flat ? Names{"t"} : Names{"t1", "t2"}},
           {"contact_status", {}},
           {"contact_cumulated_slip", {}},
           {"contact_friction_work", {}},
-          {"strain", tensor, FieldPlace::nodes, false},
-          {"stress_elno", tensor, FieldPlace::element_nodes, false},
-          {"strain_elno", tensor, FieldPlace::element_nodes, false},
-          {"stress_elga", tensor, FieldPlace::gauss_points, false},
-          {"strain_elga", tensor, FieldPlace::gauss_points, false}};
+          named("strain", of_tensor()),
+          named("plastic_strain", of_tensor()),
+          named("tresca", {}),
+          named("mean_stress", {}),
+          named("principal_stress", of_principal())};
+}
+
+} // namespace
+
+std::vector<StoredField> stored_fields(int dimension) {
+  auto fields = fields_at_nodes(dimension);
+  for (const auto& ending : endings)
+    for (const auto field : fields_of_cells)
+      fields.push_back({std::string(word_of(probe_field_words, field)) + std::string(ending.text),
+                        components_in_cells(field), ending.place, false});
+  return fields;
+}
+
+std::string_view quantity_of(const StoredField& field) {
+  const auto ending = std::ranges::find(endings, field.place, &Ending::place);
+  const std::string_view name = field.name;
+  return ending == endings.end() ? name : name.substr(0, name.size() - ending->text.size());
 }
 
 std::vector<std::string> stored_field_names() {
@@ -69,7 +130,7 @@ std::vector<std::string> components_of(const Probe& probe, const Study& study) {
     return is_plain ? components_of(*first, study) : std::vector<std::string>{};
   }
   const int dimension = dimension_of(study.physics);
-  if (probe.contact)
+  if (probe.contact || probe.about)
     return force_and_moment(dimension);
   return probe.section ? cut_quantities(dimension) : components_of(probe.field, dimension);
 }
@@ -95,6 +156,10 @@ bool is_force(ProbeField field) {
 bool is_of_reference(ProbeField field) {
   return field == ProbeField::displacement || field == ProbeField::velocity ||
          field == ProbeField::acceleration || field == ProbeField::rotation;
+}
+
+bool is_of_cells(ProbeField field) {
+  return std::ranges::find(fields_of_cells, field) != fields_of_cells.end();
 }
 
 bool is_of_contact(ProbeField field) {

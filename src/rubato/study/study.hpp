@@ -6,8 +6,10 @@
 #include "rubato/core/function.hpp"
 #include "rubato/study/discrete.hpp"
 #include "rubato/study/mesh_source.hpp"
+#include "rubato/study/outputs.hpp"
 #include "rubato/study/relations.hpp"
 #include "rubato/study/solids.hpp"
+#include "rubato/study/supports.hpp"
 #include "rubato/study/temperature.hpp"
 #include "rubato/study/values.hpp"
 
@@ -98,26 +100,6 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-/// A direction across the axes along which a displacement is held or imposed.
-struct ObliqueSupport {
-  bool normal = false;               ///< along the outward normal of the faces of the group
-  std::array<double, 3> direction{}; ///< else along this one, of any length > 0
-  Field value;                       ///< [length]
-  bool operator==(const ObliqueSupport&) const = default;
-};
-
-/// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`),
-/// also along a direction across the axes, and rotations of a reference. Velocities and accelerations may
-/// stand for the displacements that follow from them.
-struct Support {
-  std::string on;
-  std::array<std::optional<Field>, 3> components;
-  std::optional<ObliqueSupport> along = {};
-  std::array<std::optional<Field>, 3> turns = {}; ///< of a reference about the axes [radians]
-  std::optional<double> until = {};               ///< instant at which it lets go, to the end without
-  bool operator==(const Support&) const = default;
-};
-
 /// Where displacements are counted from.
 enum class BaseFrame {
   relative, ///< the base: what it stands on is at rest, every mass has the force −m a(t)
@@ -145,6 +127,7 @@ struct Load {
   std::string on;                         ///< gravity: empty means every cell
   std::array<FieldValue, 3> components{}; ///< pressure: the first
   std::string function;
+  bool follower = false; ///< pressure: whether it turns with the faces, else it is that of undeformed ones
   bool operator==(const Load&) const = default;
 };
 
@@ -153,6 +136,16 @@ struct Springs {
   std::string on;
   std::array<double, 3> stiffness{}; ///< of each node's spring along an axis [force/length], 0: none
   bool operator==(const Springs&) const = default;
+};
+
+/// A bolt that is tightened: it is cut through, and the sides of the cut approach each other.
+struct Preload {
+  std::string name;
+  Cut cut;                    ///< the normal points towards the part that approaches; `on` is empty
+  bool by_force = true;       ///< else by the shortening
+  Amplitude value;            ///< [force], > 0 tightens, or [length], > 0 shortens
+  std::optional<double> lock; ///< instant from which on the shortening stays what it is then
+  bool operator==(const Preload&) const = default;
 };
 
 /// Where nodes are and how they move when the run begins. What isn't given is 0, or the support's.
@@ -318,6 +311,9 @@ struct TimeStepping {
   std::optional<double> max_step;
   /// Nonlinear bodies: steps whose cumulated plastic strain grows by more anywhere are cut.
   std::optional<double> max_plastic_step;
+  /// central_difference: cells that would allow only shorter steps get more mass, so that all of them allow
+  /// this one [time].
+  std::optional<double> mass_scaling;
   bool operator==(const TimeStepping&) const = default;
 };
 
@@ -336,133 +332,6 @@ struct NewtonSettings {
   double residual = 1e-8; ///< relative, as docs/theory/time-integration.md defines it
   TangentChoice tangent = TangentChoice::automatic;
   bool operator==(const NewtonSettings&) const = default;
-};
-
-// ---- results ---------------------------------------------------------------------------------------------
-
-/// study/stored_fields.hpp has their components.
-enum class ProbeField {
-  displacement,
-  velocity,
-  acceleration,
-  rotation, ///< of a reference [radians]
-  reaction,
-  internal_force, ///< by which cells, springs and connectors resist, as Code_Aster's FORC_NODA [force]
-  contact_force,  ///< of contact on the nodes [force]
-  temperature,    ///< of a study with temperatures
-  stress,
-  von_mises,
-  strain,
-  contact_pressure,
-  contact_gap,
-  contact_slip,
-  contact_status,
-  contact_cumulated_slip,
-  contact_friction_work
-};
-
-/// What is taken of the nodes of a group, of each component by itself.
-enum class ProbeTake { node, sum, mean, least, largest };
-
-/// Where bodies are cut to find the force and the moment that they transmit: by a plane, between the cells
-/// whose centres lie on its two sides; or at the nodes of a group, which the cells behind the plane have.
-struct Cut {
-  std::array<double, 3> point{};  ///< of the plane; moments are about it [length]
-  std::array<double, 3> normal{}; ///< out of the part that the forces act on; of any length > 0
-  std::string on;                 ///< group of faces or nodes; empty: the plane itself
-  std::string cells;              ///< the group that is cut; empty: all cells
-  bool operator==(const Cut&) const = default;
-};
-
-/// The force that a contact zone's master exerts on its slave, and its moment about a point.
-struct ContactForce {
-  std::string zone;
-  std::array<double, 3> about{}; ///< [length]
-  bool operator==(const ContactForce&) const = default;
-};
-
-/// A bolt that is tightened: it is cut through, and the sides of the cut approach each other.
-struct Preload {
-  std::string name;
-  Cut cut;                    ///< the normal points towards the part that approaches; `on` is empty
-  bool by_force = true;       ///< else by the shortening
-  Amplitude value;            ///< [force], > 0 tightens, or [length], > 0 shortens
-  std::optional<double> lock; ///< instant from which on the shortening stays what it is then
-  bool operator==(const Preload&) const = default;
-};
-
-/// A history at a node: given by name ("N90", a group of one node) or as the node nearest to a point; or of
-/// the nodes of a group; or in a cut; or of a contact zone; or the difference of two others.
-struct Probe {
-  std::string name;
-  std::string node; ///< or the group, when something is taken of its nodes
-  std::optional<std::array<double, 3>> point;
-  std::optional<Cut> section;
-  std::optional<ContactForce> contact;
-  std::vector<std::string> minus; ///< two other probes, the first minus the second; else empty
-  ProbeField field = ProbeField::displacement;
-  ProbeTake take = ProbeTake::node; ///< `node`: there is one node
-  bool operator==(const Probe&) const = default;
-};
-
-struct FieldOutput {
-  bool vtu = false;
-  bool med = false;
-  bool vtkhdf = false;
-  std::vector<std::string> only; ///< fields that are written instead of the usual ones; empty: these
-  std::vector<std::string> also; ///< fields that are written beside the usual ones
-  int digits = 9;                ///< that .vtu and VTKHDF files keep of numbers at nodes and in cells
-  std::vector<double> at;        ///< instants
-  int every = 0;                 ///< and every n-th step; 0: none
-  bool last = true;              ///< and the last one
-  bool operator==(const FieldOutput&) const = default;
-};
-
-/// When the state is stored that `--resume` goes on from.
-struct CheckpointOutput {
-  std::vector<double> at; ///< instants
-  int every = 0;          ///< and every n-th step, of an explicit run every n-th record; 0: none
-  bool last = true;       ///< and when the run ends, however it does
-  bool operator==(const CheckpointOutput&) const = default;
-};
-
-enum class CheckSource { external, analytic, other_code, other_run };
-
-/// A field at the nodes of a group, as a check compares it.
-struct CheckedField {
-  std::string name;      ///< "displacement"
-  std::string component; ///< "y"; empty: every component
-  std::string on;        ///< a group or a node; empty: every node
-  bool operator==(const CheckedField&) const = default;
-};
-
-/// A resultant of a contact zone.
-struct CheckedResultant {
-  std::string zone;
-  std::string quantity; ///< a column of its table, "normal", "force.x"
-  bool operator==(const CheckedResultant&) const = default;
-};
-
-/// When a checked history has its value: at an instant, or where it is largest or least of the whole run.
-enum class CheckedTime { instant, largest, least, largest_magnitude };
-
-/// A number that must come out: a value of a probe, of the energy ledger or of a contact zone's resultants,
-/// held against a reference; or its difference from another run's, or a field's, held against 0.
-struct Check {
-  std::string probe;     ///< "tip"; empty when something else is checked
-  std::string component; ///< of the probe: "y", "xx"; empty for scalars
-  std::string energy;    ///< a column of the energy ledger, "friction"
-  std::optional<CheckedResultant> resultant;
-  std::optional<CheckedField> field; ///< only with `run`
-  std::string run;                   ///< an earlier run of the deck, which is subtracted; empty: none
-  CheckedTime when = CheckedTime::instant;
-  double at = 0;        ///< instant; without meaning for others
-  double reference = 0; ///< 0 with `run`
-  double tolerance = 0;
-  bool relative = true; ///< to the reference; with `run` to what the other run has
-  CheckSource source = CheckSource::external;
-  std::string note; ///< where the number comes from
-  bool operator==(const Check&) const = default;
 };
 
 // ---- the whole -------------------------------------------------------------------------------------------

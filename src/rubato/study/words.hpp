@@ -129,7 +129,7 @@ inline constexpr std::string_view automatic_step = "auto";
 inline constexpr std::array<Word<StartKind>, 2> start_words{
     {{"consistent", StartKind::consistent}, {"at_rest_unloaded", StartKind::at_rest_unloaded}}};
 
-inline constexpr std::array<Word<ProbeField>, 17> probe_field_words{
+inline constexpr std::array<Word<ProbeField>, 22> probe_field_words{
     {{"displacement", ProbeField::displacement},
      {"velocity", ProbeField::velocity},
      {"acceleration", ProbeField::acceleration},
@@ -141,6 +141,11 @@ inline constexpr std::array<Word<ProbeField>, 17> probe_field_words{
      {"stress", ProbeField::stress},
      {"von_mises", ProbeField::von_mises},
      {"strain", ProbeField::strain},
+     {"plastic_strain", ProbeField::plastic_strain},
+     {"cumulated_plastic_strain", ProbeField::cumulated_plastic_strain},
+     {"tresca", ProbeField::tresca},
+     {"mean_stress", ProbeField::mean_stress},
+     {"principal_stress", ProbeField::principal_stress},
      {"contact_pressure", ProbeField::contact_pressure},
      {"contact_gap", ProbeField::contact_gap},
      {"contact_slip", ProbeField::contact_slip},
@@ -152,6 +157,9 @@ inline constexpr std::array<Word<ProbeTake>, 4> probe_take_words{{{"sum", ProbeT
                                                                   {"mean", ProbeTake::mean},
                                                                   {"min", ProbeTake::least},
                                                                   {"max", ProbeTake::largest}}};
+
+inline constexpr std::array<Word<ProbePlace>, 3> probe_place_words{
+    {{"nodes", ProbePlace::nodes}, {"cells", ProbePlace::cells}, {"gauss_points", ProbePlace::gauss_points}}};
 
 /// `over`; an instant is given by `at`.
 inline constexpr std::array<Word<CheckedTime>, 3> checked_time_words{

@@ -92,7 +92,7 @@ std::vector<double> instants_of_varying(const study::TimeStepping& settings) {
 
 double length_after(double length, int iterations, double longest) {
   constexpr double usual = 6; // iterations that neither ask for shorter steps nor allow longer ones
-  constexpr double least_change = 1.25;
+  constexpr double least_change = 1.2;
   const double change = std::clamp(std::sqrt(usual / std::max(1, iterations)), 0.5, 2.0);
   const bool keeps = change < least_change && change > 1 / least_change;
   return std::min(longest, keeps ? length : change * length);

@@ -58,10 +58,28 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
                   "slave: L, bilateral: true, gap: -0.1, interference: {value: 2, function: f}}, "
                   "c: {master: I, slave: J, freeze: true, interference: 0.1}}\n"
                   "functions: {f: {times: [0, 1], values: [0, 1]}}\n");
+  decks.push_back(replaced(smallest_deck, "solid", "plane_strain") +
+                  "supports: [{on: g, rotate: {about: [1, 2], angle: 0.01*t}, x: 3}]\n");
+  decks.push_back(
+      smallest_deck +
+      "supports: [{on: g, rotate: {about: [1, 2, 3], axis: [0, 1, 1], angle: {acceleration: 1e-3, "
+      "function: f}}}]\nloads: [{pressure: {on: h, value: 1, follower: false}}]\n"
+      "functions: {f: {times: [0, 1], values: [0, 1]}}\n"
+      "probes: {p: {on: g, field: reaction, about: [1, 2, 3]}}\n");
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);
     EXPECT_EQ(read_back(study), study) << deck;
   }
+}
+
+TEST(StudyEcho, SaysWhetherPressuresFollow) {
+  auto study = parse_one(full_deck);
+  const auto follower = [&] {
+    return nlohmann::json::parse(study::to_json(study))["loads"][3]["pressure"]["follower"];
+  };
+  EXPECT_EQ(follower(), false);
+  study.loads.at(3).follower = true;
+  EXPECT_EQ(follower(), true);
 }
 
 TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {

@@ -389,6 +389,23 @@ TEST(DeckKeys, FieldsAreChosenByTheirNames) {
             std::vector<std::string>{"strain"});
 }
 
+TEST(DeckKeys, ProbesAreInCellsAndAtTheirGaussPoints) {
+  const auto study = parse_one(smallest_deck + R"(
+probes:
+  most: {on: all, take: max, field: cumulated_plastic_strain, place: gauss_points}
+  near: {point: [0.5, 0, 0], field: principal_stress, place: cells}
+  node: {node: N1, field: tresca}
+checks:
+  - {probe: most, at: 1, reference: 1, tolerance: 1}
+  - {probe: near.3, at: 1, reference: 1, tolerance: 1}
+)");
+  EXPECT_EQ(study.probes[0].place, study::ProbePlace::gauss_points);
+  EXPECT_EQ(study.probes[0].field, study::ProbeField::cumulated_plastic_strain);
+  EXPECT_EQ(study.probes[1].place, study::ProbePlace::cells);
+  EXPECT_EQ(study.probes[2].place, study::ProbePlace::nodes);
+  EXPECT_EQ(study.checks[1].component, "3");
+}
+
 TEST(DeckKeys, ProbesAreInCutsAndDifferencesToo) {
   const auto study = parse_one(smallest_deck + R"(
 probes:

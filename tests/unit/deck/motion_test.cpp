@@ -58,6 +58,36 @@ INSTANTIATE_TEST_SUITE_P(
         BadPart{"supports: [{on: g, fix: x, until: soon}]", "supports.0.until"},
         BadPart{"supports: [{on: g, fix: x, until: 0}]",
                 "supports.0.until: found 0, expected an instant after the begin of the run, 0"},
+        BadPart{"supports: [{on: g, rotate: {angle: 0.01*t}}]", "supports.0.rotate: 'about' is missing"},
+        BadPart{"supports: [{on: g, rotate: {about: [0, 0]}}]", "supports.0.rotate: 'angle' is missing"},
+        BadPart{"supports: [{on: g, rotate: {about: [0, 0], axis: [0, 0, 1], angle: 0}}]",
+                "supports.0.rotate.axis: plane_strain turns about z, expected 'about' and 'angle'"},
+        BadPart{"supports: [{on: g, rotate: {about: [0, 0, 0], angle: 0}}]",
+                "supports.0.rotate.about: found 3 coordinates, expected 2"},
+        BadPart{"supports: [{on: g, rotate: {about: [0, 0, 0], angle: 0}}]",
+                "supports.0.rotate: 'axis' is missing", "{scheme: hht, alpha: -0.1, step: 1, end: 2}",
+                "solid"},
+        BadPart{"supports: [{on: g, rotate: {about: [0, 0, 0], axis: [0, 0, 0], angle: 0}}]",
+                "supports.0.rotate.axis: found a direction without length",
+                "{scheme: hht, alpha: -0.1, step: 1, end: 2}", "solid"},
+        BadPart{"supports: [{on: g, rotate: {about: [0, 0], angle: 0.01*x}}]",
+                "supports.0.rotate.angle: found an angle that depends on the place"},
+        BadPart{"supports: [{on: g, rotate: {about: [0, 0], angle: {value: 1, function: h}}}]",
+                "no function is called 'h'"},
+        BadPart{"supports: [{on: g, rotate: {about: [0, 0], angle: 0}}]",
+                "supports.0.rotate: found a rotation in axisymmetric",
+                "{scheme: hht, alpha: -0.1, step: 1, end: 2}", "axisymmetric"},
+        BadPart{"supports: [{on: g, rotate: {about: [0, 0], angle: 0}, along: [1, 0]}]",
+                "supports.0.along: found 'along' beside 'rotate', which holds every component"},
+        BadPart{
+            "relations: {hub: {rigid: {on: g}}}\nsupports: [{on: hub, rotate: {about: [0, 0], angle: 0}}]",
+            "supports.0.rotate: 'hub' is a reference, which takes 'turn'; 'rotate' expects a group"},
+        BadPart{"loads: [{surface_force: {on: g, x: 1, follower: true}}]",
+                "loads.0.surface_force: unknown key 'follower'"},
+        BadPart{"loads: [{pressure: {on: g, value: 1, follower: sometimes}}]", "loads.0.pressure.follower"},
+        BadPart{
+            "loads: [{pressure: {on: g, value: 1, follower: true}}]",
+            "loads.0.pressure.follower: found a pressure that follows the faces of bodies of small strain"},
         BadPart{"preload: {b: {cut: {point: [0, 0], normal: [0, 1]}}}", "preload.b: 'force' is missing"},
         BadPart{"preload: {b: {cut: {point: [0, 0], normal: [0, 1]}, force: 1, displacement: 2}}",
                 "preload.b: found 'force' and 'displacement', expected one of them"},
@@ -107,6 +137,17 @@ TEST(DeckMotion, IsReadAsItIsWritten) {
   EXPECT_EQ(study.base_motion->frame, study::BaseFrame::relative);
   EXPECT_EQ(study.base_motion->components[0]->value, study::FieldValue(-1));
   EXPECT_FALSE(study.base_motion->components[2]);
+}
+
+TEST(DeckMotion, MayBeARotation) {
+  const auto study = study_of(
+      {"supports: [{on: g, rotate: {about: [1, 2], angle: {value: 0.05, function: f}}, y: 0.1}]", ""});
+  const auto& support = study.supports.at(0);
+  ASSERT_TRUE(support.rotate);
+  EXPECT_EQ(support.rotate->about, (std::array<double, 3>{1, 2, 0}));
+  EXPECT_EQ(support.rotate->axis, (std::array<double, 3>{0, 0, 1}));
+  EXPECT_EQ(support.rotate->angle, study::Field(0.05, "f"));
+  EXPECT_TRUE(support.components[1]);
 }
 
 } // namespace

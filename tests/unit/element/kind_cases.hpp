@@ -5,8 +5,10 @@
 #include "rubato/element/nonlinear.hpp"
 
 #include <Eigen/Core>
+#include <gtest/gtest.h>
 
 #include "support/bulk_cells.hpp"
+#include <algorithm>
 #include <cstdlib>
 #include <ostream>
 #include <vector>
@@ -47,7 +49,7 @@ struct OneCell {
 
   CellResult evaluate(const Eigen::VectorXd& u) {
     const auto size = static_cast<std::size_t>(dofs);
-    return element::evaluate(kind, laws, {points, {u.data(), size}, old, step, modes},
+    return element::evaluate(kind, laws, {points, {u.data(), size}, old, step, modes, free_strain},
                              {now, {force.data(), size}, {tangent.data(), size * size}, records});
   }
 
@@ -70,6 +72,38 @@ struct OneCell {
   std::vector<PointRecord> records;
   material::StepInfo step{1};
   ModeIteration modes{0, 0, 25}; ///< to rounding: derivatives are compared with differences
+  std::vector<material::Strain6> free_strain;
 };
+
+inline Eigen::VectorXd some_displacement(const OneCell& cell) {
+  constexpr double size = 0.02; // cells are about 1 long
+  std::srand(7);
+  return size * Eigen::VectorXd::Random(cell.dofs);
+}
+
+/// Differences of fourth order of the forces by dof j.
+inline Eigen::VectorXd force_difference(OneCell& cell, const Eigen::VectorXd& u, Eigen::Index j) {
+  constexpr double h = 5e-5;
+  const auto force_at = [&](double step) {
+    Eigen::VectorXd moved = u;
+    moved[j] += step;
+    EXPECT_TRUE(cell.evaluate(moved));
+    return Eigen::VectorXd(cell.force);
+  };
+  const Eigen::VectorXd near = force_at(h) - force_at(-h), far = force_at(2 * h) - force_at(-2 * h);
+  return (8 * near - far) / (12 * h);
+}
+
+/// Tangent and differences of the forces, by the largest of the tangent.
+inline double error_of_tangent(OneCell& cell) {
+  const Eigen::VectorXd u = some_displacement(cell);
+  EXPECT_TRUE(cell.evaluate(u));
+  const Eigen::MatrixXd k = cell.tangent;
+  EXPECT_EQ(k, Eigen::MatrixXd(k.transpose())) << "not symmetric";
+  double error = 0;
+  for (Eigen::Index j = 0; j < cell.dofs; ++j)
+    error = std::max(error, (force_difference(cell, u, j) - k.col(j)).cwiseAbs().maxCoeff());
+  return error / k.cwiseAbs().maxCoeff();
+}
 
 } // namespace rubato::element

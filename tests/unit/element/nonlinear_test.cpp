@@ -44,35 +44,7 @@ PointLaws curved_for(const CellKind& kind) {
   return kind.strain == StrainKind::green_lagrange ? PointLaws(rubber) : PointLaws(plastic);
 }
 
-class EveryKind : public testing::TestWithParam<CellKind> {
-protected:
-  static VectorXd some_displacement(const OneCell& cell) {
-    constexpr double size = 0.02; // cells are about 1 long
-    std::srand(7);
-    return size * VectorXd::Random(cell.dofs);
-  }
-
-  /// Tangent and differences of fourth order of the forces, by the largest of the tangent.
-  static double error_of_tangent(OneCell& cell) {
-    constexpr double h = 5e-5;
-    const VectorXd u = some_displacement(cell);
-    EXPECT_TRUE(cell.evaluate(u));
-    const MatrixXd k = cell.tangent;
-    EXPECT_EQ(k, MatrixXd(k.transpose())) << "not symmetric";
-    double error = 0;
-    for (Eigen::Index j = 0; j < cell.dofs; ++j) {
-      const auto force_at = [&](double step) {
-        VectorXd moved = u;
-        moved[j] += step;
-        EXPECT_TRUE(cell.evaluate(moved));
-        return VectorXd(cell.force);
-      };
-      const VectorXd near = force_at(h) - force_at(-h), far = force_at(2 * h) - force_at(-2 * h);
-      error = std::max(error, ((8 * near - far) / (12 * h) - k.col(j)).cwiseAbs().maxCoeff());
-    }
-    return error / k.cwiseAbs().maxCoeff();
-  }
-};
+class EveryKind : public testing::TestWithParam<CellKind> {};
 
 TEST_P(EveryKind, HasTheDerivativeOfItsForcesAsTangentWhenElastic) {
   OneCell cell(GetParam(), elastic_for(GetParam()));

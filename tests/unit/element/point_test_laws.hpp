@@ -66,6 +66,10 @@ inline int state_size(const NeoHookeanLaw&) {
   return 0;
 }
 
+constexpr bool is_hyperelastic(const NeoHookeanLaw&) {
+  return true;
+}
+
 /// C − 1 holds all digits of small strains: J² − 1 comes from its invariants.
 inline bool respond(const NeoHookeanLaw& law, const Strain6& strain, std::span<const double>,
                     std::span<double>, const StepInfo&, Want want, Response& out) {

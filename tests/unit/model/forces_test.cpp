@@ -133,6 +133,50 @@ TEST_F(Loaded, ExpressionsOfTimeAreComputedAtEachInstant) {
   EXPECT_LE((force - on_nodes({3, 7}, 0, -1)).norm(), 1e-14);
 }
 
+TEST_F(Loaded, FollowersStandApartAndTurnWithTheirFaces) {
+  const std::vector<study::Load> loads{{LoadKind::pressure, "end", {8, 0, 0}, "ramp", true},
+                                       {LoadKind::nodal_force, "wall", {3, 0, 0}, ""}};
+  EXPECT_EQ(forces_of(loads).size(), 1U);
+  auto numbered = part();
+  numbered.study.loads = loads;
+  Model model;
+  model.followers = make_followers(numbered.study, numbered.mesh, numbered.dofs, numbered.bulk, faults_);
+  ASSERT_EQ(model.followers.size(), 1U);
+  EXPECT_TRUE(faults_.empty());
+  VectorXd u = VectorXd::Zero(16);
+  VectorXd force = VectorXd::Zero(16);
+  add_follower_forces(model, 0.5, u, force);
+  EXPECT_LE((force - on_nodes({3, 7}, 0, -1)).norm(), 1e-14) << "half of 8 × 1 × 0.5, whichever way it runs";
+  u[2 * 7] = 1; // the edge leans to the right by 45°
+  force.setZero();
+  add_follower_forces(model, 1, u, force);
+  EXPECT_LE((force - on_nodes({3, 7}, 0, -2) - on_nodes({3, 7}, 1, 2)).norm(), 1e-14);
+}
+
+/// Of an edge in the plane by 8 × 0.5: k_ij = p h ∫ N_i N_j,ξ dξ turned by −90°, whatever u is.
+TEST_F(Loaded, FollowersAddTheSymmetricPartOfTheirStiffness) {
+  auto numbered = part();
+  numbered.study.loads = {{LoadKind::pressure, "end", {8, 0, 0}, "", true}};
+  Model model;
+  model.followers = make_followers(numbered.study, numbered.mesh, numbered.dofs, numbered.bulk, faults_);
+  auto matrix = domain::BlockPattern(numbered.mesh, numbered.bulk.cells, numbered.dofs).zero_matrix();
+  add_follower_tangent(model, 1, VectorXd::Zero(16), 0.25, matrix);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(16, 16);
+  expected(6, 15) = expected(15, 6) = 0.25 * 4 / 2; // nodes 3 below and 7 above
+  expected(7, 14) = expected(14, 7) = -0.25 * 4 / 2;
+  EXPECT_LE((Eigen::MatrixXd(matrix) - expected).norm(), 1e-14);
+}
+
+TEST_F(Loaded, FollowersAreRefusedWhereTheyStand) {
+  auto numbered = part();
+  numbered.study.loads = {{LoadKind::pressure, "wall", {1, 0, 0}, "", true},
+                          {LoadKind::pressure, "end", {study::Formula{"1/(x-3)"}, 0, 0}, "", true}};
+  make_followers(numbered.study, numbered.mesh, numbered.dofs, numbered.bulk, faults_);
+  ASSERT_EQ(faults_.size(), 2U);
+  EXPECT_EQ(faults_[0].path, "loads.0.pressure.on");
+  EXPECT_EQ(faults_[1].path, "loads.1.pressure.value");
+}
+
 TEST_F(Loaded, ExpressionsWithoutANumberAreRefusedAtTheirPlace) {
   forces_of({{LoadKind::nodal_force, "wall", {study::Formula{"1/x"}, 0, 0}, ""}});
   EXPECT_EQ(test::told(faults_),

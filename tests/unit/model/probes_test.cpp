@@ -25,6 +25,12 @@ study::Probe probe_at(double x, double y) {
   return probe;
 }
 
+study::Probe in_cells(study::Probe probe, study::ProbePlace place) {
+  probe.field = study::ProbeField::mean_stress;
+  probe.place = place;
+  return probe;
+}
+
 /// Two squares and, apart from them, a node that no cell has: number 8 of mesh N7 (0.5, 0.5).
 class Probed : public testing::Test {
 protected:
@@ -41,6 +47,13 @@ protected:
     study.probes = {probe};
     const test::Numbered part{study, mesh()};
     return make_probe_nodes(part.study, part.mesh, part.dofs, {}, faults_, notes_).at(0);
+  }
+  ProbedCells cells_of(const study::Probe& probe) {
+    auto study = test::plane_study({test::elastic("any")});
+    study.probes = {probe};
+    const auto probed = mesh();
+    const auto bulk = make_bulk(study, probed, faults_);
+    return make_probe_cells(study, probed, bulk, faults_, notes_).at(0);
   }
 
   std::vector<Fault> faults_;
@@ -99,6 +112,37 @@ TEST_F(Probed, NodeIsOneThatDeforms) {
              "{on: mixed, take: sum}, mean, min or max",
              "probes.p.node: probe 'p': node N7 (0.5, 0.5) belongs to no cell that deforms",
              "probes.p.on: probe 'p': node N7 (0.5, 0.5) belongs to no cell that deforms"}));
+}
+
+using Cells = std::vector<std::size_t>;
+
+TEST_F(Probed, CellsAreThoseOfAGroupThatDeform) {
+  const auto place = study::ProbePlace::gauss_points;
+  const auto cells = [&](const std::string& on) {
+    return cells_of(in_cells(probe_on(on, study::ProbeTake::largest), place)).cells;
+  };
+  EXPECT_EQ(cells("all"), (Cells{0, 1}));
+  EXPECT_EQ(cells("last"), Cells{1});
+  EXPECT_TRUE(nodes_of(in_cells(probe_on("last", study::ProbeTake::largest), place)).empty());
+  EXPECT_TRUE(faults_.empty());
+  EXPECT_TRUE(cells("floor").empty());
+  EXPECT_TRUE(cells("wall").empty());
+  EXPECT_EQ(
+      test::told(faults_),
+      (Texts{"probes.p.on: probe 'p': group 'floor' holds no cells that deform, expected some, or 'all'",
+             "probes.p.on: group 'wall' holds nodes, expected a group of cells"}));
+}
+
+TEST_F(Probed, GaussPointIsTheNearestOne) {
+  const auto near = cells_of(in_cells(probe_at(1.9, 0.8), study::ProbePlace::gauss_points));
+  EXPECT_EQ(near.cells, Cells{1});
+  EXPECT_GE(near.point, 0);
+  EXPECT_EQ(cells_of(in_cells(probe_at(1.9, 0.8), study::ProbePlace::cells)).point, -1);
+  EXPECT_TRUE(notes_.empty());
+  cells_of(in_cells(probe_at(0.5, 0.5), study::ProbePlace::gauss_points));
+  EXPECT_EQ(notes_,
+            (Texts{"probe 'p': 4 Gauss points are equally near to its point; one of cell M1 (QUAD4) at "
+                   "(0.5, 0.5) is taken, a place nearer to one of them says which is meant"}));
 }
 
 TEST_F(Probed, NameMustMeanSomething) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "unit/model/meshes.hpp"
+#include <cmath>
 
 namespace rubato::model {
 namespace {
@@ -94,6 +95,123 @@ TEST_F(Supported, NodesMoveAsTheExpressionOfTheirPlaceSays) {
   EXPECT_EQ(moved.imposed(2)[6], 4);
   EXPECT_EQ(moved.imposed(1)[6], 0.5);
   EXPECT_TRUE(faults_.empty());
+}
+
+/// About (1, 0).
+study::Rotation turn(const std::string& angle) {
+  return {{1, 0, 0}, {0, 0, 3}, study::Field{study::Formula{angle}, "ramp"}};
+}
+
+TEST_F(Supported, NodesRotateExactlyAboutAPoint) {
+  Support turned{"wall", {none, Amplitude{10, ""}, none}};
+  turned.rotate = turn("0.05");
+  const auto reduction = reduction_of({turned});
+  ASSERT_TRUE(faults_.empty());
+  EXPECT_EQ(reduction.prescribed().size(), 4U) << "x is held, too";
+  const auto u = reduction.imposed(2);
+  EXPECT_NEAR(u[0], 1 - std::cos(0.05), 1e-16); // at (0, 0)
+  EXPECT_NEAR(u[1], 10 - std::sin(0.05), 1e-15);
+  EXPECT_NEAR(u[6], 1 - std::cos(0.05) - std::sin(0.05), 1e-16); // at (0, 1)
+  EXPECT_NEAR(u[7], 10 - std::sin(0.05) + std::cos(0.05) - 1, 1e-15);
+  EXPECT_NEAR(reduction.imposed(1)[0], 1 - std::cos(0.025), 1e-16);
+}
+
+/// Edges above the squares that bound none: a rigid surface.
+TEST_F(Supported, RigidSurfacesRotateByAnyAngle) {
+  auto builder = test::row_of_squares(2);
+  const int left = builder.add_node(Eigen::Vector3d(0, 1.5, 0));
+  const int right = builder.add_node(Eigen::Vector3d(1, 1.5, 0));
+  builder.add_to_cell_group("tool", std::array{builder.add_cell(CellType::seg2, std::array{right, left})});
+  auto study = test::plane_study({test::elastic("any")});
+  study.time.end = 2;
+  study.contact.emplace_back().master = "tool";
+  Support turned{"tool", {none, none, none}};
+  turned.rotate = study::Rotation{{1, 0, 0}, {0, 0, 1}, study::Field{study::Formula{"pi/4*t"}}};
+  study.supports = {turned};
+  const auto mesh = std::move(builder).build();
+  auto numbered = rigid_faces(study, mesh);
+  ASSERT_EQ(numbered.size(), 1U);
+  const auto bulk = make_bulk(study, mesh, faults_);
+  numbered.insert(numbered.end(), bulk.cells.begin(), bulk.cells.end());
+  const auto dofs = domain::number_dofs(mesh, numbered, 2);
+  const auto reduction = make_reduction(study, mesh, dofs, {}, faults_, notes_);
+  EXPECT_EQ(told(), Texts{});
+  const auto u = reduction.imposed(2);
+  EXPECT_NEAR(u[dofs.dof(left, 0)], -0.5, 1e-15); // (0, 1.5) to (-0.5, -1)
+  EXPECT_NEAR(u[dofs.dof(left, 1)], -2.5, 1e-15);
+  EXPECT_NEAR(u[dofs.dof(right, 0)], -1.5, 1e-15); // (1, 1.5) to (-0.5, 0)
+}
+
+/// At its largest within the run, on an instant of its steps.
+TEST_F(Supported, BodiesOfSmallStrainRotateByLittle) {
+  const auto refused = [&](const study::Field& angle) {
+    faults_.clear();
+    Support turned{"wall", {none, none, none}};
+    turned.rotate = study::Rotation{{1, 0, 0}, {0, 0, 1}, angle};
+    auto numbered = part();
+    numbered.study.time.step = 0.25;
+    numbered.study.time.end = 2;
+    numbered.study.supports = {turned};
+    make_reduction(numbered.study, numbered.mesh, numbered.dofs, {}, faults_, notes_);
+    return told();
+  };
+  const std::string sentence =
+      ", expected at most 0.05 radians, or materials with strain: green_lagrange or logarithmic: with small "
+      "strain a body that rotates stretches by 1 − cos of the angle";
+  EXPECT_EQ(refused({study::Formula{"-0.025*t"}}), Texts{});
+  EXPECT_EQ(refused({study::Formula{"-0.04*t"}}),
+            (Texts{"supports.0.rotate.angle: found an angle of -0.08 at t = 2" + sentence}));
+  EXPECT_EQ(refused({study::Formula{"if(t == 0.75, 0.06, 0)"}}),
+            (Texts{"supports.0.rotate.angle: found an angle of 0.06 at t = 0.75" + sentence}));
+  study::Field spin{study::Formula{"0.06"}, "ramp"};
+  spin.given = study::Given::velocity;
+  EXPECT_EQ(refused(spin), (Texts{"supports.0.rotate.angle: found an angle of 0.06 at t = 2" + sentence}));
+}
+
+TEST_F(Supported, BodiesOfLargeStrainRotateByAnyAngle) {
+  auto numbered = part();
+  numbered.study.materials[0].strain = study::StrainKind::green_lagrange;
+  numbered.study.time.end = 2;
+  Support turned{"wall", {none, none, none}};
+  turned.rotate = turn("pi/2");
+  numbered.study.supports = {turned};
+  const auto reduction = make_reduction(numbered.study, numbered.mesh, numbered.dofs, {}, faults_, notes_);
+  EXPECT_EQ(told(), Texts{});
+  const auto u = reduction.imposed(2);
+  EXPECT_NEAR(u[0], 1, 1e-15); // (0, 0) to (1, -1)
+  EXPECT_NEAR(u[1], -1, 1e-15);
+  EXPECT_NEAR(u[6], 0, 1e-15); // (0, 1) to (0, -1)
+  EXPECT_NEAR(u[7], -2, 1e-15);
+}
+
+TEST_F(Supported, NodesOnTheLineOfARotationAreHeld) {
+  Support turned{"floor", {none, none, none}};
+  turned.rotate = turn("0.04");
+  const auto reduction = reduction_of({turned, {"N2", {Amplitude{}, Amplitude{}, none}}});
+  EXPECT_TRUE(faults_.empty()) << "N2 stands on the line";
+  for (const auto& prescribed : reduction.prescribed())
+    EXPECT_EQ(reduction.moves(prescribed), prescribed.dof != 2 && prescribed.dof != 3) << prescribed.dof;
+}
+
+TEST_F(Supported, RotationsContradictOtherSupports) {
+  Support turned{"wall", {none, none, none}};
+  turned.rotate = turn("0.04");
+  auto other = turned;
+  reduction_of({turned, other});
+  EXPECT_TRUE(faults_.empty()) << "the same twice";
+  other.rotate->about[1] = 1;
+  reduction_of({turned, other});
+  EXPECT_EQ(told(), (Texts{"supports.1: node N1 (0, 0) has two different displacements prescribed in x"}));
+}
+
+TEST_F(Supported, AnglesThatAreNoNumbersAreRefused) {
+  Support turned{"wall", {none, none, none}};
+  turned.rotate = turn("0.04");
+  turned.rotate->angle = study::Field{study::Formula{"1/t"}};
+  reduction_of({turned});
+  EXPECT_EQ(told(),
+            (Texts{"supports.0.rotate.angle: supports.0.rotate.angle: '1/t' is infinite at x = 0, y = "
+                   "0, z = 0, t = 0, expected a finite number"}));
 }
 
 TEST_F(Supported, ExpressionsWithoutANumberAreRefusedAtTheirNode) {

@@ -126,6 +126,25 @@ TEST(RigidSurface, IsMetByEveryDefaultScheme) {
   EXPECT_GT(table.resultants().force.y(), 0);
 }
 
+/// A turntable drags what stands on it, by more than a body of small strain may rotate.
+TEST(RigidSurface, RotatesByAnyAngle) {
+  const auto walked = [](const std::string& motion) {
+    const auto study =
+        study_of(solid_deck,
+                 {{"contact.rest.master", "table"},
+                  {"time", "{scheme: static, step: 0.25, end: 1}"},
+                  {"supports", "[{on: roof, fix: [x, y, z]}, {on: table, y: {value: 0.03, function: push}, " +
+                                   motion + "}]"}});
+    Walk walk{model::build_model(study, with_table(study, Sense::up))};
+    EXPECT_TRUE(walk.to_end());
+    return walk.state().motion.u;
+  };
+  const auto rotated = walked("rotate: {about: [0.5, 7, 0.5], axis: [0, 1, 0], angle: 0.3*t}");
+  const auto displaced = walked("x: '(cos(0.3*t)-1)*(x-0.5)+sin(0.3*t)*(z-0.5)', "
+                                "z: '-sin(0.3*t)*(x-0.5)+(cos(0.3*t)-1)*(z-0.5)'");
+  EXPECT_LE((rotated - displaced).lpNorm<Eigen::Infinity>(), 1e-12);
+}
+
 std::string refused(const std::vector<deck::Setting>& changes, Sense sense = Sense::up) {
   const auto study = study_of(plane_deck, changes);
   return test::fault_of([&] { model::build_model(study, with_table(study, sense)); });

@@ -398,6 +398,24 @@ INSTANTIATE_TEST_SUITE_P(
               s.checks[0].component.clear();
               s.contact.clear();
             }},
+        Bad{"probes.tip.field", "expected 'place: nodes'",
+            [](Study& s) {
+              s.probes[0].place = ProbePlace::gauss_points;
+              s.probes[0].take = ProbeTake::largest;
+            }},
+        Bad{"probes.tip.place", "goes with 'point', or with 'on' and 'take'",
+            [](Study& s) {
+              s.probes[0].place = ProbePlace::cells;
+              s.probes[0].field = ProbeField::mean_stress;
+              s.checks[0].component.clear();
+            }},
+        Bad{"probes.tip.take", "expected mean, min or max",
+            [](Study& s) {
+              s.probes[0].place = ProbePlace::cells;
+              s.probes[0].field = ProbeField::mean_stress;
+              s.probes[0].take = ProbeTake::sum;
+              s.checks[0].component.clear();
+            }},
         Bad{"checks.0", "is missing", [](Study& s) { s.checks[0].probe.clear(); }},
         Bad{"checks.0", "found several of", [](Study& s) { s.checks[0].energy = "friction"; }},
         Bad{"checks.0.energy", "did you mean 'friction'",
@@ -414,6 +432,33 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) {
               s.checks[0].probe.clear();
               s.checks[0].resultant = {"joint", "force.yy"};
+            }},
+        Bad{"loads.0.gravity.follower", "expected 'pressure'",
+            [](Study& s) {
+              s.loads[0].kind = LoadKind::gravity;
+              s.loads[0].follower = true;
+            }},
+        Bad{"loads.0.pressure.follower", "expected a material with strain: green_lagrange or logarithmic",
+            [](Study& s) { s.loads[0].follower = true; }},
+        Bad{"supports.0.rotate.axis", "found a direction in the plane, plane_strain turns about z only",
+            [](Study& s) { s.supports[0].rotate = Rotation{{}, {1, 0, 1}, {}}; }},
+        Bad{"supports.0.rotate.about.2", "plane_strain has no z",
+            [](Study& s) { s.supports[0].rotate = Rotation{{0, 0, 1}, {0, 0, 1}, {}}; }},
+        Bad{"supports.0.rotate.angle", "depends on the place",
+            [](Study& s) {
+              s.supports[0].rotate = Rotation{{}, {0, 0, 1}, Profile{0, {{0, 1}, {0, 1}, {}}}};
+            }},
+        Bad{"probes.tip.about", "goes with the sum of a reaction",
+            [](Study& s) {
+              s.probes[0].take = ProbeTake::sum;
+              s.probes[0].about = {0, 0, 0};
+            }},
+        Bad{"probes.tip.about.2", "plane_strain has no z",
+            [](Study& s) {
+              s.probes[0].field = ProbeField::reaction;
+              s.probes[0].take = ProbeTake::sum;
+              s.probes[0].about = {0, 0, 1};
+              s.checks.clear();
             }},
         Bad{"checks.0.over", "goes without 'run'",
             [](Study& s) {

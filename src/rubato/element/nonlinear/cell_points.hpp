@@ -4,6 +4,7 @@
 
 #include "rubato/element/nonlinear/block_sums.hpp"
 #include "rubato/element/nonlinear/cell_gradients.hpp"
+#include "rubato/element/nonlinear/free_strains.hpp"
 
 #include <array>
 #include <cstddef>
@@ -16,7 +17,8 @@ public:
 
   CellPoints(const CellKind& of_kind, const PointLaws& laws, const CellInput& given, const CellOutput& wanted)
       : kind(of_kind), input(given), output(wanted),
-        gradients(reference_gradients(of_kind.type), given.points, of_kind.section), laws_(laws) {
+        gradients(reference_gradients(of_kind.type), given.points, of_kind.section), laws_(laws),
+        free_strains_(of_kind.strain, laws, given.free_strain) {
     const auto u = gradients.by_component(given.displacement);
     for (int q = 0; q < count(); ++q)
       gradient[place(q)] = gradients.displacement_gradient(q, u);
@@ -33,6 +35,7 @@ public:
       if (!is_small() && !(volume_change(seen[place(q)].h) > -1))
         return {Failure::inverted, q};
       strain[place(q)] = strain_of(kind.strain, seen[place(q)]);
+      free_strains_.take_from(place(q), strain[place(q)]);
     }
     const auto size = place(count());
     const auto failed = laws_.respond({{strain.data(), size},
@@ -55,7 +58,10 @@ public:
   /// A of a point for large motions.
   void put_moduli(int q, Moduli& moduli) const {
     material::Response symmetric = response[place(q)];
-    symmetric.tangent = 0.5 * (response[place(q)].tangent + response[place(q)].tangent.transpose());
+    const double shrinking = free_strains_.shrinking(place(q));
+    symmetric.stress *= shrinking;
+    symmetric.tangent =
+        (0.5 * shrinking * shrinking) * (response[place(q)].tangent + response[place(q)].tangent.transpose());
     first_moduli(kind.strain, seen[place(q)], symmetric, moduli);
   }
 
@@ -104,12 +110,14 @@ private:
     CellResult result;
     for (int q = 0; q < count(); ++q) {
       result.stored += gradients.weight(q) * response[place(q)].stored;
-      piola[place(q)] = first_piola(kind.strain, seen[place(q)], response[place(q)].stress);
+      const material::Stress6 stress = free_strains_.shrinking(place(q)) * response[place(q)].stress;
+      piola[place(q)] = first_piola(kind.strain, seen[place(q)], stress);
     }
     return result;
   }
 
   const PointLaws& laws_;
+  FreeStrains free_strains_;
 };
 
 } // namespace rubato::element

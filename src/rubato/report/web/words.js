@@ -16,7 +16,8 @@
 
   const fieldUnits = {
     displacement: "length", velocity: "length/time", acceleration: "length/time²", reaction: "force",
-    stress: "force/length²", von_mises: "force/length²", contact_pressure: "force/length²", contact_gap: "length",
+    stress: "force/length²", von_mises: "force/length²", tresca: "force/length²", mean_stress: "force/length²",
+    principal_stress: "force/length²", contact_pressure: "force/length²", contact_gap: "length",
     contact_slip: "length", contact_cumulated_slip: "length", contact_friction_work: "force·length",
   };
   const resultantUnits = {

@@ -20,14 +20,15 @@ time::Motion between(const time::Motion& from, const time::Motion& to, double pa
 } // namespace
 
 BulkNewton::BulkNewton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                       const State& committed, double t)
-    : model_(model), tangent_(model, scheme, system, committed, t) {}
+                       const State& committed, double t, Factored factored)
+    : model_(model), system_(system), tangent_(model, scheme, system, committed, t, factored) {}
 
-BulkStart BulkNewton::start() {
-  const int before = tangent_.renewals();
-  auto start = tangent_.start();
-  renewed_ = tangent_.renewals() > before;
-  return start;
+const BulkStart& BulkNewton::start() {
+  const auto before = system_.factored;
+  start_ = tangent_.start();
+  renewed_ = !same_values(before, system_.factored);
+  is_fresh_ = tangent_.is_fresh_at_start();
+  return *start_;
 }
 
 std::optional<double> BulkNewton::shorten(const time::Motion& from, time::Motion& to,
@@ -42,21 +43,37 @@ std::optional<double> BulkNewton::shorten(const time::Motion& from, time::Motion
   return part;
 }
 
-std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced) {
+std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced, double allowed) {
   ++iterations_;
-  renewed_ = false;
+  renewed_ = goes_back_ = false;
   if (iterations_ >= model_.study.newton.max_iterations)
     return Outcome::too_many_iterations;
-  if (tangent_.wants_renewal(last_, unbalanced)) {
-    growing_ = unbalanced > last_ ? growing_ + 1 : 0;
+  if (!is_fresh_ && !(unbalanced < last_))
+    go_back_with_new_tangent();
+  if (goes_back_)
+    return std::nullopt;
+  if (tangent_.wants_renewal(last_, unbalanced, allowed)) {
+    growing_ = is_fresh_ && !(unbalanced < last_) ? growing_ + 1 : 0;
     if (growing_ > most_growing)
       return Outcome::too_many_iterations;
-    const int before = tangent_.renewals();
-    tangent_.renew_at(u);
-    renewed_ = tangent_.renewals() > before;
+    renewed_ = is_fresh_ = tangent_.renew_at(u);
+  } else {
+    is_fresh_ = false;
   }
+  base_ = u;
+  at_start_ = false;
   last_ = unbalanced;
   return std::nullopt;
+}
+
+void BulkNewton::go_back_with_new_tangent() {
+  is_fresh_ = true;
+  const auto before = system_.tangent;
+  goes_back_ = (at_start_ ? tangent_.renew_at_start() : tangent_.renew_at(base_)) &&
+               !same_values(before, system_.tangent);
+  renewed_ = goes_back_;
+  if (at_start_)
+    start_->tangent = system_.tangent;
 }
 
 void BulkNewton::fill(StepReport& report, const Equilibrium& equilibrium) const {
@@ -64,6 +81,8 @@ void BulkNewton::fill(StepReport& report, const Equilibrium& equilibrium) const 
   report.factorisations = tangent_.renewals();
   report.indefinite = tangent_.is_indefinite();
   report.failed_cell = equilibrium.failed();
+  if (report.failed() && report.failed_cell)
+    report.unmet.push_back({Criterion::cell, -1, model_.mesh.nodes_of(report.failed_cell->cell).front()});
 }
 
 } // namespace rubato::step

@@ -17,10 +17,13 @@ class BulkNewton {
 public:
   /// Everything must outlive this.
   BulkNewton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-             const State& committed, double t);
+             const State& committed, double t, Factored factored);
 
   /// What the first iterate starts from. Then the factor may be another one.
-  BulkStart start();
+  const BulkStart& start();
+
+  /// Whether there is no factor to start with: the matrix is not positive definite.
+  bool starts_indefinite() const { return tangent_.starts_indefinite(); }
 
   /// Shortens the move from `from` until every cell has forces. Nothing comes back when that has no end.
   /// How much of the move is left, else.
@@ -28,20 +31,36 @@ public:
 
   /// What is out of balance before the first iterate [force].
   void start_with(double unbalanced) { last_ = unbalanced; }
-  /// After an iterate at `u` that leaves so much out of balance: an outcome ends the step. `renewed()` says
-  /// then whether the factor is another one.
-  std::optional<Outcome> go_on(const Eigen::VectorXd& u, double unbalanced);
+  /// After an iterate at `u` that leaves so much out of balance, with so much allowed: an outcome ends the
+  /// step.
+  std::optional<Outcome> go_on(const Eigen::VectorXd& u, double unbalanced, double allowed);
+  /// Whether the factor is another one now.
   bool renewed() const { return renewed_; }
+  /// Whether the iterate is to be left for another one from where it came from, with the new factor: an old
+  /// one has led astray.
+  bool goes_back() const { return goes_back_; }
+  /// Where it came from, if that is the start of the step: with the tangent that is there now. Else null.
+  const BulkStart* back_at_start() const { return at_start_ ? &*start_ : nullptr; }
 
+  /// What there is to tell of a step whose outcome the report has already.
   void fill(StepReport& report, const Equilibrium& equilibrium) const;
+  bool is_indefinite() const { return tangent_.is_indefinite(); }
 
 private:
+  void go_back_with_new_tangent();
+
   const model::Model& model_;
+  EffectiveSystem& system_;
   BulkTangent tangent_;
-  double last_ = std::numeric_limits<double>::infinity(); ///< out of balance [force]
+  std::optional<BulkStart> start_;
+  Eigen::VectorXd base_;                                  ///< displacements that the iterate was reached from
+  bool at_start_ = true;                                  ///< whether that is the start of the step
+  bool is_fresh_ = false;                                 ///< whether the tangent was taken there
+  double last_ = std::numeric_limits<double>::infinity(); ///< out of balance there [force]
   int iterations_ = 0;
-  int growing_ = 0; ///< iterates one after the other whose residual has grown with a new tangent
+  int growing_ = 0; ///< iterates one after the other that had a tangent of their own and made it worse
   bool renewed_ = false;
+  bool goes_back_ = false;
 };
 
 } // namespace rubato::step

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/bulk_tangent.hpp"
 
+#include <cmath>
 #include <memory>
-#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -11,6 +11,8 @@ using Eigen::VectorXd;
 
 /// What an iteration may leave of the residual before a kept factor is given up.
 constexpr double kept_progress = 0.3;
+/// With a tangent of their own.
+constexpr double iterations_by_new_factor = 2;
 /// Of the way that the step would go by itself: cells that yield have their tangent for the direction of it.
 /// Far along that way they would be too soft for a step that turns out shorter.
 constexpr double small_part = 1e-3;
@@ -18,26 +20,34 @@ constexpr double small_part = 1e-3;
 } // namespace
 
 BulkTangent::BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                         const State& committed, double t)
-    : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t) {}
+                         const State& committed, double t, Factored factored)
+    : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), factored_(factored) {}
+
+bool BulkTangent::is_fresh_at_start() const {
+  return !committed_.tangent || committed_.step != system_.step || committed_.indefinite ||
+         factored_ == Factored::no || model_.study.newton.tangent == study::TangentChoice::full;
+}
 
 BulkStart BulkTangent::start() {
   BulkStart start{VectorXd::Zero(committed_.motion.u.size()), {}};
-  put(at_start(start.forces));
+  const auto here = at(committed_.motion.u, &start.forces);
+  if (!is_fresh_at_start())
+    go_on_with(committed_.tangent);
+  else if (!renew_at_start())
+    starts_indefinite_ = !put(here);
   start.tangent = system_.tangent;
   return start;
 }
 
-Tangent BulkTangent::at_start(VectorXd& forces) {
-  const auto& u = committed_.motion.u;
-  if (committed_.tangent && committed_.step == system_.step) {
-    at(u, &forces);
-    return committed_.tangent;
-  }
-  auto here = at(u, &forces);
-  const VectorXd on = slightly_on();
-  auto there = on == u ? nullptr : at(on, nullptr);
-  return there ? there : here;
+/// Counted where it was taken: a resumed run has to factor it again, others only after a failed attempt.
+void BulkTangent::go_on_with(const Tangent& tangent) {
+  const int counted = renewals_;
+  put(tangent);
+  renewals_ = counted;
+}
+
+bool BulkTangent::renew_at_start() {
+  return put(at(slightly_on(), nullptr));
 }
 
 /// By the velocity, or by the move of the last step.
@@ -57,31 +67,59 @@ Tangent BulkTangent::at(const VectorXd& u, VectorXd* forces) {
   const auto failed =
       model_.domain.evaluate({committed_.motion.u, u, committed_.t, t_}, committed_.bulk_points, unused_,
                              {.forces = forces, .tangent = &matrix_});
-  return failed ? nullptr : values_of(matrix_);
+  if (failed)
+    return nullptr;
+  model::add_follower_tangent(model_, t_, u, 1, matrix_);
+  return values_of(matrix_);
 }
 
 bool BulkTangent::put(const Tangent& tangent) {
   if (!tangent)
     return false;
-  if (same_values(system_.tangent, tangent))
+  if (factored_ == Factored::no) {
+    renew_matrix(system_, model_, tangent);
     return true;
+  }
+  if (same_values(system_.factored, tangent)) {
+    renew_matrix(system_, model_, tangent);
+    return true;
+  }
   ++renewals_;
-  const auto before = system_.tangent;
+  const auto before = system_.factored;
   if (renew(system_, model_, tangent))
     return true;
   indefinite_ = true;
-  renew(system_, model_, before);
+  if (before)
+    renew(system_, model_, before);
   return false;
 }
 
-bool BulkTangent::wants_renewal(double before, double now) const {
-  if (model_.study.newton.tangent == study::TangentChoice::full)
+bool BulkTangent::wants_renewal(double before, double now, double allowed) const {
+  const auto choice = model_.study.newton.tangent;
+  if (choice == study::TangentChoice::full || !(now < before))
     return true;
-  return !(now <= kept_progress * before);
+  const double progress = now / before;
+  if (choice == study::TangentChoice::kept)
+    return progress > kept_progress;
+  const double further = std::log(allowed / now) / std::log(progress);
+  return further > iterations_by_new_factor + factor_in_iterations();
 }
 
-bool BulkTangent::renew_at(const VectorXd& u) {
-  return put(at(u, nullptr));
+/// What a new factor costs, in iterations with the old one: floating-point operations of dense blocks run
+/// some times faster than those of solves, which wait for memory. By counts, not by clocks: results do not
+/// depend on the machine.
+double BulkTangent::factor_in_iterations() const {
+  if (!system_.compliance)
+    return 0;
+  constexpr double dense_speed = 8;
+  constexpr double forces_by_entry = 4;
+  constexpr double tangent_by_entry = 16;
+  const auto entries = static_cast<double>(system_.compliance->factor_entries());
+  const auto unknowns = static_cast<double>(system_.matrix.rows());
+  const auto of_matrix = static_cast<double>(system_.matrix.nonZeros());
+  const double factor = 1.5 * entries * entries / unknowns / dense_speed + tangent_by_entry * of_matrix;
+  const double iteration = 4 * entries + forces_by_entry * of_matrix;
+  return factor / iteration;
 }
 
 } // namespace rubato::step

@@ -19,42 +19,55 @@ struct BulkStart {
   Tangent tangent;        ///< that of the system
 };
 
+/// Whether the matrix is factored, or only made: with contact in it, it is another one in every iteration.
+enum class Factored { yes, no };
+
 class BulkTangent {
 public:
   /// Everything must outlive this.
   BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-              const State& committed, double t);
+              const State& committed, double t, Factored factored);
 
-  /// Goes on with the tangent that the step before ended with. Where that one had another length, takes it a
-  /// small part of the way that this step would go by itself: there cells that yield know in which direction.
-  /// Depends on the committed state alone, so that a resumed run does the same.
+  /// Goes on with the tangent that the step before ended with, unless every iteration is to have its own or
+  /// that step had another length. Depends on the committed state alone, so that a resumed run does the same.
   BulkStart start();
+  /// Whether `start` took a tangent for the step.
+  bool is_fresh_at_start() const;
 
-  /// After an iteration that has led from one residual to another: whether a new factor is worth it.
-  bool wants_renewal(double before, double now) const;
+  /// After an iteration that has led from one unbalanced force to another, with so much allowed: whether a
+  /// new factor is worth it.
+  bool wants_renewal(double before, double now, double allowed) const;
 
   /// Takes the tangent at these displacements. False when the matrix is not positive definite or a cell has
   /// no answer: then the factor before serves on.
-  bool renew_at(const Eigen::VectorXd& u);
+  bool renew_at(const Eigen::VectorXd& u) { return put(at(u, nullptr)); }
+  /// Takes it a small part of the way that the step would go by itself: there cells that yield know in which
+  /// direction.
+  bool renew_at_start();
 
   int renewals() const { return renewals_; }
+  /// Whether a matrix was not positive definite, and whether that of the start was not.
   bool is_indefinite() const { return indefinite_; }
+  bool starts_indefinite() const { return starts_indefinite_; }
 
 private:
   Eigen::VectorXd slightly_on() const;
-  Tangent at_start(Eigen::VectorXd& forces);
   Tangent at(const Eigen::VectorXd& u, Eigen::VectorXd* forces);
   bool put(const Tangent& tangent);
+  void go_on_with(const Tangent& tangent);
+  double factor_in_iterations() const;
 
   const model::Model& model_;
   const time::Scheme& scheme_;
   EffectiveSystem& system_;
   const State& committed_;
   double t_;
+  Factored factored_;
   model::SparseMatrix matrix_; ///< storage of tangents
   domain::QuadratureStates unused_;
   int renewals_ = 0;
   bool indefinite_ = false;
+  bool starts_indefinite_ = false;
 };
 
 } // namespace rubato::step

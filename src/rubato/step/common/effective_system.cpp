@@ -164,21 +164,27 @@ SparseMatrix matrix_of(const Model& model, const Tangent& tangent) {
   return matrix;
 }
 
-bool renew(EffectiveSystem& system, const Model& model, const Tangent& tangent) {
+void renew_matrix(EffectiveSystem& system, const Model& model, const Tangent& tangent) {
   if (same_values(system.tangent, tangent))
-    return true;
+    return;
   system.tangent = tangent;
   system.matrix =
       model.reduction.reduced(effective_matrix(model, system.coefficients, matrix_of(model, tangent)));
   if (system.weak_spring > 0)
     put_weak_springs(model, system);
-  if (!system.compliance)
+}
+
+bool renew(EffectiveSystem& system, const Model& model, const Tangent& tangent) {
+  renew_matrix(system, model, tangent);
+  if (!system.compliance || same_values(system.factored, tangent))
     return true;
+  system.factored.reset();
   auto factor = factored(model, system.matrix, [](std::size_t) {});
   if (!factor)
     return false;
   *system.compliance = Compliance(std::move(*factor), model.reduction, related_surface_dofs(model));
   system.slopes = SlopeChanges(model, *system.compliance, system.coefficients);
+  system.factored = tangent;
   return true;
 }
 
@@ -193,7 +199,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   system.coefficients = time::coefficients_of(scheme, step);
   const auto& tangent = model.domain.initial_tangent();
   if (!model.domain.is_linear())
-    system.tangent = values_of(tangent);
+    system.tangent = system.factored = values_of(tangent);
   const auto full = effective_matrix(model, system.coefficients, tangent);
   system.diagonal = full.diagonal();
   system.matrix = model.reduction.reduced(full);

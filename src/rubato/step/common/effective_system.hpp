@@ -31,6 +31,7 @@ struct EffectiveSystem {
   time::StepCoefficients coefficients;
   model::SparseMatrix matrix;
   Tangent tangent;              ///< K that the matrix is made of, of nonlinear domains; else null
+  Tangent factored;             ///< the same of the factor
   double weak_spring = 0;       ///< on each free unknown of bodies that only contact holds [force/length]
   bool has_free_bodies = false; ///< whether there are such springs
   Eigen::VectorXd diagonal;     ///< of every dof, constrained ones included
@@ -50,9 +51,12 @@ EffectiveSystem make_effective_system(
     const model::Model& model, const time::Scheme& scheme, double step,
     const std::function<void(std::size_t)>& tell_memory = [](std::size_t) {});
 
-/// Makes the matrix anew with a tangent of the domain and factors it, unless it has that tangent already or
-/// every iteration solves the whole system. Coefficients of contact stay. False when the matrix is not
-/// positive definite: then it is made, but not factored.
+/// Makes the matrix anew with a tangent of the domain. Its factor, where there is one, stays what it is.
+/// Coefficients of contact stay.
+void renew_matrix(EffectiveSystem& system, const model::Model& model, const Tangent& tangent);
+
+/// The same with the factor; where every iteration solves the whole system there is none. False when the
+/// matrix is not positive definite: then the factor means nothing until there is another one.
 bool renew(EffectiveSystem& system, const model::Model& model, const Tangent& tangent);
 
 /// Whether they have the same values, or both none.

@@ -78,7 +78,7 @@ Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const E
       predicted_acceleration_(time::predicted_acceleration(scheme, system.step, committed.motion)),
       predicted_bulk_(time::predict(
           scheme, system.step, {committed.bulk.internal, committed.bulk.momentum, committed.bulk.inertia})),
-      external_(model::external_force(model, t)), history_(history_forces(scheme, committed)) {
+      dead_(model::external_force(model, t)), external_(dead_), history_(history_forces(scheme, committed)) {
   if (const auto* heat = model.domain.heat())
     heat_ = heat->force(t).lpNorm<Eigen::Infinity>();
 }
@@ -87,6 +87,7 @@ Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const E
 /// product with M do.
 void Equilibrium::take_motion(const time::Motion& motion) {
   has_forces_at(motion.u);
+  take_loads(motion.u);
   take_inertia(motion);
 }
 
@@ -98,6 +99,14 @@ bool Equilibrium::has_forces_at(const VectorXd& u) {
   if (!model_.domain.is_linear())
     evaluated_at_ = u;
   return !failed_;
+}
+
+/// Those that follow their faces are where the bodies are.
+void Equilibrium::take_loads(const VectorXd& u) {
+  if (model_.followers.empty())
+    return;
+  external_ = dead_;
+  model::add_follower_forces(model_, t_, u, external_);
 }
 
 void Equilibrium::take_inertia(const time::Motion& motion) {
@@ -120,6 +129,7 @@ void Equilibrium::evaluate_ahead(const time::Motion& motion, const ContactForce&
                                  const BulkStart& start) {
   evaluated_at_.reset();
   failed_.reset();
+  take_loads(committed_.motion.u);
   bulk_.internal = start.forces + matrix_of(model_, start.tangent).selfadjointView<Eigen::Lower>() *
                                       (motion.u - committed_.motion.u);
   take_inertia(motion);

@@ -53,7 +53,8 @@ public:
               const State& committed, double t);
 
   void evaluate(const time::Motion& motion, const ContactForce& contact);
-  /// The same with internal forces that follow the tangent from the start of the step: a motion whose
+  /// The same with internal forces that follow the tangent from the start of the step, and pressures that
+  /// follow their faces with them: a motion whose
   /// supports have moved ahead of the bodies has none that mean anything.
   void evaluate_ahead(const time::Motion& motion, const ContactForce& contact, const BulkStart& start);
   /// Whether every cell has forces at these displacements; they are kept for `evaluate`.
@@ -85,6 +86,7 @@ public:
 
 private:
   void take_motion(const time::Motion& motion);
+  void take_loads(const Eigen::VectorXd& u);
   void take_inertia(const time::Motion& motion);
   void sum_up(const ContactForce& contact);
   void record(State& trial) const;
@@ -102,6 +104,7 @@ private:
   domain::QuadratureStates bulk_points_;
   domain::Failed failed_;
   std::optional<Eigen::VectorXd> evaluated_at_; ///< displacements that a nonlinear bulk's forces are those of
+  Eigen::VectorXd dead_;                        ///< the loads that do not follow [force]
   Eigen::VectorXd external_;
   double heat_ = 0;         ///< the largest force of temperatures at the end of the step [force]
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step

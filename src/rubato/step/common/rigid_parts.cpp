@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <span>
 
 namespace rubato::step {
@@ -26,6 +27,14 @@ Index mode_count(const Model& model) {
   if (model.study.physics == study::Physics::axisymmetric)
     return 1;
   return model.dofs.components == 3 ? 6 : 3;
+}
+
+std::vector<mesh::CellIndex> constant_cells(const domain::Bulk& bulk) {
+  std::vector<mesh::CellIndex> cells;
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i)
+    if (bulk.is_constant(i))
+      cells.push_back(bulk.cells[i]);
+  return cells;
 }
 
 /// The motions in the span of the columns that do not move `row`.
@@ -72,7 +81,8 @@ void add_solid(std::span<const RigidParts::Lever> levers, const VectorXd& x, Mat
 } // namespace
 
 RigidParts::RigidParts(const Model& model)
-    : model_(&model), number_(model.mesh, model.bulk), bodies_(static_cast<std::size_t>(number_.count())) {
+    : model_(&model), number_(model.mesh, constant_cells(model.bulk)),
+      bodies_(static_cast<std::size_t>(number_.count())) {
   place_bodies();
   find_held();
   collect_levers();
@@ -116,6 +126,19 @@ RigidParts::Modes RigidParts::modes_at(NodeIndex node) const {
   return modes;
 }
 
+/// What a gauge has of the modes of each body: cells between two of them may join what it holds.
+std::map<int, VectorXd> RigidParts::rows_of(const model::Gauge& gauge) const {
+  const int components = model_->dofs.components;
+  std::map<int, VectorXd> rows;
+  for (std::size_t i = 0; i < gauge.nodes.size(); ++i)
+    if (const int body = number_.of(gauge.nodes[i]); body >= 0) {
+      auto& row = rows.try_emplace(body, VectorXd::Zero(mode_count(*model_))).first->second;
+      row += modes_at(gauge.nodes[i]).transpose() *
+             gauge.values.segment(static_cast<Index>(i) * components, components);
+    }
+  return rows;
+}
+
 /// By body: independent combinations of its modes that move no spring and no gauge, a column each.
 std::vector<MatrixXd> RigidParts::unresisted() const {
   const int components = model_->dofs.components;
@@ -132,13 +155,9 @@ std::vector<MatrixXd> RigidParts::unresisted() const {
       for (const auto& term : connector.row)
         if (const auto node = model_->node_of(term.dof); number_.of(node) >= 0)
           resist(node, modes_at(node).row(term.dof % components).transpose());
-  for (const auto& gauge : model_->gauges) {
-    VectorXd row = VectorXd::Zero(modes);
-    for (std::size_t i = 0; i < gauge.nodes.size(); ++i)
-      row += modes_at(gauge.nodes[i]).transpose() *
-             gauge.values.segment(static_cast<Index>(i) * components, components);
-    resist(gauge.nodes.front(), row);
-  }
+  for (const auto& gauge : model_->gauges)
+    for (const auto& [body, row] : rows_of(gauge))
+      take_out(row, motions[static_cast<std::size_t>(body)]);
   return motions;
 }
 

@@ -3,8 +3,9 @@
 ///
 /// K r = 0 for the rigid motions r of a body that neither springs nor gauges resist. K u as computed has the
 /// rounding of |K||u| in it, which has a resultant. Where a body moves far beside its deformation the work of
-/// that resultant exceeds the rounding of all other works: docs/theory/energy.md, "Rigid motions". This needs
-/// a linear domain: rigid motions are those that one constant K does not resist.
+/// that resultant exceeds the rounding of all other works: docs/theory/energy.md, "Rigid motions". A body is
+/// here what cells of a constant stiffness connect. Forces of other cells are sums of stresses, in balance in
+/// each cell for itself, and have no such resultant.
 #pragma once
 
 #include "rubato/model/bodies.hpp"
@@ -13,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace rubato::step {
@@ -50,6 +52,7 @@ private:
   void place_bodies();
   void find_held();
   void collect_levers();
+  std::map<int, Eigen::VectorXd> rows_of(const model::Gauge& gauge) const;
   std::vector<Eigen::MatrixXd> unresisted() const;
   void fit_bodies();
 

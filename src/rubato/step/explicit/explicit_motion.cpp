@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/explicit/explicit_motion.hpp"
 
+#include "rubato/core/error.hpp"
 #include "rubato/core/function.hpp"
 #include "rubato/linalg/lanczos.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +21,24 @@ using model::Model;
 /// Steps whose lengths differ by less than this part are the same but for the rounding of instants.
 constexpr double rounding = 1e-9;
 
+/// Contact stiffens as points slide to lighter nodes of the master; in that many steps they move by a small
+/// part of a face, which the safety of the step allows for.
+constexpr int most_between_surveys = 20;
+/// Of λ_K from one survey to the next: the safety of the step allows for twice that.
+constexpr double surveyed_growth = 1.1;
+
 /// How many times stiffer a spring counts that only pushes.
 constexpr double impact = 4;
 
 double factor_at(const std::optional<Function>& function, double t) {
   return function ? value_at(*function, t) : 1.0;
+}
+
+void require_forces(const Model& model, const domain::Failed& failed) {
+  if (failed)
+    throw InputError(fmt::format("{}: {} in the initial displacements",
+                                 domain::cell_label(model.mesh, failed->cell),
+                                 element::described(failed->reason)));
 }
 
 VectorXd inverse_masses(const Model& model, const constraint::Reduction& reduction) {
@@ -86,14 +102,32 @@ ExplicitMotion::ExplicitMotion(const Model& model)
   collect_loads();
   if (const auto* heat = model.domain.heat())
     heat_force_ = heat->force(t_);
-  find_forces();
-  energy_ = {.impact = energy().contact, .start = energy().stored()};
+  deform();
+  const double back_stress = path_.taken.back_stress;
+  require_forces(model, find_forces());
+  energy_ = {.back_stress = back_stress, .impact = energy().contact};
+  energy_.start = energy().stored();
+  if (model.domain.has_finite_strain())
+    survey_.interval = 1;
 }
 
 Spectrum ExplicitMotion::spectrum() const {
   auto spectrum = spectrum_;
+  spectrum.stiffness *= std::max(1.0, survey_.growth);
   spectrum.contact = contact::largest_eigenvalue(contact_, inverse_mass_);
   return spectrum;
+}
+
+/// The next interval is the one in which λ_K grows by `surveyed_growth` if it goes on as it did.
+void ExplicitMotion::survey() {
+  if (!model_->domain.has_finite_strain() || (survey_.growth > 0 && survey_.made == 0))
+    return;
+  const double growth = model_->domain.growth(u_, bulk_points_, path_, spectrum_.stiffness);
+  const bool follows = survey_.growth > 0 && growth > 0;
+  const double a_step = follows ? std::log(growth / survey_.growth) / survey_.made : 0;
+  const int most = std::min(2 * survey_.interval, most_between_surveys);
+  const double wanted = a_step > 0 ? std::log(surveyed_growth) / a_step : most;
+  survey_ = {growth, std::max(1, static_cast<int>(std::min<double>(wanted, most))), 0};
 }
 
 void ExplicitMotion::find_spectrum() {
@@ -112,14 +146,14 @@ void ExplicitMotion::collect_supports() {
 /// The velocity now stays what it is, so that half a step before moves with the acceleration. So does the
 /// kinetic energy there, which the balance must not take for a gain.
 void ExplicitMotion::take_supports(const constraint::Reduction& reduction) {
-  const double kinetic = energy().kinetic;
+  const double kinetic = kinetic_energy();
   v_ += h_ / 2 * acceleration();
   reduction_ = std::make_shared<const constraint::Reduction>(reduction);
   inverse_mass_ = inverse_masses(*model_, reduction);
   find_spectrum();
   collect_supports();
   v_ -= h_ / 2 * acceleration();
-  energy_.kinetic += kinetic - energy().kinetic;
+  energy_.kinetic += kinetic - kinetic_energy();
   if (h_ > 0)
     for (auto& support : supports_)
       support.reaction = reaction_of(support);
@@ -138,12 +172,13 @@ void ExplicitMotion::collect_loads() {
   }
 }
 
-void ExplicitMotion::advance(double end, int steps) {
+domain::Failed ExplicitMotion::advance(double end, int steps) {
   const double begin = t_;
   set_step((end - begin) / steps);
-  for (int i = 1; i < steps; ++i)
-    step(begin + i * h_);
-  step(end);
+  for (int i = 1; i <= steps; ++i)
+    if (const auto failed = step(i < steps ? begin + i * h_ : end))
+      return failed;
+  return {};
 }
 
 /// The velocity half a step before t moves with the length of the step. So does the kinetic energy there,
@@ -151,19 +186,19 @@ void ExplicitMotion::advance(double end, int steps) {
 void ExplicitMotion::set_step(double step) {
   if (std::abs(step - h_) <= rounding * h_)
     return;
-  const double kinetic = energy().kinetic;
+  const double kinetic = kinetic_energy();
   v_ += (h_ - step) / 2 * acceleration();
   h_ = step;
   for (auto& support : supports_) {
     const int dof = support.prescribed->dof;
     v_[dof] = (u_[dof] - reduction_->displacement(*support.prescribed, t_ - h_)) / h_;
   }
-  energy_.kinetic += kinetic - energy().kinetic;
+  energy_.kinetic += kinetic - kinetic_energy();
   for (auto& support : supports_)
     support.reaction = reaction_of(support);
 }
 
-void ExplicitMotion::step(double end) {
+domain::Failed ExplicitMotion::step(double end) {
   for (const auto& support : supports_) {
     const int dof = support.prescribed->dof;
     v_[dof] = (reduction_->displacement(*support.prescribed, end) - u_[dof]) / h_;
@@ -171,13 +206,20 @@ void ExplicitMotion::step(double end) {
   central_difference_update(h_, inverse_mass_, unbalance_, v_, u_);
   const double begin = std::exchange(t_, end);
   ++steps_;
+  ++survey_.made;
+  const bool finite = model_->domain.has_finite_strain();
+  const double bulk_power = finite ? path_.forces.dot(v_) : 0;
   const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
   if (const auto springs = model_->domain.law_springs(); !springs.empty())
     energy_.numerical += domain::missed_between(springs, u_ - h_ * v_, u_);
   enter_heat(begin, end);
   enter_contact(begin, end);
-  find_forces();
+  if (const auto failed = find_forces())
+    return failed;
   enter_contact(begin, end);
+  enter(path_.taken, energy_);
+  if (finite)
+    energy_.bulk_scheme += h_ / 2 * (bulk_power + path_.forces.dot(v_)) - path_.law_work;
   if (damping_)
     energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
   for (auto& support : supports_) {
@@ -185,11 +227,23 @@ void ExplicitMotion::step(double end) {
     energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.prescribed->dof];
     support.reaction = reaction;
   }
+  return {};
+}
+
+/// The bodies come to the initial displacements from their undeformed shape at once.
+void ExplicitMotion::deform() {
+  const auto failed =
+      model_->domain.evaluate({u_, u_, t_, t_}, bulk_points_, bulk_points_next_, {.path = &path_});
+  require_forces(*model_, failed);
+  std::swap(bulk_points_, bulk_points_next_);
 }
 
 /// The domain sees the end of a step only: to keep its start as well would cost memory traffic.
-void ExplicitMotion::find_forces() {
-  model_->domain.evaluate({u_, u_, t_ - h_, t_}, bulk_points_, bulk_points_next_, {.forces = &unbalance_});
+domain::Failed ExplicitMotion::find_forces() {
+  const auto failed = model_->domain.evaluate({u_, u_, t_ - h_, t_}, bulk_points_, bulk_points_next_,
+                                              {.forces = &unbalance_, .path = &path_});
+  if (failed)
+    return failed;
   std::swap(bulk_points_, bulk_points_next_);
   if (damping_) {
     damping_->multiply(v_, damping_force_);
@@ -205,6 +259,7 @@ void ExplicitMotion::find_forces() {
     unbalance_[dof] += contact_force_[dof];
   for (auto& load : loads_)
     apply(load);
+  return {};
 }
 
 /// Adds a load to the residual force, and its work since the last instant.
@@ -269,8 +324,7 @@ VectorXd ExplicitMotion::acceleration() const {
 
 EnergyLedger ExplicitMotion::energy() const {
   auto ledger = energy_;
-  const VectorXd after = v_ + h_ * acceleration();
-  ledger.kinetic += 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
+  ledger.kinetic = kinetic_energy();
   ledger.strain = strain_energy();
   if (const auto* heat = model_->domain.heat())
     ledger.held_heat = heat->held_energy(t_);
@@ -282,16 +336,25 @@ EnergyLedger ExplicitMotion::energy() const {
   return ledger;
 }
 
+double ExplicitMotion::kinetic_energy() const {
+  const VectorXd after = v_ + h_ * acceleration();
+  return energy_.kinetic + 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
+}
+
+/// Of the present states, which have no records: that of nonlinear cells is the path's.
 double ExplicitMotion::strain_energy() const {
+  const auto& domain = model_->domain;
+  if (!domain.is_linear())
+    return domain.energy(u_, path_.forces, t_, bulk_points_) + path_.stored;
   VectorXd internal;
   domain::QuadratureStates unchanged;
-  model_->domain.evaluate({u_, u_, t_, t_}, bulk_points_, unchanged, {.forces = &internal});
-  return model_->domain.energy(u_, internal, t_, bulk_points_);
+  domain.evaluate({u_, u_, t_, t_}, bulk_points_, unchanged, {.forces = &internal});
+  return domain.energy(u_, internal, t_, bulk_points_);
 }
 
 ExplicitMotion::Memory ExplicitMotion::memory() const {
-  Memory memory{t_, h_, steps_, u_, v_,      unbalance_,  contact_force_, damping_force_,
-                {}, {}, {},     {}, energy_, bulk_points_};
+  Memory memory{t_, h_, steps_, u_, v_,      unbalance_,   contact_force_, damping_force_,
+                {}, {}, {},     {}, energy_, bulk_points_, path_,          survey_};
   for (const auto& load : loads_) {
     memory.load_factors.push_back(load.factor);
     memory.load_displacements.push_back(load.displacement);
@@ -316,6 +379,8 @@ void ExplicitMotion::restore(const Memory& memory) {
   if (const auto* heat = model_->domain.heat())
     heat_force_ = heat->force(t_);
   bulk_points_ = memory.bulk_points;
+  path_ = memory.path;
+  survey_ = memory.survey;
   for (std::size_t i = 0; i < loads_.size(); ++i) {
     loads_[i].factor = memory.load_factors.at(i);
     loads_[i].displacement = memory.load_displacements.at(i);

@@ -9,7 +9,8 @@
 /// Stable are steps h with h²/4 (K + 4 K_c) + h/2 C ≤ M, K the domain's initial tangent, K_c the springs of
 /// contact:
 ///   h ≤ 4 / (λ_C + √(λ_C² + 4 (λ_K + 4 λ_c)))         2/ω without damping and contact
-/// with bounds of the largest eigenvalues against M. The second 4 keeps h ω_c ≤ 1: beyond that, far below the
+/// λ_K grows where cells of finite strain are compressed or grow stiffer (domain::Domain::growth). With
+/// bounds of the largest eigenvalues against M. The second 4 keeps h ω_c ≤ 1: beyond that, far below the
 /// limit of a spring that also pulls, springs that only push gain energy in each of many impacts.
 #pragma once
 
@@ -30,7 +31,7 @@ namespace rubato::step {
 
 /// Largest eigenvalues against the lumped mass, not below the true ones.
 struct Spectrum {
-  double stiffness = 0; ///< λ_K of the bodies alone [1/time²]
+  double stiffness = 0; ///< λ_K of the bodies alone, as they stand [1/time²]
   double contact = 0;   ///< λ_c of every spring that faces a master, as the surfaces stand [1/time²]
   double damping = 0;   ///< λ_C [1/time]
 
@@ -41,18 +42,34 @@ struct Spectrum {
 class ExplicitMotion {
 public:
   /// In the model's initial motion, under the loads and imposed displacements of the study's first instant.
-  /// The model must outlive this. Throws InputError when a free unknown has no mass.
+  /// The model must outlive this. Throws InputError when a free unknown has no mass, or a cell no forces in
+  /// the initial displacements.
   explicit ExplicitMotion(const model::Model& model);
 
   double t() const { return t_; }
   std::int64_t steps() const { return steps_; }
+  /// Whether its displacements are all numbers.
+  bool is_finite() const { return u_.allFinite(); }
   Spectrum spectrum() const;
 
-  /// Goes on to `end` in that many equal steps.
-  void advance(double end, int steps);
+  /// Looks at what the largest eigenvalues depend on; true to the present instant until the next steps.
+  void survey();
+  /// How many steps may be made before the next survey: their step changes by a few percent at most.
+  int steps_between_surveys() const { return survey_.interval; }
+
+  /// Goes on to `end` in that many equal steps; ends at the first in which a cell has no forces: then forces
+  /// and energies have no meaning.
+  domain::Failed advance(double end, int steps);
 
   /// Goes on with other supports: the forces of those that have ended are gone at once.
   void take_supports(const constraint::Reduction& reduction);
+
+  /// What surveys have found of cells of finite strain.
+  struct Survey {
+    double growth = 0; ///< of λ_K as Domain::growth gives it; 0: not found yet
+    int interval = 20; ///< steps to the next one
+    int made = 0;      ///< steps since this one
+  };
 
   /// Kinetic energy is ½ v_{n−1/2}·M v_{n+1/2} and a constant that makes it continuous where the step
   /// changes, from 0 at rest on: with it the balance closes to rounding at any stable step. What the springs
@@ -72,6 +89,8 @@ public:
     std::vector<contact::ExplicitPenalty::Memory> zones;
     EnergyLedger energy;
     domain::QuadratureStates bulk_points;
+    domain::LawPath path;
+    Survey survey;
   };
   Memory memory() const;
   void restore(const Memory& memory);
@@ -98,8 +117,10 @@ private:
   void collect_supports();
   void find_spectrum();
   void set_step(double step);
-  void step(double end);
-  void find_forces();
+  domain::Failed step(double end);
+  void deform();
+  domain::Failed find_forces();
+  double kinetic_energy() const;
   double strain_energy() const;
   void apply(Load& load);
   void enter_heat(double from, double to);
@@ -117,7 +138,7 @@ private:
   std::vector<MovingSupport> supports_;
   std::vector<contact::ExplicitPenalty> contact_;
   std::vector<int> surface_; ///< unknowns that contact forces act on
-  Spectrum spectrum_;
+  Spectrum spectrum_;        ///< where nothing has happened
 
   double t_ = 0;
   double h_ = 0; ///< of the step before, and of the next one
@@ -126,10 +147,12 @@ private:
   Eigen::VectorXd v_;                         ///< half a step before t
   domain::QuadratureStates bulk_points_;      ///< at t
   domain::QuadratureStates bulk_points_next_; ///< kept for its memory
-  Eigen::VectorXd unbalance_;                 ///< r at t
-  Eigen::VectorXd contact_force_;             ///< at t, internal side
-  Eigen::VectorXd damping_force_;             ///< at t; empty without damping
-  Eigen::VectorXd heat_force_;                ///< at t; empty without temperatures
+  domain::LawPath path_;                      ///< to t
+  Survey survey_;
+  Eigen::VectorXd unbalance_;     ///< r at t
+  Eigen::VectorXd contact_force_; ///< at t, internal side
+  Eigen::VectorXd damping_force_; ///< at t; empty without damping
+  Eigen::VectorXd heat_force_;    ///< at t; empty without temperatures
   /// Works and dissipations so far, the start, and the constant of kinetic energy; `impact` is all that
   /// contact took, stored and rubbed energy with it.
   EnergyLedger energy_;

@@ -10,6 +10,11 @@ namespace {
 using Eigen::VectorXd;
 using model::Model;
 
+/// Without contact zones the factored matrix is that of the whole system.
+bool has_factor(const Model& model, const EffectiveSystem& system) {
+  return system.compliance && model.zones.empty();
+}
+
 } // namespace
 
 WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
@@ -18,7 +23,8 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
       equilibrium_(model, scheme, system, committed, t),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {
   if (!model.domain.is_linear())
-    bulk_.emplace(model, scheme, system, committed, t);
+    bulk_.emplace(model, scheme, system, committed, t,
+                  has_factor(model, system) ? Factored::yes : Factored::no);
 }
 
 std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
@@ -26,7 +32,8 @@ std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
   report_.tolerance = model_.study.newton.residual;
   side_.start_iterations();
   if (bulk_ && !started_)
-    start_ = bulk_->start();
+    bulk_->start();
+  start_ = bulk_ && !started_;
   started_ = true;
   return std::nullopt;
 }
@@ -34,7 +41,7 @@ std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
 void WholeSystem::evaluate(const State& trial, const Frozen& frozen, int iteration) {
   evaluate_contact(trial, frozen, iteration);
   if (start_)
-    equilibrium_.evaluate_ahead(trial.motion, force_, *start_);
+    equilibrium_.evaluate_ahead(trial.motion, force_, *bulk_->back_at_start());
   else
     equilibrium_.evaluate(trial.motion, force_);
   equilibrium_.measure(trial.motion, force_, report_);
@@ -43,6 +50,8 @@ void WholeSystem::evaluate(const State& trial, const Frozen& frozen, int iterati
 std::optional<Outcome> WholeSystem::close(State& trial, const Frozen& frozen) {
   equilibrium_.finish(force_, trial);
   side_.finish(frozen, now_, trial);
+  if (bulk_)
+    trial.indefinite = bulk_->is_indefinite() || !has_factor(model_, system_);
   return Outcome::converged;
 }
 
@@ -121,29 +130,47 @@ bool WholeSystem::within_rounding(const State& trial, const Frozen& frozen) cons
   return equilibrium_.within_rounding(trial.motion, stiffness, 0, report_.tolerance);
 }
 
-/// Without contact zones the factored matrix is that of the whole system.
 std::optional<LinearSolution> WholeSystem::solution(const time::Motion& motion) const {
-  if (system_.compliance && model_.zones.empty())
+  if (has_factor(model_, system_))
     return LinearSolution{
         system_.compliance->solve(-system_.slopes.adjusted(equilibrium_.residual(), motion)), {}};
   return solve_full({model_, system_.matrix, scheme_.contact_weight(), contact_, equilibrium_.residual()});
 }
 
-std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen&, double part) {
+/// An outcome ends the step.
+std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& frozen) {
   if (start_) {
     bulk_->start_with(report_.unbalanced_force);
-    start_.reset();
-  } else if (bulk_) {
-    if (const auto outcome = bulk_->go_on(trial.motion.u, report_.unbalanced_force))
-      return outcome;
+    start_ = false;
+    return std::nullopt;
   }
+  const double allowed = report_.tolerance * equilibrium_.scale();
+  if (const auto outcome = bulk_->go_on(trial.motion.u, report_.unbalanced_force, allowed))
+    return outcome;
+  if (!bulk_->goes_back())
+    return std::nullopt;
+  trial.motion = before_.motion;
+  trial.zones = before_.zones;
+  evaluate_contact(trial, frozen, report_.iterations);
+  if (const auto* start = bulk_->back_at_start())
+    equilibrium_.evaluate_ahead(trial.motion, force_, *start);
+  else
+    equilibrium_.evaluate(trial.motion, force_);
+  return std::nullopt;
+}
+
+std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, double part) {
+  if (bulk_)
+    if (const auto outcome = go_on_from(trial, frozen))
+      return outcome;
   const auto found = solution(trial.motion);
   if (!found || !found->displacement.allFinite() || !found->multipliers.allFinite())
     return Outcome::singular_matrix;
   const VectorXd d = model_.reduction.scatter(part * found->displacement);
-  const auto before = trial.motion;
+  if (bulk_)
+    before_ = {trial.motion, trial.zones};
   time::correct(system_.coefficients, d, trial.motion);
-  if (bulk_ && !bulk_->shorten(before, trial.motion, equilibrium_))
+  if (bulk_ && !bulk_->shorten(before_.motion, trial.motion, equilibrium_))
     return Outcome::cell_failed;
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
     trial.zones[z].multipliers +=

@@ -15,6 +15,7 @@
 #include "rubato/step/progress.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace rubato::step {
 
@@ -39,6 +40,7 @@ public:
   StepReport ended(Outcome outcome, const Frozen& frozen);
 
 private:
+  std::optional<Outcome> go_on_from(State& trial, const Frozen& frozen);
   void evaluate_contact(const State& trial, const Frozen& frozen, int iteration);
   void add_zone(std::size_t zone, const Frozen& frozen);
   std::optional<LinearSolution> solution(const time::Motion& motion) const;
@@ -52,7 +54,12 @@ private:
   Equilibrium equilibrium_;
   std::optional<BulkNewton> bulk_; ///< of a nonlinear one
   bool started_ = false;
-  std::optional<BulkStart> start_; ///< until its first iterate is solved for
+  bool start_ = false; ///< until its first iterate is solved for
+  /// Where its last iterate came from.
+  struct Before {
+    time::Motion motion;
+    std::vector<contact::ZoneState> zones;
+  } before_;
   contact::ContactSystem contact_;
   ContactForce force_;
   ContactIterate now_, previous_;

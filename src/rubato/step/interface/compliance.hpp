@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,6 +41,9 @@ public:
   Eigen::VectorXd backward(const Eigen::VectorXd& half_way) const {
     return unknowns_.factor().backward(half_way);
   }
+
+  /// Of the factor.
+  std::size_t factor_entries() const { return unknowns_.factor().factor_bytes() / sizeof(double); }
 
   /// How many interface dofs there are.
   Eigen::Index size() const { return static_cast<Eigen::Index>(dofs_.size()); }

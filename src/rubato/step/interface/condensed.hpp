@@ -93,6 +93,7 @@ private:
   void start_from(const State& trial);
   void start_ahead(const State& trial);
   std::optional<Outcome> go_on_from(State& trial, const Frozen& frozen, ContactForce force);
+  void go_back(State& trial);
   void take_factor();
   void predict_contact(State& trial, const Frozen& frozen);
   void collect_forces(const Frozen& frozen);
@@ -100,6 +101,7 @@ private:
   bool within_rounding(const State& trial, const Frozen& frozen) const;
   void measure_surface();
   double surface_scale() const;
+  void name_failure(Outcome outcome, const Frozen& frozen);
   std::vector<WorstNode> worst_on_surface() const;
   bool bases_carry_forces() const;
   void linearise(const State& trial, const Frozen& frozen);
@@ -137,7 +139,8 @@ private:
   bool residual_grew_ = false; ///< from one to the next: they are at their rounding
   bool started_ = false;
   bool counts_anew_ = false;
-  bool measured_ = false; ///< whether now() is at the iterate already
+  std::vector<contact::ZoneState> zones_at_base_; ///< of a nonlinear bulk
+  bool measured_ = false;                         ///< whether now() is at the iterate already
   SurfaceMotion surface_;
 };
 

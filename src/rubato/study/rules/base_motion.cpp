@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // How the ground moves.
-#include "rubato/core/error.hpp"
 #include "rubato/study/damping.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/rules/rules.hpp"
@@ -12,25 +11,11 @@
 namespace rubato::study {
 namespace {
 
-bool has_place(const Field& motion) {
-  if (motion.value.profile() != nullptr || motion.value.of_program() != nullptr)
-    return true;
-  const auto* formula = motion.value.formula();
-  if (formula == nullptr)
-    return false;
-  try {
-    const Expression expression(formula->text);
-    return expression.has('x') || expression.has('y') || expression.has('z');
-  } catch (const InputError&) {
-    return false; // told with the value
-  }
-}
-
 void check_component(Rules& rules, const Field& motion, std::size_t axis) {
   const auto path = fmt::format("base_motion.{}", axis_words.at(axis));
   rules.axis(path, axis);
   rules.motion(path, motion);
-  if (has_place(motion))
+  if (varies_in_place(motion))
     rules.broken({path}, "found a motion that depends on the place, expected a number or an expression of t: "
                          "the base moves as a whole");
   if (rules.study.physics == Physics::axisymmetric && axis == 0)

@@ -42,7 +42,8 @@ void check_contact_force(Rules& rules, const ContactForce& force, const std::str
 std::string kind_of(const Probe& probe) {
   if (probe.contact)
     return "a contact zone";
-  return probe.section ? "a section" : std::string(word_of(probe_field_words, probe.field));
+  const auto field = std::string(word_of(probe_field_words, probe.field));
+  return probe.section ? "a section" : probe.about ? field + " with its moment" : field;
 }
 
 void check_difference(Rules& rules, const Probe& probe, const std::string& path) {
@@ -74,6 +75,14 @@ void check_difference(Rules& rules, const Probe& probe, const std::string& path)
                              kind_of(*found[0]), shown(found[1]->name), kind_of(*found[1])));
 }
 
+void check_moment(Rules& rules, const Probe& probe, const std::string& path) {
+  check_axes(rules, *probe.about, path + ".about");
+  if (!is_force(probe.field) || probe.take != ProbeTake::sum)
+    rules.broken({path + ".about", path + ".field", path + ".take"},
+                 "goes with the sum of a reaction, internal_force or contact_force over 'on' only: it is the "
+                 "place that the moment is about");
+}
+
 void check_probe_place(Rules& rules, const Probe& probe, const std::string& path) {
   const int places = (probe.node.empty() ? 0 : 1) + (probe.point ? 1 : 0) + (probe.section ? 1 : 0) +
                      (probe.contact ? 1 : 0) + (probe.minus.empty() ? 0 : 1);
@@ -94,12 +103,30 @@ void check_probe_place(Rules& rules, const Probe& probe, const std::string& path
     check_cut(rules, *probe.section, path + ".section");
   if (probe.contact)
     check_contact_force(rules, *probe.contact, path + ".contact");
+  if (probe.about)
+    check_moment(rules, probe, path);
   if (!probe.minus.empty())
     check_difference(rules, probe, path);
 }
 
+/// What cells have is taken of a group, or is that of the point nearest to a place.
+void check_in_cells(Rules& rules, const Probe& probe, const std::string& path) {
+  const auto at = path + ".place";
+  if (probe.place == ProbePlace::nodes)
+    return;
+  if (!is_of_cells(probe.field))
+    rules.broken({path + ".field", at},
+                 fmt::format("found {}, which cells do not have, expected 'place: nodes' with it",
+                             word_of(probe_field_words, probe.field)));
+  if (probe.take == ProbeTake::node && !probe.point)
+    rules.broken({at, path + ".node"}, "goes with 'point', or with 'on' and 'take'");
+  if (probe.take == ProbeTake::sum)
+    rules.broken({path + ".take", at}, "found sum, expected mean, min or max of what cells have");
+}
+
 void check_probe(Rules& rules, const Probe& probe, const std::string& path) {
   check_probe_place(rules, probe, path);
+  check_in_cells(rules, probe, path);
   if (is_of_contact(probe.field) && rules.study.contact.empty())
     rules.broken({path + ".field", "contact"}, fmt::format("found {}, but the study has no contact",
                                                            word_of(probe_field_words, probe.field)));

@@ -85,6 +85,9 @@ void check_rotation(Rules& rules, const std::string& name, std::vector<std::stri
 /// What a name that is none is told.
 std::string expected_reference(const Study& study, const std::string& name);
 
+/// A rotation of a whole group.
+void check_rotate(Rules& rules, const Rotation& rotation, const std::string& path);
+
 void check_mesh(Rules& rules);
 void check_groups(Rules& rules);
 void check_physics(Rules& rules);

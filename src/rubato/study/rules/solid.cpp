@@ -223,6 +223,18 @@ void check_turns(Rules& rules, const Support& support, const std::string& path) 
     }
 }
 
+/// It holds every component of a group, and so leaves nothing to be held otherwise.
+void check_rotated(Rules& rules, const Support& support, const std::string& path) {
+  check_rotate(rules, *support.rotate, path + ".rotate");
+  if (support.along)
+    rules.broken({path + ".along", path + ".rotate"},
+                 "found 'along' beside 'rotate', which holds every component, expected x, y or z");
+  if (is_reference(rules.study, support.on))
+    rules.broken(
+        {path + ".rotate", path + ".on", "relations"},
+        fmt::format("'{}' is a reference, which takes 'turn'; 'rotate' expects a group", support.on));
+}
+
 void check_along(Rules& rules, const Support& support, const std::string& path) {
   const auto& along = *support.along;
   rules.motion(path + ".value", along.value);
@@ -256,6 +268,16 @@ void check_load(Rules& rules, const Load& load, const std::string& path) {
       rules.axis(at, axis);
   }
   rules.function(path + ".function", load.function);
+  if (load.follower && load.kind != LoadKind::pressure)
+    rules.broken({path + ".follower", path},
+                 fmt::format("found a {} that follows the faces, expected 'pressure': every other load keeps "
+                             "its direction",
+                             word_of(load_words, load.kind)));
+  else if (load.follower && !takes_large_rotations(rules.study))
+    rules.broken(
+        {path + ".follower", path, "materials"},
+        "found a pressure that follows the faces of bodies of small strain, expected a material with "
+        "strain: green_lagrange or logarithmic");
 }
 
 /// Why a run begins in no other way than its own; empty when it may.
@@ -294,9 +316,11 @@ void check_supports(Rules& rules) {
     check_until(rules, support, path);
     if (support.along)
       check_along(rules, support, path);
-    if (is_empty(support.components) && !support.along && is_empty(support.turns))
+    if (support.rotate)
+      check_rotated(rules, support, path);
+    if (is_empty(support.components) && !support.along && is_empty(support.turns) && !support.rotate)
       rules.broken({path, path + ".fix", path + ".x", path + ".y", path + ".z"},
-                   "holds nothing, expected 'fix', a displacement x, y or z, or 'along'");
+                   "holds nothing, expected 'fix', a displacement x, y or z, 'along' or 'rotate'");
   }
 }
 

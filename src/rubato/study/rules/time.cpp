@@ -15,6 +15,19 @@ constexpr double most_steps = 1e9;
 /// An end that is not a whole number of steps away by rounding only.
 constexpr double rounding = 1e-9;
 
+void check_mass_scaling(Rules& rules) {
+  const auto& time = rules.study.time;
+  if (!time.mass_scaling)
+    return;
+  rules.number("time.mass_scaling.step", *time.mass_scaling, bounds::scaled_step);
+  if (!is_explicit(time.scheme))
+    rules.broken(
+        {"time.mass_scaling", "time.scheme"},
+        fmt::format("the scheme {} has no step that is too long for a cell; central_difference takes "
+                    "it",
+                    word_of(scheme_words, time.scheme)));
+}
+
 /// A length of time that must fit into the run, and not too often.
 void check_fits(Rules& rules, const std::string& path, double part) {
   const double length = rules.study.time.end - rules.study.time.begin;
@@ -94,6 +107,7 @@ void check_time(Rules& rules) {
   check_contact_mass(rules);
   check_course(rules);
   check_start(rules);
+  check_mass_scaling(rules);
   if (is_explicit(rules.study.time.scheme))
     return;
   rules.whole_number("time.on_failure.cut", rules.study.time.cut_parts, bounds::cut_parts);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Where the work of internal forces goes at the points of cells, over a step. Notation of
+/// docs/theory/energy.md: [x] = x₁ − x₀, {x} = (x₀ + x₁)/2 of the step's ends.
+///
+/// With stress and strain of the law, P and F of the cell, and w the volume of a point, the work [u]·{f_int}
+/// of the cells is
+///
+///   Σ w {P}:[F] = [Σ w stored] + back_stress + plastic + viscous + scheme
+///
+/// to rounding, as {stress}:[strain] = [stored] + what material::dissipation gives, of laws whose stress is
+/// linear in the elastic strain.
+#pragma once
+
+#include "rubato/element/nonlinear.hpp"
+#include "rubato/material/point_law.hpp"
+
+#include <span>
+
+namespace rubato::domain {
+
+/// Energies [force · length].
+struct Balance {
+  double plastic = 0;     ///< dissipated by plastic strain; what hardening of the yield stress takes, too
+  double back_stress = 0; ///< what back stresses store more than at the start
+  double viscous = 0;     ///< dissipated by Prony series
+  /// Σ w ({P}:[F] − {stress}:[strain]) at finite strain, of hyperelastic laws Σ w ({P}:[F] − [stored]): the
+  /// work over the step is not what the laws have it to be at its ends. Of third order in the step.
+  double scheme = 0;
+};
+
+/// Whether {stress}:[strain] is what is stored and dissipated: of all laws but hyperelastic ones.
+bool has_linear_stress(const material::PointLaw& law);
+
+/// One cell at one end of a step.
+struct CellEnd {
+  std::span<const element::PointRecord> records; ///< one a point
+  std::span<const double> states;                ///< of the law, point by point
+};
+
+void add_balance(const material::PointLaw& law, element::StrainKind strain, const CellEnd& old,
+                 const CellEnd& now, Balance& sum);
+
+/// Σ w ⅓ C α:α [force · length].
+double back_stress_energy(const material::PointLaw& law, const CellEnd& end);
+
+} // namespace rubato::domain

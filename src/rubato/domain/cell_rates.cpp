@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/domain/cell_rates.hpp"
+
+#include "rubato/domain/cell_matrices.hpp"
+
+#include <Eigen/Eigenvalues>
+
+namespace rubato::domain {
+
+double CellVibration::bound() const {
+  return stiffness.norm() / mass.minCoeff();
+}
+
+double CellVibration::largest() const {
+  const auto components = stiffness.rows() / mass.size();
+  const Eigen::VectorXd root =
+      mass.cwiseSqrt().cwiseInverse().replicate(1, components).transpose().reshaped();
+  const Eigen::MatrixXd rates = root.asDiagonal() * stiffness * root.asDiagonal();
+  const double scale = rates.norm(); // Eigen takes entries for zero by their size
+  if (!(scale > 0))
+    return 0;
+  return scale * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(rates / scale, Eigen::EigenvaluesOnly)
+                     .eigenvalues()
+                     .maxCoeff();
+}
+
+CellVibration vibration_of(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t cell) {
+  const auto index = bulk.cells[cell];
+  const auto type = mesh.type_of(index);
+  const auto nodes = mesh.nodes_of(index);
+  const CellPoints points(mesh, nodes);
+  const auto count = static_cast<Eigen::Index>(nodes.size());
+  const auto size = count * element::component_count(bulk.section.physics);
+  CellVibration result{Eigen::MatrixXd(size, size), Eigen::VectorXd(count)};
+  cell_stiffness(bulk, cell, type, points, result.stiffness);
+  cell_lumped_mass(bulk, cell, type, points, result.mass);
+  return result;
+}
+
+} // namespace rubato::domain

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// How stiff the cells are, without a matrix of the whole.
+#include "rubato/cell/height.hpp"
+#include "rubato/domain/cell_rates.hpp"
+#include "rubato/domain/nonlinear_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::domain {
+
+using Eigen::VectorXd;
+
+void NonlinearCells::add_initial_product(const VectorXd& x, VectorXd& y) const {
+  Scratch scratch;
+  for (const auto& cell : cells_) {
+    const auto& group = group_of(cell);
+    gather(cell, x, scratch.displacement);
+    scratch.force.resize(scratch.displacement.size());
+    const element::CellInput input{
+        std::span(points_).subspan(cell.first_node, static_cast<std::size_t>(group.nodes)),
+        scratch.displacement,
+        {}};
+    element::evaluate(group.undeformed, element::PointLaws(group.first), input, {{}, scratch.force, {}});
+    scatter(cell, scratch.force, y);
+  }
+}
+
+/// Cells without mass are held: they do not vibrate.
+void NonlinearCells::find_rates(const mesh::Mesh& mesh, const Bulk& bulk,
+                                std::span<const double> mass_factors) {
+  rates_.reserve(cells_.size());
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
+    if (bulk.is_constant(i))
+      continue;
+    Rate rate;
+    if (group_of(cells_[rates_.size()]).kind.strain != element::StrainKind::small) {
+      const auto vibration = vibration_of(mesh, bulk, i);
+      rate.stiffness = vibration.stiffness.norm();
+      if (vibration.mass.minCoeff() > 0)
+        rate.lambda = vibration.bound() / (mass_factors.empty() ? 1 : mass_factors[i]);
+    }
+    rates_.push_back(rate);
+  }
+}
+
+/// Cells that are turned inside out are left to their next evaluation, which fails.
+double NonlinearCells::growth(const VectorXd& u, const QuadratureStates& states, const LawPath& path,
+                              double rate) const {
+  Scratch scratch;
+  double growth = 0;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const auto& cell = cells_[i];
+    const auto kind = group_of(cell).kind.strain;
+    if (kind == element::StrainKind::small) // no law is stiffer than at first
+      continue;
+    const bool by_shape = group_of(cell).followed && kind == element::StrainKind::logarithmic;
+    const double own =
+        by_shape ? growth_of_shape(cell, u, path, scratch) : growth_of_tangent(i, u, states, scratch);
+    growth = std::max(growth, own * std::min(1.0, rates_[i].lambda / rate));
+  }
+  return growth;
+}
+
+namespace {
+
+/// Not below the largest principal stress.
+double magnitude(const material::Stress6& stress) {
+  return std::sqrt(stress.squaredNorm() + stress.tail<3>().squaredNorm());
+}
+
+} // namespace
+
+/// (l₀/l)² (1 + 2 max |T|/D₀). The moduli of logarithmic strain are those of the law, which are never larger
+/// than at first, and stresses: along a principal direction ρ₀c² = D − T (docs/theory/explicit.md).
+double NonlinearCells::growth_of_shape(const Cell& cell, const VectorXd& u, const LawPath& path,
+                                       Scratch& scratch) const {
+  const auto& group = group_of(cell);
+  const auto places = std::span(points_).subspan(cell.first_node, static_cast<std::size_t>(group.nodes));
+  scratch.places.assign(places.begin(), places.end());
+  for (std::size_t n = 0; n < places.size(); ++n)
+    scratch.places[n].head(components_) += u.segment(dofs_[cell.first_node + n], components_);
+  const double height = cell::least_height(group.kind.type, scratch.places);
+  if (!(height > 0))
+    return 0;
+  double stress = 0;
+  for (const auto& point :
+       std::span(path.points).subspan(cell.first_follow, static_cast<std::size_t>(group.points)))
+    stress = std::max(stress, magnitude(point.stress));
+  const double thinner = cell::least_height(group.kind.type, places) / height;
+  return thinner * thinner * (1 + 2 * stress / group.first.stiffness.diagonal().head<2>().minCoeff());
+}
+
+/// ‖K_e‖ of now over that at first.
+double NonlinearCells::growth_of_tangent(std::size_t i, const VectorXd& u, const QuadratureStates& states,
+                                         Scratch& scratch) const {
+  const auto& cell = cells_[i];
+  const auto& group = group_of(cell);
+  gather(cell, u, scratch.displacement);
+  scratch.force.resize(scratch.displacement.size());
+  scratch.tangent.resize(scratch.displacement.size() * scratch.displacement.size());
+  scratch.states.resize(group.state_size);
+  const element::CellInput input{
+      std::span(points_).subspan(cell.first_node, static_cast<std::size_t>(group.nodes)),
+      scratch.displacement, std::span(states.values).subspan(cell.first_state, group.state_size)};
+  if (!element::evaluate(group.kind, element::PointLaws(group.law), input,
+                         {scratch.states, scratch.force, scratch.tangent}))
+    return 0;
+  return Eigen::Map<const VectorXd>(scratch.tangent.data(), static_cast<Eigen::Index>(scratch.tangent.size()))
+             .norm() /
+         rates_[i].stiffness;
+}
+
+} // namespace rubato::domain
