@@ -86,8 +86,7 @@ int list() {
   for (const auto& [name, summary] :
        {std::pair{"full", "every cell: all points of the rule"},
         {"mean_dilatation", "QUAD4, HEXA8, PENTA6: the mean change of volume; plasticity, rubber"},
-        {"enhanced", "QUAD4, HEXA8: own modes of the cell; bending with few layers"},
-        {"reduced", "QUAD4, HEXA8: one point, and stiffness against hourglasses"}})
+        {"enhanced", "QUAD4, HEXA8: own modes of the cell; bending with few layers"}})
     fmt::print("  {:<31} {}\n", name, summary);
   fmt::print("\nMesh files\n");
   for (const auto& format : rubato::mesh::all_formats())

@@ -277,7 +277,7 @@ const Mistake sense_mistakes[] = {
     {"fix: [x, y]", "fix: [x, x]", "x]", "supports.0.fix.1: x is given a second time"},
     {"fix: [x, y]", "fix: [x, y], y: 1", "y], y", "supports.0.fix.1: y is given a second time"},
     {", fix: [x, y]", "", "{on: Clamped",
-     "supports.0: holds nothing, expected 'fix', a displacement x, y or z, or 'along'"},
+     "supports.0: holds nothing, expected 'fix', a displacement x, y or z, 'along' or 'rotate'"},
     {", x: 1}", "}", "{on: Above}", "loads.1.line_force: has no component, expected at least one of x, y, z"},
     {"function: ramp}\n  - line", "function: rampe}\n  - line", "rampe",
      "loads.0.nodal_force.function: no function is called 'rampe'; did you mean 'ramp'?"},

@@ -139,7 +139,7 @@ const char* const sound_materials[] = {
     "formulation: enhanced, strain: small",
     "law: plastic, young: 2, poisson: 0, hardening: {johnson_cook: {yield_stress: 1, factor: 2, exponent: "
     "3}}, "
-    "formulation: reduced, expansion: 1e-5",
+    "formulation: full, expansion: 1e-5",
     "law: hyperelastic, c10: 0.4, c01: -0.1, bulk: 100, volumetric: quadratic, expansion: 1e-5",
     "law: hyperelastic, c10: 0.4, poisson: 0, strain: green_lagrange",
     "law: yeoh, c10: 0.4, poisson: 0.49",
@@ -334,11 +334,13 @@ const BadMaterial bad_cells[] = {
      ""},
     {elastic + ", strain: large",
      "materials.steel.strain: found 'large', expected one of small, green_lagrange, logarithmic", ""},
-    {elastic + ", formulation: reduce",
-     "materials.steel.formulation: found 'reduce', expected one of full, mean_dilatation, enhanced, reduced; "
-     "did "
-     "you mean 'reduced'?",
+    {elastic + ", formulation: enhance",
+     "materials.steel.formulation: found 'enhance', expected one of full, mean_dilatation, enhanced; did you "
+     "mean "
+     "'enhanced'?",
      ""},
+    {elastic + ", formulation: reduced",
+     "materials.steel.formulation: found 'reduced', expected one of full, mean_dilatation, enhanced", ""},
     {rubber + ", formulation: enhanced",
      "materials.steel.formulation: enhanced cells grow hourglasses under large compression with the law "
      "hyperelastic, expected mean_dilatation",

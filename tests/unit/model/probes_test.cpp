@@ -141,7 +141,7 @@ TEST_F(Probed, GaussPointIsTheNearestOne) {
   EXPECT_TRUE(notes_.empty());
   cells_of(in_cells(probe_at(0.5, 0.5), study::ProbePlace::gauss_points));
   EXPECT_EQ(notes_,
-            (Texts{"probe 'p': 4 Gauss points are equally near to its point; one of cell M1 (QUAD4) at "
+            (Texts{"probe 'p': 4 Gauss points are equally near to its point; one of cell 3 (QUAD4) at "
                    "(0.5, 0.5) is taken, a place nearer to one of them says which is meant"}));
 }
 

@@ -42,13 +42,15 @@ Forms kinematic() {
   return either(one, list(one, 1, study::most_back_stresses));
 }
 
-/// Which of the last two a term has is a matter of the law.
+/// One form for both laws, as a deck that no run reads is judged without its law.
 Forms terms() {
-  return list(map("a term of a Prony series or of Ogden's law",
-                  {{"shear", "its part of the shear modulus, of prony > 0 [force/length²]", number(), true},
-                   {"time", "prony: in which it relaxes [time]", number(study::bounds::relaxation_time)},
-                   {"exponent", "ogden: of the principal stretches, not 0", number()}}),
-              1);
+  return list(
+      map("a term of a series",
+          {{"shear", "prony: shear modulus that relaxes; ogden: part of the shear modulus [force/length²]",
+            number(), true},
+           {"time", "prony: in which it relaxes [time]", number(study::bounds::relaxation_time)},
+           {"exponent", "ogden: of the principal stretches, not 0", number()}}),
+      1);
 }
 
 } // namespace

@@ -77,6 +77,8 @@ void check_enhanced(Rules& rules, const Material& material, const std::string& o
 
 void check_formulation(Rules& rules, const Material& material, const std::string& of_material) {
   const auto path = of_material + ".formulation";
+  if (material.formulation == Formulation::reduced)
+    rules.broken({path}, "no cell is integrated by reduced yet, expected full, mean_dilatation or enhanced");
   if (material.formulation == Formulation::enhanced)
     check_enhanced(rules, material, of_material);
   if (material.formulation == Formulation::mean_dilatation && rules.study.physics == Physics::plane_stress)
