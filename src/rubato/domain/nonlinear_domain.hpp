@@ -43,11 +43,17 @@ public:
   }
   const Heat* heat() const { return constant_.heat(); }
   std::span<const LawSpring> law_springs() const { return constant_.law_springs(); }
-  const SparseMatrix& initial_tangent() const { return *initial_; }
+  /// Throws InputError where there is none.
+  const SparseMatrix& initial_tangent() const;
   PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
     return cells_->plastic_step(old, now);
   }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
+  bool has_finite_strain() const { return cells_->has_finite_strain(); }
+  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path,
+                double rate) const {
+    return cells_->growth(u, states, path, rate);
+  }
 
 private:
   LinearDomain constant_;

@@ -162,7 +162,11 @@ std::string sentence(const model::Model& model, const step::StepReport& report, 
   return "";
 }
 
-std::string explain_growth(const results::Failure& failure) {
+/// Of an explicit run.
+std::string explain_growth(const model::Model& model, const results::Failure& failure) {
+  if (failure.report.failed_cell)
+    return fmt::format("{} (between t = {:g} and {:g})", cell_of(model, failure.report), failure.begin,
+                       failure.end);
   return fmt::format("displacements grew beyond all bounds between t = {:g} and {:g}; the first that is not "
                      "finite: {}",
                      failure.begin, failure.end, failure.not_finite);
@@ -184,7 +188,7 @@ results::Failure failure_of(const model::Model& model, const simulation::Rejecte
 
 std::string explain(const model::Model& model, const results::Failure& failure) {
   if (study::is_explicit(model.study.time.scheme))
-    return explain_growth(failure);
+    return explain_growth(model, failure);
   const auto& report = failure.report;
   auto text = fmt::format("no convergence from t = {:g} to {:g} ({}, {} iterations)", failure.begin,
                           failure.end, step::to_string(report.outcome), report.iterations);

@@ -89,6 +89,9 @@ Trial ExplicitIntegrator::make(const GoesOn& goes_on) {
     go_back();
     throw;
   }
+  if (report.failed_cell)
+    report.unmet.push_back(
+        {step::Criterion::cell, -1, stages_.model().mesh.nodes_of(report.failed_cell->cell).front()});
   trial.attempt.steps = trial.spent.steps = static_cast<int>(motion_.steps() - steps_before);
   if (report.outcome == step::Outcome::interrupted) {
     before_.reset();
