@@ -253,6 +253,7 @@ MESHES: dict[str, Callable[[], rubato.Mesh]] = {
     "failing.med": lambda: stack((4, 1), (4, 1)),
     "excluded.med": lambda: stack((4, 1), (4, 1)),
     "cube.med": lambda: one_box((1, 1, 1), (2, 2, 2)),
+    "yielding.med": lambda: one_box((1, 1, 1), (2, 2, 2)),
     "tubes.med": tubes,
     "pyramids5.med": lambda: pyramids("pyra5"),
     "pyramids13.med": lambda: pyramids("pyra13"),

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -225,6 +226,70 @@ result = STAT_NON_LINE(MODELE=model, CHAM_MATER=material, EXCIT=_F(CHARGE=held),
 
 
 # ---- SDNL140 -----------------------------------------------------------------------------------------------
+
+
+# ---- bodies that yield, turn and stretch ---------------------------------------------------------------------
+
+YIELDS = "ECRO_LINE=_F(SY=400e6, D_SIGM_EPSI=2e9)"
+BEHAVIOURS = {
+    "isot_line": (YIELDS, "VMIS_ISOT_LINE", "PETIT", 2e6),
+    "isot_trac": ("TRACTION=_F(SIGM=DEFI_FONCTION(NOM_PARA='EPSI', PROL_DROITE='LINEAIRE', VALE=(.002, 400e6, .004, "
+                  "430e6, .008, 460e6, .03, 500e6)))", "VMIS_ISOT_TRAC", "PETIT", 2e6),
+    "cine_line": (YIELDS, "VMIS_CINE_LINE", "PETIT", 2e6),
+    "ecmi_line": (f"{YIELDS}, PRAGER=_F(C=1e9)", "VMIS_ECMI_LINE", "PETIT", 2e6),
+    "cin1_chab": ("CIN1_CHAB=_F(R_0=300e6, R_I=400e6, B=20., C_I=40e9, K=1., W=0., G_0=200., A_I=1.)",
+                  "VMIS_CIN1_CHAB", "PETIT", 2e6),
+    "gdep_elas": ("", "ELAS", "GROT_GDEP", 1e7),
+    "log_isot": (YIELDS, "VMIS_ISOT_LINE", "GDEF_LOG", 2e6),
+}
+
+
+def beams_study(prefix: str, name: str) -> str:
+    numbers, relation, deformation, load = BEHAVIOURS[name]
+    solid = prefix == "c"
+    instants = [float(row["t"]) for row in rows_of(f"{prefix}_{name}")]
+    force = (f"FORCE_ARETE=_F(GROUP_MA='Haut_Pression', FY={-load})" if solid else
+             f"FORCE_NODALE=_F(GROUP_NO='Force', FY={-load})")
+    clamped = "('Haut_Encastre', 'Bas_Encastre')" if solid else "'Encastrement'"
+    excluded = "('N11', 'N12')" if solid else "'N6'"
+    return HEAD.format(format="MED", kind="3D" if solid else "D_PLAN") + f"""
+steel = DEFI_MATERIAU(ELAS=_F(E=200e9, NU=0.3, RHO=7800.){', ' + numbers if numbers else ''})
+material = AFFE_MATERIAU(MAILLAGE=mesh, AFFE=_F(TOUT='OUI', MATER=steel))
+held = AFFE_CHAR_MECA(MODELE=model, DDL_IMPO=_F(GROUP_MA={clamped}, DX=0., DY=0.{', DZ=0.' if solid else ''}))
+force = AFFE_CHAR_MECA(MODELE=model, {force})
+contact = DEFI_CONTACT(MODELE=model, FORMULATION='CONTINUE', FROTTEMENT='COULOMB', ALGO_RESO_GEOM='NEWTON',
+                       ALGO_RESO_CONT='NEWTON', ALGO_RESO_FROT='NEWTON', ZONE=_F(
+                           GROUP_MA_MAIT='Haut_Contact', GROUP_MA_ESCL='Bas_Contact', COULOMB=0.2, COEF_CONT=1e9,
+                           COEF_FROT=1e7, CONTACT_INIT='OUI', SANS_NOEUD={excluded}, ADAPTATION='NON'))
+instants = DEFI_LIST_REEL(VALE={instants})
+result = DYNA_NON_LINE(MODELE=model, CHAM_MATER=material, CONTACT=contact, EXCIT=(_F(CHARGE=held), _F(CHARGE=force)),
+                       COMPORTEMENT=_F(TOUT='OUI', RELATION='{relation}', DEFORMATION='{deformation}'),
+                       SCHEMA_TEMPS=_F(SCHEMA='HHT', FORMULATION='DEPLACEMENT', ALPHA=-0.3, MODI_EQUI='OUI'),
+                       INCREMENT=_F(LIST_INST=instants), CONVERGENCE=_F(RESI_GLOB_RELA=1e-9, ITER_GLOB_MAXI=30))
+plastic = []
+for order in result.LIST_VARI_ACCES()['NUME_ORDRE']:
+    field = CREA_CHAMP(OPERATION='EXTR', TYPE_CHAM='ELGA_VARI_R', RESULTAT=result, NOM_CHAM='VARI_ELGA', NUME_ORDRE=order)
+    plastic.append(max(part.values.max() for part in field.parts))
+json.dump(plastic, open('plastic.json', 'w'))
+"""
+
+
+@pytest.mark.parametrize("prefix", ["c", "fdp"])
+@pytest.mark.parametrize("name", BEHAVIOURS)
+def test_beams_that_yield_and_turn(prefix, name, tmp_path):
+    rows = rows_of(f"{prefix}_{name}")
+    mesh, node = (SHARED / "sdnl140" / "sdnl140c.med", "N7") if prefix == "c" else (
+        SHARED / "sdnl140" / "sdnl140f.med", "N4")
+    found = run(tmp_path, mesh, beams_study(prefix, name))
+    peak = max(abs(float(row["dy"])) for row in rows)
+    for order, row in enumerate(rows):
+        assert found[f"{order} {node}"]["DY"] == pytest.approx(float(row["dy"]), abs=1e-6 * peak)
+    plastic = json.loads((tmp_path / "run" / "plastic.json").read_text())
+    if "VMIS_ISOT" in BEHAVIOURS[name][1]:
+        largest = max(float(row["v1_max"]) for row in rows)
+        for value, row in zip(plastic, rows, strict=True):
+            assert value == pytest.approx(float(row["v1_max"]), abs=1e-5 * largest)
+    assert not any(math.isnan(value) for value in plastic)
 
 
 @pytest.mark.parametrize("modeling", "abcdef")

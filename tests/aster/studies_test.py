@@ -25,7 +25,7 @@ STUDIES = {
     "press.comm": 72, "press3d.export": 175, "printing.export": 3, "quadratic.comm": 29, "relations.comm": 19,
     "restart.comm": 13, "settle.comm": 18, "sheet.comm": 24, "sheets.export": 17, "slide.comm": 23,
     "springs.comm": 18, "surfaces.export": 54, "textmesh.comm": 6, "thermal.comm": 16, "tied.comm": 8,
-    "tubes.comm": 49,
+    "tubes.comm": 49, "yielding.comm": 21,
 }
 COUNT = re.compile(r"outside references \(VALE_REFE\): (\d+) of (\d+) hold")
 

@@ -76,6 +76,27 @@ probes: {corner: {node: corner}}
 fields: {formats: [vtu, med], every: 7, last: false}
 )";
 
+/// A block that is pressed into a wider one and drawn along it: both flow, by finite strains.
+inline const std::string flowing_blocks = R"(title: blocks that flow
+mesh:
+  generate:
+    - {name: block, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [3, 3], sides: {top: top, bottom: under}}
+    - {name: plane, rectangle: {from: [-0.5, -1], to: [1.5, 0]}, divisions: [5, 3], sides: {top: over, bottom: ground}}
+physics: plane_strain
+materials:
+  metal: {law: plastic, young: 1000, poisson: 0.3, density: 0.1, strain: logarithmic, hardening: {linear: {yield_stress: 10, modulus: 50}}}
+functions: {press: {times: [0, 0.5, 1], values: [0, 1, 0.9]}, draw: {times: [0, 0.4, 1], values: [0, 0, 1]}}
+supports:
+  - {on: ground, fix: [x, y]}
+  - {on: top, x: {value: 0.05, function: draw}, y: {value: -0.08, function: press}}
+contact: {foot: {master: over, slave: under, integration: nodes, friction: 0.2}}
+time: {scheme: static, step: 0.1, end: 0.6}
+probes:
+  most: {on: all, take: max, field: cumulated_plastic_strain, place: gauss_points}
+  cut: {section: {point: [0, 0.5], normal: [0, 1], cells: block}}
+fields: {formats: [vtu, med], also: [plastic_strain, stress_elga], every: 2, last: false}
+)";
+
 /// The same beams by central differences.
 inline const std::string explicit_beams = [] {
   auto deck = rubbing_beams.substr(0, rubbing_beams.find("time:"));

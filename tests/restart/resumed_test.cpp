@@ -108,6 +108,24 @@ TEST_F(ResumedRun, GoesOnAcrossTheEndOfASupport) {
     expect_no_seam(by_leaps, end, "5e-4");
 }
 
+TEST_F(ResumedRun, GoesOnWithWhatMaterialsRemember) {
+  for (const auto& scheme :
+       {"{scheme: static, step: 0.1, end: 0.6}", "{scheme: hht, alpha: -0.1, step: 0.1, end: 0.6}"}) {
+    const auto deck = with(test::flowing_blocks, "{scheme: static, step: 0.1, end: 0.6}", scheme);
+    ASSERT_EQ(run(deck, "whole", {"--set", "time.end=1"}).exit_code, 0);
+    for (const auto* end : {"0.1", "0.3", "0.6"}) {
+      ASSERT_EQ(run(deck, "out", {"--set", std::string("time.end=") + end}).exit_code, 0);
+      const auto outcome = run(deck, "out", {"--resume", "--set", "time.end=1"});
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      expect_same("whole", "out");
+    }
+    const auto other =
+        run(deck, "out", {"--resume", "--set", "materials.metal.hardening.linear.yield_stress=11"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find("materials.metal.hardening"), std::string::npos) << other.err;
+  }
+}
+
 TEST_F(ResumedRun, KeepsTheShorteningOfALockedPreload) {
   const std::string deck = R"(mesh:
   generate: [{name: bolt, rectangle: {from: [0, 0], to: [1, 4]}, divisions: [2, 8], sides: {bottom: ground, top: head}}]

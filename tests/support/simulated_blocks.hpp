@@ -61,7 +61,11 @@ inline void expect_same(const step::EnergyLedger& a, const step::EnergyLedger& b
   EXPECT_EQ(a.external_work, b.external_work);
   EXPECT_EQ(a.friction, b.friction);
   EXPECT_EQ(a.impact, b.impact);
+  EXPECT_EQ(a.plastic, b.plastic);
+  EXPECT_EQ(a.back_stress, b.back_stress);
+  EXPECT_EQ(a.viscous, b.viscous);
   EXPECT_EQ(a.numerical, b.numerical);
+  EXPECT_EQ(a.bulk_scheme, b.bulk_scheme);
 }
 
 /// Where both stand, with what they carry on.

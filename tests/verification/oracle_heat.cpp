@@ -5,60 +5,17 @@
 
 #include <fmt/format.h>
 
-#include "support/shared_files.hpp"
 #include "support/walk.hpp"
+#include "verification/oracle_files.hpp"
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <span>
 #include <stdexcept>
 
 namespace rubato::verification {
 namespace {
 
 using Eigen::VectorXd;
-
-/// A row of numbers a line of the file.
-using Table = std::vector<std::vector<double>>;
-
-Table table_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  Table table;
-  while (std::getline(stream, line)) {
-    std::istringstream cells(line);
-    table.emplace_back();
-    for (std::string cell; std::getline(cells, cell, ',');)
-      table.back().push_back(std::stod(cell));
-  }
-  return table;
-}
-
-std::filesystem::path file_of(const std::string& name) {
-  return test::shared_file("oracle/" + name + ".csv");
-}
-
-std::string instants_of(const std::string& file) {
-  std::vector<double> instants;
-  for (const auto& row : table_of(file_of(file)))
-    if (row.front() > 0)
-      instants.push_back(row.front());
-  return fmt::format("[{}]", fmt::join(instants, ", "));
-}
-
-std::string meshes(bool solid) {
-  if (solid)
-    return R"([{name: Haut, box: {from: [0, 0, 0], to: [1, 0.1, 0.1]}, divisions: [20, 2, 1], cells: hexa8,
-    sides: {left: Haut_Encastre, bottom: Haut_Contact}, points: {right_top_back: tip}},
-    {name: Bas, box: {from: [0, -0.1, 0], to: [1, 0, 0.1]}, divisions: [20, 2, 1], cells: hexa8,
-    sides: {left: Bas_Encastre, top: Bas_Contact}}])";
-  return R"([{name: Haut, rectangle: {from: [0, 0], to: [1, 0.1]}, divisions: [20, 2], cells: quad4,
-    sides: {left: Haut_Encastre, bottom: Haut_Contact}, points: {right_top: tip}},
-    {name: Bas, rectangle: {from: [0, -0.1], to: [1, 0]}, divisions: [20, 2], cells: quad4,
-    sides: {left: Bas_Encastre, top: Bas_Contact}}])";
-}
 
 OracleHeat study_of(const std::string& physics, const std::string& code, bool gradient, bool rubs) {
   const bool solid = physics == "solid";
@@ -70,7 +27,7 @@ OracleHeat study_of(const std::string& physics, const std::string& code, bool gr
                                                        : "plane strain",
                            gradient ? "temperature linear over the height" : "uniform temperature",
                            rubs ? ", friction 0.2" : "");
-  if (!std::filesystem::exists(file_of(study.file)))
+  if (!has_oracle_file(study.file))
     return study;
   study.deck = fmt::format(R"(mesh: {{generate: {}}}
 physics: {}
@@ -83,8 +40,8 @@ contact: {{interface: {{master: Haut_Contact, slave: Bas_Contact, integration: n
 newton: {{residual: 1e-10}}
 time: {{scheme: static, instants: {}}}
 )",
-                           meshes(solid), physics, gradient ? "1000*y" : "100", solid ? ", z" : "",
-                           solid ? ", z" : "", rubs ? 0.2 : 0, instants_of(study.file));
+                           oracle_beams(solid), physics, gradient ? "1000*y" : "100", solid ? ", z" : "",
+                           solid ? ", z" : "", rubs ? 0.2 : 0, oracle_instants(study.file));
   return study;
 }
 
@@ -111,7 +68,7 @@ std::vector<OracleHeat> oracle_heat() {
 }
 
 HeatDeviation compare(const OracleHeat& study) {
-  const auto table = table_of(file_of(study.file));
+  const auto table = oracle_table(study.file);
   test::Walk walk(study.deck);
   const int d = walk.model.dofs.components;
   const auto tip = mesh::find_nodes(walk.model.mesh, "tip").nodes.front();

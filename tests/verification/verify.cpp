@@ -62,7 +62,7 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 22> entries{
+constexpr std::array<Entry, 23> entries{
     {{"v1", rubato::verification::write_bar_on_wall},
      {"v2", rubato::verification::write_dropped_bar},
      {"v3", rubato::verification::write_contact_patch},
@@ -83,6 +83,7 @@ constexpr std::array<Entry, 22> entries{
      {"robustness", rubato::verification::write_robustness},
      {"relations", rubato::verification::write_relations},
      {"heat", rubato::verification::write_heat},
+     {"solids", rubato::verification::write_solids},
      {"mortar", rubato::verification::write_mortar},
      {"mortar_robustness", rubato::verification::write_mortar_robustness}}};
 

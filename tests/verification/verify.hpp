@@ -50,6 +50,7 @@ void write_signorini(const std::filesystem::path& folder);
 /// Relations and orthotropic materials against Code_Aster's displacements.
 void write_relations(const std::filesystem::path& folder);
 void write_heat(const std::filesystem::path& folder);
+void write_solids(const std::filesystem::path& folder);
 /// V11.
 void write_free_beam(const std::filesystem::path& folder);
 /// Natural frequencies against Code_Aster.

@@ -60,7 +60,7 @@ def _made(result: Result, stored: Stored, name: str) -> NodalField | CellField:
         if kind in TENSORS and place in CELL_PLACES:
             return tensor_field(result, stored, kind, place)
         if kind == "VARI" and place in CELL_PLACES:
-            return no_variables(result, stored, place)
+            return variables(result, stored, place)
     if kind in INVARIANTS and place in CELL_PLACES:
         return invariant_field(result, stored, kind, place)
     if place == "NOEU" and f"{kind}_ELNO" in stored.given:
@@ -231,13 +231,13 @@ def _in_cells(result: Result, stored: Stored, name: str) -> CellField:
     return field
 
 
-def no_variables(result: Result, stored: Stored, place: str) -> NodalField | CellField:
-    """VARI_*: ELAS has one internal variable, which is 0."""
+def variables(result: Result, stored: Stored, place: str) -> NodalField | CellField:
+    """VARI_*: V1 is the cumulated plastic strain, 0 of what does not yield; other variables are not there."""
     if place == "NOEU":
         return nodal_mean(_in_cells(result, stored, "VARI_ELNO"))
-    like = _in_cells(result, stored, f"SIEF_{place}")
-    parts = [CellPart(part.cells, np.zeros((*part.values.shape[:2], 1))) for part in like.parts]
-    return CellField(like.mesh, place, "VARI_R", ("V1",), parts)
+    parts = [CellPart(cells, values[..., :1]) for cells, values in
+             placed_values(stored, f"cumulated_plastic_strain_{place.lower()}", place)]
+    return CellField(stored.solved.mesh, place, "VARI_R", ("V1",), parts)
 
 
 def invariant_field(result: Result, stored: Stored, kind: str, place: str) -> NodalField | CellField:

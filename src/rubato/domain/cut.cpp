@@ -122,8 +122,8 @@ CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap
   Entries entries;
   Entries of_temperature;
   CutForces cut;
-  const auto effects = [&](std::span<const NodeIndex> nodes, const MatrixXd& forces) {
-    return effects_of(mesh, dofs.components, nodes, in_cut, point, forces);
+  const auto effects = [&](std::span<const NodeIndex> of_cell, const MatrixXd& forces) {
+    return effects_of(mesh, dofs.components, of_cell, in_cut, point, forces);
   };
   for (const auto i : at_cut) {
     const auto of_cell = mesh.nodes_of(bulk.cells[i]);

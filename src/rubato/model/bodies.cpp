@@ -5,6 +5,8 @@
 
 namespace rubato::model {
 
+Bodies::Bodies(const mesh::Mesh& mesh, const domain::Bulk& bulk) : Bodies(mesh, bulk.cells) {}
+
 Bodies::Bodies(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells)
     : of_node_(static_cast<std::size_t>(mesh.node_count()), -1) {
   const auto at = [](mesh::NodeIndex node) { return static_cast<std::size_t>(node); };

@@ -12,7 +12,7 @@ namespace rubato::model {
 
 class Bodies {
 public:
-  Bodies(const mesh::Mesh& mesh, const domain::Bulk& bulk) : Bodies(mesh, bulk.cells) {}
+  Bodies(const mesh::Mesh& mesh, const domain::Bulk& bulk);
   /// What those cells connect.
   Bodies(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells);
 

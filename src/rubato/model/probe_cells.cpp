@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Squares of distances that differ by less than this part of the cell's size are the same.
-constexpr double same_distance = 1e-9;
+constexpr double equally_near = 1e-9;
 
 bool is_in_cells(const study::Probe& probe) {
   return probe.place != study::ProbePlace::nodes;
@@ -58,7 +58,7 @@ private:
       const domain::CellPoints nodes(mesh_, mesh_.nodes_of(bulk_.cells[i]));
       const auto points = element::places(cell::stiffness_table(mesh_.type_of(bulk_.cells[i])), nodes);
       const Eigen::VectorXd distances = (points.colwise() - place).colwise().squaredNorm();
-      const double same = same_distance * size_of(nodes);
+      const double same = equally_near * size_of(nodes);
       for (Eigen::Index q = 0; q < distances.size(); ++q) {
         equally_near =
             distances[q] < least - same ? 1 : equally_near + (distances[q] <= least + same ? 1 : 0);

@@ -2,7 +2,7 @@
 #include "rubato/model/rotations.hpp"
 
 #include "rubato/cell/topology.hpp"
-#include "rubato/study/large_rotations.hpp"
+#include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Bodies of small strain that rotate stretch by 1 − cos of the angle, by 1.2e-3 at this one [radians].
+constexpr double largest_small_angle = 0.05;
 /// Instants that are looked at of a run that finds its steps itself, and the most of any other.
 constexpr double instants_unknown = 1000;
 constexpr double most_instants = 100'000;
@@ -71,13 +73,13 @@ void check_angle(const Parts& parts, std::span<const mesh::NodeIndex> nodes,
   if (study::takes_large_rotations(parts.study))
     return;
   const auto [angle, t] = largest_angle(rotation, parts.study.time);
-  if (std::abs(angle) <= study::largest_small_angle || !are_of_bodies(parts, nodes))
+  if (std::abs(angle) <= largest_small_angle || !are_of_bodies(parts, nodes))
     return;
-  throw InputError(
-      {fault_at(path + ".angle",
-                fmt::format("found an angle of {:.4g} at t = {:.6g}, expected at most {} radians: with "
-                            "small strain a body that rotates stretches by 1 − cos of the angle",
-                            angle, t, study::largest_small_angle))});
+  throw InputError({fault_at(
+      path + ".angle", fmt::format("found an angle of {:.4g} at t = {:.6g}, expected at most {} radians, or "
+                                   "materials with strain: green_lagrange or logarithmic: with small strain "
+                                   "a body that rotates stretches by 1 − cos of the angle",
+                                   angle, t, largest_small_angle))});
 }
 
 } // namespace rubato::model

@@ -159,9 +159,10 @@ void on_cell(const model::Model& model, const step::StepReport& report, Advice& 
   const auto& physics = model.study.physics;
   if (study::formulation_of(material, physics, type) != study::Formulation::enhanced)
     return;
-  const bool averages = study::averages_dilatation(type, physics);
-  advice.add(
-      fmt::format("materials.{}.formulation: {}", material.name, averages ? "mean_dilatation" : "full"));
+  const auto other = study::averages_dilatation(type, physics) ? study::Formulation::mean_dilatation
+                                                               : study::Formulation::full;
+  advice.add(fmt::format("materials.{}.formulation: {}", material.name,
+                         study::word_of(study::formulation_words, other)));
 }
 
 void on_criterion(const model::Model& model, const step::Unmet& unmet, Advice& advice) {

@@ -31,8 +31,8 @@ struct Cause {
   std::string text;
 };
 
-/// Whatever gave most first. The error of steps in finite strain is of second order in their length over a
-/// run.
+/// Whatever gave most first. What steps give in finite strain feeds high frequencies, which schemes without
+/// damping keep.
 std::string causes_of(const step::EnergyLedger& ledger) {
   const double impact = ledger.impact;
   const double scheme = ledger.numerical;
@@ -44,13 +44,15 @@ std::string causes_of(const step::EnergyLedger& ledger) {
   if (impact < 0 || (scheme == 0 && strain >= 0))
     causes.push_back({impact, fmt::format("contact pressures gave {:.3g} more than they took", -impact)});
   if (strain < 0)
-    causes.push_back({strain, fmt::format("steps too long for finite strain gave {:.3g} (bulk_scheme), "
-                                          "expected a shorter time.step: half of it leaves a quarter of that",
-                                          -strain)});
+    causes.push_back(
+        {strain, fmt::format("steps too long for finite strain gave {:.3g} (bulk_scheme)", -strain)});
   std::ranges::stable_sort(causes, {}, &Cause::taken);
   std::vector<std::string> texts;
   std::ranges::transform(causes, std::back_inserter(texts), &Cause::text);
-  return fmt::format("{}", fmt::join(texts, ", "));
+  const bool by_strain = strain < 0 && causes.front().taken == strain;
+  return fmt::format("{}{}", fmt::join(texts, ", "),
+                     by_strain ? "; expected a time.scheme that damps, such as hht, or a shorter time.step"
+                               : "");
 }
 
 /// Of a run's largest gain.

@@ -127,7 +127,7 @@ std::string plastic_step_of(const model::Model& model, const Unmet& unmet) {
 
 /// Of a nonlinear bulk.
 std::string stability_of(const model::Model& model) {
-  return fmt::format("the effective matrix was not positive definite: {}",
+  return fmt::format("the effective matrix without contact was not positive definite: {}",
                      model.study.time.scheme == study::SchemeKind::static_steps
                          ? "the state is not stable under these loads, as past a limit load or where a part "
                            "buckles"

@@ -266,8 +266,8 @@ private:
     if (!report.indefinite || std::exchange(told_instability_, true))
       return;
     watch_.warn(
-        fmt::format("{}: in the step to t = {:g} the effective matrix is not positive definite: bodies may "
-                    "buckle or be past a limit load; such steps go on with an earlier tangent",
+        fmt::format("{}: in the step to t = {:g} the effective matrix without contact is not positive "
+                    "definite: bodies may buckle there, or be past a limit load",
                     name(), t));
   }
 

@@ -115,6 +115,7 @@ private:
     auto report = whole_ || !can_condense(model_, system_) ? solve_by<WholeSystem>(side, trial)
                                                            : solve_by<Condensed>(side, trial);
     report.iterations = spent_ += report.iterations;
+    report.indefinite = report.indefinite || whole_;
     if (report.converged())
       refuse_if_pressed_afar(trial, report);
     return report;

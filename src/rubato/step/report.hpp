@@ -101,7 +101,7 @@ struct StepReport {
   /// matrices that were factored.
   int bulk_iterations = 0;
   int factorisations = 0;
-  bool indefinite = false;     ///< whether an effective matrix was not positive definite
+  bool indefinite = false;     ///< whether an effective matrix without contact was not positive definite
   domain::Failed failed_cell;  ///< of an attempt that ended where a cell has no forces
   double residual = 0;         ///< relative, of the last iterate
   double unbalanced_force = 0; ///< the largest, of the last iterate

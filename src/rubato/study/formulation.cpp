@@ -72,4 +72,10 @@ bool yields(const Study& study) {
                              [](const Material& material) { return material.law == LawKind::plastic; });
 }
 
+bool takes_large_rotations(const Study& study) {
+  return std::ranges::any_of(study.materials, [](const Material& material) {
+    return strain_of(material) != StrainKind::small;
+  });
+}
+
 } // namespace rubato::study

@@ -36,4 +36,7 @@ bool remembers(const Study& study);
 /// Whether some material flows plastically.
 bool yields(const Study& study);
 
+/// Whether some material takes large turns.
+bool takes_large_rotations(const Study& study);
+
 } // namespace rubato::study

@@ -8,8 +8,8 @@
 #include "rubato/study/mesh_source.hpp"
 #include "rubato/study/outputs.hpp"
 #include "rubato/study/relations.hpp"
-#include "rubato/study/rotation.hpp"
 #include "rubato/study/solids.hpp"
+#include "rubato/study/supports.hpp"
 #include "rubato/study/temperature.hpp"
 #include "rubato/study/values.hpp"
 
@@ -98,28 +98,6 @@ struct Material {
   bool everywhere = true;         ///< `cells: all`
   std::vector<std::string> cells; ///< groups, when not everywhere
   bool operator==(const Material&) const = default;
-};
-
-/// A direction across the axes along which a displacement is held or imposed.
-struct ObliqueSupport {
-  bool normal = false;               ///< along the outward normal of the faces of the group
-  std::array<double, 3> direction{}; ///< else along this one, of any length > 0
-  Field value;                       ///< [length]
-  bool operator==(const ObliqueSupport&) const = default;
-};
-
-/// Displacement components held at 0 (`fix: [x, y]`) or imposed (`x: 0.1`, `y: {value: 1, function: ramp}`),
-/// also along a direction across the axes, and rotations of a reference or of a group. Velocities and
-/// accelerations may stand for the displacements that follow from them.
-struct Support {
-  std::string on;
-  std::array<std::optional<Field>, 3> components;
-  std::optional<ObliqueSupport> along = {};
-  std::array<std::optional<Field>, 3> turns = {}; ///< of a reference about the axes [radians]
-  /// Of all nodes of the group: every component is held, `components` are added to what it displaces.
-  std::optional<Rotation> rotate = {};
-  std::optional<double> until = {}; ///< instant at which it lets go, to the end without
-  bool operator==(const Support&) const = default;
 };
 
 /// Where displacements are counted from.

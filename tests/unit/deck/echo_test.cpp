@@ -63,13 +63,23 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   decks.push_back(
       smallest_deck +
       "supports: [{on: g, rotate: {about: [1, 2, 3], axis: [0, 1, 1], angle: {acceleration: 1e-3, "
-      "function: f}}}]\nloads: [{pressure: {on: h, value: 1, follower: true}}]\n"
+      "function: f}}}]\nloads: [{pressure: {on: h, value: 1, follower: false}}]\n"
       "functions: {f: {times: [0, 1], values: [0, 1]}}\n"
       "probes: {p: {on: g, field: reaction, about: [1, 2, 3]}}\n");
   for (const auto& deck : decks) {
     const auto study = parse_one(deck);
     EXPECT_EQ(read_back(study), study) << deck;
   }
+}
+
+TEST(StudyEcho, SaysWhetherPressuresFollow) {
+  auto study = parse_one(full_deck);
+  const auto follower = [&] {
+    return nlohmann::json::parse(study::to_json(study))["loads"][3]["pressure"]["follower"];
+  };
+  EXPECT_EQ(follower(), false);
+  study.loads.at(3).follower = true;
+  EXPECT_EQ(follower(), true);
 }
 
 TEST(StudyEcho, SaysWhatTheDeckSaysAndWhatItLeavesOut) {

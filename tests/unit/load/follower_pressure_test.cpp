@@ -26,6 +26,18 @@ FieldFunction formula(const std::string& text) {
   return {.expression = Expression(text), .function = {}};
 }
 
+/// Along one dof, by central differences.
+template <class F> auto slope(const F& f, const VectorXd& u, Index dof) {
+  constexpr double step = 1e-5;
+  VectorXd moved = u;
+  moved[dof] = u[dof] + step;
+  auto rise = f(moved);
+  moved[dof] = u[dof] - step;
+  rise -= f(moved);
+  rise /= 2 * step;
+  return rise;
+}
+
 /// Under displacements that warp every face.
 class EveryBodyUnderFollowers : public DistortedBody {
 protected:
@@ -79,16 +91,6 @@ protected:
       for (mesh::CellIndex c = 0; c < block.cell_count(); ++c)
         sum += table.weights[q] * volume_at(table, q, block.cell(c), u);
     return sum;
-  }
-  template <class F> static auto slope(const F& f, const VectorXd& u, Index dof) {
-    constexpr double step = 1e-5;
-    VectorXd moved = u;
-    moved[dof] = u[dof] + step;
-    auto rise = f(moved);
-    moved[dof] = u[dof] - step;
-    rise -= f(moved);
-    rise /= 2 * step;
-    return rise;
   }
 
 private:

@@ -155,8 +155,9 @@ TEST_F(Supported, BodiesOfSmallStrainRotateByLittle) {
     make_reduction(numbered.study, numbered.mesh, numbered.dofs, {}, faults_, notes_);
     return told();
   };
-  const std::string sentence = ", expected at most 0.05 radians: with small strain a body that rotates "
-                               "stretches by 1 − cos of the angle";
+  const std::string sentence =
+      ", expected at most 0.05 radians, or materials with strain: green_lagrange or logarithmic: with small "
+      "strain a body that rotates stretches by 1 − cos of the angle";
   EXPECT_EQ(refused({study::Formula{"-0.025*t"}}), Texts{});
   EXPECT_EQ(refused({study::Formula{"-0.04*t"}}),
             (Texts{"supports.0.rotate.angle: found an angle of -0.08 at t = 2" + sentence}));
@@ -165,6 +166,22 @@ TEST_F(Supported, BodiesOfSmallStrainRotateByLittle) {
   study::Field spin{study::Formula{"0.06"}, "ramp"};
   spin.given = study::Given::velocity;
   EXPECT_EQ(refused(spin), (Texts{"supports.0.rotate.angle: found an angle of 0.06 at t = 2" + sentence}));
+}
+
+TEST_F(Supported, BodiesOfLargeStrainRotateByAnyAngle) {
+  auto numbered = part();
+  numbered.study.materials[0].strain = study::StrainKind::green_lagrange;
+  numbered.study.time.end = 2;
+  Support turned{"wall", {none, none, none}};
+  turned.rotate = turn("pi/2");
+  numbered.study.supports = {turned};
+  const auto reduction = make_reduction(numbered.study, numbered.mesh, numbered.dofs, {}, faults_, notes_);
+  EXPECT_EQ(told(), Texts{});
+  const auto u = reduction.imposed(2);
+  EXPECT_NEAR(u[0], 1, 1e-15); // (0, 0) to (1, -1)
+  EXPECT_NEAR(u[1], -1, 1e-15);
+  EXPECT_NEAR(u[6], 0, 1e-15); // (0, 1) to (0, -1)
+  EXPECT_NEAR(u[7], -2, 1e-15);
 }
 
 TEST_F(Supported, NodesOnTheLineOfARotationAreHeld) {

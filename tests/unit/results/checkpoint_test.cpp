@@ -98,6 +98,27 @@ TEST(CheckpointFile, HoldsWhatMaterialsRemember) {
             progress.motion.bulk_points);
 }
 
+/// Programs that knew linear bodies only wrote files without these energies.
+TEST(CheckpointFile, HasEnergiesOfMaterialsWhereThereAreSome) {
+  const test::ScratchFolder folder;
+  auto written = sample();
+  write_checkpoint(folder / "a.h5", written);
+  EXPECT_FALSE(Hdf5File(folder / "a.h5", Hdf5File::Access::read).has("energy/plastic"));
+  auto& energy = std::get<simulation::ImplicitProgress>(written.memento.progress).energy;
+  energy = {.back_stress = 1, .hourglass = 2, .plastic = 3, .viscous = 4, .bulk_scheme = -5};
+  written.record.by_bulk_scheme = 6;
+  write_checkpoint(folder / "a.h5", written);
+  const auto read = read_checkpoint(folder / "a.h5");
+  const auto& found = std::get<simulation::ImplicitProgress>(read.memento.progress).energy;
+  EXPECT_EQ(found.back_stress, 1);
+  EXPECT_EQ(found.hourglass, 2);
+  EXPECT_EQ(found.plastic, 3);
+  EXPECT_EQ(found.viscous, 4);
+  EXPECT_EQ(found.bulk_scheme, -5);
+  EXPECT_EQ(found.balance(), energy.balance());
+  EXPECT_EQ(read.record.by_bulk_scheme, 6);
+}
+
 /// Programs that knew no states wrote files without them.
 TEST(CheckpointFile, HasNoStatesWhereMaterialsRememberNothing) {
   const test::ScratchFolder folder;

@@ -2,6 +2,7 @@
 // What a small run leaves in its folder.
 #include "rubato/deck/read.hpp"
 #include "rubato/results/med_fields.hpp"
+#include "rubato/results/recorder.hpp"
 #include "rubato/results/stored_run.hpp"
 #include "rubato/run/time_loop.hpp"
 #include "rubato/study/echo.hpp"
@@ -14,6 +15,7 @@
 #include "support/two_blocks.hpp"
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 
 namespace rubato::results {
@@ -90,6 +92,36 @@ TEST_F(RunFolder, KeepsTheWarningsOfTheRunThroughAResumeToo) {
   run::run_study(study, folder_.path(), {}, nullptr, run::Begin::resumed);
   EXPECT_EQ(summary().at("steps"), 6);
   EXPECT_EQ(stored_warnings(folder_.path()).front(), warned.front());
+}
+
+/// Programs that knew linear bodies only began tables with fewer columns.
+TEST_F(RunFolder, GoesOnWithTheEnergiesThatItsTableHas) {
+  const auto model = model::build_model(deck::parse_deck(two_blocks, "deck.yaml").runs.front());
+  auto position = Recorder(model, folder_.path()).position();
+  const step::EnergyLedger ledger{.kinetic = 3, .strain = 4, .impact = 6, .start = 13};
+  const std::string old = "t,kinetic,strain,impact,balance\n0,1,2,-3,0\n";
+  std::ofstream(folder_ / "energy.csv") << old;
+  position.energy = old.size();
+  Recorder(model, folder_.path(), position).energy(1, ledger);
+  EXPECT_EQ(table("energy.csv").rows, (std::vector<std::vector<double>>{{0, 1, 2, -3, 0}, {1, 3, 4, 6, 0}}));
+
+  const std::string other = "t,kinetic,magic\n";
+  std::ofstream(folder_ / "energy.csv") << other;
+  position.energy = other.size();
+  EXPECT_EQ(test::fault_of([&] { Recorder(model, folder_.path(), position); }),
+            "energy.csv: found the column 'magic', expected energies that this program knows");
+}
+
+TEST_F(RunFolder, HasTheWholeLedger) {
+  ASSERT_EQ(run(two_blocks).status, RunStatus::complete);
+  const auto energy = table("energy.csv");
+  EXPECT_EQ(energy.columns, (std::vector<std::string>{
+                                "t", "kinetic", "strain", "external_work", "support_work", "overlap_work",
+                                "heat", "damping", "contact", "friction", "plastic", "back_stress", "viscous",
+                                "hourglass", "impact", "numerical", "bulk_scheme", "unbalanced", "balance"}));
+  EXPECT_GT(last(energy, "strain"), 0);
+  for (const auto* none : {"plastic", "back_stress", "viscous", "hourglass", "bulk_scheme"})
+    EXPECT_EQ(last(energy, none), 0) << none;
 }
 
 /// Whatever makes the steps.

@@ -86,6 +86,24 @@ TEST_F(ContinuedRun, IsRefusedByTheDeckWhenItsContactIsAnother) {
   EXPECT_EQ(refusal("contact: {interface: {friction: 0.3}}"), "nothing thrown");
 }
 
+TEST_F(ContinuedRun, IsRefusedByTheDeckWhenMaterialsThatRememberAreOthers) {
+  const auto flowing = with(pressed, "after: {", "after: {materials: {steel: CHANGE}, ");
+  const auto refusal = [&](const std::string& both, const std::string& change) {
+    return fault_of(
+        [&] { deck_of(with(with(flowing, "poisson: 0.3,", "poisson: 0.3, " + both), "CHANGE", change)); });
+  };
+  const std::string plastic = "law: plastic, hardening: {linear: {yield_stress: 1e9, modulus: 1e9}},";
+  const std::string sentence =
+      "run preload has other materials than run after, expected the same of those that "
+      "remember their past";
+  EXPECT_NE(refusal(plastic, "{hardening: {linear: {modulus: 2e9}}}").find(sentence), std::string::npos);
+  EXPECT_NE(refusal(plastic, "{strain: logarithmic}").find(sentence), std::string::npos);
+  EXPECT_NE(refusal("", "{" + plastic + "}").find(sentence), std::string::npos);
+  EXPECT_NE(refusal(plastic, "{law: elastic, hardening: ~}").find(sentence), std::string::npos);
+  EXPECT_EQ(refusal(plastic, "{density: 1}"), "nothing thrown");
+  EXPECT_EQ(refusal("", "{young: 1e11}"), "nothing thrown");
+}
+
 TEST_F(ContinuedRun, RefusesAnEndThatDoesNotFitBeforeItMakesAFolder) {
   const auto deck = deck_of(pressed);
   const auto preload = run(deck.runs[0]);

@@ -17,13 +17,15 @@ protected:
     watch_.say = [this](const std::string& text) { said_.push_back(text); };
   }
 
-  /// An instant of a run that loads have given 1000, of which contact and the scheme took these.
-  void note(double impact, double numerical) {
+  /// An instant of a run that loads have given 1000, of which contact, the scheme and steps of finite strain
+  /// took these.
+  void note(double impact, double numerical, double bulk_scheme = 0) {
     step::EnergyLedger ledger;
     ledger.external_work = 1000;
-    ledger.kinetic = 1000 - impact - numerical;
+    ledger.kinetic = 1000 - impact - numerical - bulk_scheme;
     ledger.impact = impact;
     ledger.numerical = numerical;
+    ledger.bulk_scheme = bulk_scheme;
     energy_.note(++t_, ledger);
   }
 
@@ -67,6 +69,39 @@ TEST_F(EnergyOfARun, IsWarnedOfWhenContactGivesWhatTheSchemeTakes) {
   EXPECT_EQ(warnings_[0],
             "evol: energy gained from t = 1 to 11: 50, 0.05 of the largest energy; contact pressures "
             "gave 50 more than they took, the time scheme took 60");
+}
+
+TEST_F(EnergyOfARun, IsWarnedOfWhenFiniteStrainGivesWhatTheSchemeTakes) {
+  for (int i = 0; i < 11; ++i)
+    note(0, 60, -50);
+  energy_.tell();
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_EQ(
+      warnings_[0],
+      "evol: energy gained from t = 1 to 11: 50, 0.05 of the largest energy; steps too long for finite "
+      "strain gave 50 (bulk_scheme), the time scheme took 60; expected a time.scheme that damps, such as "
+      "hht, or a shorter time.step");
+  EXPECT_EQ(said_[0], "evol: energy balance within 0 of the largest energy, 1000");
+}
+
+TEST_F(EnergyOfARun, IsToldByItsLargestCause) {
+  note(-5, -2, -30);
+  energy_.tell();
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(warnings_[0].ends_with(
+      "; steps too long for finite strain gave 30 (bulk_scheme), contact pressures gave 5 more than they "
+      "took, the time scheme gave 2; expected a time.scheme that damps, such as hht, or a shorter time.step"))
+      << warnings_[0];
+  ASSERT_EQ(said_.size(), 1u);
+  EXPECT_TRUE(said_[0].ends_with("; largest gain 0.036 of it, at t = 1, by finite strain")) << said_[0];
+}
+
+/// What they take is an error, but no energy from nowhere.
+TEST_F(EnergyOfARun, IsNotWarnedOfWhenFiniteStrainTakes) {
+  for (int i = 0; i < 30; ++i)
+    note(0, 0, 40);
+  energy_.tell();
+  EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(EnergyOfARun, IsWarnedOfWhenItEndsWithAGain) {

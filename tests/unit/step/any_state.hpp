@@ -9,6 +9,7 @@
 #include "support/model_of.hpp"
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rubato::test {
@@ -48,14 +49,16 @@ inline const std::vector<NamedScheme> every_implicit_scheme{
 
 class AnyStates {
 public:
-  explicit AnyStates(const NamedScheme& chosen) : model(model_of(pulled_block, chosen.settings)) {}
+  explicit AnyStates(const NamedScheme& chosen) : AnyStates(model_of(pulled_block, chosen.settings)) {}
+  /// `size`: of motions and forces; nonlinear cells keep their shape where it is small beside them.
+  explicit AnyStates(model::Model given, double size = 1) : model(std::move(given)), size_(size) {}
 
   const model::Model model;
   const time::Scheme scheme = time::make_scheme(model.study.time);
 
   Eigen::VectorXd anything() {
     std::normal_distribution<double> normal;
-    return Eigen::VectorXd::NullaryExpr(model.dofs.dof_count, [&] { return normal(random_); });
+    return Eigen::VectorXd::NullaryExpr(model.dofs.dof_count, [&] { return size_ * normal(random_); });
   }
 
   /// A state that fulfils nothing but what its parts mean.
@@ -69,6 +72,9 @@ public:
     state.external_force = anything();
     state.residual_force = anything();
     state.reaction = anything();
+    const Eigen::VectorXd undeformed = Eigen::VectorXd::Zero(model.dofs.dof_count);
+    model.domain.evaluate({undeformed, state.motion.u, 0, 0}, model.domain.initial_states(),
+                          state.bulk_points, {.records = true});
     state.bulk = step::bulk_forces(model, state);
     return state;
   }
@@ -80,6 +86,8 @@ public:
     now.motion = time::predict(scheme, h, before.motion);
     time::correct(time::coefficients_of(scheme, h), anything(), now.motion);
     now.bulk = step::bulk_forces(model, now);
+    model.domain.evaluate({before.motion.u, now.motion.u, before.t, now.t}, before.bulk_points,
+                          now.bulk_points, {.forces = &now.bulk.internal, .records = true});
     for (const auto& support : model.reduction.prescribed())
       now.reaction[support.dof] = left_side(before, now)[support.dof];
     return now;
@@ -87,9 +95,11 @@ public:
 
   /// m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F₁ + f₀ F₀, as the matrices give it.
   Eigen::VectorXd left_side(const step::State& before, const step::State& now) const {
-    Eigen::VectorXd sum =
-        scheme.forces.now * (model.domain.initial_tangent() * now.motion.u - now.external_force) +
-        scheme.contact_weight() * now.contact_force + scheme.forces.before * before.residual_force;
+    const Eigen::VectorXd internal =
+        model.domain.is_linear() ? model.domain.initial_tangent() * now.motion.u : now.bulk.internal;
+    Eigen::VectorXd sum = scheme.forces.now * (internal - now.external_force) +
+                          scheme.contact_weight() * now.contact_force +
+                          scheme.forces.before * before.residual_force;
     if (scheme.dynamic)
       sum += scheme.inertia.now * (model.mass * now.motion.a) +
              scheme.inertia.before * (model.mass * before.motion.a) +
@@ -99,6 +109,7 @@ public:
   }
 
 private:
+  double size_ = 1;
   std::mt19937 random_{11};
 };
 

@@ -438,6 +438,8 @@ INSTANTIATE_TEST_SUITE_P(
               s.loads[0].kind = LoadKind::gravity;
               s.loads[0].follower = true;
             }},
+        Bad{"loads.0.pressure.follower", "expected a material with strain: green_lagrange or logarithmic",
+            [](Study& s) { s.loads[0].follower = true; }},
         Bad{"supports.0.rotate.axis", "found a direction in the plane, plane_strain turns about z only",
             [](Study& s) { s.supports[0].rotate = Rotation{{}, {1, 0, 1}, {}}; }},
         Bad{"supports.0.rotate.about.2", "plane_strain has no z",

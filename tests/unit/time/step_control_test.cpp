@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace rubato::time {
@@ -279,6 +280,53 @@ TEST(StepControl, IsAValue) {
   copy.accept();
   EXPECT_EQ(control.now(), 0);
   EXPECT_EQ(copy.now(), 0.5);
+}
+
+TEST(StepControl, FollowsTheIterationsOfTheBulkUpToTheLongestStep) {
+  auto settings = even(0.1, 1);
+  settings.max_step = 0.4;
+  StepControl control(settings, 0);
+  EXPECT_DOUBLE_EQ(control.target(), 0.1);
+  control.accept(1); // few: twice as long
+  EXPECT_DOUBLE_EQ(control.target(), 0.3);
+  control.accept(6); // as many as usual: the same length, the same number
+  EXPECT_EQ(control.length(), 0.2);
+  EXPECT_DOUBLE_EQ(control.target(), 0.5);
+  control.accept(24); // many: half as long
+  EXPECT_DOUBLE_EQ(control.target(), 0.6);
+  control.accept(1);
+  control.accept(1);
+  EXPECT_DOUBLE_EQ(control.target(), 1);
+  control.accept(1);
+  EXPECT_TRUE(control.finished());
+}
+
+TEST(StepControl, DividesWhatIsLeftBeforeAnInstantThatMustBeHit) {
+  auto settings = even(0.4, 1);
+  settings.max_step = 0.4;
+  settings.stops = {0.5};
+  EXPECT_EQ(walked(StepControl(settings, 0)).front(), 0.25);
+  const auto instants = walked(StepControl(settings, 0));
+  EXPECT_NE(std::ranges::find(instants, 0.5), instants.end());
+  EXPECT_EQ(instants.back(), 1);
+}
+
+TEST(StepControl, CutsAStepOfVaryingLengthAndGoesOnFromItsPlace) {
+  auto settings = even(0.4, 1);
+  settings.max_step = 0.4;
+  settings.cut_levels = 2;
+  StepControl control(settings, 0);
+  ASSERT_TRUE(control.cut());
+  EXPECT_DOUBLE_EQ(control.target(), 0.2);
+  EXPECT_EQ(control.level(), 1);
+  ASSERT_TRUE(control.cut());
+  EXPECT_FALSE(control.cut());
+  control.accept(6);
+  EXPECT_EQ(control.level(), 0);
+  StepControl other(settings, 0);
+  other.go_on(control.place());
+  EXPECT_EQ(other.target(), control.target());
+  EXPECT_EQ(other.place(), control.place());
 }
 
 } // namespace

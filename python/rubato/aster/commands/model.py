@@ -59,19 +59,36 @@ _ELAS_ORTH = {"E_L": real(required=True), "E_T": real(required=True), "E_N": rea
               "NU_LN": real(), "NU_TN": real(), "G_LT": real(required=True), "G_LN": real(), "G_TN": real(),
               "RHO": real(), "ALPHA_L": real(), "ALPHA_T": real(), "ALPHA_N": real(), "AMOR_ALPHA": real(),
               "AMOR_BETA": real()}
+_CHABOCHE = {"R_0": real(required=True), "R_I": real(), "B": real(0.0), "K": real(1.0), "W": real(0.0), "A_I": real(1.0)}
+# What laws of COMPORTEMENT take beside the elastic numbers.
+_PLASTIC: dict[str, dict[str, Key]] = {
+    "ECRO_LINE": {"D_SIGM_EPSI": real(required=True), "SY": real(required=True), "SIGM_LIM": harmless(),
+                  "EPSI_LIM": harmless()},
+    "TRACTION": {"SIGM": concept("Function", required=True)},
+    "PRAGER": {"C": real(required=True)},
+    "CIN1_CHAB": {**_CHABOCHE, "C_I": real(required=True), "G_0": real(0.0)},
+    "CIN2_CHAB": {**_CHABOCHE, "C1_I": real(required=True), "C2_I": real(required=True), "G1_0": real(0.0),
+                  "G2_0": real(0.0)},
+    "ECRO_COOK": {"A": real(required=True), "B": real(0.0), "N_PUIS": real(1.0), "C": real(0.0), "EPSP0": real(1.0),
+                  "M": harmless(), "TROOM": harmless(), "TMELT": harmless(), "EPSPM": harmless()},
+}
+_ELAS_HYPER = {"C10": real(required=True), "C01": real(0.0), "C20": real(0.0), "K": real(), "NU": real(), "RHO": real()}
 # Laws that no RELATION here asks for: their numbers are kept and say nothing.
-_UNUSED = ("ECRO_LINE", "ECRO_PUIS", "TRACTION", "PRAGER", "CIN1_CHAB", "CIN2_CHAB", "ECRO_NL", "ECRO_COOK",
-           "LEMAITRE", "VISCOCHAB", "THER", "FATIGUE", "WEIBULL", "RCCM", "TAHERI", "BETON_DOMMAGE_SB", "ELAS_HYPER")
+_UNUSED = ("ECRO_PUIS", "ECRO_NL", "LEMAITRE", "VISCOCHAB", "THER", "FATIGUE", "WEIBULL", "RCCM", "TAHERI",
+           "BETON_DOMMAGE_SB")
 
 DEFI_MATERIAU: dict[str, Key] = {
-    "ELAS": factor(_ELAS, most=1), "ELAS_ORTH": factor(_ELAS_ORTH, most=1), "INFO": harmless(), "TITRE": harmless(),
+    "ELAS": factor(_ELAS, most=1), "ELAS_ORTH": factor(_ELAS_ORTH, most=1), "ELAS_HYPER": factor(_ELAS_HYPER, most=1),
+    "INFO": harmless(), "TITRE": harmless(),
+    **{law: factor(keys, most=1) for law, keys in _PLASTIC.items()},
     **{law: harmless() for law in _UNUSED},
 }
 
 
 def defi_materiau(session: Any, arguments: Arguments) -> MaterialConcept:
-    laws = {name: getattr(arguments, name)[0] for name in ("ELAS", "ELAS_ORTH") if getattr(arguments, name)}
-    if len(laws) > 1:
+    laws = {name: getattr(arguments, name)[0] for name in ("ELAS", "ELAS_ORTH", "ELAS_HYPER", *_PLASTIC)
+            if getattr(arguments, name)}
+    if "ELAS" in laws and "ELAS_ORTH" in laws:
         raise CommandError("DEFI_MATERIAU: expected one of ELAS and ELAS_ORTH.")
     return MaterialConcept(laws)
 

@@ -8,24 +8,26 @@ from ..keys import (Command, Key, concept, factor, harmless, integer, integers, 
 from ..solve.linear import meca_statique
 from ..solve.nonlinear import dyna_non_line, stat_non_line
 
-_small = "Strains are small here: PETIT."
-_linear = "Materials are elastic here: ELAS."
+_plastic = ("Plasticity here: VMIS_ISOT_LINE, VMIS_ISOT_TRAC, VMIS_CINE_LINE, VMIS_ECMI_LINE, VMIS_CIN1_CHAB, "
+            "VMIS_CIN2_CHAB, VMIS_JOHN_COOK.")
+_strain = "Strains here: PETIT, GROT_GDEP, GDEF_LOG."
 _COMPORTEMENT = factor({
-    "RELATION": words("ELAS", default="ELAS", missing={law: _linear for law in (
-        "VMIS_ISOT_LINE", "VMIS_ISOT_TRAC", "VMIS_CINE_LINE", "VMIS_ECMI_LINE", "VMIS_CIN1_CHAB", "VMIS_JOHN_COOK",
-        "LEMAITRE", "ELAS_VMIS_LINE", "ELAS_HYPER", "VMIS_ISOT_PUIS", "DIS_CHOC", "DIS_CONTACT", "VISC_CIN1_CHAB",
-        "VMIS_ISOT_NL", "DIS_ECRO_TRAC", "KIT_DDI", "MFRONT", "UMAT")}),
-    "DEFORMATION": words("PETIT", default="PETIT", missing={kind: _small for kind in (
-        "PETIT_REAC", "GROT_GDEP", "SIMO_MIEHE", "GDEF_LOG", "GREEN_LAGRANGE", "GDEF_HYPO_ELAS", "EULER_ALMANSI")}),
+    "RELATION": words("ELAS", "ELAS_HYPER", "VMIS_ISOT_LINE", "VMIS_ISOT_TRAC", "VMIS_CINE_LINE", "VMIS_ECMI_LINE",
+                      "VMIS_CIN1_CHAB", "VMIS_CIN2_CHAB", "VMIS_JOHN_COOK", default="ELAS", missing={
+                          law: _plastic for law in (
+                              "LEMAITRE", "ELAS_VMIS_LINE", "VMIS_ECMI_TRAC", "VMIS_ISOT_PUIS", "DIS_CHOC",
+                              "DIS_CONTACT", "VISC_CIN1_CHAB", "VISC_CIN2_CHAB", "VMIS_ISOT_NL", "DIS_ECRO_TRAC",
+                              "KIT_DDI", "MFRONT", "UMAT")}),
+    "DEFORMATION": words("PETIT", "GROT_GDEP", "GDEF_LOG", "SIMO_MIEHE", default="PETIT", missing={
+        kind: _strain for kind in ("PETIT_REAC", "GREEN_LAGRANGE", "GDEF_HYPO_ELAS", "EULER_ALMANSI")}),
     "TOUT": yes(), "GROUP_MA": texts(), "MAILLE": texts(), "PARM_THETA": harmless(), "ITER_INTE_MAXI": harmless(),
     "RESI_INTE_RELA": harmless(), "ALGO_INTE": harmless(), "ITER_INTE_PAS": harmless(), "TYPE_MATR_TANG": harmless(),
     "ITER_CPLAN_MAXI": harmless(), "RESI_CPLAN_RELA": harmless(), "RESI_CPLAN_MAXI": harmless(),
     "SYME_MATR_TANG": harmless(), "RESI_INTE": harmless(),
 })
 _EXCIT = factor({"CHARGE": concept("LoadConcept", required=True), "FONC_MULT": concept("Function"),
-                 "TYPE_CHARGE": words("FIXE_CSTE", default="FIXE_CSTE", missing={
-                     "SUIV": "Loads keep the direction that they have on the undeformed bodies.", "DIDI": "",
-                     "FIXE_PILO": "", "SUIV_PILO": ""})}, required=True)
+                 "TYPE_CHARGE": words("FIXE_CSTE", "SUIV", default="FIXE_CSTE", missing={
+                     "DIDI": "", "FIXE_PILO": "", "SUIV_PILO": ""})}, required=True)
 _INCREMENT = factor({"LIST_INST": concept("RealList", required=True), "NUME_INST_INIT": integer(),
                      "INST_INIT": real(), "NUME_INST_FIN": integer(), "INST_FIN": real(), "PRECISION": real(1e-6)},
                     required=True, most=1)

@@ -12,6 +12,7 @@ import rubato
 from ..commands.model import PHYSICS
 from ..concepts import DiscreteField, MaterialConcept, MaterialField, MeshConcept
 from ..keys import Arguments, CommandError
+from .behaviours import Behaviour, give_behaviour, split_by_behaviour
 from .problem import Problem
 
 DIMENSION = {"point1": 0, "seg2": 1, "seg3": 1, "tria3": 2, "tria6": 2, "tria7": 2, "quad4": 2, "quad8": 2, "quad9": 2}
@@ -63,7 +64,10 @@ def materials_of_cells(materials: MaterialField, cell_count: int) -> tuple[np.nd
     return of_cell, listed
 
 
-def add_materials(problem: Problem, materials: MaterialField, discrete: DiscreteField | None, dynamic: bool) -> None:
+def add_materials(problem: Problem, materials: MaterialField, discrete: DiscreteField | None, dynamic: bool,
+                  behaviours: list[Behaviour] | None = None) -> None:
+    """`behaviours`: of each cell of the command file's mesh; linear ones when not given."""
+    of_behaviour = behaviours or [Behaviour()] * problem.concept.mesh.cell_count
     of_cell, listed = materials_of_cells(materials, problem.concept.mesh.cell_count)
     of_solid = of_cell[problem.solid]
     if np.any(of_solid < 0):
@@ -73,12 +77,14 @@ def add_materials(problem: Problem, materials: MaterialField, discrete: Discrete
     made = []
     for place in np.unique(of_solid):
         cells = problem.solid[of_solid == place]
-        for axes, part in split_by_axes(problem.concept, discrete, cells):
-            material = make_material(problem, listed[place], dynamic, axes)
-            material.name = f"{material.name}_{len(made) + 1}"
-            material.everywhere = False
-            material.cells = [problem.cell_group(part)]
-            made.append(material)
+        for axes, turned in split_by_axes(problem.concept, discrete, cells):
+            for behaviour, part in split_by_behaviour(of_behaviour, turned):
+                material = make_material(problem, listed[place], dynamic, axes)
+                give_behaviour(problem, material, listed[place], behaviour)
+                material.name = f"{material.name}_{len(made) + 1}"
+                material.everywhere = False
+                material.cells = [problem.cell_group(part)]
+                made.append(material)
     problem.study.materials = made
 
 
@@ -95,6 +101,9 @@ def make_material(problem: Problem, concept: MaterialConcept, dynamic: bool, axe
         material.law = "orthotropic"
         material.orthotropy = orthotropy(problem, numbers, axes)
         expansion = [numbers.ALPHA_L, numbers.ALPHA_T, numbers.ALPHA_N]
+    elif "ELAS_HYPER" in concept.laws:
+        numbers = concept.laws["ELAS_HYPER"]
+        expansion = [0.0]
     else:
         raise CommandError(f"{problem.command}/CHAM_MATER: material {concept.name} has no ELAS.")
     if numbers.RHO is not None:
@@ -102,8 +111,8 @@ def make_material(problem: Problem, concept: MaterialConcept, dynamic: bool, axe
     elif dynamic:
         raise CommandError(f"{problem.command}/CHAM_MATER: material {concept.name} has no RHO.")
     # Code_Aster's names: AMOR_ALPHA multiplies the stiffness, AMOR_BETA the mass.
-    material.rayleigh_stiffness = numbers.AMOR_ALPHA or 0.0
-    material.rayleigh_mass = numbers.AMOR_BETA or 0.0
+    material.rayleigh_stiffness = numbers.get("AMOR_ALPHA") or 0.0
+    material.rayleigh_mass = numbers.get("AMOR_BETA") or 0.0
     if any(expansion):
         material.expansion = rubato.ThermalExpansion(along=tuple(value or 0.0 for value in expansion))
     return material

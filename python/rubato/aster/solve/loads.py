@@ -20,12 +20,20 @@ FORCES = ("FX", "FY", "FZ")
 def add_loads(problem: Problem, loads: list[tuple[LoadConcept, Function | None]], materials: MaterialField) -> None:
     made: list[Any] = []
     for load, multiplier in loads:
+        refuse_other_followers(problem, load)
         made += nodal_forces(problem, load, multiplier)
         made += distributed_forces(problem, load, multiplier)
         made += pressures(problem, load, multiplier)
         made += body_forces(problem, load, multiplier, materials)
         made += gravities(problem, load, multiplier)
     problem.study.loads = [*problem.study.loads, *made]
+
+
+def refuse_other_followers(problem: Problem, load: LoadConcept) -> None:
+    for keyword in ("FORCE_NODALE", "FORCE_ARETE", "FORCE_CONTOUR", "FORCE_FACE", "FORCE_INTERNE"):
+        if id(load) in problem.following and load.arguments.get(keyword):
+            raise CommandError(f"{problem.command}/EXCIT/TYPE_CHARGE: SUIV is available for PRES_REP, found {keyword} in "
+                               f"{load.name}.")
 
 
 def make_load(problem: Problem, kind: str, on: str, values: dict[int, Any], multiplier: Function | None,
@@ -129,6 +137,8 @@ def pressures(problem: Problem, load: LoadConcept, multiplier: Function | None) 
         cells = [cell for cell, of in last.items() if of == place]
         if cells and not (isinstance(item.PRES, float) and item.PRES == 0):
             made += make_load(problem, "pressure", problem.cell_group(cells), {0: item.PRES}, multiplier)
+    for pressure in made:
+        pressure.follower = id(load) in problem.following
     return made
 
 

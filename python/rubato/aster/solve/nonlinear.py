@@ -12,6 +12,7 @@ import rubato
 from ..concepts import CellField, ContactConcept, Function, LoadConcept, NodalField, Result, Stored
 from ..keys import Arguments, CommandError
 from ..python_modules import NotConverged
+from .behaviours import behaviours_of_cells
 from .cells import add_materials, choose_cells
 from .contact import add_contact, note_rigid_surfaces
 from .discrete import add_discrete
@@ -120,7 +121,9 @@ def make_problem(session: Any, command: str, arguments: Arguments, instants: np.
     choose_cells(problem)
     note_rigid_surfaces(problem, arguments.get("CONTACT"))
     loads = excitations(arguments)
-    add_materials(problem, arguments.CHAM_MATER, arguments.CARA_ELEM, dynamic)
+    problem.following = {id(item.CHARGE) for item in arguments.EXCIT if item.TYPE_CHARGE == "SUIV"}
+    add_materials(problem, arguments.CHAM_MATER, arguments.CARA_ELEM, dynamic,
+                  behaviours_of_cells(problem, arguments))
     imposed = add_supports(problem, loads)
     add_loads(problem, loads, arguments.CHAM_MATER)
     add_relations(problem, loads)

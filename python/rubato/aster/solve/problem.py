@@ -51,6 +51,7 @@ class Problem:
         self._place_in_mesh: np.ndarray | None = None
         self._functions: dict[int, str] = {}
         self.tables: dict[str, tuple[np.ndarray, np.ndarray]] = {}  # functions of time, by their names in the study
+        self.following: set[int] = set()  # loads whose pressures follow the faces, by their identity
         self.continues = False  # from an initial state
         # The first instant at which anything is asked for; states before it have the values of that instant.
         self.earliest = begin

@@ -155,100 +155,15 @@ std::optional<Outcome> Condensed::close(State& trial, const Frozen& frozen) {
   return std::nullopt;
 }
 
-/// Contact starts anew from the next iterate of the bulk, with the forces that it has.
-std::optional<Outcome> Condensed::go_on_from(State& trial, const Frozen& frozen, ContactForce force) {
-  const auto part = bulk_->shorten(surface_.base, trial.motion, equilibrium_);
-  if (!part)
-    return Outcome::cell_failed;
-  if (*part != 1) {
-    equilibrium_.evaluate(trial.motion, force);
-    equilibrium_.measure(trial.motion, force, report_);
-  }
-  if (!equilibrium_.residual().allFinite())
-    return Outcome::not_finite;
-  const double allowed = report_.tolerance * equilibrium_.scale();
-  if (const auto outcome = bulk_->go_on(trial.motion.u, report_.unbalanced_force, allowed))
-    return outcome;
-  if (bulk_->renewed())
-    take_factor();
-  if (bulk_->goes_back())
-    go_back(trial);
-  else if (bases_carry_forces())
-    surface_.start_from(trial.motion, equilibrium_.residual(), Condensed::force());
-  else
-    surface_.start_from(trial.motion, equilibrium_.residual_without(force));
-  if (*part != 1 || bulk_->goes_back()) {
-    side_.measure(trial, frozen, now());
-    collect_forces(frozen);
-  }
-  zones_at_base_ = trial.zones;
-  scratch_.history.forget();
-  surface_stall_ = bulk_stall_ = {};
-  counts_anew_ = true;
-  return std::nullopt;
-}
-
-void Condensed::go_back(State& trial) {
-  trial.motion = surface_.base;
-  trial.zones = zones_at_base_;
-  const ContactForce none(trial.motion.u.size());
-  if (const auto* start = bulk_->back_at_start())
-    equilibrium_.evaluate_ahead(trial.motion, none, *start);
-  else
-    equilibrium_.evaluate(trial.motion, none);
-  surface_.start_from(trial.motion, equilibrium_.residual());
-}
-
-void Condensed::take_factor() {
-  scratch_.forget();
-}
-
 /// Those of free bodies lose no digits then. With springs by tables nothing else would be a fixed point: a
 /// base is solved with their slopes, what contact adds to it with those of the factor.
 bool Condensed::bases_carry_forces() const {
   return system_.has_free_bodies || !system_.slopes.empty();
 }
 
-StepReport Condensed::ended(Outcome outcome, const Frozen& frozen) {
-  report_.outcome = outcome;
-  if (bulk_)
-    bulk_->fill(report_, equilibrium_);
-  if (report_.failed() && outcome != Outcome::indefinite) // nothing has been evaluated then
-    name_failure(outcome, frozen);
-  return report_;
-}
-
-void Condensed::name_failure(Outcome outcome, const Frozen& frozen) {
-  report_.worst = equilibrium_.residual().allFinite() ? worst_on_surface() : equilibrium_.worst();
-  if (outcome != Outcome::not_finite && outcome != Outcome::cell_failed)
-    side_.name_unmet(frozen, report_.iterations > 0 ? &previous() : nullptr, now(), report_);
-  name_residual_growth(report_);
-}
-
-std::vector<WorstNode> Condensed::worst_on_surface() const {
-  std::vector<mesh::NodeIndex> nodes;
-  for (const int dof : system_.compliance->dof_of_interface_dof())
-    nodes.push_back(model_.node_of(dof));
-  const VectorXd left = scheme_.contact_weight() * (force() - surface_.applied);
-  return worst_nodes(left, nodes, surface_scale());
-}
-
 void Condensed::start_from(const State& trial) {
   started_ = true;
   surface_.start_from(trial.motion, equilibrium_);
-}
-
-/// Supports have moved already, the bodies follow by the tangent.
-void Condensed::start_ahead(const State& trial) {
-  const auto& start = bulk_->start();
-  zones_at_base_ = trial.zones;
-  if (bulk_->starts_indefinite())
-    return;
-  if (bulk_->renewed())
-    take_factor();
-  equilibrium_.evaluate_ahead(trial.motion, ContactForce(trial.motion.u.size()), start);
-  bulk_->start_with(equilibrium_.unbalanced_with(committed_.contact_force));
-  surface_.start_from(trial.motion, equilibrium_.residual());
 }
 
 void Condensed::predict_contact(State& trial, const Frozen& frozen) {

@@ -3,7 +3,6 @@
 #include "rubato/study/damping.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/formulation.hpp"
-#include "rubato/study/large_rotations.hpp"
 #include "rubato/study/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -269,15 +268,16 @@ void check_load(Rules& rules, const Load& load, const std::string& path) {
       rules.axis(at, axis);
   }
   rules.function(path + ".function", load.function);
-  if (load.follower && load.kind == LoadKind::pressure && !takes_large_rotations(rules.study))
-    rules.broken({path + ".follower", path},
-                 "found true, but every material has the small strain, whose faces do not turn; expected "
-                 "'strain: green_lagrange' or 'logarithmic' of a material, or no 'follower'");
   if (load.follower && load.kind != LoadKind::pressure)
     rules.broken({path + ".follower", path},
                  fmt::format("found a {} that follows the faces, expected 'pressure': every other load keeps "
                              "its direction",
                              word_of(load_words, load.kind)));
+  else if (load.follower && !takes_large_rotations(rules.study))
+    rules.broken(
+        {path + ".follower", path, "materials"},
+        "found a pressure that follows the faces of bodies of small strain, expected a material with "
+        "strain: green_lagrange or logarithmic");
 }
 
 /// Why a run begins in no other way than its own; empty when it may.

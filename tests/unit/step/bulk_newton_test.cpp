@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Steps of bodies that yield, turn and stretch.
+#include "rubato/mesh/names.hpp"
+#include "rubato/step/advance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/walk.hpp"
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace rubato::step {
+namespace {
+
+using test::Walk;
+
+/// A quarter of a rubber pad that sticks to a plate, which comes down by two fifths of its height.
+const std::string pad = R"(
+mesh: {generate: [{name: pad, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [8, 8], cells: quad4,
+  sides: {left: middle, bottom: ground, top: plate}, points: {right_bottom: corner}}]}
+physics: plane_strain
+materials: {rubber: {law: hyperelastic, c10: 0.5, bulk: 200}}
+functions: {down: {ramp: {begin: 0, end: 1}}}
+supports: [{on: middle, fix: [x]}, {on: ground, fix: [y]}, {on: plate, fix: [x]},
+  {on: plate, y: {value: -0.4, function: down}}]
+time: {scheme: static, step: 0.05, end: 1}
+)";
+
+/// Half a billet between dies that it sticks to, which press it by 60 %: its side rolls onto them.
+const std::string billet = R"(
+mesh:
+  generate: [{name: billet, rectangle: {from: [0, 0], to: [10, 15]}, divisions: [8, 12], cells: quad4,
+    sides: {left: axis, bottom: middle, right: side, top: top}, points: {right_bottom: waist}}]
+  groups: {skin: {union: [side, top]}}
+physics: axisymmetric
+materials: {metal: {law: plastic, young: 200e3, poisson: 0.3, strain: logarithmic,
+  hardening: {linear: {yield_stress: 700, modulus: 300}}}}
+functions: {down: {ramp: {begin: 0, end: 1}}}
+supports: [{on: axis, fix: [x]}, {on: middle, fix: [y]}]
+contact: {die: {slave: skin, friction: 10,
+  obstacle: {plane: {point: [0, 15], normal: [0, -1]}, move: {y: {value: -9, function: down}}}}}
+time: {scheme: static, step: 0.0166666666666666667, end: 1}
+)";
+
+double moved(const Walk& walk, const std::string& node, int axis) {
+  const auto& model = walk.model;
+  return walk.state().motion.u[model.dofs.dof(mesh::find_nodes(model.mesh, node).nodes.front(), axis)];
+}
+
+double reaction(const Walk& walk, const std::string& group, int axis) {
+  double sum = 0;
+  for (const auto node : mesh::find_nodes(walk.model.mesh, group).nodes)
+    sum += walk.state().reaction[walk.model.dofs.dof(node, axis)];
+  return sum;
+}
+
+int factorisations(const Walk& walk) {
+  int sum = 0;
+  for (const auto& report : walk.reports)
+    sum += report.factorisations;
+  return sum;
+}
+
+TEST(BulkNewton, PressesRubberWithoutACutWhateverTheTangent) {
+  std::vector<double> forces;
+  std::vector<int> factors;
+  for (const auto* tangent : {"full", "kept", "auto"}) {
+    Walk walk(pad, {{"newton.tangent", tangent}, {"newton.residual", "1.0e-11"}});
+    while (!walk.finished()) {
+      ASSERT_TRUE(walk.advance()) << tangent;
+      EXPECT_EQ(walk.simulation.next().cut_level, 0) << tangent;
+    }
+    EXPECT_EQ(walk.simulation.counters().cuts, 0) << tangent;
+    forces.push_back(reaction(walk, "plate", 1));
+    factors.push_back(factorisations(walk));
+  }
+  EXPECT_NEAR(forces[1], forces[0], 1e-9 * std::abs(forces[0]));
+  EXPECT_NEAR(forces[2], forces[0], 1e-9 * std::abs(forces[0]));
+  EXPECT_LT(factors[1], factors[0]);
+}
+
+/// L. M. Taylor and E. B. Becker's billet (CMAME 39 (1983) 251–277); the radius is that of two other meshes
+/// within 1 %.
+TEST(BulkNewton, UpsetsABilletWhoseSideRollsOntoTheDie) {
+  Walk walk(billet);
+  int deepest = 0;
+  while (!walk.finished()) {
+    ASSERT_TRUE(walk.advance());
+    deepest = std::max(deepest, walk.simulation.next().cut_level);
+  }
+  EXPECT_NEAR(10 + moved(walk, "waist", 0), 16.53, 0.01 * 16.53);
+  EXPECT_LE(deepest, 4);
+  EXPECT_GE(points_in_contact(walk.state()), 11);
+  EXPECT_LE(std::abs(walk.simulation.energy().balance()), 1e-10 * walk.simulation.energy().largest());
+}
+
+TEST(BulkNewton, CutsStepsInWhichPlasticStrainGrowsTooMuch) {
+  Walk free(billet, {{"time.end", "0.1"}});
+  Walk held(billet, {{"time.end", "0.1"}, {"time.max_plastic_step", "0.01"}});
+  while (!free.finished())
+    ASSERT_TRUE(free.advance());
+  while (!held.finished())
+    ASSERT_TRUE(held.advance());
+  EXPECT_GT(held.simulation.counters().cuts, 0);
+  EXPECT_EQ(free.simulation.counters().cuts, 0);
+  EXPECT_NEAR(moved(held, "waist", 0), moved(free, "waist", 0), 0.05 * moved(free, "waist", 0));
+}
+
+TEST(BulkNewton, VariesTheLengthOfSteps) {
+  Walk walk(pad, {{"time.max_step", "0.2"}, {"time.step", "0.01"}});
+  int steps = 0;
+  while (!walk.finished()) {
+    ASSERT_TRUE(walk.simulation.advance().accepted());
+    ++steps;
+  }
+  EXPECT_LT(steps, 30);
+  EXPECT_DOUBLE_EQ(walk.state().t, 1);
+  EXPECT_NEAR(
+      reaction(walk, "plate", 1),
+      [] {
+        Walk even(pad);
+        while (!even.finished())
+          even.advance();
+        return reaction(even, "plate", 1);
+      }(),
+      1e-6);
+}
+
+} // namespace
+} // namespace rubato::step
