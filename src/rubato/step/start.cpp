@@ -179,7 +179,8 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
   state.tangent.reset();
   if (scheme.dynamic)
     model.reduction.impose_rates(1, t, state.motion.v);
-  if (state.bulk_points.values.size() != model.domain.initial_states().values.size())
+  if (!model.domain.is_linear() &&
+      state.bulk_points.values.size() != model.domain.initial_states().values.size())
     deform(model, state);
   else
     take_states(model, state);

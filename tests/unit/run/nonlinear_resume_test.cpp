@@ -60,6 +60,7 @@ study::Study rubber() {
   auto& material = study.materials[0];
   material.law = study::LawKind::hyperelastic;
   material.hyperelasticity.c10 = 100;
+  material.poisson = 0;
   material.hyperelasticity.bulk = 2000;
   return study;
 }
