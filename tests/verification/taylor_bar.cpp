@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verification/taylor_bar.hpp"
+
+#include "rubato/core/processor_time.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/mesh/builder.hpp"
+#include "rubato/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace rubato::verification {
+namespace {
+
+using Eigen::Vector3d;
+using mesh::NodeIndex;
+
+constexpr double radius = 3.2e-3, length = 32.4e-3;
+constexpr int layers = 25;
+
+const std::string copper = R"(
+materials:
+  copper:
+    law: plastic
+    young: 117e9
+    poisson: 0.35
+    density: 8930
+    hardening: {linear: {yield_stress: 400e6, modulus: 100e6}}
+    strain: logarithmic
+time: {scheme: central_difference, end: 80e-6, record: 1e-6}
+)";
+
+study::Study meridian_study() {
+  return deck::parse_deck(copper + R"(
+mesh:
+  generate:
+    - {name: rod, rectangle: {from: [0, 0], to: [3.2e-3, 32.4e-3]}, divisions: [4, 25],
+       sides: {left: axis, bottom: foot}}
+physics: axisymmetric
+supports: [{on: axis, fix: x}]
+initial: [{on: all, velocity: {y: -227}}]
+contact: {wall: {slave: foot, obstacle: {plane: {point: [0, 0], normal: [0, 1]}}, method: penalty}}
+)",
+                          "taylor.yaml")
+      .runs.front();
+}
+
+study::Study quarter_study() {
+  return deck::parse_deck(copper + R"(
+mesh: {file: quarter.med}
+physics: solid
+supports: [{on: along_y, fix: x}, {on: along_x, fix: y}]
+initial: [{on: all, velocity: {z: -227}}]
+contact: {wall: {slave: foot, obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, method: penalty}}
+)",
+                          "taylor.yaml")
+      .runs.front();
+}
+
+/// Three blocks of n × n quadrangles in a quarter of a disc: one in the middle, two between it and the
+/// circle.
+class QuarterDisc {
+public:
+  explicit QuarterDisc(int n) : n_(n) {}
+
+  std::vector<Vector3d> points;
+  std::vector<std::array<NodeIndex, 4>> cells;
+
+  void fill() {
+    const auto core = [&](int i, int j) { return core_point(i, j); };
+    const auto right = [&](int i, int j) { return between(core_point(n_, j), angle(j), i); };
+    const auto top = [&](int i, int j) {
+      return between(core_point(i, n_), std::numbers::pi / 2 - angle(i), j);
+    };
+    for (int j = 0; j < n_; ++j)
+      for (int i = 0; i < n_; ++i) {
+        add({core(i, j), core(i + 1, j), core(i + 1, j + 1), core(i, j + 1)});
+        add({right(i, j), right(i + 1, j), right(i + 1, j + 1), right(i, j + 1)});
+        add({top(i, j), top(i + 1, j), top(i + 1, j + 1), top(i, j + 1)});
+      }
+  }
+
+private:
+  /// A square with a corner that is drawn in, so that the three blocks meet at 120 degrees.
+  Vector3d core_point(int i, int j) const {
+    const double x = static_cast<double>(i) / n_, y = static_cast<double>(j) / n_;
+    return 0.5 * radius * Vector3d(x * (1 - 0.12 * y), y * (1 - 0.12 * x), 0);
+  }
+  double angle(int step) const { return std::numbers::pi / 4 * step / n_; }
+  Vector3d between(const Vector3d& inner, double phi, int step) const {
+    const Vector3d outer = radius * Vector3d(std::cos(phi), std::sin(phi), 0);
+    return inner + (outer - inner) * step / n_;
+  }
+
+  void add(const std::array<Vector3d, 4>& corners) {
+    auto& cell = cells.emplace_back();
+    std::ranges::transform(corners, cell.begin(), [&](const Vector3d& x) { return node_at(x); });
+  }
+  NodeIndex node_at(const Vector3d& x) {
+    const auto same = [&](const Vector3d& y) { return (x - y).norm() < 1e-9 * radius; };
+    const auto found = std::ranges::find_if(points, same);
+    if (found != points.end())
+      return static_cast<NodeIndex>(found - points.begin());
+    points.push_back(x);
+    return static_cast<NodeIndex>(points.size()) - 1;
+  }
+
+  int n_;
+};
+
+mesh::Mesh quarter_mesh() {
+  QuarterDisc disc(2);
+  disc.fill();
+  mesh::MeshBuilder builder(3);
+  const auto count = static_cast<NodeIndex>(disc.points.size());
+  for (int layer = 0; layer <= layers; ++layer)
+    for (NodeIndex i = 0; i < count; ++i) {
+      const Vector3d x = disc.points[static_cast<std::size_t>(i)] + Vector3d(0, 0, length * layer / layers);
+      const std::array node{builder.add_node(x)};
+      if (std::abs(x[0]) < 1e-12)
+        builder.add_to_node_group("along_y", node);
+      if (std::abs(x[1]) < 1e-12)
+        builder.add_to_node_group("along_x", node);
+    }
+  for (const auto& face : disc.cells) {
+    for (int layer = 0; layer < layers; ++layer) {
+      std::array<NodeIndex, 8> nodes;
+      for (std::size_t i = 0; i < 4; ++i) {
+        nodes[i] = face[i] + layer * count;
+        nodes[i + 4] = nodes[i] + count;
+      }
+      builder.add_cell(CellType::hexa8, nodes);
+    }
+    const std::array foot{builder.add_cell(CellType::quad4, face)};
+    builder.add_to_cell_group("foot", foot);
+  }
+  return std::move(builder).build();
+}
+
+/// The axis the rod stands along.
+Eigen::Index axis_of(const model::Model& model) {
+  return model.dofs.components - 1;
+}
+
+void measure_shape(const model::Model& model, const Eigen::VectorXd& u, TaylorResult& result) {
+  for (const auto node : model.dofs.nodes) {
+    Vector3d x = model.mesh.points[static_cast<std::size_t>(node)];
+    x.head(model.dofs.components) += u.segment(model.dofs.dof(node, 0), model.dofs.components);
+    const auto axis = axis_of(model);
+    result.length = std::max(result.length, x[axis]);
+    result.radius = std::max(result.radius, x.head(axis).norm());
+  }
+}
+
+} // namespace
+
+TaylorBar taylor_bar(TaylorMesh mesh) {
+  if (mesh == TaylorMesh::quarter)
+    return {quarter_study(), quarter_mesh()};
+  auto study = meridian_study();
+  auto rod = model::load_mesh(study.mesh);
+  return {std::move(study), std::move(rod)};
+}
+
+TaylorResult run(TaylorBar bar) {
+  simulation::Simulation simulation(model::build_model(bar.study, std::move(bar.mesh)));
+  const auto& model = simulation.model();
+  const double whole = bar.study.physics == study::Physics::solid ? 4 : 1;
+  TaylorResult result;
+  step::EnergyRecord record;
+  const double begin = processor_seconds();
+  while (!simulation.finished()) {
+    if (!simulation.advance().accepted())
+      throw std::runtime_error("the run of Taylor's bar has no end");
+    record.note(simulation.state().t, simulation.energy());
+  }
+  result.seconds = processor_seconds() - begin;
+  const auto& energy = simulation.energy();
+  result.balance = record.largest_balance / record.largest;
+  result.plastic = whole * energy.plastic;
+  result.start = whole * energy.start;
+  result.scheme = whole * energy.bulk_scheme;
+  result.steps = simulation.counters().steps;
+  result.cells = model.bulk.cells.size();
+  measure_shape(model, simulation.state().motion.u, result);
+  return result;
+}
+
+} // namespace rubato::verification
