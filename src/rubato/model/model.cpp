@@ -252,16 +252,6 @@ mesh::Mesh source_mesh(const study::MeshSource& source) {
   return mesh::with_groups(std::move(mesh), source.groups);
 }
 
-void note_explicit_bulk(Model& model) {
-  const bool nonlinear = std::ranges::any_of(model.bulk.behaviours, [](const auto& behaviour) {
-    return behaviour.has_value() && !behaviour->constant;
-  });
-  if (nonlinear && study::is_explicit(model.study.time.scheme))
-    model.notes.push_back(
-        "explicit steps of bodies that yield, stretch or creep are not verified yet: Taylor's "
-        "bar comes out 3 % wider than published; compare with an implicit run");
-}
-
 /// Everything but the matrices, on a mesh that is cut already.
 Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedCut> preloads,
               const Stage& stage) {
@@ -325,7 +315,6 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
     check_massless_slaves(model, faults);
   }
   stop_on(faults);
-  note_explicit_bulk(model);
   number_unknowns(model);
   return model;
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,13 @@ model::Model model_of(const std::string& deck) {
   return model::build_model(deck::parse_deck(deck, "deck.yaml").runs.front());
 }
 
-/// A block of 2 × 3 cells of side 1/2 and density 1, held at its left end.
-std::string block(const std::string& material, const std::string& physics = "plane_strain") {
+/// A block of cells of side 1/2 and density 1, three of them high, held at its left end.
+std::string block(const std::string& material, const std::string& physics = "plane_strain", int along = 2) {
   return R"(
-mesh: {generate: [{name: block, rectangle: {from: [1, 0], to: [2, 1.5]}, divisions: [2, 3],
-                   sides: {left: held, right: end, bottom: under}}]}
+mesh: {generate: [{name: block, rectangle: {from: [1, 0], to: [)" +
+         std::to_string(1 + 0.5 * along) + ", 1.5]}, divisions: [" + std::to_string(along) + R"(, 3],
+                   sides: {left: held, right: end, bottom: under}}],
+       groups: {moving: {box: {from: [1.1, -1], to: [9, 9]}}}}
 materials: {body: {density: 1, )" +
          material + "}}\nphysics: " + physics + R"(
 supports: [{on: held, fix: [x, y]}]
@@ -42,7 +45,7 @@ const std::string steel = "law: plastic, young: 1, poisson: 0.3, "
                           "hardening: {linear: {yield_stress: 0.01, modulus: 0.1}}";
 const std::string moving_steel = steel + ", kinematic: [{modulus: 0.3, recall: 20}, {modulus: 0.05}]";
 const std::string polymer =
-    "law: prony, young: 1, poisson: 0.3, prony: [{shear: 0.5, time: 0.3}, {shear: 0.2, time: 3}]";
+    "law: prony, young: 1, poisson: 0.3, terms: [{shear: 0.5, time: 0.3}, {shear: 0.2, time: 3}]";
 const std::string rubber = "law: hyperelastic, c10: 0.2, c01: 0.05, bulk: 4";
 const std::string spring_steel = "young: 1, poisson: 0.3, strain: green_lagrange";
 const std::string logarithmic = ", strain: logarithmic";
@@ -70,17 +73,20 @@ struct Body {
   bool finite = true;
 };
 
+void PrintTo(const Body& body, std::ostream* out) {
+  *out << body.name;
+}
+
 class ExplicitBody : public testing::TestWithParam<Body> {};
 
 /// Thrown against its support, fast enough to flow.
 TEST_P(ExplicitBody, ClosesItsLedger) {
   const auto model = model_of(block(GetParam().material, GetParam().physics) +
-                              "initial: [{on: block, velocity: {x: -0.2, y: 0.1}}, "
-                              "{on: held, velocity: {x: 0, y: 0}}]\n"
+                              "initial: [{on: moving, velocity: {x: -0.2, y: 0.1}}]\n"
                               "loads: [{surface_force: {on: end, y: 0.005}}]\n");
   ExplicitMotion motion(model);
   double most = 0, largest = 0;
-  EXPECT_FALSE(go(motion, 4, [&] {
+  EXPECT_FALSE(go(motion, 8, [&] {
     const auto energy = motion.energy();
     most = std::max(most, std::abs(energy.balance()));
     largest = std::max(largest, energy.largest());
@@ -90,7 +96,7 @@ TEST_P(ExplicitBody, ClosesItsLedger) {
   const auto energy = motion.energy();
   if (GetParam().finite) {
     EXPECT_NE(energy.bulk_scheme, 0);
-    EXPECT_LE(std::abs(energy.bulk_scheme), 0.02 * largest);
+    EXPECT_LE(std::abs(energy.bulk_scheme), 0.15 * largest); // steps are as long as they may be
   } else {
     EXPECT_EQ(energy.bulk_scheme, 0);
   }
@@ -99,8 +105,7 @@ TEST_P(ExplicitBody, ClosesItsLedger) {
 /// The sums along the path are those between records of both ends of each step.
 TEST_P(ExplicitBody, HasTheWorksOfItsPointsWithoutRecords) {
   const auto model = model_of(block(GetParam().material, GetParam().physics) +
-                              "initial: [{on: block, velocity: {x: -0.2, y: 0.1}}, "
-                              "{on: held, velocity: {x: 0, y: 0}}]\n");
+                              "initial: [{on: moving, velocity: {x: -0.2, y: 0.1}}]\n");
   ExplicitMotion motion(model);
   const auto& domain = model.domain;
   auto recorded = domain.initial_states();
@@ -128,14 +133,16 @@ TEST_P(ExplicitBody, HasTheWorksOfItsPointsWithoutRecords) {
   EXPECT_NEAR(energy.back_stress, sum.back_stress, rounding);
   EXPECT_NEAR(energy.viscous, sum.viscous, rounding);
   EXPECT_NEAR(energy.bulk_scheme, sum.scheme, rounding);
-  EXPECT_EQ(motion.state().bulk_points.values, recorded.values);
-  EXPECT_TRUE(motion.state().bulk_points.records.empty());
+  const auto states = motion.state().bulk_points;
+  ASSERT_EQ(states.values.size(), recorded.values.size());
+  for (std::size_t i = 0; i < states.values.size(); ++i)
+    EXPECT_NEAR(states.values[i], recorded.values[i], 1e-14);
+  EXPECT_TRUE(states.records.empty());
 }
 
 TEST_P(ExplicitBody, HasNoMemoryBesideTheOneItTells) {
   const auto model = model_of(block(GetParam().material, GetParam().physics) +
-                              "initial: [{on: block, velocity: {x: -0.2, y: 0.1}}, "
-                              "{on: held, velocity: {x: 0, y: 0}}]\n");
+                              "initial: [{on: moving, velocity: {x: -0.2, y: 0.1}}]\n");
   ExplicitMotion motion(model);
   ASSERT_FALSE(go(motion, 1));
   const auto memory = motion.memory();
@@ -238,32 +245,31 @@ double true_rate(const model::Model& model, const State& state) {
       .maxCoeff();
 }
 
-/// Squeezed flat, or drawn, between its ends.
-std::string driven_block(const std::string& material, double way) {
-  return block(material) + "functions: {drive: {times: [0, 20], values: [0, " + std::to_string(way) +
-         "]}}\n" +
-         "runs: {one: {supports: [{on: held, fix: [x, y]}, {on: end, fix: y, x: {value: 1, function: "
-         "drive}}], "
-         "time: {end: 20}}}\n";
+/// Squeezed flat, or drawn, between smooth ends.
+std::string driven_block(const std::string& material, double strain) {
+  return block(material, "plane_strain", 4) + "functions: {drive: {times: [0, 20], values: [0, " +
+         std::to_string(2 * strain) + "]}}\n" +
+         "runs: {one: {time: {end: 20}, supports: [{on: held, fix: x}, {on: under, fix: y}, "
+         "{on: end, x: {value: 1, function: drive}}]}}\n";
 }
 
 TEST(ExplicitNonlinear, StepsBecomeShortWhereCellsAreSqueezed) {
-  for (const auto& [material, way] : {std::pair{steel + logarithmic, -0.6},
-                                      {rubber, -0.6},
-                                      {rubber, 1.5},
-                                      {spring_steel, 0.8},
-                                      {"young: 1, poisson: 0.3, strain: logarithmic", -0.5}}) {
-    const auto model = model_of(driven_block(material, way));
+  for (const auto& [material, strain] : {std::pair{steel + logarithmic, -0.6},
+                                         {rubber, -0.6},
+                                         {rubber, 1.5},
+                                         {spring_steel, 0.8},
+                                         {"young: 1, poisson: 0.3, strain: logarithmic", -0.5}}) {
+    const auto model = model_of(driven_block(material, strain));
     ExplicitMotion motion(model);
     const double first = motion.spectrum().stiffness;
     EXPECT_FALSE(go(motion, 20)) << material;
     motion.survey();
     const double believed = motion.spectrum().stiffness;
     const double right = true_rate(model, motion.state());
-    EXPECT_GT(right, 1.5 * first) << material << way;
-    EXPECT_GE(believed, 0.85 * right) << material << way;
-    EXPECT_LE(believed, 2.5 * right) << material << way;
-    EXPECT_LE(std::abs(motion.energy().balance()), 1e-10 * motion.energy().largest()) << material << way;
+    EXPECT_GT(right, 1.5 * first) << material << strain;
+    EXPECT_GE(believed, 0.95 * right) << material << strain;
+    EXPECT_LE(believed, 2 * right) << material << strain;
+    EXPECT_LE(std::abs(motion.energy().balance()), 1e-10 * motion.energy().largest()) << material << strain;
   }
 }
 
