@@ -20,12 +20,14 @@ using namespace rubato;
 
 model::Model flying_box(std::int64_t n, const std::string& material) {
   const auto divisions = std::to_string(n);
-  const auto deck = "mesh: {generate: [{name: box, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [" +
-                    divisions + ", " + divisions + ", " + divisions + "], sides: {left: held}}]}\n" +
-                    "materials: {body: {" + material + "}}\n" + R"(
+  const auto deck =
+      "mesh: {generate: [{name: box, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [" + divisions + ", " +
+      divisions + ", " + divisions +
+      "], sides: {left: held}}], groups: {moving: {box: {from: [0.001, 0, 0], to: [1, 1, 1]}}}}\n" +
+      "materials: {body: {" + material + "}}\n" + R"(
 physics: solid
 supports: [{on: held, fix: [x, y, z]}]
-initial: [{on: box, velocity: {x: -50}}, {on: held, velocity: {x: 0}}]
+initial: [{on: moving, velocity: {x: -50}}]
 time: {scheme: central_difference, end: 1}
 )";
   return model::build_model(deck::parse_deck(deck, "bench.yaml").runs.front());

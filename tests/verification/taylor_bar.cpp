@@ -34,31 +34,34 @@ materials:
 time: {scheme: central_difference, end: 80e-6, record: 1e-6}
 )";
 
-study::Study meridian_study() {
-  return deck::parse_deck(copper + R"(
+/// `supports` begins the list of them, `axis`: the one the rod stands along, `origin`: of the wall.
+std::string before_wall(TaylorWall wall, const std::string& supports, const std::string& axis,
+                        const std::string& origin, const std::string& normal) {
+  if (wall == TaylorWall::sliding)
+    return "supports: [" + supports + ", {on: foot, fix: " + axis + "}]\n" +
+           "initial: [{on: above, velocity: {" + axis + ": -227}}]\n";
+  return "supports: [" + supports + "]\ninitial: [{on: all, velocity: {" + axis + ": -227}}]\n" +
+         "contact: {wall: {slave: foot, obstacle: {plane: {point: " + origin + ", normal: " + normal +
+         "}}, method: penalty}}\n";
+}
+
+study::Study meridian_study(TaylorWall wall) {
+  const auto deck = copper + R"(
 mesh:
   generate:
     - {name: rod, rectangle: {from: [0, 0], to: [3.2e-3, 32.4e-3]}, divisions: [4, 25],
        sides: {left: axis, bottom: foot}}
+  groups: {above: {box: {from: [-1, 1e-4], to: [1, 1]}}}
 physics: axisymmetric
-supports: [{on: axis, fix: x}]
-initial: [{on: all, velocity: {y: -227}}]
-contact: {wall: {slave: foot, obstacle: {plane: {point: [0, 0], normal: [0, 1]}}, method: penalty}}
-)",
-                          "taylor.yaml")
-      .runs.front();
+)" + before_wall(wall, "{on: axis, fix: x}", "y", "[0, 0]", "[0, 1]");
+  return deck::parse_deck(deck, "taylor.yaml").runs.front();
 }
 
-study::Study quarter_study() {
-  return deck::parse_deck(copper + R"(
-mesh: {file: quarter.med}
-physics: solid
-supports: [{on: along_y, fix: x}, {on: along_x, fix: y}]
-initial: [{on: all, velocity: {z: -227}}]
-contact: {wall: {slave: foot, obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, method: penalty}}
-)",
-                          "taylor.yaml")
-      .runs.front();
+study::Study quarter_study(TaylorWall wall) {
+  const auto deck =
+      copper + "mesh: {file: quarter.med}\nphysics: solid\n" +
+      before_wall(wall, "{on: along_y, fix: x}, {on: along_x, fix: y}", "z", "[0, 0, 0]", "[0, 0, 1]");
+  return deck::parse_deck(deck, "taylor.yaml").runs.front();
 }
 
 /// Three blocks of n × n quadrangles in a quarter of a disc: one in the middle, two between it and the
@@ -125,6 +128,8 @@ mesh::Mesh quarter_mesh() {
         builder.add_to_node_group("along_y", node);
       if (std::abs(x[1]) < 1e-12)
         builder.add_to_node_group("along_x", node);
+      if (layer > 0)
+        builder.add_to_node_group("above", node);
     }
   for (const auto& face : disc.cells) {
     for (int layer = 0; layer < layers; ++layer) {
@@ -152,16 +157,19 @@ void measure_shape(const model::Model& model, const Eigen::VectorXd& u, TaylorRe
     x.head(model.dofs.components) += u.segment(model.dofs.dof(node, 0), model.dofs.components);
     const auto axis = axis_of(model);
     result.length = std::max(result.length, x[axis]);
-    result.radius = std::max(result.radius, x.head(axis).norm());
+    if (const double radius_here = x.head(axis).norm(); radius_here > result.radius) {
+      result.radius = radius_here;
+      result.edge = x[axis];
+    }
   }
 }
 
 } // namespace
 
-TaylorBar taylor_bar(TaylorMesh mesh) {
+TaylorBar taylor_bar(TaylorMesh mesh, TaylorWall wall) {
   if (mesh == TaylorMesh::quarter)
-    return {quarter_study(), quarter_mesh()};
-  auto study = meridian_study();
+    return {quarter_study(wall), quarter_mesh()};
+  auto study = meridian_study(wall);
   auto rod = model::load_mesh(study.mesh);
   return {std::move(study), std::move(rod)};
 }

@@ -21,8 +21,8 @@ struct LawPoint {
 
 struct LawPath {
   // At the end of the last evaluation:
-  /// Of the cells whose law remembers something and has a stress that is linear in the elastic strain, a
-  /// point after the other in the order of Bulk::cells.
+  /// Of the cells whose law has a stress that is linear in the elastic strain, and remembers something or
+  /// sees logarithmic strain: a point after the other in the order of Bulk::cells.
   std::vector<LawPoint> points;
   Eigen::VectorXd forces; ///< f of the cells that are not constant, one a dof [force]
   double stored = 0;      ///< in these cells [force · length]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/nonlinear_cells.hpp"
 
+#include "rubato/cell/wave_patterns.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -45,6 +47,12 @@ material::ElasticPoint first_tangent(const material::PointLaw& law) {
   return {response.tangent};
 }
 
+/// What a law without memory takes is stored. Growth of stiffness needs stresses of logarithmic strain.
+bool is_followed(const Behaviour& behaviour) {
+  return has_linear_stress(behaviour.law) &&
+         (material::state_size(behaviour.law) > 0 || behaviour.strain == element::StrainKind::logarithmic);
+}
+
 } // namespace
 
 int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) {
@@ -58,9 +66,8 @@ int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) 
   auto undeformed = kind;
   undeformed.strain = element::StrainKind::small;
   groups_.push_back({kind, behaviour.law, cell::topology(type).node_count, element::point_count(type),
-                     static_cast<std::size_t>(remembered),
-                     material::state_size(behaviour.law) > 0 && has_linear_stress(behaviour.law), undeformed,
-                     first_tangent(behaviour.law)});
+                     static_cast<std::size_t>(remembered), is_followed(behaviour), undeformed,
+                     first_tangent(behaviour.law), cell::shortest_waves(type)});
   law_of_group_.push_back(law);
   return static_cast<int>(groups_.size()) - 1;
 }

@@ -54,8 +54,10 @@ public:
 
   /// By what the largest λ of the whole may have grown since nothing had happened, by the cells of finite
   /// strain: max κ min(1, λ_e/λ), κ the growth of the stiffness of a cell, λ_e its own λ at first
-  /// (cell_rates.hpp), `rate`: λ of the whole at first [1/time²]. Of plastic and viscoelastic cells κ is by
-  /// their height and their stress, which the path has, of others by their tangent.
+  /// (cell_rates.hpp), `rate`: λ of the whole at first [1/time²]. With logarithmic strain κ is by the height
+  /// of a cell and its stress, which the path has, else by the stiffness of its shortest waves. Quadratic
+  /// cells, which have no such waves: max κ λ_e/λ, not below the true growth, κ by the norm of their
+  /// stiffness.
   double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path,
                 double rate) const;
 
@@ -70,6 +72,7 @@ private:
     bool followed = false;        ///< whether a path has its points
     element::CellKind undeformed; ///< small strain
     material::ElasticPoint first; ///< the law's tangent where nothing has happened
+    Eigen::MatrixXd waves;        ///< cell::shortest_waves
   };
   struct Cell {
     mesh::CellIndex index = -1;
@@ -82,7 +85,7 @@ private:
   };
   /// Of one cell where nothing has happened.
   struct Rate {
-    double stiffness = 0; ///< ‖K_e‖ [force/length]
+    double stiffness = 0; ///< of its shortest waves, or ‖K_e‖ where it has none [force/length]
     double lambda = 0;    ///< bound of its own λ [1/time²]
   };
   /// Storage of one cell at a time.

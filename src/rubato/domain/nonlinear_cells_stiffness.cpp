@@ -4,6 +4,8 @@
 #include "rubato/domain/cell_rates.hpp"
 #include "rubato/domain/nonlinear_cells.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,6 +28,29 @@ void NonlinearCells::add_initial_product(const VectorXd& x, VectorXd& y) const {
   }
 }
 
+namespace {
+
+/// The largest one of the waves, each with one direction of displacement; without waves ‖K_e‖.
+double stiffness_of_waves(const Eigen::MatrixXd& waves, const Eigen::Ref<const Eigen::MatrixXd>& stiffness) {
+  if (waves.cols() == 0)
+    return stiffness.norm();
+  const auto d = stiffness.rows() / waves.rows();
+  double largest = 0;
+  for (Eigen::Index wave = 0; wave < waves.cols(); ++wave) {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (Eigen::Index j = 0; j < waves.rows(); ++j)
+      for (Eigen::Index i = 0; i < waves.rows(); ++i)
+        sum.topLeftCorner(d, d) += waves(i, wave) * waves(j, wave) * stiffness.block(i * d, j * d, d, d);
+    largest = std::max(largest, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
+                                    .computeDirect(sum, Eigen::EigenvaluesOnly)
+                                    .eigenvalues()
+                                    .maxCoeff());
+  }
+  return largest;
+}
+
+} // namespace
+
 /// Cells without mass are held: they do not vibrate.
 void NonlinearCells::find_rates(const mesh::Mesh& mesh, const Bulk& bulk,
                                 std::span<const double> mass_factors) {
@@ -36,7 +61,7 @@ void NonlinearCells::find_rates(const mesh::Mesh& mesh, const Bulk& bulk,
     Rate rate;
     if (group_of(cells_[rates_.size()]).kind.strain != element::StrainKind::small) {
       const auto vibration = vibration_of(mesh, bulk, i);
-      rate.stiffness = vibration.stiffness.norm();
+      rate.stiffness = stiffness_of_waves(group_of(cells_[rates_.size()]).waves, vibration.stiffness);
       if (vibration.mass.minCoeff() > 0)
         rate.lambda = vibration.bound() / (mass_factors.empty() ? 1 : mass_factors[i]);
     }
@@ -54,10 +79,12 @@ double NonlinearCells::growth(const VectorXd& u, const QuadratureStates& states,
     const auto kind = group_of(cell).kind.strain;
     if (kind == element::StrainKind::small) // no law is stiffer than at first
       continue;
-    const bool by_shape = group_of(cell).followed && kind == element::StrainKind::logarithmic;
+    const bool by_shape = kind == element::StrainKind::logarithmic;
     const double own =
         by_shape ? growth_of_shape(cell, u, path, scratch) : growth_of_tangent(i, u, states, scratch);
-    growth = std::max(growth, own * std::min(1.0, rates_[i].lambda / rate));
+    const double part = rates_[i].lambda / rate;
+    const bool bounded = !by_shape && group_of(cell).waves.cols() == 0;
+    growth = std::max(growth, own * (bounded ? part : std::min(1.0, part)));
   }
   return growth;
 }
@@ -91,7 +118,7 @@ double NonlinearCells::growth_of_shape(const Cell& cell, const VectorXd& u, cons
   return thinner * thinner * (1 + 2 * stress / group.first.stiffness.diagonal().head<2>().minCoeff());
 }
 
-/// ‖K_e‖ of now over that at first.
+/// Of the waves of now over those at first; of cells without waves ‖K_e‖ over that at first.
 double NonlinearCells::growth_of_tangent(std::size_t i, const VectorXd& u, const QuadratureStates& states,
                                          Scratch& scratch) const {
   const auto& cell = cells_[i];
@@ -106,8 +133,9 @@ double NonlinearCells::growth_of_tangent(std::size_t i, const VectorXd& u, const
   if (!element::evaluate(group.kind, element::PointLaws(group.law), input,
                          {scratch.states, scratch.force, scratch.tangent}))
     return 0;
-  return Eigen::Map<const VectorXd>(scratch.tangent.data(), static_cast<Eigen::Index>(scratch.tangent.size()))
-             .norm() /
+  const auto size = static_cast<Eigen::Index>(scratch.displacement.size());
+  return stiffness_of_waves(group.waves,
+                            Eigen::Map<const Eigen::MatrixXd>(scratch.tangent.data(), size, size)) /
          rates_[i].stiffness;
 }
 

@@ -35,7 +35,7 @@ TEST(LeastHeight, IsAPartOfTheHeightOfSimplices) {
   const std::vector<Vector3d> triangle{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}};
   EXPECT_NEAR(least_height(CellType::tria3, triangle), 0.5, 1e-14);
   const std::vector<Vector3d> tetrahedron{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 1}};
-  EXPECT_NEAR(least_height(CellType::tetra4, tetrahedron), 1.0 / 3, 1e-14);
+  EXPECT_NEAR(least_height(CellType::tetra4, tetrahedron), 16.0 / 6 / std::sqrt(72.0), 1e-14);
   const std::vector<Vector3d> prism{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 1}, {4, 0, 1}, {0, 4, 1}};
   EXPECT_NEAR(least_height(CellType::penta6, prism), 1, 1e-14);
 }
