@@ -69,7 +69,8 @@ void NonlinearCells::find_rates(const mesh::Mesh& mesh, const Bulk& bulk,
   }
 }
 
-/// Cells that are turned inside out are left to their next evaluation, which fails.
+/// Cells that are turned inside out, or nearly so, are left to their next evaluation, which fails: steps do
+/// not become so short that they never come there.
 double NonlinearCells::growth(const VectorXd& u, const QuadratureStates& states, const LawPath& path,
                               double rate) const {
   Scratch scratch;
@@ -86,7 +87,8 @@ double NonlinearCells::growth(const VectorXd& u, const QuadratureStates& states,
     const bool bounded = !by_shape && group_of(cell).waves.cols() == 0;
     growth = std::max(growth, own * (bounded ? part : std::min(1.0, part)));
   }
-  return growth;
+  constexpr double most = 1e6; // steps a thousandth as long
+  return std::min(growth, most);
 }
 
 namespace {
