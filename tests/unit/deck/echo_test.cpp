@@ -36,7 +36,8 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
        {"newmark, beta: 0.3, gamma: 0.6", "hht, alpha: -0.1", "modified_average_acceleration, alpha: -0.1",
         "generalized_alpha", "wbz_alpha, alpha: -0.2", "static"})
     decks.push_back(replaced(smallest_deck, "newmark", scheme));
-  for (const auto* scheme : {"central_difference", "central_difference, safety: 0.5, record: 1e-4"}) {
+  for (const auto* scheme : {"central_difference", "central_difference, safety: 0.5, record: 1e-4",
+                             "central_difference, mass_scaling: {step: 1e-6}"}) {
     decks.push_back(replaced(smallest_deck, "newmark", scheme));
     decks.push_back(replaced(decks.back(), "step: 1e-3", "step: auto"));
   }

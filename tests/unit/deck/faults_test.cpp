@@ -393,6 +393,8 @@ TEST(DeckFaults, AnExplicitSchemeHasStepsOfItsOwn) {
   EXPECT_EQ(faults_of_explicit("end: 1, step: auto, safety: 1, record: 0.1"), Sentences{});
   EXPECT_EQ(faults_of_explicit("end: 1, safety: 1.5"),
             Sentences{"time.safety: found '1.5', expected a number > 0 and <= 1"});
+  EXPECT_EQ(faults_of_explicit("end: 1, mass_scaling: {step: 0}"),
+            Sentences{"time.mass_scaling.step: found '0', expected a number > 0"});
   EXPECT_EQ(faults_of_explicit("end: 1, record: 2"),
             Sentences{"time.record: found 2, expected at most the length of the run, 1"});
   EXPECT_EQ(faults_of_explicit("end: 1, step: 2"),

@@ -318,6 +318,8 @@ TEST(DeckKeys, EverySchemeWithItsOwnNumbers) {
   EXPECT_EQ(time("static").scheme, study::SchemeKind::static_steps);
   EXPECT_EQ(time("central_difference, safety: 0.5").safety, 0.5);
   EXPECT_EQ(time("central_difference").safety, 0.9);
+  EXPECT_EQ(time("central_difference, mass_scaling: {step: 1e-6}").mass_scaling, 1e-6);
+  EXPECT_EQ(time("central_difference").mass_scaling, std::nullopt);
   EXPECT_EQ(time("central_difference").step, 1e-3);
   EXPECT_DOUBLE_EQ(time("central_difference").record, 0.012 / 1000);
   EXPECT_EQ(time("central_difference, record: 1e-4").record, 1e-4);
