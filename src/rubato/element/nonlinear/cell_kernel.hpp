@@ -70,7 +70,7 @@ private:
       result = cell_.respond(want());
     if (!result)
       return result;
-    mean.set_conjugates();
+    mean.set_conjugates(wants_tangent());
     if (wants_tangent())
       cell_.is_small() ? put_mean<SmallModuli<S>>(mean) : put_mean<LargeModuli<S>>(mean);
     return with_force(result);

@@ -37,8 +37,8 @@ public:
   /// Sets what the laws see; the first point with J ≤ 0 fails.
   CellResult see() { return cell_.is_small() ? see_small() : see_large(); }
 
-  /// P_c at the points, after the laws have answered.
-  void set_conjugates() {
+  /// P_c at the points, after the laws have answered, and t where tangents are wanted.
+  void set_conjugates(bool for_tangent) {
     pressure_sum_ = 0;
     for (int q = 0; q < cell_.count(); ++q)
       pressure_sum_ += cell_.gradients.weight(q) * (pressure_[place(q)] = pressure(q));
@@ -47,7 +47,8 @@ public:
       const auto p = place(q);
       cell_.conjugate[p] =
           scale_[p] * cell_.piola[p] + (by_volume * jacobian_[p] - pressure_[p]) * inverse_[p];
-      cell_.gradients.add_force(q, jacobian_[p] / (volume_ * theta_) * inverse_[p], change_);
+      if (for_tangent)
+        cell_.gradients.add_force(q, jacobian_[p] / (volume_ * theta_) * inverse_[p], change_);
     }
   }
 
