@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Body{"RubberRing", rubber, "axisymmetric"}, Body{"RubberPlate", rubber, "plane_stress"},
                     Body{"SpringSteel", spring_steel},
                     Body{"SpringSteelPlate", spring_steel, "plane_stress"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& each) { return each.param.name; });
 
 TEST(ExplicitNonlinear, MovesAsALinearBodyBelowItsYieldStress) {
   const std::string motion = "loads: [{surface_force: {on: end, y: 1e-5}}]\n";
