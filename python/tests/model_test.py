@@ -147,6 +147,15 @@ def test_stresses_are_those_of_the_closed_form():
     assert volumes.sum() == pytest.approx(2) and numpy.allclose(stress[:, :, 0], 3)
     assert field.means().shape == (8, 6) and numpy.allclose(field.means()[:, 0], 3)
     assert model.cell_field(state, "stress_elno").volumes == {}
+    mean = model.cell_field(state, "tresca_elem")
+    assert mean.place == "cells" and mean.volumes == {} and mean.components == []
+    assert mean.values["quad4"].shape == (8, 1, 1) and numpy.allclose(mean.values["quad4"], 3)
+    principal = model.cell_field(state, "principal_stress_elno").values["quad4"]
+    assert principal.shape == (8, 4, 3) and numpy.allclose(principal, [3, 0, 0], atol=1e-9)
+    assert model.field_components("principal_stress") == ["1", "2", "3"] and model.field_components("tresca") == []
+    others = model.nodal_fields(state, ["tresca", "mean_stress", "principal_stress", "cumulated_plastic_strain"])
+    assert numpy.allclose(others["tresca"], 3) and numpy.allclose(others["mean_stress"], 1)
+    assert others["principal_stress"].shape == (15, 3) and not others["cumulated_plastic_strain"].any()
     assert state.displacement(model)[model.mesh.nodes_named("tip"), 0] == pytest.approx(3 / 100 * 2)
 
 
@@ -160,6 +169,8 @@ def test_names_of_fields_are_checked(model):
         model.nodal_fields(state, ["temperature"])
     with pytest.raises(rubato.InputError, match="'stress'"):
         model.cell_field(state, "stress")
+    with pytest.raises(rubato.InputError, match="no field 'temperature_elga': it has no temperatures"):
+        model.cell_field(state, "temperature_elga")
     other = rubato.Model(studies.bar(), rubato.load_mesh(studies.bar().mesh).refined(2))
     with pytest.raises(rubato.InputError, match="of another model"):
         other.nodal_fields(state)

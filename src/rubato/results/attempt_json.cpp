@@ -19,6 +19,10 @@ const std::string& zone_name(const model::Model& model, int zone) {
   return model.zones[static_cast<std::size_t>(zone)].settings.name;
 }
 
+bool iterates_on_bulk(const model::Model& model) {
+  return !model.domain.is_linear() && !study::is_explicit(model.study.time.scheme);
+}
+
 /// Which cell has no forces, and why.
 ordered_json to_json(const model::Model& model, const domain::CellFailure& failure) {
   return {{"label", domain::cell_label(model.mesh, failure.cell)},
@@ -54,7 +58,7 @@ ordered_json to_json(const model::Model& model, const simulation::Attempt& attem
   json["accepted"] = attempt.accepted;
   json["outcome"] = step::to_string(report.outcome);
   json["iterations"] = report.iterations;
-  if (!model.domain.is_linear()) {
+  if (iterates_on_bulk(model)) {
     json["bulk_iterations"] = report.bulk_iterations;
     json["factorisations"] = report.factorisations;
     json["indefinite"] = report.indefinite;
@@ -96,7 +100,7 @@ ordered_json to_json(const model::Model& model, const Failure& failure) {
                     {"advice", failure.advice}};
   if (report.failed_cell)
     json["failed_cell"] = to_json(model, *report.failed_cell);
-  if (!model.domain.is_linear())
+  if (iterates_on_bulk(model))
     json["indefinite"] = report.indefinite;
   if (!failure.not_finite.empty())
     json["not_finite"] = failure.not_finite;

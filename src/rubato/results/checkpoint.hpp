@@ -37,7 +37,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 /// CRC-32 of a mesh: coordinates, cells and groups.
 std::uint32_t fingerprint(const mesh::Mesh& mesh);
-/// CRC-32 of the motion of a state.
+/// CRC-32 of the motion of a state and of what its materials remember.
 std::uint32_t fingerprint(const step::State& state);
 
 } // namespace rubato::results

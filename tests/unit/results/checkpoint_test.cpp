@@ -200,5 +200,14 @@ TEST(StudyDifference, IsToldByTheFirstKeyThatChanged) {
             R"(contact.z was {"friction":0.2} and is not there now)");
 }
 
+TEST(AFingerprint, TellsStatesApartByWhatMaterialsRemember) {
+  const auto state = sample().memento.state;
+  auto other = state;
+  EXPECT_NE(fingerprint(state), 0U);
+  EXPECT_EQ(fingerprint(other), fingerprint(state));
+  other.bulk_points.values = {0.5};
+  EXPECT_NE(fingerprint(other), fingerprint(state));
+}
+
 } // namespace
 } // namespace rubato::results

@@ -141,6 +141,32 @@ TEST(PlasticFields, HaveTrueStressesOfLargeStrains) {
   expect_fields(DrawnBar(study::StrainKind::logarithmic), expected_fields(stress, strain, p, narrowing));
 }
 
+/// The law finds the strain across the plane; true stresses are those by the undeformed thickness.
+TEST(PlasticFields, HaveTheStrainAcrossAPlate) {
+  auto deck = drawn_bar;
+  deck.replace(deck.find("box: {from: [0, 0, 0], to: [2, 1, 1]}, divisions: [2, 1, 1], cells: hexa8"), 73,
+               "rectangle: {from: [0, 0], to: [2, 1]}, divisions: [2, 1], cells: quad4");
+  deck.replace(deck.find(", front: front"), 14, "");
+  deck.replace(deck.find("  - {on: front, fix: z}\n"), 24, "");
+  deck.replace(deck.find("physics: solid"), 14, "physics: plane_stress");
+  auto study = test::study_of(deck);
+  test::make_plastic(study.materials[0], yield_stress, modulus, study::StrainKind::logarithmic);
+  simulation::Simulation simulation(study);
+  while (!simulation.finished())
+    ASSERT_TRUE(simulation.advance().accepted());
+  const double strain = std::log(1.01);
+  const double p = (young * strain - yield_stress) / (young + modulus);
+  const double kirchhoff = yield_stress + modulus * p;
+  const double narrowing = -poisson * kirchhoff / young - p / 2;
+  study::FieldOutput output;
+  output.only = {"stress_elga", "strain_elga", "plastic_strain_elga"};
+  const auto fields = cell_fields(simulation.model(), simulation.state(), output);
+  ASSERT_EQ(fields.size(), 3U);
+  expect_each(fields[0].parts[0].values, {kirchhoff / std::exp(strain + narrowing), 0, 0, 0, 0, 0}, "stress");
+  expect_each(fields[1].parts[0].values, {strain, narrowing, narrowing, 0, 0, 0}, "strain");
+  expect_each(fields[2].parts[0].values, {p, -p / 2, -p / 2, 0, 0, 0}, "plastic strain");
+}
+
 TEST(PlasticFields, AreUsualWhereAMaterialFlows) {
   const auto has = [](const std::vector<OwnedField>& fields, const std::string& name) {
     return std::ranges::find(fields, name, &OwnedField::name) != fields.end();

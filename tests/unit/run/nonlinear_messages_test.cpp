@@ -67,19 +67,20 @@ std::vector<std::string> advice_for(const model::Model& model, const results::Fa
   return advice(model, time::make_scheme(model.study.time), failure);
 }
 
-results::Failure inverted_cell() {
+results::Failure inverted_cell(const model::Model& model) {
   auto failure = failure_with(Outcome::cell_failed, {{.criterion = Criterion::cell, .node = 1}});
-  failure.report.failed_cell = {element::Failure::inverted, 0, 2};
+  failure.report.failed_cell = domain::CellFailure{element::Failure::inverted, model.bulk.cells.front(), 2};
   return failure;
 }
 
 TEST(AFailedStepOfNonlinearBodies, NamesTheCellThatHasNoForces) {
   const auto model = model::build_model(plastic());
-  const auto text = explain(model, inverted_cell());
+  const auto text = explain(model, inverted_cell(model));
   expect_in(text, "(a cell has no forces, 0 iterations); ");
-  expect_in(text, domain::cell_label(model.mesh, 0) + " has no forces: a point is turned inside out (J ≤ 0)");
+  expect_in(text, domain::cell_label(model.mesh, model.bulk.cells.front()) +
+                      " has no forces: a point is turned inside out (J ≤ 0)");
   EXPECT_EQ(text.find("residual"), std::string::npos) << text;
-  const auto lines = advice_for(model, inverted_cell());
+  const auto lines = advice_for(model, inverted_cell(model));
   EXPECT_TRUE(has(lines, "a shorter time.step"));
   EXPECT_TRUE(has(lines, "a look at the mesh around N2 ("));
   EXPECT_FALSE(has(lines, "formulation"));
@@ -90,9 +91,7 @@ TEST(AFailedStepOfNonlinearBodies, IsAdvisedAnotherFormulationOfEnhancedCells) {
   study.materials[0].strain = study::StrainKind::small;
   study.materials[0].formulation = study::Formulation::enhanced;
   const auto model = model::build_model(study);
-  auto failure = inverted_cell();
-  failure.report.failed_cell->cell = model.bulk.cells.front();
-  EXPECT_TRUE(has(advice_for(model, failure), "materials.metal.formulation: mean_dilatation"));
+  EXPECT_TRUE(has(advice_for(model, inverted_cell(model)), "materials.metal.formulation: mean_dilatation"));
 }
 
 TEST(AFailedStepOfNonlinearBodies, TellsOfPlasticStrainThatGrewTooMuch) {
@@ -144,8 +143,8 @@ TEST(AttemptsOfNonlinearBodies, SayHowTheBulkWasSolved) {
   EXPECT_EQ(json.at("factorisations"), 2);
   EXPECT_EQ(json.at("indefinite"), true);
   EXPECT_FALSE(json.contains("failed_cell"));
-  const auto failed = results::to_json(model, simulation::Attempt{}, inverted_cell().report);
-  EXPECT_EQ(failed.at("failed_cell").at("label"), domain::cell_label(model.mesh, 0));
+  const auto failed = results::to_json(model, simulation::Attempt{}, inverted_cell(model).report);
+  EXPECT_EQ(failed.at("failed_cell").at("label"), domain::cell_label(model.mesh, model.bulk.cells.front()));
   EXPECT_EQ(failed.at("failed_cell").at("reason"), "a point is turned inside out (J ≤ 0)");
   EXPECT_EQ(failed.at("unmet").at(0).at("criterion"), "cell");
   EXPECT_FALSE(failed.at("unmet").at(0).contains("value"));
