@@ -62,9 +62,9 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   decks.push_back(replaced(smallest_deck, "solid", "plane_strain") +
                   "supports: [{on: g, rotate: {about: [1, 2], angle: 0.01*t}, x: 3}]\n");
   decks.push_back(
-      smallest_deck +
+      replaced(smallest_deck, "density: 7800", "density: 7800, strain: green_lagrange") +
       "supports: [{on: g, rotate: {about: [1, 2, 3], axis: [0, 1, 1], angle: {acceleration: 1e-3, "
-      "function: f}}}]\nloads: [{pressure: {on: h, value: 1, follower: false}}]\n"
+      "function: f}}}]\nloads: [{pressure: {on: h, value: 1, follower: true}}]\n"
       "functions: {f: {times: [0, 1], values: [0, 1]}}\n"
       "probes: {p: {on: g, field: reaction, about: [1, 2, 3]}}\n");
   for (const auto& deck : decks) {

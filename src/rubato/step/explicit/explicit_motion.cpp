@@ -102,6 +102,8 @@ ExplicitMotion::ExplicitMotion(const Model& model)
   collect_loads();
   if (const auto* heat = model.domain.heat())
     heat_force_ = heat->force(t_);
+  if (!model.followers.empty())
+    follower_force_ = unbalance_;
   deform();
   const double back_stress = path_.taken.back_stress;
   require_forces(model, find_forces());
@@ -210,6 +212,7 @@ domain::Failed ExplicitMotion::step(double end) {
   const bool finite = model_->domain.has_finite_strain();
   const double bulk_power = finite ? path_.forces.dot(v_) : 0;
   const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
+  const double follower_power = has_followers() ? follower_force_.dot(v_) : 0;
   if (const auto springs = model_->domain.law_springs(); !springs.empty())
     energy_.numerical += domain::missed_between(springs, u_ - h_ * v_, u_);
   enter_heat(begin, end);
@@ -222,6 +225,8 @@ domain::Failed ExplicitMotion::step(double end) {
     energy_.bulk_scheme += h_ / 2 * (bulk_power + path_.forces.dot(v_)) - path_.law_work;
   if (damping_)
     energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
+  if (has_followers())
+    energy_.external_work += h_ / 2 * (follower_power + follower_force_.dot(v_));
   for (auto& support : supports_) {
     const double reaction = reaction_of(support);
     energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.prescribed->dof];
@@ -259,7 +264,17 @@ domain::Failed ExplicitMotion::find_forces() {
     unbalance_[dof] += contact_force_[dof];
   for (auto& load : loads_)
     apply(load);
+  if (has_followers()) {
+    find_followers();
+    unbalance_ -= follower_force_;
+  }
   return {};
+}
+
+/// What pressures that follow their faces push with where the bodies are.
+void ExplicitMotion::find_followers() {
+  follower_force_.setZero();
+  model::add_follower_forces(*model_, t_, u_, follower_force_);
 }
 
 /// Adds a load to the residual force, and its work since the last instant.
@@ -378,6 +393,8 @@ void ExplicitMotion::restore(const Memory& memory) {
   energy_ = memory.energy;
   if (const auto* heat = model_->domain.heat())
     heat_force_ = heat->force(t_);
+  if (has_followers())
+    find_followers();
   bulk_points_ = memory.bulk_points;
   path_ = memory.path;
   survey_ = memory.survey;

@@ -123,6 +123,8 @@ private:
   double kinetic_energy() const;
   double strain_energy() const;
   void apply(Load& load);
+  bool has_followers() const { return follower_force_.size() > 0; }
+  void find_followers();
   void enter_heat(double from, double to);
   void enter_contact(double from, double to);
   double work_of_obstacles(double from, double to) const;
@@ -149,10 +151,11 @@ private:
   domain::QuadratureStates bulk_points_next_; ///< kept for its memory
   domain::LawPath path_;                      ///< to t
   Survey survey_;
-  Eigen::VectorXd unbalance_;     ///< r at t
-  Eigen::VectorXd contact_force_; ///< at t, internal side
-  Eigen::VectorXd damping_force_; ///< at t; empty without damping
-  Eigen::VectorXd heat_force_;    ///< at t; empty without temperatures
+  Eigen::VectorXd unbalance_;      ///< r at t
+  Eigen::VectorXd contact_force_;  ///< at t, internal side
+  Eigen::VectorXd damping_force_;  ///< at t; empty without damping
+  Eigen::VectorXd heat_force_;     ///< at t; empty without temperatures
+  Eigen::VectorXd follower_force_; ///< at t; empty without pressures that follow their faces
   /// Works and dissipations so far, the start, and the constant of kinetic energy; `impact` is all that
   /// contact took, stored and rubbed energy with it.
   EnergyLedger energy_;
