@@ -56,6 +56,9 @@ def test_a_run_is_read_back(folders):
     assert run.study == studies.case() and run.summary["steps"] == 12
     assert run.probes["t"].shape == (13,) and run.probes["tip.y"][1] == pytest.approx(-0.0112465264187, rel=1e-6)
     assert numpy.abs(run.energy["balance"]).max() < 1e-9 * run.energy["external_work"].max()
+    simulation = rubato.Simulation(studies.case())
+    assert list(run.energy) == ["t", *simulation.energy.as_dict()]
+    assert all(getattr(simulation.energy, name) == value for name, value in simulation.energy.as_dict().items())
     assert run.resultants["interface"]["in_contact"].shape == (12,)
     table = run.contact["interface"]
     assert set(table["status"]) <= {"open", "sticks", "slips"} and table["node"][0].startswith("N")

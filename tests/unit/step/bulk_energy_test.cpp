@@ -8,6 +8,7 @@
 #include "support/bulk_laws.hpp"
 #include "unit/step/any_state.hpp"
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -101,6 +102,13 @@ TEST_P(LedgerIn, MixedBodiesClose) {
     ASSERT_FALSE(any.model.domain.is_linear());
     expect_closing(any, scheme);
   }
+}
+
+TEST(BalanceOfMaterials, NeedsRecordsOfBothEnds) {
+  const AnyStates any(model::build_model(test::study_with(test::pulled_block, test::every_law.front())));
+  const auto& domain = any.model.domain;
+  EXPECT_THROW(domain.balance(domain.initial_states(), domain.initial_states()), std::invalid_argument);
+  EXPECT_THROW(domain.back_stress_energy(domain.initial_states()), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(EachLaw, LedgerIn, testing::ValuesIn(test::every_law),
