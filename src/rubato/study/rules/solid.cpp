@@ -278,10 +278,6 @@ void check_load(Rules& rules, const Load& load, const std::string& path) {
         {path + ".follower", path, "materials"},
         "found a pressure that follows the faces of bodies of small strain, expected a material with "
         "strain: green_lagrange or logarithmic");
-  else if (load.follower && is_explicit(rules.study.time.scheme))
-    rules.broken({path + ".follower", path, "time.scheme"},
-                 "found a pressure that follows the faces, which explicit runs do not have yet; expected "
-                 "another time.scheme, or a pressure that keeps its direction");
 }
 
 /// Why a run begins in no other way than its own; empty when it may.
