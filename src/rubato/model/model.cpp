@@ -13,6 +13,7 @@
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/contact_mass.hpp"
+#include "rubato/model/formulation_notes.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/mass_scaling.hpp"
 #include "rubato/model/mortar_edges.hpp"
@@ -273,6 +274,7 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   if (model.bulk.cells.empty() || faults.size() > known)
     stop_on(faults);
   check_law_fields(study, model.mesh, model.bulk, faults);
+  check_formulations(study, model.mesh, model.bulk, faults);
   if (faults.size() > known)
     stop_on(faults);
   auto numbered = rigid_faces(study, model.mesh);
@@ -303,6 +305,7 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   if (const auto note = note_on_shared_nodes(model))
     model.notes.push_back(*note);
   std::ranges::move(notes_on_rigid_slaves(model), std::back_inserter(model.notes));
+  std::ranges::move(notes_on_formulations(model), std::back_inserter(model.notes));
   std::ranges::move(edges_in_mortar_zones(model.zones, model.mesh), std::back_inserter(model.notes));
   if (study.time.scheme == study::SchemeKind::static_steps) {
     mark_soft_springs(model);

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/formulation_notes.hpp"
+
+#include "rubato/cell/topology.hpp"
+#include "rubato/material/make_point_law.hpp"
+#include "rubato/model/bodies.hpp"
+#include "rubato/model/layers.hpp"
+#include "rubato/study/damping.hpp"
+#include "rubato/study/formulation.hpp"
+#include "rubato/study/validate.hpp"
+#include "rubato/study/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace rubato::model {
+namespace {
+
+using study::Formulation;
+using study::Material;
+
+/// From here on linear cells that are integrated in full keep their volume more than their shape.
+constexpr double nearly_incompressible = 0.45;
+/// Fewer layers are too stiff in bending, where a part is longer than so many times its thickness.
+constexpr int enough_layers = 4;
+constexpr double slender = 5;
+
+/// Places in `bulk.cells` of the cells of each material.
+std::vector<std::vector<std::size_t>> cells_by_material(const study::Study& study, const domain::Bulk& bulk) {
+  std::vector<std::vector<std::size_t>> cells(study.materials.size());
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i)
+    cells[static_cast<std::size_t>(bulk.law_of_cell[i])].push_back(i);
+  return cells;
+}
+
+/// "QUAD4", "QUAD4 and TRIA3".
+std::string names_of(const std::set<CellType>& types) {
+  std::vector<std::string_view> names;
+  for (const auto type : types)
+    names.push_back(cell::topology(type).name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+/// Whether the study so changed keeps its rules.
+bool may_be(const study::Study& study, const Material& material, Formulation formulation) {
+  auto changed = study;
+  std::ranges::find(changed.materials, material.name, &Material::name)->formulation = formulation;
+  return study::broken_rules(changed).empty();
+}
+
+/// What keeps the volume; empty where nothing does, or where that depends on the place.
+std::string what_keeps_volume(const Material& material) {
+  if (study::is_hyperelastic(material.law)) {
+    const double poisson = material::small_strain_moduli(material).poisson;
+    return poisson > nearly_incompressible ? fmt::format("Poisson's ratio {:.4g}", poisson) : "";
+  }
+  if (material.law == study::LawKind::plastic)
+    return "plastic flow";
+  if (material.law == study::LawKind::orthotropic || material.in_place.contains("poisson"))
+    return "";
+  return material.poisson > nearly_incompressible ? fmt::format("Poisson's ratio {:.4g}", material.poisson)
+                                                  : "";
+}
+
+constexpr std::string_view by_quadratic = "'mesh: {convert: quadratic}'";
+
+/// Volume that stays makes linear cells too stiff; in plane stress the thickness gives way.
+void note_locking(const Model& model, const Material& material, const std::vector<std::size_t>& cells,
+                  std::vector<std::string>& notes) {
+  const auto physics = model.study.physics;
+  const auto reason = what_keeps_volume(material);
+  if (reason.empty() || physics == study::Physics::plane_stress)
+    return;
+  std::set<CellType> to_average;
+  std::set<CellType> to_refine;
+  for (const auto i : cells) {
+    const auto type = model.mesh.type_of(model.bulk.cells[i]);
+    if (cell::topology(type).order == 1 &&
+        study::formulation_of(material, physics, type) == Formulation::full)
+      (study::averages_dilatation(type, physics) ? to_average : to_refine).insert(type);
+  }
+  const auto note = [&](const std::set<CellType>& types, std::string_view cure) {
+    notes.push_back(
+        fmt::format("material '{}': its {} cells are too stiff, as {} keeps their volume; {} cures it",
+                    material.name, names_of(types), reason, cure));
+  };
+  if (!to_average.empty())
+    note(to_average, may_be(model.study, material, Formulation::mean_dilatation)
+                         ? "'formulation: mean_dilatation'"
+                         : by_quadratic);
+  if (!to_refine.empty())
+    note(to_refine, by_quadratic);
+}
+
+/// Whether supports hold every node of the cell along the axis that is nearest to a direction.
+bool is_held_along(const Model& model, mesh::CellIndex cell, const Eigen::Vector3d& direction) {
+  Eigen::Index axis = 0;
+  direction.cwiseAbs().maxCoeff(&axis);
+  return std::ranges::all_of(model.mesh.nodes_of(cell), [&](mesh::NodeIndex node) {
+    return model.reduction.is_prescribed(model.dofs.dof(node, static_cast<int>(axis)));
+  });
+}
+
+/// Cells of one body and material.
+struct Part {
+  std::size_t cells = 0;   ///< QUAD4 and HEXA8 that are integrated in full
+  std::size_t slender = 0; ///< of these, in few layers of a long part
+  const Layers* first = nullptr;
+  std::set<CellType> types = {};
+};
+
+std::map<int, Part> parts_of(const Model& model, const Material& material, const Bodies& bodies,
+                             const std::vector<Layers>& layers, const std::vector<std::size_t>& cells) {
+  std::map<int, Part> parts;
+  for (const auto i : cells) {
+    const auto cell = model.bulk.cells[i];
+    const auto type = model.mesh.type_of(cell);
+    const bool has_layers = type == CellType::quad4 || type == CellType::hexa8;
+    if (!has_layers || study::formulation_of(material, model.study.physics, type) != Formulation::full)
+      continue;
+    auto& part = parts[bodies.of(model.mesh.nodes_of(cell).front())];
+    ++part.cells;
+    part.types.insert(type);
+    const auto& own = layers[i];
+    if (own.count == 0 || own.count >= enough_layers || own.length <= slender * own.thickness ||
+        is_held_along(model, cell, own.across))
+      continue;
+    ++part.slender;
+    if (part.first == nullptr)
+      part.first = &own;
+  }
+  return parts;
+}
+
+/// Linear cells bend by shear that the part has not. Of each material the first part that consists of such
+/// cells for the most part.
+void note_bending(const Model& model, const Material& material, const Bodies& bodies,
+                  const std::vector<Layers>& layers, const std::vector<std::size_t>& cells,
+                  std::vector<std::string>& notes) {
+  const auto parts = parts_of(model, material, bodies, layers, cells);
+  const auto found = std::ranges::find_if(
+      parts, [](const auto& part) { return 2 * part.second.slender > part.second.cells; });
+  if (found == parts.end())
+    return;
+  const auto& part = found->second;
+  const auto cure = may_be(model.study, material, Formulation::enhanced)
+                        ? fmt::format("'formulation: enhanced' or {}", by_quadratic)
+                        : std::string(by_quadratic);
+  notes.push_back(fmt::format("material '{}': {} layer{} of {} across a part {:.2g} times as long as thick "
+                              "{} too stiff in bending; {} "
+                              "cures it",
+                              material.name, part.first->count, part.first->count == 1 ? "" : "s",
+                              names_of(part.types), part.first->length / part.first->thickness,
+                              part.first->count == 1 ? "is" : "are", cure));
+}
+
+void note_damping(const Material& material, std::vector<std::string>& notes) {
+  if (!study::has_constant_stiffness(material) && study::rayleigh_coefficients(material).stiffness > 0)
+    notes.push_back(
+        fmt::format("material '{}': its damping by the stiffness is that of the undeformed bodies "
+                    "throughout",
+                    material.name));
+}
+
+} // namespace
+
+void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const domain::Bulk& bulk,
+                        std::vector<Fault>& faults) {
+  const auto cells = cells_by_material(study, bulk);
+  for (std::size_t m = 0; m < cells.size(); ++m) {
+    const auto& material = study.materials[m];
+    if (!material.formulation || *material.formulation == Formulation::full || cells[m].empty())
+      continue;
+    std::set<CellType> types;
+    for (const auto i : cells[m])
+      types.insert(mesh.type_of(bulk.cells[i]));
+    const auto has_it = [&](CellType type) {
+      return study::formulation_of(material, study.physics, type) == *material.formulation;
+    };
+    if (std::ranges::none_of(types, has_it))
+      faults.push_back(fault_at(
+          fmt::format("materials.{}.formulation", material.name),
+          fmt::format("materials.{}.formulation: its {} cells have no {}, {}; expected full", material.name,
+                      names_of(types), word_of(study::formulation_words, *material.formulation),
+                      *material.formulation == Formulation::mean_dilatation ? "QUAD4, HEXA8 and PENTA6 have"
+                                                                            : "QUAD4 and HEXA8 have")));
+  }
+}
+
+std::vector<std::string> notes_on_formulations(const Model& model) {
+  std::vector<std::string> notes;
+  const auto cells = cells_by_material(model.study, model.bulk);
+  const Bodies bodies(model.mesh, model.bulk);
+  const auto layers = layers_of(model.mesh, model.bulk);
+  for (std::size_t m = 0; m < cells.size(); ++m) {
+    const auto& material = model.study.materials[m];
+    note_locking(model, material, cells[m], notes);
+    note_bending(model, material, bodies, layers, cells[m], notes);
+    note_damping(material, notes);
+  }
+  return notes;
+}
+
+} // namespace rubato::model

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Whether the cells of materials suit what the materials do.
+#pragma once
+
+#include "rubato/model/model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rubato::model {
+
+/// A fault for each material whose formulation none of its cells has.
+void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const domain::Bulk& bulk,
+                        std::vector<Fault>& faults);
+
+/// Sentences that name what to write: for linear cells, integrated in full, whose material keeps its volume
+/// (not in plane stress); for slender parts of few such QUAD4 or HEXA8 across, which are too stiff in
+/// bending; for nonlinear materials with Rayleigh's damping by the stiffness. Of a model that has its
+/// reduction.
+std::vector<std::string> notes_on_formulations(const Model& model);
+
+} // namespace rubato::model
