@@ -72,7 +72,7 @@ materials: {{steel: {{young: {9}, poisson: {10}}}}}
 supports: [{{on: ends, fix: z}}, {{on: on_x, fix: y}}, {{on: on_y, fix: x}}]
 contact: {{fit: {{master: outside, slave: inside, integration: {11}}}}}
 time: {{scheme: static, step: 1, end: 1}}
-newton: {{residual: 1e-10}}
+newton: {{residual: 1e-9}}
 )",
       bore, shaft, inner, outer, std::numbers::pi / 2, length, divisions(fit.shaft), divisions(fit.ring),
       word_of(fit.cells), young, poisson, fit.integration);

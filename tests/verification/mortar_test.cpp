@@ -99,12 +99,15 @@ TEST(ShrinkFit, HasLamesPressureInsideWithFreeEnds) {
   EXPECT_GT(shrink({CellType::quad8, 1, false, "nodes"}).interior, 0.1);
 }
 
+// The second iteration leaves 4e-10 of the forces with HEXA20, 1e-10 with TETRA10. Rounding of the gaps keeps
+// the ones after it at about 1e-10: with E changed by 1e-14 of itself, a few times, the third leaves 0.8e-10
+// to 1.3e-10. So a count of iterations says something down to 1e-9.
 TEST(ShrinkFit, HasLamesPressureInSpace) {
   EXPECT_NEAR(lame_pressure(true, 5), 206.89, 0.005);
   for (const auto cells : {CellType::hexa20, CellType::tetra10}) {
     const auto errors = shrink_in_space({cells});
     EXPECT_LE(errors.interior, 0.02) << word_of(cells);
-    EXPECT_LE(errors.iterations, 3) << word_of(cells);
+    EXPECT_LE(errors.iterations, 2) << word_of(cells);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "rubato/element/element.hpp"
 
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/element/isotropic_stiffness.hpp"
 
 #include <Eigen/LU>
 
@@ -329,6 +330,8 @@ void stiffness(CellType type, Points points, const material::Law& law, const Sec
   if (!lame)
     return stiffness(type, points, material::tangent(law, section.physics), section, k);
   check_dimension(type, section.physics);
+  if (isotropic_stiffness(type, points, *lame, section, k))
+    return;
   with_rows(type, section.physics,
             [&]<int D, int Rows>(std::integral_constant<int, D>, std::integral_constant<int, Rows>) {
               stiffness_of<D, Rows>(cell::stiffness_table(type), points, IsotropicBlock<D, Rows>{*lame},
