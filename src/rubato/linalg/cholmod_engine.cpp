@@ -215,9 +215,7 @@ void CholmodEngine::analyse(LowerTriangle& lower, int supernodal) {
   common_.postorder = 1;
   common_.supernodal = supernodal;
   auto matrix = lower.view();
-  factor_ = cholmod_l_analyze(&matrix, &common_);
-  if (factor_ == nullptr)
-    refuse_status(common_.status);
+  take_analysed(cholmod_l_analyze(&matrix, &common_));
 }
 
 void CholmodEngine::analyse(LowerTriangle& lower, Index trailing) {
@@ -228,9 +226,15 @@ void CholmodEngine::analyse(LowerTriangle& lower, Index trailing) {
   common_.postorder = 0; // it would not leave the trailing unknowns where they are
   common_.supernodal = CHOLMOD_AUTO;
   auto matrix = lower.view();
-  factor_ = cholmod_l_analyze_p(&matrix, order.data(), nullptr, 0, &common_);
+  take_analysed(cholmod_l_analyze_p(&matrix, order.data(), nullptr, 0, &common_));
+}
+
+void CholmodEngine::take_analysed(cholmod_factor* factor) {
+  factor_ = factor;
   if (factor_ == nullptr)
     refuse_status(common_.status);
+  entries_ = common_.lnz;
+  flops_ = common_.fl;
 }
 
 /// METIS knows only the unknowns before the trailing ones: these are eliminated last whatever it does.

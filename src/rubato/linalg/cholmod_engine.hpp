@@ -69,7 +69,12 @@ public:
   void analyse(LowerTriangle& lower, Index trailing);
   /// Memory of the analysed factor, whether it has its values yet or not.
   std::size_t bytes() const;
-  /// False when the matrix is not positive definite to working precision.
+  /// Of the analysed factor, from the entries c_j of its columns: their number Σ c_j, and the multiplications
+  /// and additions Σ c_j² that its values take. Zeros that supernodes store besides are not counted.
+  double entries() const { return entries_; }
+  double flops() const { return flops_; }
+  /// False when the matrix is not positive definite to working precision. May be called again with other
+  /// values on the same pattern, after a failure too: the factor's memory is used again.
   bool factorise(LowerTriangle& lower);
 
   Eigen::Index order() const { return factor_ == nullptr ? 0 : static_cast<Eigen::Index>(factor_->n); }
@@ -87,6 +92,7 @@ public:
 
 private:
   void analyse(LowerTriangle& lower, int supernodal);
+  void take_analysed(cholmod_factor* factor);
   std::vector<Index> interior_ordering(LowerTriangle& lower, Index trailing);
 
   cholmod_common common_{};
@@ -94,6 +100,8 @@ private:
   cholmod_dense* solution_ = nullptr;
   cholmod_dense* work_y_ = nullptr;
   cholmod_dense* work_e_ = nullptr;
+  double entries_ = 0;
+  double flops_ = 0;
 };
 
 } // namespace rubato::linalg

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What an unsymmetric direct solver must offer; one file for each library.
+/// What a direct solver of indefinite systems must offer; one file for each library.
 #pragma once
 
 #include "rubato/linalg/direct_solver.hpp"
@@ -23,5 +23,15 @@ public:
 /// does not suffice.
 std::unique_ptr<LuEngine> umfpack_engine(const SparseMatrix& matrix);
 std::unique_ptr<LuEngine> mumps_engine(const SparseMatrix& matrix);
+
+/// Factors L D Lᵀ.
+struct SymmetricEngine {
+  std::unique_ptr<LuEngine> factors;
+  int negative_pivots = 0;
+};
+
+/// The same of a symmetric matrix, of which the lower triangle is read. It need not outlive the engine.
+/// Without factors when it is singular.
+SymmetricEngine symmetric_mumps_engine(const SparseMatrix& matrix);
 
 } // namespace rubato::linalg

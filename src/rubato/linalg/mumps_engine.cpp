@@ -24,6 +24,9 @@ enum Ordering : int { approximate_minimum_fill = 2, scotch = 3 };
 /// dense columns.
 constexpr int least_order_for_scotch = 5000;
 
+/// What MUMPS may take for granted, by the manual's numbers.
+enum class Symmetry : int { none = 0, indefinite = 2 };
+
 /// The manual's control numbers, which count from 1.
 void set_control(DMUMPS_STRUC_C& problem, int number, int value) {
   problem.icntl[number - 1] = value;
@@ -31,9 +34,9 @@ void set_control(DMUMPS_STRUC_C& problem, int number, int value) {
 
 class MumpsEngine final : public LuEngine {
 public:
-  explicit MumpsEngine(const SparseMatrix& matrix) : order_(static_cast<int>(matrix.cols())) {
+  MumpsEngine(const SparseMatrix& matrix, Symmetry symmetry) : order_(static_cast<int>(matrix.cols())) {
     use_one_blas_thread_by_default();
-    problem_.sym = 0;
+    problem_.sym = static_cast<int>(symmetry);
     problem_.par = 1;
     problem_.comm_fortran = -987654; // the manual's "all processes"
     run(Job::start);
@@ -45,7 +48,7 @@ public:
     set_control(problem_, 8, 0);          // no scaling: already equilibrated
     set_control(problem_, 24, 1);         // count negligible pivots…
     problem_.cntl[2] = -negligible_pivot; // …those below this absolute size
-    fill_triplets(matrix);
+    fill_triplets(matrix, symmetry == Symmetry::indefinite);
   }
   ~MumpsEngine() override { run(Job::finish); }
 
@@ -68,6 +71,9 @@ public:
     return regular;
   }
 
+  /// Of a symmetric matrix: as many as it has negative eigenvalues.
+  int negative_pivots() const { return problem_.infog[11]; }
+
   void solve_in_place(Eigen::VectorXd& values) override {
     problem_.rhs = values.data();
     problem_.nrhs = 1;
@@ -82,13 +88,16 @@ private:
     rubato_dmumps_c(&problem_);
   }
 
-  void fill_triplets(const SparseMatrix& matrix) {
-    const auto count = static_cast<std::size_t>(matrix.nonZeros());
+  void fill_triplets(const SparseMatrix& matrix, bool lower_only) {
+    const auto all = static_cast<std::size_t>(matrix.nonZeros());
+    const auto count = lower_only ? (all + static_cast<std::size_t>(order_)) / 2 : all;
     rows_.reserve(count);
     columns_.reserve(count);
     values_.reserve(count);
     for (int column = 0; column < matrix.cols(); ++column)
       for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+        if (lower_only && entry.row() < column)
+          continue;
         rows_.push_back(static_cast<MUMPS_INT>(entry.row()) + 1);
         columns_.push_back(column + 1);
         values_.push_back(entry.value());
@@ -136,8 +145,16 @@ private:
 } // namespace
 
 std::unique_ptr<LuEngine> mumps_engine(const SparseMatrix& matrix) {
-  auto engine = std::make_unique<MumpsEngine>(matrix);
+  auto engine = std::make_unique<MumpsEngine>(matrix, Symmetry::none);
   return engine->factorise() ? std::move(engine) : nullptr;
+}
+
+SymmetricEngine symmetric_mumps_engine(const SparseMatrix& matrix) {
+  auto engine = std::make_unique<MumpsEngine>(matrix, Symmetry::indefinite);
+  if (!engine->factorise())
+    return {};
+  const int negative = engine->negative_pivots();
+  return {std::move(engine), negative};
 }
 
 } // namespace rubato::linalg

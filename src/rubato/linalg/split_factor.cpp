@@ -3,6 +3,7 @@
 
 #include "rubato/linalg/blas.hpp"
 #include "rubato/linalg/cholmod_engine.hpp"
+#include "rubato/linalg/fingerprint.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/linalg/surface_in_factor.hpp"
 
@@ -71,11 +72,13 @@ std::vector<int> bodies_of(const SparseMatrix& matrix, int& count) {
 } // namespace
 
 struct SplitFactor::Body {
-  std::vector<int> unknowns; ///< in the order of elimination once factored
+  std::vector<int> unknowns; ///< in the order of elimination once analysed
   Index surface_size = 0;    ///< the last of them, before that
   std::unique_ptr<CholmodEngine> engine;
   TrailingTriangle triangle;             ///< where the surface is eliminated last
   std::optional<SurfaceInFactor> within; ///< where it is not
+  std::optional<std::uint64_t> values;   ///< checksum of those that were factored; none without a factor
+  std::size_t renewals = 0;
 
   Index size() const { return static_cast<Index>(unknowns.size()); }
 
@@ -109,6 +112,17 @@ struct SplitFactor::Body {
     unknowns = std::move(ordered);
   }
 
+  /// The unknowns as they were analysed; `number` gets the place of each among them.
+  std::vector<int> in_order_of_analysis(std::span<int> number) const {
+    const auto order = engine->permutation();
+    std::vector<int> analysed(unknowns.size());
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      analysed[static_cast<std::size_t>(order[i])] = unknowns[i];
+      number[static_cast<std::size_t>(unknowns[i])] = static_cast<int>(order[i]);
+    }
+    return analysed;
+  }
+
   void add_surface_to(std::vector<int>& surface) const {
     if (within)
       for (const Index place : within->places())
@@ -116,28 +130,39 @@ struct SplitFactor::Body {
     else
       surface.insert(surface.end(), unknowns.end() - surface_size, unknowns.end());
   }
+
+  /// False when there is no factor. `lower` is in the order of the analysis.
+  bool factorise(LowerTriangle& lower) {
+    const auto wanted = fingerprint_of(std::span<const double>(lower.values));
+    if (values == wanted)
+      return true;
+    ++renewals;
+    values.reset();
+    triangle = {}; // no copy beside the new one
+    if (!lower.finite || !engine->factorise(lower))
+      return false;
+    if (!within)
+      triangle = engine->trailing(surface_size);
+    values = wanted;
+    return true;
+  }
 };
 
-SplitFactor::SplitFactor() = default;
 SplitFactor::SplitFactor(SplitFactor&&) noexcept = default;
 SplitFactor& SplitFactor::operator=(SplitFactor&&) noexcept = default;
 SplitFactor::~SplitFactor() = default;
 
-std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span<const int> surface,
-                                           std::size_t memory, const std::function<void(std::size_t)>& tell,
-                                           Index largest_last) {
-  if (matrix.rows() != matrix.cols())
-    throw std::invalid_argument("SplitFactor::of wants a square matrix.");
-  SplitFactor factor;
-  factor.size_ = matrix.cols();
+/// The bodies and their unknowns: those of the surface last.
+SplitFactor::SplitFactor(const SparseMatrix& matrix, std::span<const int> surface)
+    : size_(matrix.cols()), pattern_(pattern_of(matrix)) {
   int body_count = 0;
   const auto body_of = bodies_of(matrix, body_count);
-  factor.bodies_.resize(static_cast<std::size_t>(body_count));
+  bodies_.resize(static_cast<std::size_t>(body_count));
   std::vector<char> on_surface(body_of.size(), 0);
   for (const int unknown : surface)
     on_surface[static_cast<std::size_t>(unknown)] = 1;
   const auto body_with = [&](int unknown) -> Body& {
-    return factor.bodies_[static_cast<std::size_t>(body_of[static_cast<std::size_t>(unknown)])];
+    return bodies_[static_cast<std::size_t>(body_of[static_cast<std::size_t>(unknown)])];
   };
   for (int unknown = 0; unknown < matrix.cols(); ++unknown)
     if (on_surface[static_cast<std::size_t>(unknown)] == 0)
@@ -146,37 +171,90 @@ std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span
     body_with(unknown).unknowns.push_back(unknown);
     ++body_with(unknown).surface_size;
   }
+}
 
-  std::vector<int> number(body_of.size());
+/// Of every body, before the analysis.
+std::vector<LowerTriangle> SplitFactor::triangles_of(const SparseMatrix& matrix) const {
+  std::vector<int> number(static_cast<std::size_t>(size_));
   std::vector<LowerTriangle> triangles;
-  for (auto& body : factor.bodies_) {
+  for (const auto& body : bodies_) {
     for (std::size_t i = 0; i < body.unknowns.size(); ++i)
       number[static_cast<std::size_t>(body.unknowns[i])] = static_cast<int>(i);
     triangles.emplace_back(matrix, body.unknowns, number);
-    if (!triangles.back().finite)
-      return std::nullopt;
-    body.analyse(triangles.back(), largest_last);
   }
-  auto needed = factor.factor_bytes();
-  for (const auto& body : factor.bodies_)
+  return triangles;
+}
+
+void SplitFactor::analyse(std::vector<LowerTriangle>& triangles, std::size_t memory,
+                          const std::function<void(std::size_t)>& tell, Index largest_last) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    bodies_[b].analyse(triangles[b], largest_last);
+  auto needed = factor_bytes();
+  for (const auto& body : bodies_)
     needed += body.bytes_of_compliance();
   if (needed > memory)
     throw TooLargeForMemory(needed, memory);
   tell(needed);
+  body_starts_.push_back(0);
+  for (auto& body : bodies_) {
+    body.eliminate_in_order_of_factor();
+    body.add_surface_to(surface_);
+    body_starts_.push_back(static_cast<int>(surface_.size()));
+  }
+}
 
-  factor.body_starts_.push_back(0);
-  for (std::size_t b = 0; b < factor.bodies_.size(); ++b) {
-    auto& body = factor.bodies_[b];
-    if (!body.engine->factorise(triangles[b]))
+std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span<const int> surface,
+                                           std::size_t memory, const std::function<void(std::size_t)>& tell,
+                                           Index largest_last) {
+  if (matrix.rows() != matrix.cols())
+    throw std::invalid_argument("SplitFactor::of wants a square matrix.");
+  SplitFactor factor(matrix, surface);
+  auto triangles = factor.triangles_of(matrix);
+  if (!std::ranges::all_of(triangles, &LowerTriangle::finite))
+    return std::nullopt;
+  factor.analyse(triangles, memory, tell, largest_last);
+  for (std::size_t b = 0; b < triangles.size(); ++b) {
+    if (!factor.bodies_[b].factorise(triangles[b]))
       return std::nullopt;
     triangles[b] = LowerTriangle(SparseMatrix(0, 0));
-    if (!body.within)
-      body.triangle = body.engine->trailing(body.surface_size);
-    body.eliminate_in_order_of_factor();
-    body.add_surface_to(factor.surface_);
-    factor.body_starts_.push_back(static_cast<int>(factor.surface_.size()));
   }
+  factor.has_values_ = true;
   return factor;
+}
+
+SplitFactor SplitFactor::analysed(const SparseMatrix& matrix, std::span<const int> surface,
+                                  std::size_t memory, const std::function<void(std::size_t)>& tell,
+                                  Index largest_last) {
+  if (matrix.rows() != matrix.cols())
+    throw std::invalid_argument("SplitFactor::analysed wants a square matrix.");
+  SplitFactor factor(matrix, surface);
+  auto triangles = factor.triangles_of(matrix);
+  factor.analyse(triangles, memory, tell, largest_last);
+  return factor;
+}
+
+bool SplitFactor::refactor(const SparseMatrix& matrix) {
+  if (matrix.rows() != size_ || matrix.cols() != size_ || pattern_of(matrix) != pattern_)
+    throw std::invalid_argument("SplitFactor::refactor wants a matrix of the analysed one's pattern.");
+  has_values_ = false;
+  std::vector<int> number(static_cast<std::size_t>(size_));
+  for (auto& body : bodies_) {
+    LowerTriangle lower(matrix, body.in_order_of_analysis(number), number);
+    if (!body.factorise(lower))
+      return false;
+  }
+  has_values_ = true;
+  return true;
+}
+
+std::size_t SplitFactor::renewals(std::size_t body) const {
+  return bodies_[body].renewals;
+}
+
+void SplitFactor::must_have_values() const {
+  if (!has_values_)
+    throw std::logic_error(
+        "SplitFactor has no values: no matrix was factored, or the last one could not be.");
 }
 
 VectorXd SplitFactor::solve(const VectorXd& right_side) const {
@@ -184,6 +262,7 @@ VectorXd SplitFactor::solve(const VectorXd& right_side) const {
 }
 
 VectorXd SplitFactor::forward(const VectorXd& right_side) const {
+  must_have_values();
   if (right_side.size() != size_)
     throw std::invalid_argument("SplitFactor wants a right side of the matrix's size.");
   VectorXd half_way(size_);
@@ -198,6 +277,7 @@ VectorXd SplitFactor::forward(const VectorXd& right_side) const {
 }
 
 VectorXd SplitFactor::backward(const VectorXd& half_way) const {
+  must_have_values();
   VectorXd solution(size_);
   Index first = 0;
   for (const auto& body : bodies_) {
@@ -210,6 +290,7 @@ VectorXd SplitFactor::backward(const VectorXd& half_way) const {
 }
 
 VectorXd SplitFactor::surface_of(const VectorXd& half_way) const {
+  must_have_values();
   VectorXd values(static_cast<Index>(surface_.size()));
   Index end = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -227,6 +308,7 @@ VectorXd SplitFactor::surface_of(const VectorXd& half_way) const {
 }
 
 void SplitFactor::load_surface(const VectorXd& force, VectorXd& half_way) const {
+  must_have_values();
   Index end = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const auto& body = bodies_[b];
@@ -249,6 +331,7 @@ const SurfaceInFactor* SplitFactor::surface_within(std::size_t body) const {
 }
 
 MatrixXd SplitFactor::compliance(std::size_t body) const {
+  must_have_values();
   const auto& triangle = bodies_[body].triangle;
   MatrixXd inverse(triangle.size, triangle.size);
   for (Index j = 0; j < triangle.size; ++j)
@@ -262,6 +345,7 @@ MatrixXd SplitFactor::compliance(std::size_t body) const {
 }
 
 MatrixXd SplitFactor::compliance(std::size_t body, Index first, Index count) const {
+  must_have_values();
   const auto& triangle = bodies_[body].triangle;
   MatrixXd columns = MatrixXd::Zero(triangle.size, count);
   columns.middleRows(first, count).diagonal().setOnes();
@@ -275,6 +359,20 @@ std::size_t SplitFactor::factor_bytes() const {
   for (const auto& body : bodies_)
     bytes += body.engine->bytes();
   return bytes;
+}
+
+std::size_t SplitFactor::factor_nonzeros() const {
+  double entries = 0;
+  for (const auto& body : bodies_)
+    entries += body.engine->entries();
+  return static_cast<std::size_t>(entries);
+}
+
+double SplitFactor::factor_flops() const {
+  double flops = 0;
+  for (const auto& body : bodies_)
+    flops += body.engine->flops();
+  return flops;
 }
 
 } // namespace rubato::linalg

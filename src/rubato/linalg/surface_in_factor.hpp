@@ -23,7 +23,8 @@ public:
   static constexpr Eigen::Index largest_block = 48;
 
   /// The surface are the engine's unknowns from `first_surface` on. The engine has been analysed with
-  /// supernodes, and must outlive this; values are asked for once it has factored.
+  /// supernodes, and must outlive this; values are asked for once it has factored, and are those of its last
+  /// factor.
   SurfaceInFactor(const CholmodEngine& engine, Eigen::Index first_surface);
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(places_.size()); }

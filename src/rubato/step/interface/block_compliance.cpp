@@ -16,6 +16,13 @@ BlockCompliance::BlockCompliance(const linalg::SurfaceInFactor& surface) : surfa
     block_of_.insert(block_of_.end(), static_cast<std::size_t>(starts[b + 1] - starts[b]), b);
 }
 
+void BlockCompliance::forget() {
+  for (auto& columns : half_way_)
+    columns.resize(0, 0);
+  for (auto& of_row : blocks_)
+    of_row.clear();
+}
+
 /// Entries on both sides of the diagonal are read from the lower triangle.
 void BlockCompliance::between(std::span<const int> positions, MatrixXd& s) {
   const auto size = static_cast<Index>(positions.size());

@@ -19,6 +19,8 @@ public:
   /// `surface` must outlive this.
   explicit BlockCompliance(const linalg::SurfaceInFactor& surface);
 
+  /// The surface's factor has other values: all of S is to be computed again.
+  void forget();
   /// S between these positions of the body goes into `s`.
   void between(std::span<const int> positions, Eigen::MatrixXd& s);
   /// How far a unit force at a position moves it.

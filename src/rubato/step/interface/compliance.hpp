@@ -25,9 +25,15 @@ public:
   static constexpr Eigen::Index block_size = SurfaceCompliance::block_size;
 
   /// `reduction`: that of the factored matrix; `related_dofs`: dependent dofs of the surfaces, whose unknowns
-  /// are all on the factor's surface.
+  /// are all on the factor's surface. A factor without values gets them by `refactor`.
   Compliance(linalg::SplitFactor factor, const constraint::Reduction& reduction,
              std::span<const int> related_dofs = {}, Eigen::Index largest_whole = usual_largest_whole);
+
+  /// A is another matrix of the same pattern from here on: SplitFactor::refactor, whose errors this throws.
+  /// What is known of S is forgotten, but for bodies whose values are the same. Dofs and relations stay.
+  /// False when it could not be factored: nothing but another call of this, or what tells of interface dofs,
+  /// is allowed then.
+  bool refactor(const linalg::SparseMatrix& matrix) { return unknowns_.refactor(matrix); }
 
   /// A⁻¹ force, an entry an unknown each.
   Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return unknowns_.factor().solve(force); }
@@ -44,6 +50,8 @@ public:
 
   /// Of the factor.
   std::size_t factor_entries() const { return unknowns_.factor().factor_bytes() / sizeof(double); }
+  /// SplitFactor::factor_flops.
+  double factor_flops() const { return unknowns_.factor().factor_flops(); }
 
   /// How many interface dofs there are.
   Eigen::Index size() const { return static_cast<Eigen::Index>(dofs_.size()); }

@@ -24,12 +24,33 @@ SurfaceCompliance::SurfaceCompliance(linalg::SplitFactor factor, Index largest_w
   for (std::size_t b = 0; b + 1 < starts.size(); ++b)
     body_of_.insert(body_of_.end(), static_cast<std::size_t>(starts[b + 1] - starts[b]), static_cast<int>(b));
   s_.resize(starts.size() - 1);
+  for (std::size_t b = 0; b < s_.size(); ++b)
+    renewals_.push_back(factor_.renewals(b));
   blocks_.resize(starts.size() - 1);
   for (std::size_t b = 0; b + 1 < starts.size(); ++b)
     if (const auto* surface = factor_.surface_within(b)) {
       blocks_[b].emplace(*surface);
       has_blocks_ = true;
     }
+}
+
+bool SurfaceCompliance::refactor(const linalg::SparseMatrix& matrix) {
+  const bool factored = factor_.refactor(matrix);
+  for (std::size_t b = 0; b < s_.size(); ++b)
+    if (const auto renewals = factor_.renewals(b); renewals_[b] != renewals) {
+      renewals_[b] = renewals;
+      forget(b);
+    }
+  return factored;
+}
+
+/// With its memory: what is asked for next need not be the same columns.
+void SurfaceCompliance::forget(std::size_t body) {
+  const auto& starts = factor_.body_starts();
+  std::fill(known_.begin() + starts[body], known_.begin() + starts[body + 1], 0);
+  s_[body].resize(0, 0);
+  if (blocks_[body])
+    blocks_[body]->forget();
 }
 
 Eigen::MatrixXd SurfaceCompliance::between(std::span<const int> positions) {

@@ -35,6 +35,9 @@ public:
   /// Surfaces that the factor eliminates within their bodies are large ones.
   explicit SurfaceCompliance(linalg::SplitFactor factor, Eigen::Index largest_whole = usual_largest_whole);
 
+  /// SplitFactor::refactor; S is forgotten of bodies whose values are others or lost.
+  bool refactor(const linalg::SparseMatrix& matrix);
+
   const linalg::SplitFactor& factor() const { return factor_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(factor_.surface().size()); }
 
@@ -69,6 +72,7 @@ private:
   const Eigen::MatrixXd& whole(std::size_t body);
   void add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
   void compute(int body, Eigen::Index place);
+  void forget(std::size_t body);
 
   linalg::SplitFactor factor_;
   Eigen::Index largest_whole_;
@@ -76,6 +80,7 @@ private:
   std::vector<Eigen::MatrixXd> s_;                     ///< by body: empty until used
   std::vector<char> known_;                            ///< by position: whether its column is computed
   std::vector<std::optional<BlockCompliance>> blocks_; ///< by body, of surfaces eliminated within theirs
+  std::vector<std::size_t> renewals_;                  ///< by body, of the factor that S is of
   bool has_blocks_ = false;
 };
 

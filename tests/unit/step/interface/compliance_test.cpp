@@ -8,7 +8,9 @@
 #include "unit/step/interface/two_blocks_compliance.hpp"
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rubato::step {
@@ -19,9 +21,9 @@ using test::interface_dofs_of;
 
 enum class Computed { whole, by_columns, by_blocks };
 
-Compliance compliance_computed(Computed how) {
-  return how == Computed::by_blocks ? compliance_of_two_blocks(5000, 0)
-                                    : compliance_of_two_blocks(how == Computed::whole ? 5000 : 0);
+Compliance compliance_computed(Computed how, const linalg::SparseMatrix& matrix = test::two_blocks()) {
+  return how == Computed::by_blocks ? test::compliance_of(matrix, 5000, 0)
+                                    : test::compliance_of(matrix, how == Computed::whole ? 5000 : 0);
 }
 
 class ComplianceComputed : public testing::TestWithParam<Computed> {};
@@ -128,6 +130,52 @@ TEST_P(ComplianceComputed, MovesTheSurfaceByForcesEverywhereOnOneBody) {
   EXPECT_EQ(d.tail(size / 2), start.tail(size / 2));
 }
 
+/// All that is known of S is asked for before and after.
+TEST_P(ComplianceComputed, IsThatOfTheMatrixItWasRefactoredWithToTheLastBit) {
+  auto compliance = compliance_computed(GetParam());
+  const auto all = interface_dofs_of(compliance);
+  compliance.between(all);
+  const auto size = static_cast<Eigen::Index>(all.size());
+  const Eigen::VectorXd force = Eigen::VectorXd::LinSpaced(size, -1, 3);
+  for (const auto& [first, second] : {std::pair{1.3, 0.7}, {1.3, 2.1}, {0.9, 2.1}, {0.9, 2.1}}) {
+    const auto matrix = test::two_blocks(first, second);
+    ASSERT_TRUE(compliance.refactor(matrix));
+    auto fresh = compliance_computed(GetParam(), matrix);
+    EXPECT_EQ(compliance.own(300), fresh.own(300));
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(size);
+    Eigen::VectorXd fresh_d = Eigen::VectorXd::Zero(size);
+    compliance.add(1, force, d);
+    fresh.add(1, force, fresh_d);
+    EXPECT_EQ(d, fresh_d);
+    EXPECT_EQ(compliance.between(all), fresh.between(all));
+    EXPECT_EQ(compliance.solve(force), fresh.solve(force));
+    EXPECT_EQ(compliance.surface_of(compliance.forward(force)), fresh.surface_of(fresh.forward(force)));
+  }
+}
+
+/// The first body has its new values before the second one turns out to have none.
+TEST_P(ComplianceComputed, ForgetsWhatItKnewWhenAMatrixCannotBeFactored) {
+  auto compliance = compliance_computed(GetParam());
+  const auto all = interface_dofs_of(compliance);
+  compliance.between(all);
+  EXPECT_FALSE(compliance.refactor(test::two_blocks(3, -1)));
+  ASSERT_TRUE(compliance.refactor(test::two_blocks(3, 2)));
+  EXPECT_EQ(compliance.between(all), compliance_computed(GetParam(), test::two_blocks(3, 2)).between(all));
+}
+
+TEST(Compliance, IsMadeOfAnAnalysisThatHasNoValuesYet) {
+  const auto matrix = test::two_blocks();
+  auto factor = linalg::SplitFactor::analysed(-1 * matrix, std::vector{0, 1, 2, 301}, std::size_t{1} << 30U);
+  Compliance compliance(std::move(factor), constraint::Reduction(static_cast<int>(matrix.rows()), {}));
+  EXPECT_EQ(compliance.size(), 4);
+  EXPECT_THROW(compliance.own(0), std::logic_error);
+  EXPECT_FALSE(compliance.refactor(-1 * matrix));
+  ASSERT_TRUE(compliance.refactor(matrix));
+  auto fresh = linalg::SplitFactor::of(matrix, std::vector{0, 1, 2, 301}, std::size_t{1} << 30U);
+  EXPECT_EQ(compliance.between(std::vector{0, 1, 2}), fresh->compliance(0));
+  EXPECT_EQ(compliance.own(3), fresh->compliance(1)(0, 0));
+}
+
 /// Two blocks of 2 and 3 unknowns that nothing couples but relations: dofs 5 and 6 depend on both, 7 on the
 /// first block alone, 8 on a dof that is not on the surface of its own.
 class RelatedCompliance : public testing::Test {
@@ -194,6 +242,17 @@ TEST_F(RelatedCompliance, MovesAllDofsByForcesOnAny) {
   Eigen::VectorXd half_way = c.forward(Eigen::VectorXd::Zero(5));
   c.load_surface(0.5 * force, half_way);
   EXPECT_LE((c.surface_of(half_way) - wanted).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST_F(RelatedCompliance, KeepsItsRelationsWithAnotherMatrix) {
+  auto c = compliance();
+  const auto dofs_before = c.dof_of_interface_dof();
+  const auto all = interface_dofs_of(c);
+  const Eigen::MatrixXd before = c.between(all);
+  ASSERT_TRUE(c.refactor(linalg::SparseMatrix((0.25 * matrix()).sparseView())));
+  EXPECT_EQ(c.dof_of_interface_dof(), dofs_before);
+  EXPECT_EQ(c.between(all), 4 * before) << "powers of two round nothing";
+  EXPECT_EQ(c.own(2), 4 * before(2, 2));
 }
 
 TEST_F(RelatedCompliance, LeavesBodiesApartThatNoRelationTies) {

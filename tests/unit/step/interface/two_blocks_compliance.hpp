@@ -12,23 +12,34 @@
 
 namespace rubato::test {
 
-/// Of two blocks, the second one twice as stiff, all their unknowns on the surface; every unknown is its own
-/// dof. `largest_last`: as SplitFactor::of has it.
-inline step::Compliance
-compliance_of_two_blocks(Eigen::Index largest_whole,
-                         Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max()) {
+/// Two blocks of these stiffnesses.
+inline linalg::SparseMatrix two_blocks(double first = 1, double second = 2) {
   const auto block = elastic_block(5, 4, 3);
   const auto size = static_cast<int>(block.rows());
   linalg::SparseMatrix both(2 * size, 2 * size);
   for (int j = 0; j < 2 * size; ++j)
     for (linalg::SparseMatrix::InnerIterator entry(block, j % size); entry; ++entry)
-      both.insert(entry.row() + j / size * size, j) = (1 + j / size) * entry.value();
-  std::vector<int> all(static_cast<std::size_t>(2 * size));
+      both.insert(entry.row() + j / size * size, j) = (j < size ? first : second) * entry.value();
+  return both;
+}
+
+/// All unknowns are on the surface, and every unknown is its own dof. `largest_last`: as SplitFactor::of has
+/// it.
+inline step::Compliance compliance_of(const linalg::SparseMatrix& matrix, Eigen::Index largest_whole,
+                                      Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max()) {
+  std::vector<int> all(static_cast<std::size_t>(matrix.rows()));
   std::iota(all.begin(), all.end(), 0);
   const auto no_limit = std::numeric_limits<std::size_t>::max();
   auto factor = linalg::SplitFactor::of(
-      both, all, no_limit, [](std::size_t) {}, largest_last);
-  return {std::move(*factor), constraint::Reduction(2 * size, {}), {}, largest_whole};
+      matrix, all, no_limit, [](std::size_t) {}, largest_last);
+  return {std::move(*factor), constraint::Reduction(static_cast<int>(matrix.rows()), {}), {}, largest_whole};
+}
+
+/// Of two blocks, the second one twice as stiff.
+inline step::Compliance
+compliance_of_two_blocks(Eigen::Index largest_whole,
+                         Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max()) {
+  return compliance_of(two_blocks(), largest_whole, largest_last);
 }
 
 inline std::vector<int> interface_dofs_of(const step::Compliance& compliance) {
