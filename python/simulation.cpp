@@ -154,6 +154,10 @@ void bind_steps(py::module_& module) {
           "factorisations", [](const Step& step) { return step.result.report.factorisations; },
           "Effective matrices of nonlinear bodies that were factored; 0 of linear ones.")
       .def_property_readonly(
+          "bulk_residuals", [](const Step& step) { return step.result.report.bulk_residuals; },
+          "Of nonlinear bodies: the largest unbalanced force at the start and at each of these motions "
+          "[force].")
+      .def_property_readonly(
           "indefinite", [](const Step& step) { return step.result.report.indefinite; },
           "Whether one of them was not positive definite.")
       .def_property_readonly(

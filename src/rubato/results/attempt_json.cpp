@@ -61,6 +61,7 @@ ordered_json to_json(const model::Model& model, const simulation::Attempt& attem
   if (iterates_on_bulk(model)) {
     json["bulk_iterations"] = report.bulk_iterations;
     json["factorisations"] = report.factorisations;
+    json["bulk_residuals"] = report.bulk_residuals;
     json["indefinite"] = report.indefinite;
   }
   json["residual"] = report.residual;

@@ -101,6 +101,9 @@ struct StepReport {
   /// matrices that were factored.
   int bulk_iterations = 0;
   int factorisations = 0;
+  /// Of nonlinear bodies, of the last attempt: the largest unbalanced force at the start and at every motion
+  /// that contact was solved from, contact included [force].
+  std::vector<double> bulk_residuals;
   bool indefinite = false;     ///< whether an effective matrix without contact was not positive definite
   domain::Failed failed_cell;  ///< of an attempt that ended where a cell has no forces
   double residual = 0;         ///< relative, of the last iterate

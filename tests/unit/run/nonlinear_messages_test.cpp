@@ -137,10 +137,12 @@ TEST(AttemptsOfNonlinearBodies, SayHowTheBulkWasSolved) {
   report.outcome = Outcome::converged;
   report.bulk_iterations = 4;
   report.factorisations = 2;
+  report.bulk_residuals = {8, 0.5};
   report.indefinite = true;
   const auto json = results::to_json(model, simulation::Attempt{.accepted = true}, report);
   EXPECT_EQ(json.at("bulk_iterations"), 4);
   EXPECT_EQ(json.at("factorisations"), 2);
+  EXPECT_EQ(json.at("bulk_residuals"), nlohmann::ordered_json({8.0, 0.5}));
   EXPECT_EQ(json.at("indefinite"), true);
   EXPECT_FALSE(json.contains("failed_cell"));
   const auto failed = results::to_json(model, simulation::Attempt{}, inverted_cell(model).report);
@@ -153,7 +155,7 @@ TEST(AttemptsOfNonlinearBodies, SayHowTheBulkWasSolved) {
   study.materials[0].strain.reset();
   const auto linear =
       results::to_json(model::build_model(study), simulation::Attempt{.accepted = true}, report);
-  for (const auto* key : {"bulk_iterations", "factorisations", "indefinite"})
+  for (const auto* key : {"bulk_iterations", "factorisations", "bulk_residuals", "indefinite"})
     EXPECT_FALSE(linear.contains(key)) << key;
 }
 

@@ -43,8 +43,14 @@ std::optional<double> BulkNewton::shorten(const time::Motion& from, time::Motion
   return part;
 }
 
+void BulkNewton::start_with(double unbalanced) {
+  last_ = unbalanced;
+  residuals_.push_back(unbalanced);
+}
+
 std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced, double allowed) {
   ++iterations_;
+  residuals_.push_back(unbalanced);
   renewed_ = goes_back_ = false;
   if (iterations_ >= model_.study.newton.max_iterations)
     return Outcome::too_many_iterations;
@@ -79,6 +85,9 @@ void BulkNewton::go_back_with_new_tangent() {
 void BulkNewton::fill(StepReport& report, const Equilibrium& equilibrium) const {
   report.bulk_iterations = iterations_;
   report.factorisations = tangent_.renewals();
+  report.bulk_residuals = residuals_;
+  if (report.converged())
+    report.bulk_residuals.push_back(report.unbalanced_force);
   report.indefinite = tangent_.is_indefinite();
   report.failed_cell = equilibrium.failed();
   if (report.failed() && report.failed_cell)

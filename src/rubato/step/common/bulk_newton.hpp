@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace rubato::step {
 
@@ -30,7 +31,7 @@ public:
   std::optional<double> shorten(const time::Motion& from, time::Motion& to, Equilibrium& equilibrium) const;
 
   /// What is out of balance before the first iterate [force].
-  void start_with(double unbalanced) { last_ = unbalanced; }
+  void start_with(double unbalanced);
   /// After an iterate at `u` that leaves so much out of balance, with so much allowed: an outcome ends the
   /// step.
   std::optional<Outcome> go_on(const Eigen::VectorXd& u, double unbalanced, double allowed);
@@ -57,6 +58,7 @@ private:
   bool at_start_ = true;                                  ///< whether that is the start of the step
   bool is_fresh_ = false;                                 ///< whether the tangent was taken there
   double last_ = std::numeric_limits<double>::infinity(); ///< out of balance there [force]
+  std::vector<double> residuals_; ///< at the start and at every iterate, those that were left among them
   int iterations_ = 0;
   int growing_ = 0; ///< iterates one after the other that had a tangent of their own and made it worse
   bool renewed_ = false;

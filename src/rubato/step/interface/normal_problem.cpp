@@ -115,7 +115,8 @@ private:
   bool join_most_violated() {
     VectorXd open = values_;
     open.noalias() += matrix_ * forces_;
-    open(set_).setZero();
+    for (const auto k : set_)
+      open[k] = 0;
     Index worst = -1;
     double least = -rounding * values_.lpNorm<Eigen::Infinity>();
     for (Index k = 0; k < open.size(); ++k)
