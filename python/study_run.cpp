@@ -6,6 +6,17 @@ namespace rubato::python {
 
 using namespace study;
 
+template <> struct Description<ArcLength> {
+  static constexpr std::string_view name = "ArcLength";
+  static constexpr std::string_view meaning =
+      "Static steps along the path of equilibrium: loads without a function get a factor that is found.";
+  static constexpr auto members =
+      std::tuple(Member{"length", &ArcLength::length,
+                        "how far the nodes move in the whole run, root mean square [length], > 0"},
+                 Member{"on", &ArcLength::on, "group whose nodes are measured"});
+};
+template struct RecordCodec<ArcLength>;
+
 template <> struct Description<TimeStepping> {
   static constexpr std::string_view name = "TimeStepping";
   static constexpr std::string_view meaning = "The time scheme and its instants.";
@@ -34,7 +45,10 @@ template <> struct Description<TimeStepping> {
              "plastic bodies: steps in which plastic strain grows by more are cut, > 0; None: any"},
       Member{"mass_scaling", &TimeStepping::mass_scaling,
              "central_difference: the step that every cell shall allow, those that do not get more mass, > 0 "
-             "[time]; None: no mass is added"});
+             "[time]; None: no mass is added"},
+      Member{"arc_length", &TimeStepping::arc_length,
+             "static, nonlinear bodies: loads without a function get a factor that is found; None: loads are "
+             "what they are"});
 };
 template struct RecordCodec<TimeStepping>;
 
@@ -195,7 +209,8 @@ template <> struct Description<Study> {
 template struct RecordCodec<Study>;
 
 std::vector<RecordEntry> run_records() {
-  return {record_entry<TimeStepping>(), record_entry<NewtonSettings>(), record_entry<Study>()};
+  return {record_entry<ArcLength>(), record_entry<TimeStepping>(), record_entry<NewtonSettings>(),
+          record_entry<Study>()};
 }
 
 std::vector<RecordEntry> result_records() {

@@ -49,6 +49,7 @@ template <class T> struct RecordCodec {
 template <class T> struct Codec : RecordCodec<T> {};
 
 // Each in the source that describes the struct.
+extern template struct RecordCodec<study::ArcLength>;
 extern template struct RecordCodec<study::Amplitude>;
 extern template struct RecordCodec<study::BackStress>;
 extern template struct RecordCodec<study::BaseMotion>;

@@ -105,6 +105,16 @@ void read_failure(const Found& value, study::TimeStepping& time) {
   map.finish();
 }
 
+void read_arc_length(const Found& value, study::TimeStepping& time) {
+  if (!value)
+    return;
+  MapReader map(*value);
+  time.arc_length.emplace();
+  read(map.require("length"), time.arc_length->length, study::bounds::arc_length);
+  read_name(map.find("on"), time.arc_length->on);
+  map.finish();
+}
+
 /// What only nonlinear bodies have.
 void read_step_control(MapReader& map, study::TimeStepping& time) {
   if (study::is_explicit(time.scheme)) {
@@ -127,6 +137,7 @@ void read_time(const Found& value, Context& context, study::TimeStepping& time) 
   read_course(map, time);
   read_step_control(map, time);
   read_mass_scaling(map, time);
+  read_arc_length(map.find("arc_length"), time);
   read_start(map.find("start"), time);
   if (study::is_explicit(time.scheme))
     map.refuse("on_failure", "the scheme central_difference has no steps that fail");

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/balance.hpp"
 
-#include <type_traits>
-#include <variant>
 #include <vector>
 
 namespace rubato::domain {
@@ -11,15 +9,6 @@ namespace {
 using element::PointRecord;
 using element::StrainKind;
 using material::PointLaw;
-
-/// Whether the stress is linear in the elastic strain.
-template <class Law> bool is_linear(const Law& law) {
-  using material::MooneyRivlin, material::Ogden, material::Yeoh;
-  if constexpr (std::is_same_v<Law, material::PlaneStress>)
-    return std::visit([](const auto& one) { return is_linear(one); }, law.law);
-  else
-    return !(std::is_same_v<Law, MooneyRivlin> || std::is_same_v<Law, Ogden> || std::is_same_v<Law, Yeoh>);
-}
 
 std::span<const double> state_at(const CellEnd& end, std::size_t point, std::size_t size) {
   return end.states.subspan(point * size, size);
@@ -35,10 +24,25 @@ double work_of_law(const PointRecord& old, const PointRecord& now) {
   return 0.5 * (old.stress + now.stress).dot(now.strain - old.strain);
 }
 
+LawEnd law_end(const PointRecord& record) {
+  return {record.strain, record.free, record.stress};
+}
+
+/// ∂W/∂a
+double slope_by_expansion(const LawEnd& end) {
+  return -(end.stress.head<3>().sum() + 2 * end.stress.dot(end.strain)) / (1 + end.free[0]);
+}
+
 } // namespace
 
+double heat_between(const PointLaw& law, const LawEnd& old, const LawEnd& now) {
+  if (has_linear_stress(law))
+    return -0.5 * (old.stress + now.stress).dot(now.free - old.free);
+  return 0.5 * (slope_by_expansion(old) + slope_by_expansion(now)) * (now.free[0] - old.free[0]);
+}
+
 bool has_linear_stress(const PointLaw& law) {
-  return std::visit([](const auto& one) { return is_linear(one); }, law);
+  return !material::is_hyperelastic(law);
 }
 
 void add_balance(const PointLaw& law, StrainKind strain, const CellEnd& old, const CellEnd& now,
@@ -53,8 +57,10 @@ void add_balance(const PointLaw& law, StrainKind strain, const CellEnd& old, con
     sum.plastic += after.volume * taken.plastic;
     sum.back_stress += after.volume * taken.back_stress;
     sum.viscous += after.volume * taken.viscous;
+    const double heat = heat_between(law, law_end(before), law_end(after));
+    sum.heat += after.volume * heat;
     if (strain != StrainKind::small)
-      sum.scheme += after.volume * (work_of_cell(before, after) -
+      sum.scheme += after.volume * (work_of_cell(before, after) + heat -
                                     (linear ? work_of_law(before, after) : after.stored - before.stored));
   }
 }

@@ -5,7 +5,7 @@
 /// With stress and strain of the law, P and F of the cell, and w the volume of a point, the work [u]·{f_int}
 /// of the cells is
 ///
-///   Σ w {P}:[F] = [Σ w stored] + back_stress + plastic + viscous + scheme
+///   Σ w {P}:[F] = [Σ w stored] + back_stress + plastic + viscous + scheme − heat
 ///
 /// to rounding, as {stress}:[strain] = [stored] + what material::dissipation gives, of laws whose stress is
 /// linear in the elastic strain.
@@ -23,10 +23,22 @@ struct Balance {
   double plastic = 0;     ///< dissipated by plastic strain; what hardening of the yield stress takes, too
   double back_stress = 0; ///< what back stresses store more than at the start
   double viscous = 0;     ///< dissipated by Prony series
-  /// Σ w ({P}:[F] − {stress}:[strain]) at finite strain, of hyperelastic laws Σ w ({P}:[F] − [stored]): the
-  /// work over the step is not what the laws have it to be at its ends. Of third order in the step.
+  /// Σ w ({P}:[F] − {stress}:[strain + free]) at finite strain, of hyperelastic laws Σ w ({P}:[F] − [stored])
+  /// + heat: the work over the step is not what the laws have it to be at its ends. Of third order in the
+  /// step.
   double scheme = 0;
+  double heat = 0; ///< put into the cells by what expands freely
 };
+
+/// What a law saw at a point, what expanded freely there (element::PointRecord) and the stress.
+struct LawEnd {
+  const material::Strain6& strain;
+  const material::Strain6& free;
+  const material::Stress6& stress;
+};
+/// Put into a volume of 1 by what expands freely over a step: −{stress}:[free]. Of hyperelastic laws, which
+/// see F/(1 + a) and store by undeformed volume, {∂W/∂a} [a] with ∂W/∂a = −S:(1 + 2E)/(1 + a).
+double heat_between(const material::PointLaw& law, const LawEnd& old, const LawEnd& now);
 
 /// Whether {stress}:[strain] is what is stored and dissipated: of all laws but hyperelastic ones.
 bool has_linear_stress(const material::PointLaw& law);

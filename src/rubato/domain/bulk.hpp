@@ -5,6 +5,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/element/element.hpp"
 #include "rubato/element/nonlinear.hpp"
+#include "rubato/material/expansion.hpp"
 #include "rubato/material/law.hpp"
 #include "rubato/material/law_field.hpp"
 #include "rubato/material/point_law.hpp"
@@ -24,7 +25,8 @@ struct Behaviour {
   material::PointLaw law;
   element::StrainKind strain = element::StrainKind::small;
   element::Formulation formulation = element::Formulation::full; ///< full of cells that it is not offered for
-  bool constant = false; ///< whether one stiffness holds for every motion
+  bool constant = false;                                 ///< whether one stiffness holds for every motion
+  std::optional<material::FullExpansion> expansion = {}; ///< by temperature, in the axes of the model
 };
 
 struct Bulk {

@@ -81,11 +81,11 @@ Eigen::Vector3d at_node(const Eigen::VectorXd& values, const CutForces::Node& no
 
 /// Force and moment of evaluated cells on the nodes of the cut.
 Eigen::Matrix<double, 6, 1> evaluated_forces(const CutForces& cut, const CutForces::Evaluated& evaluated,
-                                             const Eigen::VectorXd& u, double t,
+                                             const Eigen::VectorXd& u, HeatAt heat,
                                              const QuadratureStates& states) {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(u.size());
   QuadratureStates unchanged;
-  evaluated.cells.add({u, u, t, t}, states, unchanged, {.forces = &forces});
+  evaluated.cells.add({u, u, heat.t, heat.t}, states, unchanged, {.forces = &forces}, heat.heat);
   Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
   for (const auto& node : cut.nodes) {
     const auto force = at_node(forces, node, cut.components);
@@ -133,7 +133,7 @@ CutForces make_cut_forces(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap
       cell_stiffness(bulk, i, mesh.type_of(bulk.cells[i]), CellPoints(mesh, of_cell), stiffness);
       add_entries(effects(of_cell, stiffness), dofs_of(dofs, of_cell), entries);
     }
-    if (heat == nullptr || heat->expansion_of(i) == nullptr)
+    if (heat == nullptr || heat->expansion_of(i) == nullptr || !bulk.is_constant(i))
       continue;
     const auto of_heat = heat->cell_heat(mesh, bulk, i);
     add_entries(effects(of_cell, of_heat.force), heat->nodes_of(i), of_temperature);
@@ -157,7 +157,7 @@ Eigen::Matrix<double, 6, 1> forces_at(const CutForces& cut, const Eigen::VectorX
   if (heat.heat != nullptr)
     forces -= cut.of_temperature * heat.heat->temperatures(heat.t) - cut.of_reference;
   for (const auto& evaluated : cut.evaluated)
-    forces += evaluated_forces(cut, evaluated, u, heat.t, *states);
+    forces += evaluated_forces(cut, evaluated, u, heat, *states);
   return forces;
 }
 

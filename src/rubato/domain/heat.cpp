@@ -102,29 +102,39 @@ CellHeat Heat::cell_heat(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t c
   return heat;
 }
 
+std::vector<int> Heat::dofs_of(std::size_t cell, const DofMap& dofs) const {
+  std::vector<int> rows;
+  for (const int node : cells_[cell].nodes)
+    for (int a = 0; a < dofs.components; ++a)
+      rows.push_back(node * dofs.components + a);
+  return rows;
+}
+
 void Heat::assemble(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs) {
-  Entries forces;
+  std::array<Entries, 2> forces; // of cells of constant stiffness, of others
   Entries energies;
-  reference_force_ = VectorXd::Zero(dofs.dof_count);
+  constant_.reference = evaluated_.reference = VectorXd::Zero(dofs.dof_count);
   reference_energy_ = VectorXd::Zero(node_count_);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (cells_[i].law < 0)
       continue;
     const auto heat = cell_heat(mesh, bulk, i);
     const auto& nodes = cells_[i].nodes;
-    std::vector<int> rows;
-    for (const int node : nodes)
-      for (int a = 0; a < dofs.components; ++a)
-        rows.push_back(node * dofs.components + a);
-    add_entries(heat.force, rows, nodes, forces);
+    const auto rows = dofs_of(i, dofs);
+    const bool constant = bulk.is_constant(i);
+    add_entries(heat.force, rows, nodes, forces[constant ? 0 : 1]);
+    (constant ? constant_ : evaluated_).reference(rows) += heat.reference_force;
+    if (!constant)
+      continue;
     add_entries(heat.energy, nodes, nodes, energies);
-    reference_force_(rows) += heat.reference_force;
     const double reference = expansion_of(i)->reference;
     reference_energy_(nodes) += reference * heat.energy.rowwise().sum();
     reference_constant_ += 0.5 * reference * reference * heat.energy.sum();
   }
-  force_.resize(dofs.dof_count, node_count_);
-  force_.setFromTriplets(forces.begin(), forces.end());
+  constant_.matrix.resize(dofs.dof_count, node_count_);
+  constant_.matrix.setFromTriplets(forces[0].begin(), forces[0].end());
+  evaluated_.matrix.resize(dofs.dof_count, node_count_);
+  evaluated_.matrix.setFromTriplets(forces[1].begin(), forces[1].end());
   energy_.resize(node_count_, node_count_);
   energy_.setFromTriplets(energies.begin(), energies.end());
 }
@@ -142,7 +152,12 @@ VectorXd Heat::temperatures(double t) const {
 }
 
 VectorXd Heat::force(double t) const {
-  return force_ * temperatures(t) - reference_force_;
+  return constant_.at(temperatures(t));
+}
+
+double Heat::largest_force(double t) const {
+  const auto now = temperatures(t);
+  return (constant_.at(now) + evaluated_.at(now)).lpNorm<Eigen::Infinity>();
 }
 
 double Heat::held_energy(double t) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Bodies that expand with their temperature: f_int(u, t) = K u − f(T(t)), f linear in the temperatures of
-/// the nodes, which shape functions take to the points of cell::stiffness_rule.
+/// Bodies that expand with their temperature. Those of constant stiffness have forces f_int(u, t) = K u −
+/// f(T(t)), f linear in the temperatures of the nodes, which shape functions take to the points of
+/// cell::stiffness_rule. The laws of others see what is left of their strain (NonlinearCells).
 #pragma once
 
 #include "rubato/core/field_function.hpp"
@@ -40,9 +41,12 @@ public:
 
   /// One a node of DofMap::nodes, 0 where none is given [temperature]. Throws what values throw.
   Eigen::VectorXd temperatures(double t) const;
-  /// f(T(t)), one a dof: ∫ Bᵀ D e ϑ, ϑ = T − reference [force].
+  /// f(T(t)), one a dof: ∫ Bᵀ D e ϑ of the cells of constant stiffness, ϑ = T − reference [force].
   Eigen::VectorXd force(double t) const;
-  /// ½ ∫ e·D e ϑ²: what bodies would store if they could not move at all [force · length].
+  /// The largest ∫ Bᵀ D e ϑ at any dof of all heated cells, with the laws of the bulk [force].
+  double largest_force(double t) const;
+  /// ½ ∫ e·D e ϑ²: what bodies of constant stiffness would store if they could not move at all
+  /// [force · length].
   double held_energy(double t) const;
 
   /// Of a cell by its place in Bulk::cells; null where temperature does nothing.
@@ -65,15 +69,24 @@ private:
 
   void choose_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs);
   void assemble(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs);
+  std::vector<int> dofs_of(std::size_t cell, const DofMap& dofs) const;
 
   std::vector<std::optional<study::ThermalExpansion>> expansions_;
   std::vector<HeatedNodes> nodes_;
   std::vector<std::vector<double>> amounts_; ///< of nodes whose values times a function of time are constant
   Eigen::Index node_count_ = 0;
   std::vector<Cell> cells_;
-  Sparse force_;  ///< dofs × nodes
-  Sparse energy_; ///< nodes × nodes
-  Eigen::VectorXd reference_force_;
+  /// `matrix` T − `reference`.
+  struct Forces {
+    Sparse matrix; ///< dofs × nodes
+    Eigen::VectorXd reference;
+    Eigen::VectorXd at(const Eigen::VectorXd& temperatures) const {
+      return matrix * temperatures - reference;
+    }
+  };
+  Forces constant_;  ///< of cells of constant stiffness
+  Forces evaluated_; ///< of the others, for the size of their forces
+  Sparse energy_;    ///< nodes × nodes
   Eigen::VectorXd reference_energy_;
   double reference_constant_ = 0;
 };

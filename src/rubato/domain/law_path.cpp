@@ -6,6 +6,7 @@ namespace rubato::domain {
 void go_along(const material::PointLaw& law, const CellEnd& now, std::span<const double> old_states,
               std::span<LawPoint> points, LawPath& path) {
   const auto size = static_cast<std::size_t>(material::state_size(law));
+  const bool linear = has_linear_stress(law);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& record = now.records[i];
     const material::Stress6 mean = 0.5 * (points[i].stress + record.stress);
@@ -14,8 +15,11 @@ void go_along(const material::PointLaw& law, const CellEnd& now, std::span<const
     path.taken.plastic += record.volume * taken.plastic;
     path.taken.back_stress += record.volume * taken.back_stress;
     path.taken.viscous += record.volume * taken.viscous;
-    path.law_work += record.volume * mean.dot(record.strain - points[i].strain);
-    points[i] = {record.strain, record.stress};
+    const double heat = heat_between(law, {points[i].strain, points[i].free, points[i].stress},
+                                     {record.strain, record.free, record.stress});
+    path.taken.heat += record.volume * heat;
+    path.law_work += record.volume * ((linear ? mean.dot(record.strain - points[i].strain) : 0) - heat);
+    points[i] = {record.strain, record.free, record.stress};
   }
 }
 

@@ -15,21 +15,23 @@ namespace rubato::domain {
 /// What the law saw at a point, and the stress that is conjugate to it.
 struct LawPoint {
   material::Strain6 strain = material::Strain6::Zero();
+  material::Strain6 free = material::Strain6::Zero(); ///< element::PointRecord::free
   material::Stress6 stress = material::Stress6::Zero();
   bool operator==(const LawPoint&) const = default;
 };
 
 struct LawPath {
   // At the end of the last evaluation:
-  /// Of the cells whose law has a stress that is linear in the elastic strain, and remembers something or
-  /// sees logarithmic strain: a point after the other in the order of Bulk::cells.
+  /// Of the cells that are heated, or whose law has a stress that is linear in the elastic strain and
+  /// remembers something or sees logarithmic strain: a point after the other in the order of Bulk::cells.
   std::vector<LawPoint> points;
   Eigen::VectorXd forces; ///< f of the cells that are not constant, one a dof [force]
   double stored = 0;      ///< in these cells [force · length]
-  double elsewhere = 0;   ///< the part of it in cells without `points`
+  double elsewhere = 0;   ///< the part of it in cells without `points`, and in hyperelastic ones
   // Over its step:
   Balance taken; ///< its `scheme` stays 0
-  /// Σ w {stress}:[strain], of hyperelastic laws Σ w [stored]. What {f}·[u] exceeds it by is Balance::scheme.
+  /// Σ w {stress}:[strain + free], of hyperelastic laws Σ w [stored] less heat. What {f}·[u] exceeds it by is
+  /// Balance::scheme.
   double law_work = 0;
 };
 

@@ -30,6 +30,7 @@ void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const D
     if (has(i))
       add_cell(mesh, dofs,
                {.index = bulk.cells[i],
+                .place = i,
                 .group = group_of(bulk, i, mesh.type_of(bulk.cells[i])),
                 .first_state = state});
     state += state_size(mesh, bulk, i);
@@ -65,9 +66,11 @@ int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) 
   const int remembered = element::state_size_of_cell(kind, material::state_size(behaviour.law));
   auto undeformed = kind;
   undeformed.strain = element::StrainKind::small;
-  groups_.push_back({kind, behaviour.law, cell::topology(type).node_count, element::point_count(type),
-                     static_cast<std::size_t>(remembered), is_followed(behaviour), undeformed,
-                     first_tangent(behaviour.law), cell::shortest_waves(type)});
+  groups_.push_back(
+      {kind, behaviour.law, cell::topology(type).node_count, element::point_count(type),
+       static_cast<std::size_t>(remembered), is_followed(behaviour) || behaviour.expansion.has_value(),
+       has_linear_stress(behaviour.law), behaviour.expansion.value_or(material::FullExpansion::Zero()),
+       undeformed, first_tangent(behaviour.law), cell::shortest_waves(type)});
   law_of_group_.push_back(law);
   return static_cast<int>(groups_.size()) - 1;
 }
@@ -112,7 +115,7 @@ bool NonlinearCells::has_finite_strain() const {
 }
 
 Failed NonlinearCells::add(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                           const Wanted& wanted) const {
+                           const Wanted& wanted, const Heat* heat) const {
   if (own_states_ < old.values.size()) // of constant cells they stay
     now.values = old.values;
   else
@@ -123,7 +126,7 @@ Failed NonlinearCells::add(const StepSpan& step, const QuadratureStates& old, Qu
   else
     now.records.clear();
   if (wanted.path == nullptr)
-    return add_each(step, old, now, wanted);
+    return add_each(step, old, now, wanted, heat);
   auto& path = *wanted.path;
   path.points.resize(followed_count_);
   path.forces.setZero(step.u1.size());
@@ -132,7 +135,7 @@ Failed NonlinearCells::add(const StepSpan& step, const QuadratureStates& old, Qu
   path.law_work = -std::exchange(path.elsewhere, 0);
   auto by_cells = wanted;
   by_cells.forces = &path.forces;
-  const auto failed = add_each(step, old, now, by_cells);
+  const auto failed = add_each(step, old, now, by_cells, heat);
   path.law_work += path.elsewhere;
   if (wanted.forces != nullptr)
     *wanted.forces += path.forces;
@@ -140,9 +143,14 @@ Failed NonlinearCells::add(const StepSpan& step, const QuadratureStates& old, Qu
 }
 
 Failed NonlinearCells::add_each(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                                const Wanted& wanted) const {
+                                const Wanted& wanted, const Heat* heat) const {
   Scratch scratch;
+  if (heat != nullptr)
+    scratch.temperatures = heat->temperatures(step.t1);
   for (const auto& cell : cells_) {
+    scratch.free.clear();
+    if (heat != nullptr && heat->expansion_of(cell.place) != nullptr)
+      find_free_strains(cell, *heat, scratch);
     const auto result = evaluate(cell, step, old, now, wanted, scratch);
     if (!result) {
       if (wanted.forces != nullptr)
@@ -187,7 +195,8 @@ element::CellResult NonlinearCells::evaluate(const Cell& cell, const StepSpan& s
                                  scratch.displacement,
                                  std::span(old.values).subspan(cell.first_state, group.state_size),
                                  {step.t1 - step.t0},
-                                 {.force = old.mode_force}};
+                                 {.force = old.mode_force},
+                                 scratch.free};
   const auto result = element::evaluate(group.kind, element::PointLaws(group.law), input, output);
   if (!result)
     return result;
@@ -196,6 +205,12 @@ element::CellResult NonlinearCells::evaluate(const Cell& cell, const StepSpan& s
   if (wanted.tangent != nullptr)
     add_tangent(cell, scratch.tangent, *wanted.tangent);
   return result;
+}
+
+void NonlinearCells::find_free_strains(const Cell& cell, const Heat& heat, Scratch& scratch) const {
+  const auto& expansion = group_of(cell).expansion;
+  for (const double degrees : heat.degrees(cell.place, scratch.temperatures))
+    scratch.free.push_back(degrees * expansion);
 }
 
 void NonlinearCells::scatter(const Cell& cell, const std::vector<double>& values, VectorXd& sum) const {
@@ -211,10 +226,10 @@ void NonlinearCells::go_along(const Cell& cell, const QuadratureStates& old, con
                               double stored, const Scratch& scratch, LawPath& path) const {
   path.stored += stored;
   const auto& group = group_of(cell);
-  if (!group.followed) {
+  if (!group.followed || !group.stress_is_linear)
     path.elsewhere += stored;
+  if (!group.followed)
     return;
-  }
   const auto points = static_cast<std::size_t>(group.points);
   auto end = end_of(cell, now);
   if (now.records.empty())

@@ -7,6 +7,7 @@
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/evaluation.hpp"
+#include "rubato/domain/heat.hpp"
 #include "rubato/domain/quadrature_states.hpp"
 
 #include <Eigen/Core>
@@ -39,8 +40,9 @@ public:
   bool has_finite_strain() const;
 
   /// Adds forces and tangents at the end of the step to what is wanted, which has its size and pattern.
-  Failed add(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-             const Wanted& wanted) const;
+  /// `heat`: of the bulk; null: nothing is heated.
+  Failed add(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now, const Wanted& wanted,
+             const Heat* heat) const;
 
   /// Over a step.
   PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
@@ -69,13 +71,16 @@ private:
     int nodes = 0;
     int points = 0;
     std::size_t state_size = 0;
-    bool followed = false;        ///< whether a path has its points
-    element::CellKind undeformed; ///< small strain
+    bool followed = false;                                               ///< whether a path has its points
+    bool stress_is_linear = true;                                        ///< has_linear_stress
+    material::FullExpansion expansion = material::FullExpansion::Zero(); ///< 0: it does not expand
+    element::CellKind undeformed;                                        ///< small strain
     material::ElasticPoint first; ///< the law's tangent where nothing has happened
     Eigen::MatrixXd waves;        ///< cell::shortest_waves
   };
   struct Cell {
     mesh::CellIndex index = -1;
+    std::size_t place = 0; ///< in Bulk::cells
     int group = 0;
     std::size_t first_node = 0;   ///< in points_ and dofs_
     std::size_t first_place = 0;  ///< in places_
@@ -93,6 +98,8 @@ private:
     std::vector<double> displacement, force, tangent, states;
     std::vector<Eigen::Vector3d> places;
     std::vector<element::PointRecord> records;
+    Eigen::VectorXd temperatures; ///< of an evaluation, as Heat has them; empty: nothing is heated
+    std::vector<material::Strain6> free;
   };
 
   void add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
@@ -101,9 +108,10 @@ private:
   void add_cell(const mesh::Mesh& mesh, const DofMap& dofs, Cell cell);
   const Group& group_of(const Cell& cell) const { return groups_[static_cast<std::size_t>(cell.group)]; }
   Failed add_each(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                  const Wanted& wanted) const;
+                  const Wanted& wanted, const Heat* heat) const;
   element::CellResult evaluate(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
                                QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
+  void find_free_strains(const Cell& cell, const Heat& heat, Scratch& scratch) const;
   void go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now, double stored,
                 const Scratch& scratch, LawPath& path) const;
   double growth_of_shape(const Cell& cell, const Eigen::VectorXd& u, const LawPath& path,

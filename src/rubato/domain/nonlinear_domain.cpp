@@ -31,7 +31,7 @@ Failed NonlinearDomain::evaluate(const StepSpan& step, const QuadratureStates& o
                                  const Wanted& wanted) const {
   QuadratureStates none;
   constant_.evaluate({step.u0, step.u1, step.t0, step.t1}, {}, none, wanted);
-  return cells_->add(step, old, now, wanted);
+  return cells_->add(step, old, now, wanted, heat());
 }
 
 double NonlinearDomain::energy(const VectorXd& u, const VectorXd&, double t,

@@ -4,6 +4,7 @@
 #include "rubato/cell/parts.hpp"
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/domain/balance.hpp"
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
 
@@ -112,6 +113,17 @@ material::Strain6 whole_strain(const material::PointLaw& law, const element::Poi
   return strain;
 }
 
+/// What the law saw and what expanded freely; of hyperelastic laws, which see F/(1 + a), of F itself.
+material::Strain6 heated_strain(const material::PointLaw& law, const material::Strain6& seen,
+                                const material::Strain6& free) {
+  if (has_linear_stress(law))
+    return seen + free;
+  const double a = free[0];
+  material::Strain6 strain = (1 + a) * (1 + a) * seen;
+  strain.head<3>().array() += a * (1 + a / 2);
+  return strain;
+}
+
 /// Engineering shears become those of a tensor.
 Eigen::Matrix<double, 6, 1> as_tensor(const material::Strain6& strain) {
   Eigen::Matrix<double, 6, 1> tensor = strain;
@@ -140,15 +152,25 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
   std::vector<double> now(old.size());
   std::vector<double> force(local_.size());
   std::vector<element::PointRecord> records(count);
-  element::evaluate(kind, element::PointLaws(behaviour.law), {points, local_, old},
+  const auto free = free_strains(behaviour, cell);
+  element::evaluate(kind, element::PointLaws(behaviour.law), {points, local_, old, {}, {}, free},
                     {now, force, {}, records});
   const auto size = slot(material::state_size(behaviour.law));
-  for (std::size_t q = 0; q < count; ++q)
-    result.col(static_cast<Index>(q)) =
-        what == Tensor::stress
-            ? records[q].cauchy
-            : as_tensor(whole_strain(behaviour.law, records[q], std::span(now).subspan(q * size, size)));
+  for (std::size_t q = 0; q < count; ++q) {
+    const auto seen = whole_strain(behaviour.law, records[q], std::span(now).subspan(q * size, size));
+    result.col(static_cast<Index>(q)) = what == Tensor::stress
+                                            ? records[q].cauchy
+                                            : as_tensor(heated_strain(behaviour.law, seen, records[q].free));
+  }
   return result;
+}
+
+std::vector<material::Strain6> CellTensors::free_strains(const Behaviour& behaviour, std::size_t cell) const {
+  std::vector<material::Strain6> free;
+  if (heat_ != nullptr && heat_->expansion_of(cell) != nullptr)
+    for (const double degrees : heat_->degrees(cell, temperatures_))
+      free.push_back(degrees * *behaviour.expansion);
+  return free;
 }
 
 MatrixXd CellTensors::cumulated_plastic_strain(std::size_t cell) {

@@ -62,6 +62,7 @@ struct PointRecord {
   double volume = 0;        ///< weight of the point, measure included
   double stored = 0;        ///< by undeformed volume
   material::Strain6 strain; ///< what the law saw, without the free one
+  material::Strain6 free;   ///< CellInput::free_strain there
   material::Stress6 stress; ///< conjugate to it
   material::Stress6 cauchy; ///< true stress P Fᵀ/J of what the law saw; plane stress: by undeformed
                             ///< thickness

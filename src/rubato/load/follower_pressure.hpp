@@ -37,6 +37,7 @@ struct FollowerPressure {
   element::Section section;
   FieldFunction value; ///< p [force/area], of the undeformed place and time
   std::vector<FollowerFace> faces;
+  bool is_controlled = false; ///< multiplied by a factor of the loads that whoever asks has to give
 };
 
 /// The pressure `value` on faces. Throws what add_pressure throws, and InputError where the value is no

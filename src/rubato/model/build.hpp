@@ -94,6 +94,10 @@ InitialMotion make_initial_motion(const study::Study& study, const mesh::Mesh& m
                                   const domain::DofMap& dofs, const constraint::Reduction& reduction,
                                   std::vector<Fault>& faults);
 
+/// The nodes that study::ArcLength measures, which the study has.
+std::vector<mesh::NodeIndex> make_arc_nodes(const study::Study& study, const mesh::Mesh& mesh,
+                                            const domain::DofMap& dofs, std::vector<Fault>& faults);
+
 /// Loads as nodal forces, but for those that follow faces.
 std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                                const domain::Bulk& bulk, std::span<const Reference> references,

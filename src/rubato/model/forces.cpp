@@ -258,7 +258,19 @@ void for_each_load(const study::Study& study, bool follower, std::vector<Fault>&
   }
 }
 
+bool is_controlled(const study::Study& study, const study::Load& load) {
+  return study.time.arc_length && load.function.empty();
+}
+
 } // namespace
+
+std::vector<mesh::NodeIndex> make_arc_nodes(const study::Study& study, const mesh::Mesh& mesh,
+                                            const domain::DofMap& dofs, std::vector<Fault>& faults) {
+  const auto& on = study.time.arc_length->on;
+  if (on == study::everywhere)
+    return dofs.nodes;
+  return body_nodes_or_fault(mesh, dofs, {on, "time.arc_length.on"}, "whose motion is measured", faults);
+}
 
 std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
                                const domain::Bulk& bulk, std::span<const Reference> references,
@@ -267,6 +279,7 @@ std::vector<Force> make_forces(const study::Study& study, const mesh::Mesh& mesh
   std::vector<Force> forces;
   for_each_load(study, false, faults, [&](const study::Load& load, const std::string& path) {
     forces.push_back(builder.force_of(load, path));
+    forces.back().is_controlled = is_controlled(study, load);
   });
   return forces;
 }
@@ -278,6 +291,7 @@ std::vector<load::FollowerPressure> make_followers(const study::Study& study, co
   std::vector<load::FollowerPressure> followers;
   for_each_load(study, true, faults, [&](const study::Load& load, const std::string& path) {
     followers.push_back(builder.follower_of(load, path));
+    followers.back().is_controlled = is_controlled(study, load);
   });
   return followers;
 }

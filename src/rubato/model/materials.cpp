@@ -136,9 +136,13 @@ std::optional<domain::Behaviour> behaviour_of(const study::Study& study, const s
   const auto wanted = study::wanted_formulation(material);
   if (constant && wanted == study::Formulation::full)
     return std::nullopt;
-  return domain::Behaviour{material::make_point_law(material, study.physics),
-                           strain_kind(study::strain_of(material)), formulation(wanted),
-                           constant && study.temperatures.empty()};
+  const bool heated = material.expansion && !study.temperatures.empty();
+  domain::Behaviour behaviour{material::make_point_law(material, study.physics),
+                              strain_kind(study::strain_of(material)), formulation(wanted),
+                              constant && !heated};
+  if (heated)
+    behaviour.expansion = material::expansion_strain(material::make_law(material), *material.expansion);
+  return behaviour;
 }
 
 } // namespace

@@ -292,6 +292,8 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, model.references, faults);
   model.followers = make_followers(study, model.mesh, model.dofs, model.bulk, faults);
   add_preload_forces(model, stage);
+  if (study.time.arc_length)
+    model.arc_nodes = make_arc_nodes(study, model.mesh, model.dofs, faults);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
   carry_obstacles(model);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, model.references, faults, model.notes);
@@ -410,12 +412,27 @@ Model build_stage(const Model& first, double release, const VectorXd& shortening
   return assembled(lay_out(first.study, first.mesh, first.preloads, {release, shortening}));
 }
 
-VectorXd external_force(const Model& model, double t) {
+namespace {
+
+void add_force(const Force& part, double t, VectorXd& force) {
+  force += value_of(part.function, t) * part.pattern;
+  for (const auto& field : part.fields)
+    load::add_field_force(field, t, force);
+}
+
+} // namespace
+
+VectorXd external_force(const Model& model, double t, double load_factor) {
   VectorXd force = VectorXd::Zero(model.dofs.dof_count);
-  for (const auto& part : model.forces) {
-    force += value_of(part.function, t) * part.pattern;
-    for (const auto& field : part.fields)
-      load::add_field_force(field, t, force);
+  for (const auto& part : model.forces)
+    if (!part.is_controlled)
+      add_force(part, t, force);
+  if (model.study.time.arc_length) {
+    VectorXd controlled = VectorXd::Zero(force.size());
+    for (const auto& part : model.forces)
+      if (part.is_controlled)
+        add_force(part, t, controlled);
+    force += load_factor * controlled;
   }
   for (const auto& pull : model.ground) {
     force += pull.at(t) * pull.stiffness;
@@ -425,15 +442,35 @@ VectorXd external_force(const Model& model, double t) {
   return force;
 }
 
-void add_follower_forces(const Model& model, double t, const VectorXd& u, VectorXd& force) {
-  for (const auto& follower : model.followers)
-    load::add_follower_force(follower, u, t, force);
+void add_follower_forces(const Model& model, double t, const VectorXd& u, VectorXd& force,
+                         double load_factor) {
+  VectorXd controlled;
+  for (const auto& follower : model.followers) {
+    if (!follower.is_controlled) {
+      load::add_follower_force(follower, u, t, force);
+      continue;
+    }
+    controlled.setZero(force.size());
+    load::add_follower_force(follower, u, t, controlled);
+    force += load_factor * controlled;
+  }
 }
 
 void add_follower_tangent(const Model& model, double t, const VectorXd& u, double factor,
-                          SparseMatrix& matrix) {
+                          SparseMatrix& matrix, double load_factor) {
   for (const auto& follower : model.followers)
-    load::add_follower_tangent(follower, u, t, factor, matrix);
+    load::add_follower_tangent(follower, u, t, (follower.is_controlled ? load_factor : 1) * factor, matrix);
+}
+
+VectorXd controlled_force(const Model& model, double t, const VectorXd& u) {
+  VectorXd force = VectorXd::Zero(model.dofs.dof_count);
+  for (const auto& part : model.forces)
+    if (part.is_controlled)
+      add_force(part, t, force);
+  for (const auto& follower : model.followers)
+    if (follower.is_controlled)
+      load::add_follower_force(follower, u, t, force);
+  return force;
 }
 
 bool is_damped(const Model& model) {

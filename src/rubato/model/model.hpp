@@ -37,6 +37,7 @@ struct Force {
   Eigen::VectorXd pattern; ///< [force], one a dof
   std::optional<Function> function;
   std::vector<load::FieldForce> fields = {}; ///< expressions of t
+  bool is_controlled = false;                ///< multiplied by the factor of the loads
 };
 
 /// A spring from a dof to the ground, slack at displacement 0.
@@ -122,7 +123,8 @@ struct Model {
   std::vector<PreloadedCut> preloads; ///< of each preload of the study
   /// Instants of the run at which supports end or preloads are locked, ascending; steps end at them.
   std::vector<double> releases;
-  std::vector<Gauge> gauges; ///< of bodies that in a static run only contact holds
+  std::vector<mesh::NodeIndex> arc_nodes; ///< study::ArcLength::on, ascending; none without
+  std::vector<Gauge> gauges;              ///< of bodies that in a static run only contact holds
   InitialMotion initial;
   /// Nodes of bodies that in a static run only contact holds, ascending.
   std::vector<mesh::NodeIndex> free_body_nodes;
@@ -169,16 +171,20 @@ std::vector<std::vector<Fault>> faults_of(std::span<const study::Study> studies)
 /// what is wrong with a mesh file is told at the path that names it.
 mesh::Mesh load_mesh(const study::MeshSource& source);
 
-/// Of loads that do not depend on displacements [force], one a dof.
-Eigen::VectorXd external_force(const Model& model, double t);
+/// Of loads that do not depend on displacements [force], one a dof. `load_factor`: multiplies those without
+/// a function of time where the study follows a path (study::ArcLength), and 1 elsewhere.
+Eigen::VectorXd external_force(const Model& model, double t, double load_factor = 1);
 
 /// Adds the forces of pressures that follow their faces at displacements u to `force`, both with an entry a
 /// dof [force].
-void add_follower_forces(const Model& model, double t, const Eigen::VectorXd& u, Eigen::VectorXd& force);
+void add_follower_forces(const Model& model, double t, const Eigen::VectorXd& u, Eigen::VectorXd& force,
+                         double load_factor = 1);
 /// Adds `factor` times the symmetric part of their −∂f/∂u to a compressed matrix with the places of the
 /// stiffness.
 void add_follower_tangent(const Model& model, double t, const Eigen::VectorXd& u, double factor,
-                          SparseMatrix& matrix);
+                          SparseMatrix& matrix, double load_factor = 1);
+/// What the loads that have the factor do at a factor of one [force], one a dof.
+Eigen::VectorXd controlled_force(const Model& model, double t, const Eigen::VectorXd& u);
 
 /// Whether velocities are resisted.
 bool is_damped(const Model& model);

@@ -63,7 +63,11 @@ ordered_json to_json(const model::Model& model, const simulation::Attempt& attem
     json["factorisations"] = report.factorisations;
     json["bulk_residuals"] = report.bulk_residuals;
     json["indefinite"] = report.indefinite;
+    if (report.unstable_directions > 0)
+      json["unstable_directions"] = report.unstable_directions;
   }
+  if (model.study.time.arc_length)
+    json["load_factor"] = report.load_factor;
   json["residual"] = report.residual;
   json["status_changes"] = report.status_changes;
   json["geometry_by_loop"] = report.geometry_by_loop;

@@ -65,14 +65,14 @@ template <class Visit> void each_number(time::StepControl::End& end, const Visit
 }
 
 template <class Visit> void each_number(domain::LawPoint& point, const Visit& visit) {
-  std::ranges::for_each(point.strain, visit);
-  std::ranges::for_each(point.stress, visit);
+  for (auto* six : {&point.strain, &point.free, &point.stress})
+    std::ranges::for_each(*six, visit);
 }
 
 template <class Visit> void each_number(element::PointRecord& record, const Visit& visit) {
   visit(record.volume);
   visit(record.stored);
-  for (auto* six : {&record.strain, &record.stress, &record.cauchy})
+  for (auto* six : {&record.strain, &record.free, &record.stress, &record.cauchy})
     std::ranges::for_each(*six, visit);
   for (auto* tensor : {&record.gradient, &record.piola})
     std::ranges::for_each(tensor->reshaped(), visit);
@@ -274,6 +274,7 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.number("state/force_scale", state.force_scale);
   archive.numbers("state/friction_force", state.friction_force);
   archive.numbers("state/external_force", state.external_force);
+  archive.number("state/load_factor", state.load_factor);
   archive.few_numbers("state/shortening", state.shortening);
   archive.numbers("state/bulk/internal", state.bulk.internal);
   archive.numbers("state/bulk/viscous", state.bulk.viscous);

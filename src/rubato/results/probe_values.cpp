@@ -273,6 +273,8 @@ std::vector<std::string> probe_columns(const model::Model& model) {
     for (const auto& component : components)
       columns.push_back(fmt::format("{}.{}", probe.name, component));
   }
+  if (model.study.time.arc_length)
+    columns.emplace_back("load_factor");
   return columns;
 }
 
@@ -302,6 +304,8 @@ void add_probe_values(const model::Model& model, const step::State& state, std::
       values[p] = difference_of_rows(of(probes[p].minus.at(0)), of(probes[p].minus.at(1)));
     row.insert(row.end(), values[p].begin(), values[p].end());
   }
+  if (model.study.time.arc_length)
+    row.push_back(state.load_factor);
 }
 
 } // namespace rubato::results

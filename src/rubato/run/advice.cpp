@@ -256,7 +256,9 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
   if (report.outcome == Outcome::plastic_step)
     advice.add(fmt::format("a larger time.max_plastic_step than {:g}", *model.study.time.max_plastic_step));
   if (report.indefinite && model.study.time.scheme == study::SchemeKind::static_steps)
-    advice.add("supports that move in the place of loads, or a scheme with inertia");
+    advice.add(model.study.time.arc_length
+                   ? "shorter steps, or a scheme with inertia"
+                   : "supports that move in the place of loads, time.arc_length, or a scheme with inertia");
   if (!model.free_body_nodes.empty())
     on_singular(model, advice);
   for (const auto& unmet : report.unmet)

@@ -265,10 +265,14 @@ private:
   void tell_instability(double t, const step::StepReport& report) {
     if (!report.indefinite || std::exchange(told_instability_, true))
       return;
-    watch_.warn(
-        fmt::format("{}: in the step to t = {:g} the effective matrix without contact is not positive "
-                    "definite: bodies may buckle there, or be past a limit load",
-                    name(), t));
+    watch_.warn(fmt::format(
+        "{}: in the step to t = {:g} the effective matrix without contact is not positive "
+        "definite: bodies may buckle there, or be past a limit load{}",
+        name(), t,
+        report.unstable_directions == 0
+            ? ""
+            : fmt::format(" ({} direction{} in which the state is not stable)", report.unstable_directions,
+                          report.unstable_directions == 1 ? "" : "s")));
   }
 
   void fail() {

@@ -38,7 +38,8 @@ public:
 
   StepReport plainly(State& trial) { return afresh({}, trial); }
 
-  /// Contact stands in the matrix of every iteration, from here on: what it holds is stable then.
+  /// Contact stands in the matrix of every iteration, from here on: what it holds is stable then. Where no
+  /// contact is, the matrix may have negative eigenvalues from here on.
   StepReport whole(State& trial) {
     whole_ = true;
     return plainly(trial);
@@ -110,10 +111,11 @@ private:
   }
 
   /// Also counts what earlier attempts have cost.
-  StepReport solve(const RetrySettings& variant, State& trial) {
+  StepReport solve(RetrySettings variant, State& trial) {
+    variant.indefinite = whole_;
     ContactEvaluator side(model_, scheme_, system_, committed_, variant);
-    auto report = whole_ || !can_condense(model_, system_) ? solve_by<WholeSystem>(side, trial)
-                                                           : solve_by<Condensed>(side, trial);
+    const bool whole = whole_ || model_.study.time.arc_length || !can_condense(model_, system_);
+    auto report = whole ? solve_by<WholeSystem>(side, trial) : solve_by<Condensed>(side, trial);
     report.iterations = spent_ += report.iterations;
     report.indefinite = report.indefinite || whole_;
     if (report.converged())
@@ -153,6 +155,8 @@ private:
 std::string solver_text(const Model& model, const EffectiveSystem& system) {
   if (model.study.solver == study::Solver::full)
     return "full, as the deck says";
+  if (model.study.time.arc_length)
+    return "full: the factor of the loads is unknown";
   if (!system.compliance)
     return "full: the effective matrix is not positive definite without contact";
   if (!model.domain.is_linear())

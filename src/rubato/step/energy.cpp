@@ -71,6 +71,7 @@ void enter(const domain::Balance& balance, EnergyLedger& ledger) {
   ledger.back_stress += balance.back_stress;
   ledger.viscous += balance.viscous;
   ledger.bulk_scheme += balance.scheme;
+  ledger.heat += balance.heat;
 }
 
 void EnergyRecord::note(double t, const EnergyLedger& ledger) {

@@ -104,7 +104,11 @@ struct StepReport {
   /// Of nonlinear bodies, of the last attempt: the largest unbalanced force at the start and at every motion
   /// that contact was solved from, contact included [force].
   std::vector<double> bulk_residuals;
-  bool indefinite = false;     ///< whether an effective matrix without contact was not positive definite
+  bool indefinite = false; ///< whether an effective matrix without contact was not positive definite
+  /// Negative eigenvalues of the last matrix, where nothing touches bodies whose matrix was not positive
+  /// definite: as many directions in which the state is not stable.
+  int unstable_directions = 0;
+  double load_factor = 1; ///< at the last iterate, of loads along a path of equilibrium
   domain::Failed failed_cell;  ///< of an attempt that ended where a cell has no forces
   double residual = 0;         ///< relative, of the last iterate
   double unbalanced_force = 0; ///< the largest, of the last iterate

@@ -101,10 +101,15 @@ void refuse(const Model& model, const domain::Failed& failed) {
 }
 
 /// With those that follow their faces [force].
-VectorXd loads(const Model& model, double t, const VectorXd& u) {
-  VectorXd force = model::external_force(model, t);
-  model::add_follower_forces(model, t, u, force);
+VectorXd loads(const Model& model, const State& state) {
+  VectorXd force = model::external_force(model, state.t, state.load_factor);
+  model::add_follower_forces(model, state.t, state.motion.u, force, state.load_factor);
   return force;
+}
+
+/// Loads along a path begin from nothing.
+double first_load_factor(const Model& model) {
+  return model.study.time.arc_length ? 0 : 1;
 }
 
 /// Without a step: at the state's displacements, from the state that the materials are in.
@@ -147,12 +152,13 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   const auto size = static_cast<Index>(model.dofs.dof_count);
   State state;
   state.t = t;
+  state.load_factor = first_load_factor(model);
   state.motion = {model.initial.displacement, model.initial.velocity, VectorXd::Zero(size)};
   model.reduction.impose(t, state.motion.u);
   model.reduction.relate(state.motion.v);
   model.reduction.impose_rates(1, t, state.motion.v);
   deform(model, state);
-  state.residual_force = internal_forces(model, state) - loads(model, t, state.motion.u);
+  state.residual_force = internal_forces(model, state) - loads(model, state);
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
@@ -165,7 +171,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   if (!loaded_history)
     state.residual_force.setZero();
   state.bulk = bulk_forces(model, state);
-  state.external_force = loads(model, t, state.motion.u);
+  state.external_force = loads(model, state);
   return state;
 }
 
@@ -175,6 +181,7 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
   for (auto& zone : state.zones)
     std::ranges::fill(zone.friction_history, contact::FrictionHistory());
   state.t = t;
+  state.load_factor = first_load_factor(model);
   state.step = 0; // the acceleration that follows is that of the instant, not of the last step
   state.tangent.reset();
   if (scheme.dynamic)
@@ -184,14 +191,14 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
     deform(model, state);
   else
     take_states(model, state);
-  state.residual_force = internal_forces(model, state) - loads(model, t, state.motion.u);
+  state.residual_force = internal_forces(model, state) - loads(model, state);
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
   if (scheme.dynamic)
     state.motion.a =
         balanced_acceleration(model, state.residual_force, state.motion.v, given_acceleration(model, t));
   state.bulk = bulk_forces(model, state);
-  state.external_force = loads(model, t, state.motion.u);
+  state.external_force = loads(model, state);
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
     state.friction_force = VectorXd::Zero(state.contact_force.size());
   return state;

@@ -42,6 +42,7 @@ struct State {
   Eigen::VectorXd contact_force;  ///< contact and friction, internal side [force]
   Eigen::VectorXd friction_force; ///< the part of it along the surfaces [force]
   Eigen::VectorXd external_force; ///< the loads at t [force]
+  double load_factor = 1;         ///< of the loads that follow a path of equilibrium (study::ArcLength)
   Eigen::VectorXd reaction;       ///< of the supports, on constrained dofs [force]
   Eigen::VectorXd shortening;     ///< of each preload, once it is locked; else 0 [length]
   double force_scale = 0;         ///< the forces that the residual of the last step was measured by [force]

@@ -33,6 +33,7 @@ inline constexpr Range loop_tolerance = between(0, 1);
 inline constexpr Range max_loops = from_to(1, 10'000);
 inline constexpr Range step = above(0);
 inline constexpr Range record = above(0);
+inline constexpr Range arc_length = above(0);
 inline constexpr Range max_step = above(0);
 inline constexpr Range max_plastic_step = above(0);
 inline constexpr Range scaled_step = above(0);

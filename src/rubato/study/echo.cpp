@@ -360,6 +360,8 @@ Json echo(const TimeStepping& time) {
   put_optional(map, "max_plastic_step", time.max_plastic_step);
   if (time.mass_scaling)
     map["mass_scaling"] = {{"step", *time.mass_scaling}};
+  if (time.arc_length)
+    map["arc_length"] = {{"length", time.arc_length->length}, {"on", time.arc_length->on}};
   map["start"] = time.start == StartKind::from_run ? Json{{"from", time.start_run}}
                                                    : Json(word(start_words, time.start));
   if (!is_explicit(time.scheme))

@@ -286,6 +286,13 @@ enum class StartKind {
   from_run          ///< the end of another run of the same deck
 };
 
+/// Static steps whose lengths are measured along the path of equilibrium.
+struct ArcLength {
+  double length = 0;     ///< of the whole run, root mean square over the nodes [length], > 0
+  std::string on{"all"}; ///< group whose nodes are measured
+  bool operator==(const ArcLength&) const = default;
+};
+
 struct TimeStepping {
   SchemeKind scheme = SchemeKind::moreau_jean;
   double alpha = 0;             ///< hht −1/3…0, modified_average_acceleration ≤ 0, wbz_alpha −1…0
@@ -314,6 +321,9 @@ struct TimeStepping {
   /// central_difference: cells that would allow only shorter steps get more mass, so that all of them allow
   /// this one [time].
   std::optional<double> mass_scaling;
+  /// static: loads without a function are multiplied by a factor, which follows from how far the bodies are
+  /// to move.
+  std::optional<ArcLength> arc_length = {};
   bool operator==(const TimeStepping&) const = default;
 };
 

@@ -250,6 +250,20 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) { s.materials[0].formulation = Formulation::reduced; }},
         Bad{"time.max_step", "chooses its steps",
             [](Study& s) { make_plastic(s.materials[0]), explicitly(s), s.contact.clear(), s.time.max_step = 1; }},
+        Bad{"time.arc_length", "follows the motion past limit loads by itself",
+            [](Study& s) { make_plastic(s.materials[0]), s.time.arc_length = {1, "all"}; }},
+        Bad{"time.arc_length", "as every material is linear",
+            [](Study& s) { s.time.scheme = SchemeKind::static_steps, s.time.arc_length = {1, "all"}; }},
+        Bad{"time.arc_length", "has no load to multiply",
+            [](Study& s) {
+              make_plastic(s.materials[0]), s.time.scheme = SchemeKind::static_steps;
+              s.loads.clear(), s.time.arc_length = {1, "all"};
+            }},
+        Bad{"time.arc_length.length", "expected a number > 0",
+            [](Study& s) {
+              make_plastic(s.materials[0]), s.time.scheme = SchemeKind::static_steps;
+              s.time.arc_length = {0, "all"};
+            }},
         Bad{"time.mass_scaling.step", "expected a number > 0",
             [](Study& s) { explicitly(s), s.contact.clear(), s.time.mass_scaling = 0; }},
         Bad{"time.mass_scaling", "has no step that is too long for a cell",

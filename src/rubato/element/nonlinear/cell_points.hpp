@@ -32,7 +32,7 @@ public:
   /// Strains of `seen`, responses, and their stored energy and P.
   CellResult respond(material::Want want) {
     for (int q = 0; q < count(); ++q) {
-      if (!is_small() && !(volume_change(seen[place(q)].h) > -1))
+      if (!is_small() && !(volume_change(seen[place(q)].h) > -1 && free_strains_.is_possible(place(q))))
         return {Failure::inverted, q};
       strain[place(q)] = strain_of(kind.strain, seen[place(q)]);
       free_strains_.take_from(place(q), strain[place(q)]);
@@ -88,6 +88,7 @@ public:
       output.records[q] = {gradients.weight(static_cast<int>(q)),
                            response[q].stored,
                            strain[q],
+                           free_strains_.at(q),
                            response[q].stress,
                            cauchy_stress(kind.strain, seen[q].h, piola[q]),
                            gradient[q],

@@ -17,6 +17,16 @@ public:
   FreeStrains(StrainKind kind, const PointLaws& laws, std::span<const material::Strain6> strains)
       : strains_(strains), divides_(kind != StrainKind::small && laws.is_hyperelastic()) {}
 
+  /// At a point.
+  material::Strain6 at(std::size_t point) const {
+    return strains_.empty() ? material::Strain6::Zero().eval() : strains_[point];
+  }
+
+  /// Whether something is left of what expands freely at a point.
+  bool is_possible(std::size_t point) const {
+    return strains_.empty() || !divides_ || strains_[point][0] > -1;
+  }
+
   /// What the law sees of the strain at a point.
   void take_from(std::size_t point, material::Strain6& strain) const {
     if (strains_.empty())

@@ -30,6 +30,9 @@ public:
   /// How much of the move is left, else.
   std::optional<double> shorten(const time::Motion& from, time::Motion& to, Equilibrium& equilibrium) const;
 
+  /// BulkTangent::set_load_factor
+  void set_load_factor(double factor) { tangent_.set_load_factor(factor); }
+
   /// What is out of balance before the first iterate [force].
   void start_with(double unbalanced);
   /// After an iterate at `u` that leaves so much out of balance, with so much allowed: an outcome ends the

@@ -21,7 +21,8 @@ constexpr double small_part = 1e-3;
 
 BulkTangent::BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                          const State& committed, double t, Factored factored)
-    : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), factored_(factored) {}
+    : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), factored_(factored),
+      load_factor_(committed.load_factor) {}
 
 bool BulkTangent::is_fresh_at_start() const {
   return !committed_.tangent || committed_.step != system_.step || committed_.indefinite ||
@@ -69,7 +70,7 @@ Tangent BulkTangent::at(const VectorXd& u, VectorXd* forces) {
                              {.forces = forces, .tangent = &matrix_});
   if (failed)
     return nullptr;
-  model::add_follower_tangent(model_, t_, u, 1, matrix_);
+  model::add_follower_tangent(model_, t_, u, 1, matrix_, load_factor_);
   return values_of(matrix_);
 }
 

@@ -45,6 +45,9 @@ public:
   /// direction.
   bool renew_at_start();
 
+  /// Of the loads that have one: tangents of pressures that follow have it from then on.
+  void set_load_factor(double factor) { load_factor_ = factor; }
+
   int renewals() const { return renewals_; }
   /// Whether a matrix was not positive definite, and whether that of the start was not.
   bool is_indefinite() const { return indefinite_; }
@@ -63,6 +66,7 @@ private:
   const State& committed_;
   double t_;
   Factored factored_;
+  double load_factor_;
   model::SparseMatrix matrix_; ///< storage of tangents
   domain::QuadratureStates unused_;
   int renewals_ = 0;

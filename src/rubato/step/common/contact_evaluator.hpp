@@ -31,6 +31,7 @@ struct RetrySettings {
   bool geometry_by_loop = false;  ///< also where the zone iterates it by Newton
   bool status_by_newton = false;  ///< also where the zone iterates it by a loop
   Start start = Start::usual;
+  bool indefinite = false; ///< the matrix without contact is not positive definite: no factor of it serves
 };
 
 /// What outer loops hold of one zone while Newton iterates; empty: nothing.

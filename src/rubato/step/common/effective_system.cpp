@@ -179,10 +179,8 @@ bool renew(EffectiveSystem& system, const Model& model, const Tangent& tangent) 
   if (!system.compliance || same_values(system.factored, tangent))
     return true;
   system.factored.reset();
-  auto factor = factored(model, system.matrix, [](std::size_t) {});
-  if (!factor)
+  if (!system.compliance->refactor(system.matrix))
     return false;
-  *system.compliance = Compliance(std::move(*factor), model.reduction, related_surface_dofs(model));
   system.slopes = SlopeChanges(model, *system.compliance, system.coefficients);
   system.factored = tangent;
   return true;

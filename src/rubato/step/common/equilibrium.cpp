@@ -78,9 +78,10 @@ Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const E
       predicted_acceleration_(time::predicted_acceleration(scheme, system.step, committed.motion)),
       predicted_bulk_(time::predict(
           scheme, system.step, {committed.bulk.internal, committed.bulk.momentum, committed.bulk.inertia})),
-      dead_(model::external_force(model, t)), external_(dead_), history_(history_forces(scheme, committed)) {
+      dead_(model::external_force(model, t, committed.load_factor)), external_(dead_),
+      load_factor_(committed.load_factor), history_(history_forces(scheme, committed)) {
   if (const auto* heat = model.domain.heat())
-    heat_ = heat->force(t).lpNorm<Eigen::Infinity>();
+    heat_ = heat->largest_force(t);
 }
 
 /// The prediction is a combination of what is known; from there on one evaluation of the domain and one
@@ -106,7 +107,16 @@ void Equilibrium::take_loads(const VectorXd& u) {
   if (model_.followers.empty())
     return;
   external_ = dead_;
-  model::add_follower_forces(model_, t_, u, external_);
+  model::add_follower_forces(model_, t_, u, external_, load_factor_);
+}
+
+void Equilibrium::set_load_factor(double factor) {
+  load_factor_ = factor;
+  dead_ = external_ = model::external_force(model_, t_, factor);
+}
+
+VectorXd Equilibrium::controlled_force(const VectorXd& u) const {
+  return model_.reduction.gather(model::controlled_force(model_, t_, u));
 }
 
 void Equilibrium::take_inertia(const time::Motion& motion) {
@@ -242,6 +252,7 @@ void Equilibrium::finish(const ContactForce& contact, State& trial) const {
     trial.residual_force += contact.all - contact.forgotten;
   trial.contact_force = contact.all;
   trial.external_force = external_;
+  trial.load_factor = load_factor_;
   trial.reaction = model_.reduction.reaction(full_residual_);
 }
 

@@ -67,6 +67,11 @@ public:
   double unbalanced_with(const Eigen::VectorXd& contact) const;
   /// On free dofs.
   const Eigen::VectorXd& residual() const { return residual_; }
+  /// The factor of the loads that have one, from the next evaluation on.
+  void set_load_factor(double factor);
+  double load_factor() const { return load_factor_; }
+  /// What these loads do at a factor of one at displacements u, on free dofs [force].
+  Eigen::VectorXd controlled_force(const Eigen::VectorXd& u) const;
   /// Fills the report's residual and worst node. Code_Aster's RESI_GLOB_RELA: the largest unbalanced force
   /// over the largest of reactions and applied forces (inertia, history and the forces of nodal methods among
   /// them), and of the momentum's rate, but no less than 1e-4 of the largest contact force.
@@ -106,6 +111,7 @@ private:
   std::optional<Eigen::VectorXd> evaluated_at_; ///< displacements that a nonlinear bulk's forces are those of
   Eigen::VectorXd dead_;                        ///< the loads that do not follow [force]
   Eigen::VectorXd external_;
+  double load_factor_;
   double heat_ = 0;         ///< the largest force of temperatures at the end of the step [force]
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
   Eigen::VectorXd inertia_, bulk_residual_, full_residual_, residual_;

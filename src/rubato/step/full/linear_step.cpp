@@ -94,7 +94,14 @@ std::optional<LinearSolution> solve_full(const LinearProblem& problem) {
   VectorXd right(size);
   right << -problem.residual, -blocks.equations;
   const VectorXd solution = factor->solve(right);
-  return LinearSolution{solution.head(free_count), solution.tail(blocks.equations.size())};
+  LinearSolution found{solution.head(free_count), solution.tail(blocks.equations.size())};
+  if (problem.load == nullptr)
+    return found;
+  right << *problem.load, VectorXd::Zero(blocks.equations.size());
+  const VectorXd by_load = factor->solve(right);
+  found.displacement_by_load = by_load.head(free_count);
+  found.multipliers_by_load = by_load.tail(blocks.equations.size());
+  return found;
 }
 
 std::vector<int> surface_unknowns(const model::Model& model) {

@@ -18,6 +18,9 @@ namespace rubato::step {
 struct LinearSolution {
   Eigen::VectorXd displacement; ///< on free dofs
   Eigen::VectorXd multipliers;
+  // Of a further load alone, where there is one:
+  Eigen::VectorXd displacement_by_load = {};
+  Eigen::VectorXd multipliers_by_load = {};
 };
 
 struct LinearProblem {
@@ -25,7 +28,8 @@ struct LinearProblem {
   const model::SparseMatrix& matrix; ///< A on free dofs
   double force_weight;               ///< f: the scheme's weight of forces at the end of the step
   const contact::ContactSystem& contact;
-  const Eigen::VectorXd& residual; ///< on free dofs
+  const Eigen::VectorXd& residual;       ///< on free dofs
+  const Eigen::VectorXd* load = nullptr; ///< a further one on free dofs [force]
 };
 
 /// Nothing comes back when the system is singular.

@@ -10,21 +10,25 @@ namespace {
 using Eigen::VectorXd;
 using model::Model;
 
-/// Without contact zones the factored matrix is that of the whole system.
-bool has_factor(const Model& model, const EffectiveSystem& system) {
-  return system.compliance && model.zones.empty();
-}
-
 } // namespace
 
 WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                          const State& committed, double t, ContactEvaluator& side, Progress&)
     : model_(model), scheme_(scheme), system_(system), side_(side),
-      equilibrium_(model, scheme, system, committed, t),
+      equilibrium_(model, scheme, system, committed, t), path_(ArcLength::of(model, committed, system.step)),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {
   if (!model.domain.is_linear())
-    bulk_.emplace(model, scheme, system, committed, t,
-                  has_factor(model, system) ? Factored::yes : Factored::no);
+    bulk_.emplace(model, scheme, system, committed, t, is_factored() ? Factored::yes : Factored::no);
+}
+
+/// Without contact zones the factored matrix is that of the whole system.
+bool WholeSystem::is_factored() const {
+  return system_.compliance && model_.zones.empty() && !path_ && !side_.variant().indefinite;
+}
+
+/// Whether anything but the effective matrix stands in the system.
+bool WholeSystem::touches() const {
+  return model_.multiplier_count > 0 || !contact_.force_by_dof.empty();
 }
 
 std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
@@ -48,10 +52,12 @@ void WholeSystem::evaluate(const State& trial, const Frozen& frozen, int iterati
 }
 
 std::optional<Outcome> WholeSystem::close(State& trial, const Frozen& frozen) {
+  if (path_ && path_->goes_back(trial.motion.u))
+    return Outcome::cycling;
   equilibrium_.finish(force_, trial);
   side_.finish(frozen, now_, trial);
   if (bulk_)
-    trial.indefinite = bulk_->is_indefinite() || !has_factor(model_, system_);
+    trial.indefinite = bulk_->is_indefinite() || !is_factored();
   return Outcome::converged;
 }
 
@@ -64,8 +70,12 @@ int WholeSystem::points_in_contact() const {
 
 StepReport WholeSystem::ended(Outcome outcome, const Frozen& frozen) {
   report_.outcome = outcome;
-  if (bulk_)
+  report_.load_factor = equilibrium_.load_factor();
+  if (bulk_) {
     bulk_->fill(report_, equilibrium_);
+    report_.factorisations += symmetric_.factorisations();
+    report_.unstable_directions = symmetric_.negative();
+  }
   if (report_.failed()) {
     report_.worst = equilibrium_.worst();
     if (outcome != Outcome::not_finite && outcome != Outcome::cell_failed)
@@ -110,6 +120,8 @@ void WholeSystem::add_zone(std::size_t z, const Frozen& frozen) {
 }
 
 bool WholeSystem::is_settled(const State& trial, const Frozen& frozen) {
+  if (path_ && !path_->is_met(trial.motion.u))
+    return false;
   side_.collect_status_changes(frozen, previous_, now_, report_);
   const bool stalled = stall_.stalls(report_.residual);
   const double negligible = report_.tolerance * equilibrium_.scale();
@@ -130,17 +142,51 @@ bool WholeSystem::within_rounding(const State& trial, const Frozen& frozen) cons
   return equilibrium_.within_rounding(trial.motion, stiffness, 0, report_.tolerance);
 }
 
-std::optional<LinearSolution> WholeSystem::solution(const time::Motion& motion) const {
-  if (has_factor(model_, system_))
+std::optional<LinearSolution> WholeSystem::solution(const time::Motion& motion) {
+  if (is_factored())
     return LinearSolution{
         system_.compliance->solve(-system_.slopes.adjusted(equilibrium_.residual(), motion)), {}};
-  return solve_full({model_, system_.matrix, scheme_.contact_weight(), contact_, equilibrium_.residual()});
+  VectorXd load;
+  if (path_)
+    load = scheme_.forces.now * equilibrium_.controlled_force(motion.u);
+  if (!bulk_ || touches())
+    return solve_full({model_, system_.matrix, scheme_.contact_weight(), contact_, equilibrium_.residual(),
+                       path_ ? &load : nullptr});
+  auto found = symmetric_.solve(system_, -equilibrium_.residual());
+  if (!found)
+    return std::nullopt;
+  LinearSolution solution{std::move(*found), {}};
+  if (path_) {
+    solution.displacement_by_load = *symmetric_.solve(system_, load);
+    solution.multipliers_by_load.resize(0);
+  }
+  return solution;
+}
+
+/// Adds to the solution what the loads do by the change of their factor. False where they move nothing that
+/// is measured.
+bool WholeSystem::follow_path(const State& trial, LinearSolution& found, double& factor_change) const {
+  const auto change = path_->change(trial.motion.u, model_.reduction.scatter(found.displacement),
+                                    model_.reduction.scatter(found.displacement_by_load));
+  if (!change)
+    return false;
+  factor_change = *change;
+  found.displacement += factor_change * found.displacement_by_load;
+  found.multipliers += factor_change * found.multipliers_by_load;
+  return true;
+}
+
+void WholeSystem::take_load_factor(State& trial, double factor) {
+  trial.load_factor = factor;
+  equilibrium_.set_load_factor(factor);
+  bulk_->set_load_factor(factor);
 }
 
 /// An outcome ends the step.
 std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& frozen) {
   if (start_) {
-    bulk_->start_with(report_.unbalanced_force);
+    if (!path_) // the first iterate adds the loads of the step
+      bulk_->start_with(report_.unbalanced_force);
     start_ = false;
     return std::nullopt;
   }
@@ -151,6 +197,8 @@ std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& froze
     return std::nullopt;
   trial.motion = before_.motion;
   trial.zones = before_.zones;
+  if (path_)
+    take_load_factor(trial, before_.load_factor);
   evaluate_contact(trial, frozen, report_.iterations);
   if (const auto* start = bulk_->back_at_start())
     equilibrium_.evaluate_ahead(trial.motion, force_, *start);
@@ -163,15 +211,23 @@ std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, 
   if (bulk_)
     if (const auto outcome = go_on_from(trial, frozen))
       return outcome;
-  const auto found = solution(trial.motion);
+  auto found = solution(trial.motion);
+  double factor_change = 0;
+  if (found && path_ && !follow_path(trial, *found, factor_change))
+    return Outcome::singular_matrix;
   if (!found || !found->displacement.allFinite() || !found->multipliers.allFinite())
     return Outcome::singular_matrix;
   const VectorXd d = model_.reduction.scatter(part * found->displacement);
   if (bulk_)
-    before_ = {trial.motion, trial.zones};
+    before_ = {trial.motion, trial.zones, trial.load_factor};
   time::correct(system_.coefficients, d, trial.motion);
-  if (bulk_ && !bulk_->shorten(before_.motion, trial.motion, equilibrium_))
-    return Outcome::cell_failed;
+  if (bulk_) {
+    const auto taken = bulk_->shorten(before_.motion, trial.motion, equilibrium_);
+    if (!taken)
+      return Outcome::cell_failed;
+    if (path_)
+      take_load_factor(trial, trial.load_factor + part * *taken * factor_change);
+  }
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
     trial.zones[z].multipliers +=
         part * found->multipliers.segment(model_.multiplier_offsets[z], model_.zones[z].multiplier_count());

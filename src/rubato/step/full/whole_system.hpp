@@ -11,7 +11,9 @@
 #include "rubato/step/common/bulk_newton.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/equilibrium.hpp"
+#include "rubato/step/full/arc_length.hpp"
 #include "rubato/step/full/linear_step.hpp"
+#include "rubato/step/full/symmetric_system.hpp"
 #include "rubato/step/progress.hpp"
 
 #include <optional>
@@ -43,7 +45,11 @@ private:
   std::optional<Outcome> go_on_from(State& trial, const Frozen& frozen);
   void evaluate_contact(const State& trial, const Frozen& frozen, int iteration);
   void add_zone(std::size_t zone, const Frozen& frozen);
-  std::optional<LinearSolution> solution(const time::Motion& motion) const;
+  std::optional<LinearSolution> solution(const time::Motion& motion);
+  bool is_factored() const;
+  void take_load_factor(State& trial, double factor);
+  bool follow_path(const State& trial, LinearSolution& found, double& factor_change) const;
+  bool touches() const;
   void add_slope_changes(const time::Motion& motion);
   bool within_rounding(const State& trial, const Frozen& frozen) const;
 
@@ -59,9 +65,12 @@ private:
   struct Before {
     time::Motion motion;
     std::vector<contact::ZoneState> zones;
+    double load_factor = 1;
   } before_;
+  std::optional<ArcLength> path_; ///< of equilibrium, where the study follows one
   contact::ContactSystem contact_;
   ContactForce force_;
+  SymmetricSystem symmetric_; ///< of bodies that nothing touches, without a factor
   ContactIterate now_, previous_;
   StepReport report_;
   StallWatch stall_;

@@ -73,6 +73,10 @@ void check_enhanced(Rules& rules, const Material& material, const std::string& o
                  fmt::format("the scheme {} takes enhanced cells of linear materials at small strain only, "
                              "expected {}",
                              word_of(scheme_words, study.time.scheme), instead));
+  else if (is_explicit(study.time.scheme) && material.expansion && !study.temperatures.empty())
+    rules.broken({path, of_material + ".expansion", "time.scheme"},
+                 fmt::format("the scheme {} takes no enhanced cells that expand by temperature, expected {}",
+                             word_of(scheme_words, study.time.scheme), instead));
 }
 
 void check_formulation(Rules& rules, const Material& material, const std::string& of_material) {
@@ -124,6 +128,29 @@ void check_max_plastic_step(Rules& rules) {
                  "has no effect, as no material is plastic; expected the law plastic in a material");
 }
 
+/// The factor of the loads is unknown, and which loads have it.
+void check_arc_length(Rules& rules) {
+  const auto& study = rules.study;
+  const auto& time = study.time;
+  if (!time.arc_length)
+    return;
+  rules.number("time.arc_length.length", time.arc_length->length, bounds::arc_length);
+  rules.name("time.arc_length.on", time.arc_length->on);
+  if (time.scheme != SchemeKind::static_steps)
+    rules.broken({"time.arc_length", "time.scheme"},
+                 fmt::format("the scheme {} follows the motion past limit loads by itself; static takes it",
+                             word_of(scheme_words, time.scheme)));
+  else if (is_linear(study))
+    rules.broken({"time.arc_length", "materials"},
+                 "has no effect, as every material is linear, and loads have no limit then");
+  else if (std::ranges::none_of(study.loads, [](const Load& load) { return load.function.empty(); }))
+    rules.broken({"time.arc_length", "loads"},
+                 "has no load to multiply; expected one without a function of time");
+  if (study.solver == Solver::condensed)
+    rules.broken({"time.arc_length", "solver"},
+                 "solves the whole system in every iteration, expected solver: auto or full");
+}
+
 } // namespace
 
 void check_bulk(Rules& rules, const Material& material, const std::string& path) {
@@ -141,6 +168,7 @@ void check_nonlinear_solution(Rules& rules) {
         fmt::format("the scheme {} chooses its steps by what is stable", word_of(scheme_words, time.scheme)));
   check_max_step(rules);
   check_max_plastic_step(rules);
+  check_arc_length(rules);
 }
 
 } // namespace rubato::study

@@ -16,11 +16,6 @@ void check_expansion(Rules& rules, const Material& material, const std::string& 
   for (const double coefficient : along)
     rules.number(path + ".expansion", coefficient);
   rules.number(path + ".reference_temperature", material.expansion->reference);
-  const bool follows = has_constant_stiffness(material) && wanted_formulation(material) == Formulation::full;
-  if (!follows && !rules.study.temperatures.empty())
-    rules.broken({path + ".expansion", path + ".law", "temperature"},
-                 "found thermal expansion of a body that yields, stretches, creeps or is not integrated in "
-                 "full, which does not follow temperatures yet; expected a linear one, or no 'expansion'");
   if (material.law != LawKind::orthotropic && (along[0] != along[1] || along[0] != along[2]))
     rules.broken({path + ".expansion", path + ".law"},
                  fmt::format("found different coefficients, but {} materials expand alike in all directions; "
