@@ -63,6 +63,7 @@ ordered_json to_json(const model::Model& model, const simulation::Attempt& attem
     json["factorisations"] = report.factorisations;
     json["bulk_residuals"] = report.bulk_residuals;
     json["indefinite"] = report.indefinite;
+    json["exact_tangent"] = report.exact_tangent;
   }
   json["residual"] = report.residual;
   json["status_changes"] = report.status_changes;

@@ -121,6 +121,7 @@ struct StepReport {
   std::vector<LoopRound> rounds;      ///< in the order they ended, of the last attempt
   bool geometry_by_loop = false;      ///< the step needed its geometry in a loop of its own
   bool friction_continuation = false; ///< the step needed friction raised in parts
+  bool exact_tangent = false;         ///< the step needed the exact tangent of a conserving scheme's forces
   bool converged() const { return outcome == Outcome::converged; }
   /// Whether another attempt may do better.
   bool failed() const { return !converged() && outcome != Outcome::interrupted; }

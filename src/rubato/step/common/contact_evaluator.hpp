@@ -31,6 +31,9 @@ struct RetrySettings {
   bool geometry_by_loop = false;  ///< also where the zone iterates it by Newton
   bool status_by_newton = false;  ///< also where the zone iterates it by a loop
   Start start = Start::usual;
+  /// Of the forces of a conserving scheme, with contact in the matrix of every iteration: it is not
+  /// symmetric.
+  bool exact_tangent = false;
 };
 
 /// What outer loops hold of one zone while Newton iterates; empty: nothing.

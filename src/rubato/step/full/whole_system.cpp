@@ -10,9 +10,9 @@ namespace {
 using Eigen::VectorXd;
 using model::Model;
 
-/// Without contact zones the factored matrix is that of the whole system.
-bool has_factor(const Model& model, const EffectiveSystem& system) {
-  return system.compliance && model.zones.empty();
+/// Without contact zones it is that of the whole system.
+bool has_factor(const Model& model, const EffectiveSystem& system, const RetrySettings& variant) {
+  return system.compliance && model.zones.empty() && !variant.exact_tangent;
 }
 
 } // namespace
@@ -20,11 +20,10 @@ bool has_factor(const Model& model, const EffectiveSystem& system) {
 WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                          const State& committed, double t, ContactEvaluator& side, Progress&)
     : model_(model), scheme_(scheme), system_(system), side_(side),
-      equilibrium_(model, scheme, system, committed, t),
+      equilibrium_(model, scheme, system, committed, t), factored_(has_factor(model, system, side.variant())),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {
   if (!model.domain.is_linear())
-    bulk_.emplace(model, scheme, system, committed, t,
-                  has_factor(model, system) ? Factored::yes : Factored::no);
+    bulk_.emplace(model, scheme, system, committed, t, factored_ ? Factored::yes : Factored::no);
 }
 
 std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
@@ -51,7 +50,7 @@ std::optional<Outcome> WholeSystem::close(State& trial, const Frozen& frozen) {
   equilibrium_.finish(force_, trial);
   side_.finish(frozen, now_, trial);
   if (bulk_)
-    trial.indefinite = bulk_->is_indefinite() || !has_factor(model_, system_);
+    trial.indefinite = bulk_->is_indefinite() || !factored_;
   return Outcome::converged;
 }
 
@@ -131,7 +130,7 @@ bool WholeSystem::within_rounding(const State& trial, const Frozen& frozen) cons
 }
 
 std::optional<LinearSolution> WholeSystem::solution(const time::Motion& motion) const {
-  if (has_factor(model_, system_))
+  if (factored_)
     return LinearSolution{
         system_.compliance->solve(-system_.slopes.adjusted(equilibrium_.residual(), motion)), {}};
   return solve_full({model_, system_.matrix, scheme_.contact_weight(), contact_, equilibrium_.residual()});

@@ -52,6 +52,7 @@ private:
   EffectiveSystem& system_;
   ContactEvaluator& side_;
   Equilibrium equilibrium_;
+  bool factored_;                  ///< whether the factored matrix is that of the whole system
   std::optional<BulkNewton> bulk_; ///< of a nonlinear one
   bool started_ = false;
   bool start_ = false; ///< until its first iterate is solved for
