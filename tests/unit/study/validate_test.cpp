@@ -250,6 +250,8 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) { s.materials[0].formulation = Formulation::reduced; }},
         Bad{"time.max_step", "chooses its steps",
             [](Study& s) { make_plastic(s.materials[0]), explicitly(s), s.contact.clear(), s.time.max_step = 1; }},
+        Bad{"materials.steel.law", "the law plastic dissipates; expected moreau_jean",
+            [](Study& s) { make_plastic(s.materials[0]), s.time.scheme = SchemeKind::energy_momentum; }},
         Bad{"time.mass_scaling.step", "expected a number > 0",
             [](Study& s) { explicitly(s), s.contact.clear(), s.time.mass_scaling = 0; }},
         Bad{"time.mass_scaling", "has no step that is too long for a cell",

@@ -135,7 +135,14 @@ private:
     }
     const double rest = after_.stored - before_.stored - work;
     change_size_ = size;
-    correction_ = size > 0 && std::abs(rest) > noise_ ? rest / size : 0;
+    correction_ = size > 0 ? beyond_noise(rest) / size : 0;
+  }
+
+  /// 0 up to the noise, the whole from twice the noise on, and straight between: Newton's method must not go
+  /// to and fro across a jump.
+  double beyond_noise(double rest) const {
+    const double beyond = std::abs(rest) - noise_;
+    return beyond <= 0 ? 0 : std::copysign(std::min(std::abs(rest), 2 * beyond), rest);
   }
 
   // --- the cell's own unknowns
