@@ -161,6 +161,9 @@ void bind_steps(py::module_& module) {
           "indefinite", [](const Step& step) { return step.result.report.indefinite; },
           "Whether one of them was not positive definite.")
       .def_property_readonly(
+          "exact_tangent", [](const Step& step) { return step.result.report.exact_tangent; },
+          "Whether the scheme energy_momentum needed the exact tangent of its forces.")
+      .def_property_readonly(
           "energy", [](const Step& step) { return step.result.energy; },
           "Of the state that the simulation has after it.")
       .def_readonly(

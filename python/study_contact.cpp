@@ -79,7 +79,7 @@ template <> struct Description<ContactZone> {
       Member{"history_force", &ContactZone::history_force,
              "whether contact forces at the start of a step enter its equilibrium with the scheme's weight"},
       Member{"restitution", &ContactZone::restitution,
-             "moreau_jean: part of the approach velocity that comes back, from 0 to 1"});
+             "moreau_jean and energy_momentum: part of the approach velocity that comes back, from 0 to 1"});
 };
 template struct RecordCodec<ContactZone>;
 

@@ -97,6 +97,25 @@ probes:
 fields: {formats: [vtu, med], also: [plastic_strain, stress_elga], every: 2, last: false}
 )";
 
+/// A rubber block that falls on a table, turns, rubs and bounces off, by forces that keep its energy. Modes
+/// of the table's cells are those of the steps that led to them.
+inline const std::string bouncing_blocks = R"(title: a block that bounces
+mesh:
+  generate:
+    - {name: block, rectangle: {from: [0, 0.1], to: [1, 1.1]}, divisions: [2, 2], cells: quad4, sides: {bottom: under}}
+    - {name: table, rectangle: {from: [-1, -1], to: [3, 0]}, divisions: [6, 2], cells: quad4, sides: {top: over, bottom: ground}}
+physics: plane_strain
+materials:
+  rubber: {law: hyperelastic, c10: 50, c01: 10, bulk: 1000, density: 1, cells: block}
+  steel: {young: 300, poisson: 0.3, density: 1, strain: green_lagrange, formulation: enhanced, cells: table}
+supports: [{on: ground, fix: [x, y]}]
+initial: [{on: block, velocity: {x: 2-0.5*y, y: -4+0.5*x}}]
+contact: {foot: {master: over, slave: under, friction: 0.2}}
+time: {scheme: energy_momentum, step: 0.02, max_step: 0.04, end: 0.3}
+probes: {fall: {on: block, take: min, field: velocity}}
+fields: {formats: [vtu], every: 3, last: false}
+)";
+
 /// The same beams by central differences.
 inline const std::string explicit_beams = [] {
   auto deck = rubbing_beams.substr(0, rubbing_beams.find("time:"));

@@ -126,6 +126,16 @@ TEST_F(ResumedRun, GoesOnWithWhatMaterialsRemember) {
   }
 }
 
+TEST_F(ResumedRun, KeepsEnergyAcrossTheSeam) {
+  ASSERT_EQ(run(test::bouncing_blocks, "whole", {"--set", "time.end=0.4"}).exit_code, 0);
+  for (const auto* end : {"0.02", "0.1", "0.3"}) {
+    ASSERT_EQ(run(test::bouncing_blocks, "out", {"--set", std::string("time.end=") + end}).exit_code, 0);
+    const auto outcome = run(test::bouncing_blocks, "out", {"--resume", "--set", "time.end=0.4"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_same("whole", "out");
+  }
+}
+
 TEST_F(ResumedRun, KeepsTheShorteningOfALockedPreload) {
   const std::string deck = R"(mesh:
   generate: [{name: bolt, rectangle: {from: [0, 0], to: [1, 4]}, divisions: [2, 8], sides: {bottom: ground, top: head}}]

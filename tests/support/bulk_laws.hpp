@@ -79,6 +79,14 @@ inline const std::vector<NamedLaw> every_law{
      }},
 };
 
+/// Whether its bodies give back all that is done to them.
+inline bool is_elastic(const NamedLaw& law) {
+  study::Material material;
+  material.young = 1;
+  law.give(material);
+  return material.law != study::LawKind::plastic && material.law != study::LawKind::prony;
+}
+
 /// The study of a deck whose material of that place has the law.
 inline study::Study study_with(std::string_view deck, const NamedLaw& law,
                                const std::vector<deck::Setting>& changes = {}, std::size_t material = 0) {

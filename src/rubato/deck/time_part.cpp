@@ -19,7 +19,7 @@ void read_scheme(MapReader& map, Context& context, study::TimeStepping& time) {
     return;
   }
   context.scheme = time.scheme;
-  const bool jumps = time.scheme == study::SchemeKind::moreau_jean;
+  const bool jumps = study::has_jumps(time.scheme);
   time.contact_mass = jumps ? study::ContactMass::redistributed : study::ContactMass::consistent;
   const auto& scheme = study::entry_of(time.scheme);
   read_numbers_of(map, study::schemes, scheme, "the scheme", time);

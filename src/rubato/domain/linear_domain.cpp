@@ -30,12 +30,21 @@ Failed LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old,
     *wanted.forces = *step.forces0;
     return {};
   }
-  wanted.forces->resize(step.u1.size());
-  multiply(step.u1, *wanted.forces);
-  add_beyond_matrix(springs_, step.u1, *wanted.forces);
-  if (heat_)
-    *wanted.forces -= heat_->force(step.t1);
+  forces_at(step.u1, step.t1, *wanted.forces);
+  if (step.of == ForcesOf::end)
+    return {};
+  VectorXd at_start;
+  forces_at(step.u0, step.t0, at_start);
+  *wanted.forces = 0.5 * (at_start + *wanted.forces);
   return {};
+}
+
+void LinearDomain::forces_at(const VectorXd& u, double t, VectorXd& forces) const {
+  forces.resize(u.size());
+  multiply(u, forces);
+  add_beyond_matrix(springs_, u, forces);
+  if (heat_)
+    forces -= heat_->force(t);
 }
 
 double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, double t,
@@ -46,8 +55,7 @@ double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, double t,
 
 VectorXd LinearDomain::constant_forces(const VectorXd& u, double t) const {
   VectorXd forces;
-  QuadratureStates none;
-  evaluate({u, u, t, t}, {}, none, {.forces = &forces});
+  forces_at(u, t, forces);
   return forces;
 }
 

@@ -40,6 +40,8 @@ public:
   const Heat* heat() const { return heat_.get(); }
   std::span<const LawSpring> law_springs() const { return springs_; }
   const SparseMatrix& initial_tangent() const { return *stiffness_; }
+  /// f_int at an instant.
+  void forces_at(const Eigen::VectorXd& u, double t, Eigen::VectorXd& forces) const;
   /// y = K x, both with an entry a dof.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   PlasticStep plastic_step(const QuadratureStates&, const QuadratureStates&) const { return {}; }

@@ -2,6 +2,7 @@
 #include "rubato/domain/nonlinear_cells.hpp"
 
 #include "rubato/cell/wave_patterns.hpp"
+#include "rubato/element/energy_momentum.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -151,7 +152,8 @@ Failed NonlinearCells::add_each(const StepSpan& step, const QuadratureStates& ol
     scratch.free.clear();
     if (heat != nullptr && heat->expansion_of(cell.place) != nullptr)
       find_free_strains(cell, *heat, scratch);
-    const auto result = evaluate(cell, step, old, now, wanted, scratch);
+    const auto result = step.of == ForcesOf::step ? evaluate_between(cell, step, old, now, wanted, scratch)
+                                                  : evaluate(cell, step, old, now, wanted, scratch);
     if (!result) {
       if (wanted.forces != nullptr)
         wanted.forces->setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -198,13 +200,46 @@ element::CellResult NonlinearCells::evaluate(const Cell& cell, const StepSpan& s
                                  {.force = old.mode_force},
                                  scratch.free};
   const auto result = element::evaluate(group.kind, element::PointLaws(group.law), input, output);
-  if (!result)
-    return result;
+  if (result)
+    add_answers(cell, wanted, scratch);
+  return result;
+}
+
+element::CellResult NonlinearCells::evaluate_between(const Cell& cell, const StepSpan& step,
+                                                     const QuadratureStates& old, QuadratureStates& now,
+                                                     const Wanted& wanted, Scratch& scratch) const {
+  const auto& group = group_of(cell);
+  gather(cell, step.u0, scratch.before);
+  gather(cell, step.u1, scratch.displacement);
+  const auto size = scratch.displacement.size();
+  scratch.force.resize(size);
+  scratch.tangent.resize(wanted.tangent != nullptr ? size * size : 0);
+  element::BetweenOutput output{std::span(now.values).subspan(cell.first_state, group.state_size),
+                                scratch.force};
+  (wanted.tangent_of == TangentOf::exact ? output.exact_tangent : output.tangent) = scratch.tangent;
+  if (wanted.records)
+    output.records =
+        std::span(now.records).subspan(cell.first_record, static_cast<std::size_t>(group.points));
+  const element::BetweenInput input{
+      std::span(points_).subspan(cell.first_node, static_cast<std::size_t>(group.nodes)),
+      scratch.before,
+      scratch.displacement,
+      std::span(old.values).subspan(cell.first_state, group.state_size),
+      {step.t1 - step.t0},
+      {.force = old.mode_force}};
+  const auto result = element::evaluate_between(group.kind, element::PointLaws(group.law), input, output);
+  for (double& entry : scratch.tangent)
+    entry *= 2;
+  if (result)
+    add_answers(cell, wanted, scratch);
+  return result.after;
+}
+
+void NonlinearCells::add_answers(const Cell& cell, const Wanted& wanted, const Scratch& scratch) const {
   if (wanted.forces != nullptr)
     scatter(cell, scratch.force, *wanted.forces);
   if (wanted.tangent != nullptr)
     add_tangent(cell, scratch.tangent, *wanted.tangent);
-  return result;
 }
 
 void NonlinearCells::find_free_strains(const Cell& cell, const Heat& heat, Scratch& scratch) const {

@@ -95,7 +95,7 @@ private:
   };
   /// Storage of one cell at a time.
   struct Scratch {
-    std::vector<double> displacement, force, tangent, states;
+    std::vector<double> before, displacement, force, tangent, states;
     std::vector<Eigen::Vector3d> places;
     std::vector<element::PointRecord> records;
     Eigen::VectorXd temperatures; ///< of an evaluation, as Heat has them; empty: nothing is heated
@@ -112,6 +112,9 @@ private:
   element::CellResult evaluate(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
                                QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
   void find_free_strains(const Cell& cell, const Heat& heat, Scratch& scratch) const;
+  element::CellResult evaluate_between(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
+                                       QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
+  void add_answers(const Cell& cell, const Wanted& wanted, const Scratch& scratch) const;
   void go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now, double stored,
                 const Scratch& scratch, LawPath& path) const;
   double growth_of_shape(const Cell& cell, const Eigen::VectorXd& u, const LawPath& path,

@@ -30,7 +30,7 @@ NonlinearDomain::NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMa
 Failed NonlinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                                  const Wanted& wanted) const {
   QuadratureStates none;
-  constant_.evaluate({step.u0, step.u1, step.t0, step.t1}, {}, none, wanted);
+  constant_.evaluate({step.u0, step.u1, step.t0, step.t1, nullptr, step.of}, {}, none, wanted);
   return cells_->add(step, old, now, wanted, heat());
 }
 

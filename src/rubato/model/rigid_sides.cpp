@@ -79,7 +79,8 @@ void check_massless_slaves(const Model& model, std::vector<Fault>& faults) {
       faults.push_back(fault_at(
           "contact." + zone.settings.name,
           fmt::format("node {} of the slave '{}' moves by a relation with nodes that have mass, which "
-                      "contact_mass: redistributed (moreau_jean's default) cannot take off it; expected "
+                      "contact_mass: redistributed (the default of moreau_jean and energy_momentum) cannot "
+                      "take off it; expected "
                       "time: {{contact_mass: consistent}}, or this side as the master",
                       node_label(model.mesh, *node), zone.settings.slave)));
 }

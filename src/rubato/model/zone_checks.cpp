@@ -7,6 +7,7 @@
 #include "rubato/domain/bulk.hpp"
 #include "rubato/study/contact_methods.hpp"
 #include "rubato/study/fields.hpp"
+#include "rubato/study/schemes.hpp"
 
 #include <fmt/format.h>
 
@@ -34,14 +35,14 @@ std::optional<int> held_component(const contact::Zone& zone, const domain::DofMa
 }
 
 Fault overlap_at_start(const contact::Zone& zone, const contact::SlavePoint& point, double overlap,
-                       double t) {
+                       const study::TimeStepping& time) {
   const auto is_overlap = [](const auto& term) { return term.sense == contact::GapOffset::Sense::overlaps; };
   const auto& path = std::ranges::find_if(zone.offset.terms, is_overlap)->length.path;
   const std::span<const double, 3> place(point.place.data(), 3);
-  return fault_at(path,
-                  fmt::format("{}: found {} at {}, the first instant, but the scheme moreau_jean leaves "
-                              "overlaps of the start as they are, expected 0 there",
-                              path, overlap, shown_place(place, t)));
+  return fault_at(
+      path, fmt::format("{}: found {} at {}, the first instant, but the scheme {} leaves overlaps of "
+                        "the start as they are, expected 0 there",
+                        path, overlap, shown_place(place, time.begin), study::entry_of(time.scheme).name));
 }
 
 } // namespace
@@ -114,13 +115,13 @@ void check_edges(const contact::Zone& zone, const mesh::Mesh& mesh, std::vector<
 void check_offset(const contact::Zone& zone, const study::TimeStepping& time, std::vector<Fault>& faults) {
   if (zone.offset.terms.empty())
     return;
-  const bool keeps_overlaps = time.scheme == study::SchemeKind::moreau_jean;
+  const bool keeps_overlaps = study::has_jumps(time.scheme);
   try {
     for (const auto& point : zone.points) {
       zone.offset.at(point.place, time.begin);
       if (const double overlap = zone.offset.overlap_at(point.place, time.begin);
           keeps_overlaps && overlap != 0) {
-        faults.push_back(overlap_at_start(zone, point, overlap, time.begin));
+        faults.push_back(overlap_at_start(zone, point, overlap, time));
         return;
       }
       zone.offset.at(point.place, time.end);

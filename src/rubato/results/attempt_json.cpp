@@ -65,6 +65,7 @@ ordered_json to_json(const model::Model& model, const simulation::Attempt& attem
     json["indefinite"] = report.indefinite;
     if (report.unstable_directions > 0)
       json["unstable_directions"] = report.unstable_directions;
+    json["exact_tangent"] = report.exact_tangent;
   }
   if (model.study.time.arc_length)
     json["load_factor"] = report.load_factor;

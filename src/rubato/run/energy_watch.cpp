@@ -51,7 +51,8 @@ std::string causes_of(const step::EnergyLedger& ledger) {
   std::ranges::transform(causes, std::back_inserter(texts), &Cause::text);
   const bool by_strain = strain < 0 && causes.front().taken == strain;
   return fmt::format("{}{}", fmt::join(texts, ", "),
-                     by_strain ? "; expected a time.scheme that damps, such as hht, or a shorter time.step"
+                     by_strain ? "; expected a time.scheme that damps, such as hht, energy_momentum for "
+                                 "elastic bodies, or a shorter time.step"
                                : "");
 }
 

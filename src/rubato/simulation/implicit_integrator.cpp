@@ -41,8 +41,12 @@ step::State first_state(const model::Model& model, const time::Scheme& scheme, c
                              settings.start != study::StartKind::at_rest_unloaded);
 }
 
-/// Of Newton's method: three with an old tangent do about what one with its own does.
+/// Of Newton's method: three with an old tangent do about what one with its own does. A step whose symmetric
+/// tangents led nowhere is nearly too long, however few iterations the exact one took.
 int iterations_of(const step::StepReport& report) {
+  constexpr int too_many = 12;
+  if (report.exact_tangent)
+    return too_many;
   const int own = std::min(report.factorisations, report.bulk_iterations);
   return own + (report.bulk_iterations - own + 2) / 3;
 }

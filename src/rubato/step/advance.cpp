@@ -7,6 +7,7 @@
 #include "rubato/step/common/pressed_afar.hpp"
 #include "rubato/step/full/whole_system.hpp"
 #include "rubato/step/interface/condensed.hpp"
+#include "rubato/step/interface/predictor_points.hpp"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,19 @@ public:
   StepReport whole(State& trial) {
     whole_ = true;
     return plainly(trial);
+  }
+
+  /// The exact tangent ends where the symmetric one near it goes round.
+  StepReport exactly(State& trial) {
+    auto report = afresh({.exact_tangent = true}, trial);
+    report.exact_tangent = true;
+    return report;
+  }
+
+  /// Without a factor every matrix has the exact one already.
+  bool has_exact_tangent() const {
+    return scheme_.conserving && !model_.domain.is_linear() && system_.compliance && !whole_ &&
+           !prediction_is_exact(model_);
   }
 
   StepReport from_other_start(State& trial) { return afresh({.start = *other_start_}, trial); }
@@ -114,7 +128,8 @@ private:
   StepReport solve(RetrySettings variant, State& trial) {
     variant.indefinite = whole_;
     ContactEvaluator side(model_, scheme_, system_, committed_, variant);
-    const bool whole = whole_ || model_.study.time.arc_length || !can_condense(model_, system_);
+    const bool whole =
+        whole_ || variant.exact_tangent || model_.study.time.arc_length || !can_condense(model_, system_);
     auto report = whole ? solve_by<WholeSystem>(side, trial) : solve_by<Condensed>(side, trial);
     report.iterations = spent_ += report.iterations;
     report.indefinite = report.indefinite || whole_;
@@ -201,6 +216,8 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
   auto report = attempts.plainly(trial);
   if (report.failed() && report.indefinite)
     report = attempts.whole(trial);
+  if (report.outcome == Outcome::too_many_iterations && attempts.has_exact_tangent())
+    report = attempts.exactly(trial);
   if (report.failed() && attempts.has_other_start())
     report = attempts.from_other_start(trial);
   if (report.failed() && attempts.has_augmentation())

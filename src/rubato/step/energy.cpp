@@ -64,6 +64,12 @@ double work_on_dashpots(const Model& model, const State& committed, const State&
   return work;
 }
 
+/// Internal less external forces, the former where the scheme remembers them.
+VectorXd bulk_bracket(const time::Scheme& scheme, const State& state) {
+  return scheme.remembers_internal() ? VectorXd(state.bulk.internal - state.external_force)
+                                     : VectorXd(-state.external_force);
+}
+
 } // namespace
 
 void enter(const domain::Balance& balance, EnergyLedger& ledger) {
@@ -106,7 +112,10 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   ledger_.kinetic = scheme_->dynamic ? kinetic_energy(trial) : 0;
   const auto constant = constant_resultants(trial);
   ledger_.strain = strain_energy(trial, constant);
-  step::enter(model_->domain.balance(committed.bulk_points, trial.bulk_points), ledger_);
+  auto materials = model_->domain.balance(committed.bulk_points, trial.bulk_points);
+  if (scheme_->conserving) // its internal forces do the work that is stored, not that of both ends' mean
+    materials.scheme = 0;
+  step::enter(materials, ledger_);
   ledger_.external_work += work(moved, committed.external_force, trial.external_force);
   enter_heat(committed, trial);
   if (damped(trial))
@@ -153,11 +162,16 @@ void EnergyAccount::enter_ground(const VectorXd& moved, const State& committed, 
   ledger_.damping += taken - by_damping;
 }
 
-/// Of the internal forces that are a constant matrix times u.
-Eigen::MatrixXd EnergyAccount::constant_resultants(const State& state) const {
+/// The internal forces at the state's instant that are a constant matrix times u.
+VectorXd EnergyAccount::constant_forces(const State& state) const {
   const auto& domain = model_->domain;
-  return domain.is_linear() ? rigid_->resultants(state.bulk.internal)
-                            : rigid_->resultants(domain.constant_forces(state.motion.u, state.t));
+  return domain.is_linear() && scheme_->remembers_internal()
+             ? state.bulk.internal
+             : domain.constant_forces(state.motion.u, state.t);
+}
+
+Eigen::MatrixXd EnergyAccount::constant_resultants(const State& state) const {
+  return rigid_->resultants(constant_forces(state));
 }
 
 /// U less ½ r·f, r the rigid part of u: rounding, which far away from where it began would hide the strain of
@@ -167,7 +181,9 @@ double EnergyAccount::strain_energy(const State& state, const Eigen::MatrixXd& c
   double rigid = rigid_->work(motion, constant);
   if (const auto* heat = model_->domain.heat())
     rigid -= rigid_->work(motion, rigid_->resultants(heat->force(state.t)));
-  return model_->domain.energy(state.motion.u, state.bulk.internal, state.t, state.bulk_points) - 0.5 * rigid;
+  const auto& domain = model_->domain;
+  const VectorXd forces = domain.is_linear() ? constant_forces(state) : VectorXd();
+  return domain.energy(state.motion.u, forces, state.t, state.bulk_points) - 0.5 * rigid;
 }
 
 /// [U_held] − {u − r}·[f], r the rigid part of u.
@@ -259,8 +275,10 @@ double EnergyAccount::work_of_equation(const VectorXd& moved, const State& commi
                                        const State& trial) const {
   const auto& before = committed.bulk;
   const auto& now = trial.bulk;
-  double sum = scheme_->forces.now * moved.dot(now.internal - trial.external_force) +
+  double sum = scheme_->forces.now * moved.dot(bulk_bracket(*scheme_, trial)) +
                scheme_->contact_weight() * moved.dot(trial.contact_force);
+  if (!scheme_->remembers_internal())
+    sum += moved.dot(now.internal);
   if (scheme_->forces.before != 0)
     sum += scheme_->forces.before * moved.dot(committed.residual_force);
   if (!scheme_->dynamic)
@@ -273,13 +291,14 @@ double EnergyAccount::work_of_equation(const VectorXd& moved, const State& commi
 
 /// h²(β − γ/2) ([½ a·M a] + (γ − ½) [a]·M[a])
 ///   + [u]·((m₁ − γ) M[a] + (c₁ − ½) C[v] + (f₁ − ½) [F]) + f₀ [u]·(F₀ as the step took it − F₀),
-/// where a₁ and f_c are means of the step, F is without f_c and the terms of inertia are (θ − ½) h² a₁·M a₁.
+/// where a₁ and f_c are means of the step, F is without f_c and the terms of inertia are (θ − ½) h² a₁·M a₁;
+/// where f_int is of the step, F is without it.
 double EnergyAccount::scheme_dissipation(const VectorXd& moved, const State& committed,
                                          const State& trial) const {
   const auto& before = committed.bulk;
   const auto& now = trial.bulk;
   const auto bracket = [&](const State& state) {
-    VectorXd sum = state.bulk.internal - state.external_force;
+    VectorXd sum = bulk_bracket(*scheme_, state);
     if (scheme_->remembers_contact())
       sum += state.contact_force;
     return sum;

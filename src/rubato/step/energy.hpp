@@ -113,6 +113,7 @@ private:
   };
   Obstacles work_of_obstacles(const State& committed, const State& trial) const;
   Supports enter_supports(const Eigen::VectorXd& moved, const State& committed, const State& trial) const;
+  Eigen::VectorXd constant_forces(const State& state) const;
   Eigen::MatrixXd constant_resultants(const State& state) const;
   double strain_energy(const State& state, const Eigen::MatrixXd& constant) const;
   void enter_heat(const State& committed, const State& trial);

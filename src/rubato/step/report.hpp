@@ -108,7 +108,7 @@ struct StepReport {
   /// Negative eigenvalues of the last matrix, where nothing touches bodies whose matrix was not positive
   /// definite: as many directions in which the state is not stable.
   int unstable_directions = 0;
-  double load_factor = 1; ///< at the last iterate, of loads along a path of equilibrium
+  double load_factor = 1;      ///< at the last iterate, of loads along a path of equilibrium
   domain::Failed failed_cell;  ///< of an attempt that ended where a cell has no forces
   double residual = 0;         ///< relative, of the last iterate
   double unbalanced_force = 0; ///< the largest, of the last iterate
@@ -125,6 +125,7 @@ struct StepReport {
   std::vector<LoopRound> rounds;      ///< in the order they ended, of the last attempt
   bool geometry_by_loop = false;      ///< the step needed its geometry in a loop of its own
   bool friction_continuation = false; ///< the step needed friction raised in parts
+  bool exact_tangent = false;         ///< the step needed the exact tangent of a conserving scheme's forces
   bool converged() const { return outcome == Outcome::converged; }
   /// Whether another attempt may do better.
   bool failed() const { return !converged() && outcome != Outcome::interrupted; }

@@ -137,6 +137,11 @@ void take_states(const Model& model, State& state) {
   refuse(model, model.domain.evaluate({u, u, state.t, state.t}, left, state.bulk_points, {.records = true}));
 }
 
+/// Internal, loads' and contact forces of the start as the first step takes them, of those that it takes.
+VectorXd first_bracket(const time::Scheme& scheme, const VectorXd& internal, const VectorXd& loaded) {
+  return scheme.remembers_internal() ? VectorXd(internal - loaded) : VectorXd(-loaded);
+}
+
 } // namespace
 
 BulkForces bulk_forces(const Model& model, const State& state) {
@@ -158,7 +163,8 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   model.reduction.relate(state.motion.v);
   model.reduction.impose_rates(1, t, state.motion.v);
   deform(model, state);
-  state.residual_force = internal_forces(model, state) - loads(model, state);
+  const VectorXd internal = internal_forces(model, state), loaded = loads(model, state);
+  state.residual_force = first_bracket(scheme, internal, loaded);
   state.contact_force = VectorXd::Zero(size);
   state.friction_force = VectorXd::Zero(size);
   state.reaction = VectorXd::Zero(size);
@@ -167,7 +173,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
     state.zones.push_back(untouched_zone(model, zone, state.motion.u, t));
   if (scheme.dynamic)
     state.motion.a =
-        balanced_acceleration(model, state.residual_force, state.motion.v, given_acceleration(model, t));
+        balanced_acceleration(model, internal - loaded, state.motion.v, given_acceleration(model, t));
   if (!loaded_history)
     state.residual_force.setZero();
   state.bulk = bulk_forces(model, state);
@@ -191,12 +197,15 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
     deform(model, state);
   else
     take_states(model, state);
-  state.residual_force = internal_forces(model, state) - loads(model, state);
-  if (scheme.remembers_contact())
+  const VectorXd internal = internal_forces(model, state), loaded = loads(model, state);
+  state.residual_force = first_bracket(scheme, internal, loaded);
+  VectorXd unbalanced = internal - loaded;
+  if (scheme.remembers_contact()) {
     state.residual_force += state.contact_force;
+    unbalanced += state.contact_force;
+  }
   if (scheme.dynamic)
-    state.motion.a =
-        balanced_acceleration(model, state.residual_force, state.motion.v, given_acceleration(model, t));
+    state.motion.a = balanced_acceleration(model, unbalanced, state.motion.v, given_acceleration(model, t));
   state.bulk = bulk_forces(model, state);
   state.external_force = loads(model, state);
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart

@@ -16,7 +16,7 @@ namespace rubato::step {
 
 /// What the bulk answers to its motion, kept with it: a step starts without any product.
 struct BulkForces {
-  Eigen::VectorXd internal; ///< f_int(u) [force]
+  Eigen::VectorXd internal; ///< f_int(u), of conserving schemes that of the step that ended here [force]
   Eigen::VectorXd viscous;  ///< C v [force], empty without damping
   Eigen::VectorXd momentum; ///< M v
   Eigen::VectorXd inertia;  ///< M a [force]
@@ -35,10 +35,11 @@ struct State {
   Eigen::VectorXd
       moved;       ///< by the step that ended here, of static runs with nonlinear bodies; else empty [length]
   Tangent tangent; ///< that the last step ended with, of nonlinear bodies; else null
-  /// Whether an effective matrix of the last step was not positive definite without contact.
+  /// Whether an effective matrix of the last step was not positive definite without contact, or not factored
+  /// without it.
   bool indefinite = false;
-  Eigen::VectorXd
-      residual_force; ///< internal + contact − external force at t: the scheme's history bracket [force]
+  /// Internal + contact − external force at t, those that the scheme remembers: its history bracket [force].
+  Eigen::VectorXd residual_force;
   Eigen::VectorXd contact_force;  ///< contact and friction, internal side [force]
   Eigen::VectorXd friction_force; ///< the part of it along the surfaces [force]
   Eigen::VectorXd external_force; ///< the loads at t [force]

@@ -40,7 +40,7 @@ inline constexpr std::array central_difference_numbers{number<TimeStepping, &Tim
     "safety", "with step: auto, the part of the stable step that is taken; 0.9 when not given",
     Range{.low = 0, .high = 1, .low_allowed = false})};
 
-inline constexpr std::array<SchemeEntry, 8> schemes{{
+inline constexpr std::array<SchemeEntry, 9> schemes{{
     {.kind = SchemeKind::newmark,
      .name = "newmark",
      .code_aster = "NEWMARK",
@@ -71,6 +71,12 @@ inline constexpr std::array<SchemeEntry, 8> schemes{{
      .code_aster = "",
      .summary = "θ-method on velocities, which jump where bodies hit: keeps energy with exact contact",
      .numbers = moreau_jean_numbers},
+    {.kind = SchemeKind::energy_momentum,
+     .name = "energy_momentum",
+     .code_aster = "",
+     .summary = "moreau_jean with θ = 1/2 and internal forces by which elastic bodies in finite strain keep "
+                "energy and momenta",
+     .numbers = {}},
     {.kind = SchemeKind::static_steps,
      .name = "static",
      .code_aster = "STAT_NON_LINE",

@@ -251,7 +251,7 @@ struct ContactZone {
   Level status{Iteration::newton, 0, 30};
   /// Whether contact forces at the start of a step enter its equilibrium with the scheme's weight.
   bool history_force = true;
-  double restitution = 0; ///< moreau_jean: part of the approach velocity that comes back, in 0…1
+  double restitution = 0; ///< schemes with jumps: part of the approach velocity that comes back, in 0…1
   bool operator==(const ContactZone&) const = default;
 };
 
@@ -264,7 +264,8 @@ enum class SchemeKind {
   modified_average_acceleration,
   generalized_alpha,
   wbz_alpha,
-  moreau_jean, ///< velocities jump where bodies hit
+  moreau_jean,     ///< velocities jump where bodies hit
+  energy_momentum, ///< the same; elastic bodies keep energy and momenta in finite strain
   static_steps,
   central_difference
 };
@@ -272,6 +273,11 @@ enum class SchemeKind {
 /// Whether steps follow from forces at their start, with nothing to solve and a largest stable length.
 constexpr bool is_explicit(SchemeKind scheme) {
   return scheme == SchemeKind::central_difference;
+}
+
+/// Whether velocities jump where bodies hit: contact is a law of velocities then.
+constexpr bool has_jumps(SchemeKind scheme) {
+  return scheme == SchemeKind::moreau_jean || scheme == SchemeKind::energy_momentum;
 }
 
 /// What the slave surfaces weigh.
@@ -300,7 +306,8 @@ struct TimeStepping {
   std::optional<double> gamma;  ///< newmark only
   double spectral_radius = 0.5; ///< generalized_alpha: ρ_∞ in 0…1
   double theta = 0.5;           ///< moreau_jean: in 1/2…1
-  /// moreau_jean has it redistributed unless the deck says otherwise: contact never gives energy then.
+  /// Schemes with jumps have it redistributed unless the deck says otherwise: contact never gives energy
+  /// then.
   ContactMass contact_mass = ContactMass::redistributed;
   double begin = 0;
   /// > 0 unless instants are listed. central_difference: 0 stands for the stable step times `safety`.

@@ -84,6 +84,11 @@ Scheme make_scheme(const study::TimeStepping& settings) {
   }
   case SchemeKind::moreau_jean:
     return theta_method(settings.theta);
+  case SchemeKind::energy_momentum: {
+    auto scheme = theta_method(0.5);
+    scheme.conserving = true;
+    return scheme;
+  }
   case SchemeKind::static_steps: {
     Scheme scheme;
     scheme.inertia = {0, 0};

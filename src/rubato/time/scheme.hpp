@@ -4,7 +4,7 @@
 /// A scheme is Newmark's pair β, γ and the weights of the terms of equilibrium at the end (now) and at the
 /// start (before) of a step of length h:
 ///   m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F(u₁) + f₀ F(u₀) = 0,
-///   F = internal + contact − external force,
+///   F = internal + contact − external force (but for what nonsmooth and conserving say),
 ///   u₁ = ũ + d,  v₁ = ṽ + γ/(βh) d,  a₁ = ã + d/(βh²)
 /// with the predictor ũ = u₀, ṽ = (β−γ)/β v₀ + (2β−γ)h/(2β) a₀, ã = −v₀/(βh) + (2β−1)/(2β) a₀.
 #pragma once
@@ -30,9 +30,14 @@ struct Scheme {
   /// Velocities may jump: a₁ and the contact force of a step are their means over it, with the weight 1 and
   /// without history, and contact is a law of velocities. γ = 1 and β = θ of the θ-method then.
   bool nonsmooth = false;
+  /// Internal forces are those over a step that keep energy and momenta (domain::ForcesOf::step), with the
+  /// weight 1 and without history.
+  bool conserving = false;
 
   double contact_weight() const { return nonsmooth ? 1.0 : forces.now; }
   bool remembers_contact() const { return !nonsmooth; }
+  double internal_weight() const { return conserving ? 1.0 : forces.now; }
+  bool remembers_internal() const { return !conserving; }
 };
 
 /// newmark: β, γ given (default average acceleration). hht: Hilber, Hughes and Taylor (1977) with α ≤ 0,
@@ -41,8 +46,10 @@ struct Scheme {
 /// inertia (1−α) a₁ + α a₀ with α ≤ 0 (W. L. Wood, M. Bossak, O. C. Zienkiewicz, An alpha modification of
 /// Newmark's method, Int. J. Numer. Methods Eng. 15 (1980) 1562–1566). moreau_jean: u₁ = u₀ + h (θ v₁ +
 /// (1−θ) v₀), a₁ = (v₁ − v₀)/h, forces and damping weighted alike (M. Jean, The non-smooth contact dynamics
-/// method, Comput. Methods Appl. Mech. Eng. 177 (1999) 235–257). static_steps: no inertia. Throws
-/// std::invalid_argument for central_difference, which step/explicit computes.
+/// method, Comput. Methods Appl. Mech. Eng. 177 (1999) 235–257). energy_momentum: the same with θ = 1/2, its
+/// internal forces those of O. Gonzalez, Exact energy and momentum conserving algorithms for general models
+/// in nonlinear elasticity, Comput. Methods Appl. Mech. Eng. 190 (2000) 1763–1783. static_steps: no inertia.
+/// Throws std::invalid_argument for central_difference, which step/explicit computes.
 Scheme make_scheme(const study::TimeStepping& settings);
 
 /// Whether high frequencies keep their energy, so that exact contact feeds them.

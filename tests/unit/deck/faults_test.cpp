@@ -97,7 +97,7 @@ const Mistake type_mistakes[] = {
     {"scheme: hht", "scheme: hth", "hth",
      "time.scheme: found 'hth', expected one of newmark, hht, modified_average_acceleration, "
      "generalized_alpha, wbz_alpha, "
-     "moreau_jean, static, central_difference; did you mean 'hht'?"},
+     "moreau_jean, energy_momentum, static, central_difference; did you mean 'hht'?"},
     {"formats: [vtu, med]", "formats: [vtu, vtk]", "vtk",
      "fields.formats.1: found 'vtk', expected one of vtu, med, vtkhdf; "
      "did you mean 'vtu'?"},

@@ -295,8 +295,9 @@ TEST(DeckKeys, ADeckThatNamesNoSchemeHasTheOneThatContactGivesNoEnergy) {
   EXPECT_EQ(time.scheme, study::SchemeKind::moreau_jean);
   EXPECT_EQ(time.contact_mass, study::ContactMass::redistributed);
   EXPECT_EQ(parse_one(smallest_deck).time.contact_mass, study::ContactMass::consistent);
-  EXPECT_EQ(parse_one(replaced(smallest_deck, "scheme: newmark", "scheme: moreau_jean")).time.contact_mass,
-            study::ContactMass::redistributed);
+  for (const auto* scheme : {"moreau_jean", "energy_momentum"})
+    EXPECT_EQ(parse_one(replaced(smallest_deck, "newmark", scheme)).time.contact_mass,
+              study::ContactMass::redistributed);
   EXPECT_EQ(
       parse_one(replaced(smallest_deck, "scheme: newmark", "contact_mass: consistent")).time.contact_mass,
       study::ContactMass::consistent);
@@ -315,6 +316,7 @@ TEST(DeckKeys, EverySchemeWithItsOwnNumbers) {
   EXPECT_EQ(time("generalized_alpha, spectral_radius: 0.5").spectral_radius, 0.5);
   EXPECT_EQ(time("moreau_jean").theta, 0.5);
   EXPECT_EQ(time("moreau_jean, theta: 0.75").theta, 0.75);
+  EXPECT_EQ(time("energy_momentum").scheme, study::SchemeKind::energy_momentum);
   EXPECT_EQ(time("static").scheme, study::SchemeKind::static_steps);
   EXPECT_EQ(time("central_difference, safety: 0.5").safety, 0.5);
   EXPECT_EQ(time("central_difference").safety, 0.9);

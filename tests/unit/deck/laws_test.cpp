@@ -402,6 +402,32 @@ TEST(StepsOfNonlinearBodies, AreJudged) {
                  "in a material"}));
 }
 
+TEST(EnergyMomentum, IsForLawsThatDissipateNothing) {
+  const auto with = [](const std::string& material, const std::string& more = "") {
+    Sentences sentences;
+    for (const auto& sentence :
+         faults_of(replaced(deck_with(material), "scheme: newmark", "scheme: energy_momentum" + more)))
+      sentences.push_back(sentence.substr(sentence.find(": ") + 2));
+    return sentences;
+  };
+  for (const auto& material : {elastic, elastic + ", strain: logarithmic", rubber,
+                               elastic + ", strain: green_lagrange, formulation: enhanced"})
+    EXPECT_EQ(with(material), Sentences{}) << material;
+  EXPECT_EQ(with(elastic, ", max_step: 2e-3"),
+            (Sentences{"time.max_step: has no effect, as every material is linear; steps grow with nonlinear "
+                       "ones only"}));
+  EXPECT_EQ(with(bilinear),
+            (Sentences{"materials.steel.law: the scheme energy_momentum is for bodies that store all that is "
+                       "done to them, and the law plastic dissipates; expected moreau_jean, whose error in "
+                       "finite strain energy.csv tells as bulk_scheme"}));
+  EXPECT_EQ(with(elastic, ", theta: 0.7"),
+            (Sentences{"time.theta: the scheme energy_momentum takes no theta, moreau_jean takes it; a run "
+                       "removes it by 'theta: ~'"}));
+  EXPECT_EQ(with(elastic, ", mass_scaling: {step: 1}"),
+            (Sentences{"time.mass_scaling: the scheme energy_momentum has no step that is too long for a "
+                       "cell; central_difference takes it"}));
+}
+
 TEST(ExplicitRuns, HaveNeitherTangentNorStepControl) {
   const auto with = [](const std::string& material, const std::string& time, const std::string& lines) {
     Sentences sentences;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/deck/read.hpp"
+#include "rubato/step/common/bulk_tangent.hpp"
 #include "rubato/step/start.hpp"
 
 #include "support/model_of.hpp"
@@ -44,6 +45,7 @@ inline const std::vector<NamedScheme> every_implicit_scheme{
     {"WbzAlpha", {{"time.scheme", "wbz_alpha"}, {"time.alpha", "-0.3"}}},
     {"MoreauJean", {{"time.scheme", "moreau_jean"}}},
     {"MoreauJeanBeyondTheMiddle", {{"time.scheme", "moreau_jean"}, {"time.theta", "0.8"}}},
+    {"EnergyMomentum", {{"time.scheme", "energy_momentum"}}},
     {"Static", {{"time.scheme", "static"}}},
 };
 
@@ -86,18 +88,23 @@ public:
     now.motion = time::predict(scheme, h, before.motion);
     time::correct(time::coefficients_of(scheme, h), anything(), now.motion);
     now.bulk = step::bulk_forces(model, now);
-    model.domain.evaluate({before.motion.u, now.motion.u, before.t, now.t}, before.bulk_points,
-                          now.bulk_points, {.forces = &now.bulk.internal, .records = true});
+    model.domain.evaluate({before.motion.u, now.motion.u, before.t, now.t, nullptr, step::forces_of(scheme)},
+                          before.bulk_points, now.bulk_points,
+                          {.forces = &now.bulk.internal, .records = true});
     for (const auto& support : model.reduction.prescribed())
       now.reaction[support.dof] = left_side(before, now)[support.dof];
     return now;
   }
 
-  /// m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F₁ + f₀ F₀, as the matrices give it.
+  /// m₁ M a₁ + m₀ M a₀ + c₁ C v₁ + c₀ C v₀ + f₁ F₁ + f₀ F₀, as the matrices give it; of conserving schemes
+  /// with internal forces of the step.
   Eigen::VectorXd left_side(const step::State& before, const step::State& now) const {
+    Eigen::VectorXd at = now.motion.u;
+    if (scheme.conserving)
+      at = (0.5 * (before.motion.u + now.motion.u)).eval();
     const Eigen::VectorXd internal =
-        model.domain.is_linear() ? model.domain.initial_tangent() * now.motion.u : now.bulk.internal;
-    Eigen::VectorXd sum = scheme.forces.now * (internal - now.external_force) +
+        model.domain.is_linear() ? model.domain.initial_tangent() * at : now.bulk.internal;
+    Eigen::VectorXd sum = scheme.internal_weight() * internal - scheme.forces.now * now.external_force +
                           scheme.contact_weight() * now.contact_force +
                           scheme.forces.before * before.residual_force;
     if (scheme.dynamic)

@@ -264,6 +264,14 @@ INSTANTIATE_TEST_SUITE_P(
               make_plastic(s.materials[0]), s.time.scheme = SchemeKind::static_steps;
               s.time.arc_length = {0, "all"};
             }},
+        Bad{"materials.steel.law", "the law plastic dissipates; expected moreau_jean",
+            [](Study& s) { make_plastic(s.materials[0]), s.time.scheme = SchemeKind::energy_momentum; }},
+        Bad{"materials.steel.expansion", "takes no nonlinear bodies that expand",
+            [](Study& s) {
+              s.materials[0].strain = StrainKind::green_lagrange, s.materials[0].expansion.emplace();
+              s.temperatures.push_back({.value = {FieldValue(20.0)}});
+              s.time.scheme = SchemeKind::energy_momentum;
+            }},
         Bad{"time.mass_scaling.step", "expected a number > 0",
             [](Study& s) { explicitly(s), s.contact.clear(), s.time.mass_scaling = 0; }},
         Bad{"time.mass_scaling", "has no step that is too long for a cell",

@@ -60,6 +60,21 @@ TEST(SchemeTable, MoreauAndJeanWeighForcesByThetaAndContactByOne) {
   }
 }
 
+TEST(SchemeTable, EnergyMomentumIsMoreauAndJeanInTheMiddleWithForcesOfTheStep) {
+  const auto scheme = test::energy_momentum();
+  const auto other = test::moreau_jean(0.5);
+  EXPECT_TRUE(scheme.nonsmooth);
+  EXPECT_EQ(scheme.beta, other.beta);
+  EXPECT_EQ(scheme.gamma, other.gamma);
+  expect_weights(scheme.forces, 0.5, 0.5);
+  expect_weights(scheme.damping, 0.5, 0.5);
+  EXPECT_EQ(scheme.internal_weight(), 1);
+  EXPECT_EQ(other.internal_weight(), 0.5);
+  EXPECT_FALSE(scheme.remembers_internal());
+  EXPECT_TRUE(other.remembers_internal());
+  EXPECT_EQ(coefficients_of(scheme, 0.1).stiffness, 0.5);
+}
+
 /// u₁ = u₀ + h (θ v₁ + (1−θ) v₀), a₁ = (v₁ − v₀)/h, whatever a₀ was.
 TEST(SchemeStep, OfMoreauAndJeanIsTheThetaMethodOnVelocities) {
   const double h = 0.3;

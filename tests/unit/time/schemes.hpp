@@ -40,6 +40,10 @@ inline time::Scheme moreau_jean(double theta) {
   return time::make_scheme(settings);
 }
 
+inline time::Scheme energy_momentum() {
+  return scheme_of(study::SchemeKind::energy_momentum);
+}
+
 /// A mass 1 on a spring ω² and a dashpot 2ξω.
 struct Oscillator {
   double omega = 1;

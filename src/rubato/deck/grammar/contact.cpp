@@ -56,18 +56,19 @@ std::vector<Key> surfaces() {
 }
 
 std::vector<Key> laws() {
-  return {{"friction",
-           "Coulomb's coefficient, a number, an expression or a table of the place; 0 when not given",
-           field_value()},
-          {"method", "how contact is enforced; augmented_lagrangian when not given",
-           word_of(study::contact_method_words)},
-          {"friction_method", "how friction is enforced; the usual one of the method when not given",
-           word_of(study::friction_method_words)},
-          {"coefficients", "numbers of the methods", coefficients()},
-          {"restitution", "part of the approach velocity that comes back, for moreau_jean; 0 when not given",
-           number(study::bounds::restitution)},
-          {"tie", "true: the surfaces move together in every direction", truth()},
-          {"bilateral", "true: points that have touched do not part any more", truth()}};
+  return {
+      {"friction", "Coulomb's coefficient, a number, an expression or a table of the place; 0 when not given",
+       field_value()},
+      {"method", "how contact is enforced; augmented_lagrangian when not given",
+       word_of(study::contact_method_words)},
+      {"friction_method", "how friction is enforced; the usual one of the method when not given",
+       word_of(study::friction_method_words)},
+      {"coefficients", "numbers of the methods", coefficients()},
+      {"restitution",
+       "part of the approach velocity that comes back, for moreau_jean and energy_momentum; 0 when not given",
+       number(study::bounds::restitution)},
+      {"tie", "true: the surfaces move together in every direction", truth()},
+      {"bilateral", "true: points that have touched do not part any more", truth()}};
 }
 
 std::vector<Key> geometry() {

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "rubato/element/nonlinear/cell_points.hpp"
+#include "rubato/element/nonlinear/enhanced_modes.hpp"
 
 #include <cmath>
 #include <limits>
@@ -74,26 +75,12 @@ private:
 
   void set_modes() {
     const auto& reference = reference_gradients(cell_.kind.type);
-    const auto x = cell_.gradients.coordinates(cell_.input.points);
-    const Eigen::Matrix<double, d, d> j = x.transpose() * reference.centre;
-    const Eigen::Matrix<double, d, d> inverse = j.inverse();
-    const double radius = x.col(0).dot(reference.centre_values);
+    const auto ratios = put_modes(reference, cell_.input.points, cell_.gradients);
     for (int q = 0; q < cell_.count(); ++q) {
-      const double ratio = j.determinant() / cell_.gradients.jacobian(q);
-      const double by_radius = S::rows > d ? radius / cell_.gradients.radius(q) : 1;
-      set_modes_at(q, reference.xi.col(q), ratio * by_radius, inverse);
+      const Eigen::Vector3d xi = reference.xi.col(q);
+      volume_modes_[place(q)] =
+          ratios[place(q)] * Eigen::Vector3d(xi[0] * xi[1], xi[1] * xi[2], xi[2] * xi[0]);
     }
-  }
-
-  void set_modes_at(int q, const Eigen::Vector3d& xi, double ratio,
-                    const Eigen::Matrix<double, d, d>& inverse) {
-    for (int m = 0; m < d; ++m) {
-      for (int row = 0; row < d; ++row)
-        *cell_.gradients.pair(q, row, S::most_nodes + m) = -2 * xi[m] * ratio * inverse(m, row);
-      if constexpr (S::rows > d)
-        *cell_.gradients.pair(q, d, S::most_nodes + m) = 0;
-    }
-    volume_modes_[place(q)] = ratio * Eigen::Vector3d(xi[0] * xi[1], xi[1] * xi[2], xi[2] * xi[0]);
   }
 
   double mode_gradient(int q, int row, int m) const { return cell_.gradients.at(q, row, S::most_nodes + m); }

@@ -14,23 +14,6 @@ Matrix3d green_lagrange_doubled(const Matrix3d& h) {
   return h + h.transpose() + h.transpose() * h;
 }
 
-/// ∂E/∂F of Green–Lagrange's strain: dE_MN = sym F_kM dF_kN.
-Eigen::Matrix<double, 6, 9> strain_by_gradient(const Matrix3d& f) {
-  Eigen::Matrix<double, 6, 9> map = Eigen::Matrix<double, 6, 9>::Zero();
-  for (int n = 0; n < 3; ++n)
-    for (int m = 0; m < 3; ++m)
-      for (int k = 0; k < 3; ++k)
-        map(voigt_place(m, n), k + 3 * n) = f(k, m);
-  return map;
-}
-
-void add_stress_part(const Matrix3d& s, Moduli& moduli) {
-  for (int l = 0; l < 3; ++l)
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i)
-        moduli(i + 3 * j, i + 3 * l) += s(j, l);
-}
-
 void moduli_of(const Matrix3d& f, const Matrix3d& s, const Tangent6& tangent, Moduli& moduli) {
   const auto map = strain_by_gradient(f);
   const Eigen::Matrix<double, 6, 9> stressed = tangent.lazyProduct(map);
@@ -50,6 +33,22 @@ double volume_change(const Matrix3d& h) {
   const double second = h(0, 0) * h(1, 1) - h(0, 1) * h(1, 0) + h(1, 1) * h(2, 2) - h(1, 2) * h(2, 1) +
                         h(2, 2) * h(0, 0) - h(2, 0) * h(0, 2);
   return h.trace() + second + h.determinant();
+}
+
+Eigen::Matrix<double, 6, 9> strain_by_gradient(const Matrix3d& f) {
+  Eigen::Matrix<double, 6, 9> map = Eigen::Matrix<double, 6, 9>::Zero();
+  for (int n = 0; n < 3; ++n)
+    for (int m = 0; m < 3; ++m)
+      for (int k = 0; k < 3; ++k)
+        map(voigt_place(m, n), k + 3 * n) = f(k, m);
+  return map;
+}
+
+void add_stress_part(const Matrix3d& s, Moduli& moduli) {
+  for (int l = 0; l < 3; ++l)
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        moduli(i + 3 * j, i + 3 * l) += s(j, l);
 }
 
 material::Strain6 strain_of(StrainKind kind, Deformation& deformation) {

@@ -36,6 +36,12 @@ material::Strain6 strain_of(StrainKind kind, Deformation& deformation);
 /// P: σ, F S, or F S of S = 2 T:∂E/∂C.
 Eigen::Matrix3d first_piola(StrainKind kind, const Deformation& deformation, const material::Stress6& stress);
 
+/// ∂E/∂F of Green–Lagrange's strain: dE_MN = sym F_kM dF_kN, engineering shears.
+Eigen::Matrix<double, 6, 9> strain_by_gradient(const Eigen::Matrix3d& f);
+
+/// moduli += δ_ik S_JL.
+void add_stress_part(const Eigen::Matrix3d& s, Moduli& moduli);
+
 /// A of a symmetric tangent; Green–Lagrange: A_iJkL = F_iM C_MJLN F_kN + δ_ik S_JL.
 void first_moduli(StrainKind kind, const Deformation& deformation, const material::Response& response,
                   Moduli& moduli);

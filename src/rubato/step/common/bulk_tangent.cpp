@@ -19,6 +19,10 @@ constexpr double small_part = 1e-3;
 
 } // namespace
 
+domain::ForcesOf forces_of(const time::Scheme& scheme) {
+  return scheme.conserving ? domain::ForcesOf::step : domain::ForcesOf::end;
+}
+
 BulkTangent::BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                          const State& committed, double t, Factored factored)
     : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), factored_(factored),
@@ -47,6 +51,11 @@ void BulkTangent::go_on_with(const Tangent& tangent) {
   renewals_ = counted;
 }
 
+bool BulkTangent::renew_at(const VectorXd& u) {
+  const bool exact = scheme_.conserving && factored_ == Factored::no;
+  return put(at(u, nullptr, exact ? domain::TangentOf::exact : domain::TangentOf::symmetric));
+}
+
 bool BulkTangent::renew_at_start() {
   return put(at(slightly_on(), nullptr));
 }
@@ -62,12 +71,12 @@ VectorXd BulkTangent::slightly_on() const {
 }
 
 /// Null where a cell has no answer.
-Tangent BulkTangent::at(const VectorXd& u, VectorXd* forces) {
+Tangent BulkTangent::at(const VectorXd& u, VectorXd* forces, domain::TangentOf of) {
   if (matrix_.nonZeros() == 0)
     matrix_ = model_.domain.initial_tangent();
-  const auto failed =
-      model_.domain.evaluate({committed_.motion.u, u, committed_.t, t_}, committed_.bulk_points, unused_,
-                             {.forces = forces, .tangent = &matrix_});
+  const auto failed = model_.domain.evaluate(
+      {committed_.motion.u, u, committed_.t, t_, nullptr, forces_of(scheme_)}, committed_.bulk_points,
+      unused_, {.forces = forces, .tangent = &matrix_, .tangent_of = of});
   if (failed)
     return nullptr;
   model::add_follower_tangent(model_, t_, u, 1, matrix_, load_factor_);

@@ -13,6 +13,9 @@
 
 namespace rubato::step {
 
+/// Whether internal forces of the scheme are those of the end of a step, or of the whole of it.
+domain::ForcesOf forces_of(const time::Scheme& scheme);
+
 /// What a step starts from: the internal forces at the displacements of its start, at its end instant.
 struct BulkStart {
   Eigen::VectorXd forces; ///< [force]
@@ -38,9 +41,10 @@ public:
   /// new factor is worth it.
   bool wants_renewal(double before, double now, double allowed) const;
 
-  /// Takes the tangent at these displacements. False when the matrix is not positive definite or a cell has
-  /// no answer: then the factor before serves on.
-  bool renew_at(const Eigen::VectorXd& u) { return put(at(u, nullptr)); }
+  /// Takes the tangent at these displacements, the exact one of forces over a step where the matrix need not
+  /// be symmetric. False when the matrix is not positive definite or a cell has no answer: then the factor
+  /// before serves on.
+  bool renew_at(const Eigen::VectorXd& u);
   /// Takes it a small part of the way that the step would go by itself: there cells that yield know in which
   /// direction.
   bool renew_at_start();
@@ -55,7 +59,8 @@ public:
 
 private:
   Eigen::VectorXd slightly_on() const;
-  Tangent at(const Eigen::VectorXd& u, Eigen::VectorXd* forces);
+  Tangent at(const Eigen::VectorXd& u, Eigen::VectorXd* forces,
+             domain::TangentOf of = domain::TangentOf::symmetric);
   bool put(const Tangent& tangent);
   void go_on_with(const Tangent& tangent);
   double factor_in_iterations() const;

@@ -32,6 +32,9 @@ struct RetrySettings {
   bool status_by_newton = false;  ///< also where the zone iterates it by a loop
   Start start = Start::usual;
   bool indefinite = false; ///< the matrix without contact is not positive definite: no factor of it serves
+  /// Of the forces of a conserving scheme, with contact in the matrix of every iteration: it is not
+  /// symmetric.
+  bool exact_tangent = false;
 };
 
 /// What outer loops hold of one zone while Newton iterates; empty: nothing.

@@ -95,11 +95,17 @@ void Equilibrium::take_motion(const time::Motion& motion) {
 bool Equilibrium::has_forces_at(const VectorXd& u) {
   if (evaluated_at_ && *evaluated_at_ == u)
     return !failed_;
-  failed_ = model_.domain.evaluate({committed_.motion.u, u, committed_.t, t_, &predicted_bulk_.u},
-                                   committed_.bulk_points, bulk_points_, {.forces = &bulk_.internal});
+  auto span = span_to(u);
+  if (scheme_.remembers_internal())
+    span.forces0 = &predicted_bulk_.u;
+  failed_ = model_.domain.evaluate(span, committed_.bulk_points, bulk_points_, {.forces = &bulk_.internal});
   if (!model_.domain.is_linear())
     evaluated_at_ = u;
   return !failed_;
+}
+
+domain::StepSpan Equilibrium::span_to(const VectorXd& u) const {
+  return {committed_.motion.u, u, committed_.t, t_, nullptr, forces_of(scheme_)};
 }
 
 /// Those that follow their faces are where the bodies are.
@@ -140,8 +146,9 @@ void Equilibrium::evaluate_ahead(const time::Motion& motion, const ContactForce&
   evaluated_at_.reset();
   failed_.reset();
   take_loads(committed_.motion.u);
+  const double part = scheme_.forces.now / scheme_.internal_weight(); // of the whole step: half of the end
   bulk_.internal = start.forces + matrix_of(model_, start.tangent).selfadjointView<Eigen::Lower>() *
-                                      (motion.u - committed_.motion.u);
+                                      (part * (motion.u - committed_.motion.u));
   take_inertia(motion);
   sum_up(contact);
 }
@@ -150,9 +157,13 @@ void Equilibrium::sum_up(const ContactForce& contact) {
   inertia_ = scheme_.inertia.now * bulk_.inertia;
   if (bulk_.viscous.size() > 0)
     inertia_ += scheme_.damping.now * bulk_.viscous;
-  bulk_residual_ = bulk_.internal - external_;
+  bracket_ = -external_;
+  if (scheme_.remembers_internal())
+    bracket_ += bulk_.internal;
   full_residual_ =
-      inertia_ + scheme_.forces.now * bulk_residual_ + scheme_.contact_weight() * contact.all + history_;
+      inertia_ + scheme_.forces.now * bracket_ + scheme_.contact_weight() * contact.all + history_;
+  if (!scheme_.remembers_internal())
+    full_residual_ += bulk_.internal;
   residual_ = model_.reduction.gather(full_residual_);
 }
 
@@ -232,8 +243,8 @@ std::vector<WorstNode> Equilibrium::worst() const {
 
 /// What the balance of energy needs, and the next step's tangent.
 void Equilibrium::record(State& trial) const {
-  model_.domain.evaluate({committed_.motion.u, trial.motion.u, committed_.t, t_}, committed_.bulk_points,
-                         trial.bulk_points, {.records = true});
+  model_.domain.evaluate(span_to(trial.motion.u), committed_.bulk_points, trial.bulk_points,
+                         {.records = true});
   trial.tangent = system_.tangent;
   if (!scheme_.dynamic)
     trial.moved = trial.motion.u - committed_.motion.u;
@@ -247,7 +258,7 @@ void Equilibrium::finish(const ContactForce& contact, State& trial) const {
   if (!model_.domain.is_linear())
     record(trial);
   trial.force_scale = own_scale_;
-  trial.residual_force = bulk_residual_;
+  trial.residual_force = bracket_;
   if (scheme_.remembers_contact())
     trial.residual_force += contact.all - contact.forgotten;
   trial.contact_force = contact.all;

@@ -46,7 +46,7 @@ ContactStiffness contact_stiffness(const model::Model& model, const EffectiveSys
                                    const std::vector<std::vector<double>>& friction);
 
 /// Full residual: m₁ M a₁ + c₁ C v₁ + f₁ (f_int(u₁) − f_ext) + the weight of contact × f_c + the terms of the
-/// start of the step.
+/// start of the step. Of conserving schemes f_int of the step stands in it instead of both ends'.
 class Equilibrium {
 public:
   Equilibrium(const model::Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
@@ -95,6 +95,7 @@ private:
   void take_inertia(const time::Motion& motion);
   void sum_up(const ContactForce& contact);
   void record(State& trial) const;
+  domain::StepSpan span_to(const Eigen::VectorXd& u) const;
   void add_contact(const ContactStiffness& stiffness, double far, double moved,
                    Eigen::VectorXd& summed) const;
 
@@ -114,7 +115,8 @@ private:
   double load_factor_;
   double heat_ = 0;         ///< the largest force of temperatures at the end of the step [force]
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
-  Eigen::VectorXd inertia_, bulk_residual_, full_residual_, residual_;
+  Eigen::VectorXd bracket_; ///< what the next step's history has of bulk and loads [force]
+  Eigen::VectorXd inertia_, full_residual_, residual_;
   double scale_ = 0;     ///< what the residual is measured by
   double own_scale_ = 0; ///< without what there was when the step began
 };

@@ -23,12 +23,13 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
 
 /// Without contact zones the factored matrix is that of the whole system.
 bool WholeSystem::is_factored() const {
-  return system_.compliance && model_.zones.empty() && !path_ && !side_.variant().indefinite;
+  return system_.compliance && model_.zones.empty() && !path_ && !side_.variant().indefinite &&
+         !side_.variant().exact_tangent;
 }
 
-/// Whether anything but the effective matrix stands in the system.
+/// Whether anything but the effective matrix, which is symmetric, stands in the system.
 bool WholeSystem::touches() const {
-  return model_.multiplier_count > 0 || !contact_.force_by_dof.empty();
+  return model_.multiplier_count > 0 || !contact_.force_by_dof.empty() || side_.variant().exact_tangent;
 }
 
 std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {

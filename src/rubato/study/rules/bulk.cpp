@@ -91,6 +91,24 @@ void check_formulation(Rules& rules, const Material& material, const std::string
                  "enhanced");
 }
 
+/// Forces that keep energy are those of what is stored.
+void check_conserved(Rules& rules, const Material& material, const std::string& path) {
+  if (rules.study.time.scheme != SchemeKind::energy_momentum)
+    return;
+  const bool linear = has_constant_stiffness(material) && wanted_formulation(material) == Formulation::full;
+  if (material.expansion && !rules.study.temperatures.empty() && !linear)
+    rules.broken({path + ".expansion", "time.scheme"},
+                 "the scheme energy_momentum takes no nonlinear bodies that expand by temperature, expected "
+                 "moreau_jean");
+  if (material.law != LawKind::plastic && material.law != LawKind::prony)
+    return;
+  rules.broken({path + ".law", "time.scheme"},
+               fmt::format("the scheme energy_momentum is for bodies that store all that is done to them, "
+                           "and the law {} dissipates; expected moreau_jean, whose error in finite strain "
+                           "energy.csv tells as bulk_scheme",
+                           entry_of(material.law).name));
+}
+
 void check_tangent(Rules& rules) {
   const auto& study = rules.study;
   if (study.newton.tangent == TangentChoice::automatic)
@@ -157,6 +175,7 @@ void check_bulk(Rules& rules, const Material& material, const std::string& path)
   check_strain(rules, material, path);
   check_places(rules, material, path);
   check_formulation(rules, material, path);
+  check_conserved(rules, material, path);
 }
 
 void check_nonlinear_solution(Rules& rules) {

@@ -268,12 +268,14 @@ private:
 
   /// Velocities that jump ask for impulses, which springs have none of; and only they know of restitution.
   void check_velocities(const TimeStepping& time) {
-    const bool jumps = time.scheme == SchemeKind::moreau_jean;
+    const bool jumps = has_jumps(time.scheme);
     if (zone_.restitution > 0 && !jumps)
-      rules_.broken({path_, at("restitution"), "time.scheme"},
-                    fmt::format("found a restitution, which the scheme moreau_jean takes; {} computes the "
-                                "rebound from the bodies' own motion",
-                                word_of(scheme_words, time.scheme)));
+      rules_.broken(
+          {path_, at("restitution"), "time.scheme"},
+          fmt::format(
+              "found a restitution, which the schemes moreau_jean and energy_momentum take; {} computes "
+              "the rebound from the bodies' own motion",
+              word_of(scheme_words, time.scheme)));
     if (zone_.restitution > 0 && time.contact_mass == ContactMass::redistributed)
       rules_.broken({path_, at("restitution"), "time.contact_mass", "time.scheme"},
                     "found a restitution, but redistributed contact mass leaves nothing that could bounce, "
