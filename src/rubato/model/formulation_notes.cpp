@@ -5,7 +5,6 @@
 #include "rubato/material/make_point_law.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/layers.hpp"
-#include "rubato/study/damping.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"
@@ -159,14 +158,6 @@ void note_bending(const Model& model, const Material& material, const Bodies& bo
                               part.first->count == 1 ? "is" : "are", cure));
 }
 
-void note_damping(const Material& material, std::vector<std::string>& notes) {
-  if (!study::has_constant_stiffness(material) && study::rayleigh_coefficients(material).stiffness > 0)
-    notes.push_back(
-        fmt::format("material '{}': its damping by the stiffness is that of the undeformed bodies "
-                    "throughout",
-                    material.name));
-}
-
 } // namespace
 
 void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const domain::Bulk& bulk,
@@ -201,7 +192,6 @@ std::vector<std::string> notes_on_formulations(const Model& model) {
     const auto& material = model.study.materials[m];
     note_locking(model, material, cells[m], notes);
     note_bending(model, material, bodies, layers, cells[m], notes);
-    note_damping(material, notes);
   }
   return notes;
 }

@@ -15,8 +15,7 @@ void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const
 
 /// Sentences that name what to write: for linear cells, integrated in full, whose material keeps its volume
 /// (not in plane stress); for slender parts of few such QUAD4 or HEXA8 across, which are too stiff in
-/// bending; for nonlinear materials with Rayleigh's damping by the stiffness. Of a model that has its
-/// reduction.
+/// bending. Of a model that has its reduction.
 std::vector<std::string> notes_on_formulations(const Model& model);
 
 } // namespace rubato::model

@@ -10,6 +10,7 @@
 #include "rubato/run/energy_watch.hpp"
 #include "rubato/run/failure.hpp"
 #include "rubato/run/overlap_watch.hpp"
+#include "rubato/run/recall_watch.hpp"
 #include "rubato/simulation/simulation.hpp"
 #include "rubato/study/damping.hpp"
 #include "rubato/study/schemes.hpp"
@@ -58,7 +59,7 @@ public:
                             .tell_memory = [this](std::size_t bytes) { tell_memory(bytes); }}),
         keeper_(model.study, course, watch_),
         energy_(model.study.name, watch_, course.from ? course.from->record : step::EnergyRecord()),
-        overlaps_(model, watch_) {
+        overlaps_(model, watch_), recall_(model, watch_) {
     if (!course.from)
       return;
     records_ = course.from->recorder.steps;
@@ -132,6 +133,7 @@ private:
     recorder_->step(step.before, step.now, step.attempt, step.report, step.last);
     recorder_->energy(step.now.t, step.energy);
     overlaps_.note(step.before, step.now);
+    recall_.note(step.before, step.now);
   }
 
   /// A run that ends here is kept as it was before the attempt: resumed with other means, it makes it again.
@@ -335,6 +337,7 @@ private:
   CheckpointWriter keeper_;
   EnergyWatch energy_;
   OverlapWatch overlaps_;
+  RecallWatch recall_;
   int records_ = 0; ///< so far: steps of results
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;

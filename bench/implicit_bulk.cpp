@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// What implicit steps of nonlinear bodies cost: a box of HEXA8, n cells along each side, J2 with linear
+/// hardening.
+///   PlasticTangent     forces and tangent of all cells, added to the matrix (mean dilatation, as by default)
+///   PlasticTangentFull the same with full integration
+///   LogarithmicTangent the same with logarithmic strain (mean dilatation)
+///   PlasticBulkStep    a step in which most of the box yields, nothing touches it
+///   PressedBulkStep    the same under a plate with friction that moves down
+/// Counters: Mel/s, millions of elements a second of processor time; factors and bulk, the factorisations and
+/// motions of the step; step/parts, its time over that of its assemblies, factorisations and solves, each
+/// measured by itself in the same process.
+#include "rubato/core/processor_time.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/simulation/simulation.hpp"
+#include "rubato/step/advance.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using namespace rubato;
+using Eigen::VectorXd;
+
+const std::string steel = "law: plastic, young: 200e9, poisson: 0.3, density: 7800, "
+                          "hardening: {linear: {yield_stress: 400e6, modulus: 1e9}}";
+
+model::Model box(std::int64_t n, const std::string& material, const std::string& rest) {
+  const auto divisions = std::to_string(n);
+  const auto deck = "mesh: {generate: [{name: box, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [" +
+                    divisions + ", " + divisions + ", " + divisions +
+                    "], sides: {front: top, back: held}}]}\nphysics: solid\nmaterials: {body: {" + material +
+                    "}}\ntime: {scheme: hht, alpha: -0.1, step: 1e-4, end: 1e-2}\n" + rest;
+  return model::build_model(deck::parse_deck(deck, "bench.yaml").runs.front());
+}
+
+const std::string pulled = R"(
+functions: {ramp: {times: [0, 1e-2], values: [0, 1]}}
+supports: [{on: held, fix: [x, y, z]}, {on: top, x: {value: 0.5, function: ramp}, z: {value: 0.5, function: ramp}}]
+)";
+const std::string pressed = R"(
+functions: {ramp: {times: [0, 1e-2], values: [0, 1]}}
+supports: [{on: held, fix: [x, y, z]}]
+contact: {plate: {slave: top, friction: 0.2, obstacle: {plane: {point: [0, 0, 1], normal: [0, 0, -1]}, move: {z: {value: -0.5, function: ramp}}}}}
+)";
+
+void tangents(benchmark::State& state, const std::string& material) {
+  const auto model = box(state.range(0), material, pulled);
+  VectorXd u = VectorXd::Zero(model.dofs.dof_count);
+  for (Eigen::Index i = 0; i < u.size(); ++i)
+    u[i] = 1e-2 * static_cast<double>((i * 7919) % 101) / 101 / static_cast<double>(state.range(0));
+  VectorXd forces = VectorXd::Zero(u.size());
+  auto tangent = model.domain.initial_tangent();
+  domain::QuadratureStates now;
+  const auto& old = model.domain.initial_states();
+  for (auto _ : state)
+    if (model.domain.evaluate({u, u, 0, 1e-4}, old, now, {.forces = &forces, .tangent = &tangent}))
+      throw std::runtime_error("a cell has no forces");
+  const auto elements = static_cast<double>(model.bulk.cells.size());
+  state.counters["Mel/s"] = benchmark::Counter(elements / 1e6, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void PlasticTangent(benchmark::State& state) {
+  tangents(state, steel);
+}
+void PlasticTangentFull(benchmark::State& state) {
+  tangents(state, steel + ", formulation: full");
+}
+void LogarithmicTangent(benchmark::State& state) {
+  tangents(state, steel + ", strain: logarithmic");
+}
+
+template <class Work> double seconds_of(const Work& work) {
+  constexpr int times = 5;
+  const double start = processor_seconds();
+  for (int i = 0; i < times; ++i)
+    work();
+  return (processor_seconds() - start) / times;
+}
+
+/// The step, again and again from where the simulation is after some steps.
+void steps(benchmark::State& state, const std::string& rest) {
+  constexpr int before = 3;
+  const auto model = box(state.range(0), steel, rest);
+  simulation::Simulation simulation(model);
+  for (int i = 0; i < before; ++i)
+    if (!simulation.advance().accepted())
+      throw std::runtime_error("a step did not converge");
+  const step::State committed = simulation.state();
+  const auto scheme = time::make_scheme(model.study.time);
+  auto system = step::make_effective_system(model, scheme, model.study.time.step);
+  step::State trial;
+  step::StepReport report;
+  double in_steps = 0;
+  int count = 0;
+  for (auto _ : state) {
+    const double start = processor_seconds();
+    report = step::advance(model, scheme, system, committed, committed.t + system.step, trial);
+    in_steps += processor_seconds() - start;
+    ++count;
+    if (!report.converged())
+      throw std::runtime_error("a step did not converge");
+  }
+  const auto& u = trial.motion.u;
+  VectorXd forces = VectorXd::Zero(u.size());
+  auto tangent = model.domain.initial_tangent();
+  domain::QuadratureStates now;
+  const domain::StepSpan span{committed.motion.u, u, committed.t, trial.t};
+  const double assembly = seconds_of([&] {
+    (void)model.domain.evaluate(span, committed.bulk_points, now, {.forces = &forces, .tangent = &tangent});
+  });
+  const double evaluation =
+      seconds_of([&] { (void)model.domain.evaluate(span, committed.bulk_points, now, {.forces = &forces}); });
+  double scale = 1;
+  const double factor = seconds_of([&] {
+    scale *= 1.0001; // other values
+    const model::SparseMatrix matrix = scale * system.matrix;
+    if (!system.compliance->refactor(matrix))
+      throw std::runtime_error("the matrix is not positive definite");
+  });
+  const VectorXd right = VectorXd::Ones(system.matrix.rows());
+  const double solve = seconds_of([&] { benchmark::DoNotOptimize(system.compliance->solve(right).data()); });
+  const double parts = (report.factorisations + 1) * assembly + (report.bulk_iterations + 1) * evaluation +
+                       report.factorisations * factor + report.iterations * solve;
+  state.counters["factors"] = report.factorisations;
+  state.counters["bulk"] = report.bulk_iterations;
+  state.counters["step/parts"] = in_steps / count / parts;
+}
+
+void PlasticBulkStep(benchmark::State& state) {
+  steps(state, pulled);
+}
+void PressedBulkStep(benchmark::State& state) {
+  steps(state, pressed);
+}
+
+BENCHMARK(PlasticTangent)->Arg(16)->Unit(benchmark::kMillisecond);
+BENCHMARK(PlasticTangentFull)->Arg(16)->Unit(benchmark::kMillisecond);
+BENCHMARK(LogarithmicTangent)->Arg(16)->Unit(benchmark::kMillisecond);
+BENCHMARK(PlasticBulkStep)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
+BENCHMARK(PressedBulkStep)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
+
+} // namespace
