@@ -123,7 +123,8 @@ element::Formulation formulation(study::Formulation kind) {
     return element::Formulation::mean_dilatation;
   case study::Formulation::enhanced:
     return element::Formulation::enhanced;
-  case study::Formulation::reduced: // not offered yet
+  case study::Formulation::reduced:
+    return element::Formulation::reduced;
   case study::Formulation::full:
     break;
   }
@@ -138,7 +139,7 @@ std::optional<domain::Behaviour> behaviour_of(const study::Study& study, const s
     return std::nullopt;
   return domain::Behaviour{material::make_point_law(material, study.physics),
                            strain_kind(study::strain_of(material)), formulation(wanted),
-                           constant && study.temperatures.empty()};
+                           constant && wanted != study::Formulation::reduced && study.temperatures.empty()};
 }
 
 } // namespace

@@ -89,6 +89,7 @@ TEST_P(RunOf, ClosesItsLedger) {
   EXPECT_EQ(simulation.energy().back_stress > 0, material.law == study::LawKind::plastic);
   EXPECT_EQ(simulation.energy().viscous > 0, material.law == study::LawKind::prony);
   EXPECT_EQ(simulation.energy().bulk_scheme != 0, study::strain_of(material) != study::StrainKind::small);
+  EXPECT_EQ(simulation.energy().hourglass > 0, material.formulation == study::Formulation::reduced);
 }
 
 INSTANTIATE_TEST_SUITE_P(EachLaw, RunOf,
@@ -177,7 +178,9 @@ INSTANTIATE_TEST_SUITE_P(EachLaw, RunWith, testing::ValuesIn(test::every_law),
 
 /// Of cells without own modes, which explicit steps do not solve.
 TEST(CentralDifferences, CloseTheirLedger) {
-  for (const auto& law : test::every_law) {
+  auto laws = test::every_law;
+  laws.insert(laws.end(), test::every_explicit_law.begin(), test::every_explicit_law.end());
+  for (const auto& law : laws) {
     const auto study =
         study_with(beams, law,
                    {{"time", "{scheme: central_difference, step: auto, end: 1.2, record: 0.1}"},
@@ -189,6 +192,8 @@ TEST(CentralDifferences, CloseTheirLedger) {
     go_to_end(simulation);
     EXPECT_NE(simulation.energy().friction, 0);
     EXPECT_EQ(simulation.energy().plastic > 0, study.materials.front().law == study::LawKind::plastic);
+    EXPECT_EQ(simulation.energy().hourglass > 0,
+              study.materials.front().formulation == study::Formulation::reduced);
   }
 }
 
