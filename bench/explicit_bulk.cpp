@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// What explicit steps of nonlinear bodies cost: a box of HEXA8 (mean dilatation), n cells along each side,
 /// that flies against a wall it is fastened to.
-///   PlasticStep        J2, linear hardening, small strain
-///   LogarithmicStep    the same with logarithmic strain
-///   RubberStep         neo-Hookean
+///   PlasticStep             J2, linear hardening, small strain
+///   LogarithmicStep         the same with logarithmic strain
+///   RubberStep              neo-Hookean
+///   …StepOfReducedCells     the same with one point a cell
 /// Counter Mel/s: millions of elements a second of processor time, what is done between steps included.
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
@@ -61,12 +62,31 @@ void LogarithmicStep(benchmark::State& state) {
   make_steps(state, steel + ", strain: logarithmic");
 }
 
+const std::string rubber = "law: hyperelastic, c10: 4e8, bulk: 4e9, density: 1100";
+
 void RubberStep(benchmark::State& state) {
-  make_steps(state, "law: hyperelastic, c10: 4e8, bulk: 4e9, density: 1100");
+  make_steps(state, rubber);
+}
+
+const std::string reduced = ", formulation: reduced";
+
+void PlasticStepOfReducedCells(benchmark::State& state) {
+  make_steps(state, steel + reduced);
+}
+
+void LogarithmicStepOfReducedCells(benchmark::State& state) {
+  make_steps(state, steel + ", strain: logarithmic" + reduced);
+}
+
+void RubberStepOfReducedCells(benchmark::State& state) {
+  make_steps(state, rubber + reduced);
 }
 
 BENCHMARK(PlasticStep)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
 BENCHMARK(LogarithmicStep)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
 BENCHMARK(RubberStep)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
+BENCHMARK(PlasticStepOfReducedCells)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
+BENCHMARK(LogarithmicStepOfReducedCells)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
+BENCHMARK(RubberStepOfReducedCells)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -77,6 +77,38 @@ inline const std::vector<NamedLaw> every_law{
        make_rubber(material);
        material.formulation = study::Formulation::full;
      }},
+    {"Reduced", [](study::Material& material) { material.formulation = study::Formulation::reduced; }},
+    {"GreenLagrangeReduced",
+     [](study::Material& material) {
+       material.strain = study::StrainKind::green_lagrange;
+       material.formulation = study::Formulation::reduced;
+     }},
+    {"RubberReduced",
+     [](study::Material& material) {
+       make_rubber(material);
+       material.formulation = study::Formulation::reduced;
+     }},
+    {"PronyLogarithmicReduced",
+     [](study::Material& material) {
+       make_viscous(material);
+       material.strain = study::StrainKind::logarithmic;
+       material.formulation = study::Formulation::reduced;
+     }},
+};
+
+/// Those of explicit runs alone.
+inline const std::vector<NamedLaw> every_explicit_law{
+    {"PlasticReduced",
+     [](study::Material& material) {
+       make_plastic(material);
+       material.formulation = study::Formulation::reduced;
+     }},
+    {"PlasticLogarithmicReduced",
+     [](study::Material& material) {
+       make_plastic(material);
+       material.strain = study::StrainKind::logarithmic;
+       material.formulation = study::Formulation::reduced;
+     }},
 };
 
 /// Whether its bodies give back all that is done to them.

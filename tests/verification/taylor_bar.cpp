@@ -166,10 +166,11 @@ void measure_shape(const model::Model& model, const Eigen::VectorXd& u, TaylorRe
 
 } // namespace
 
-TaylorBar taylor_bar(TaylorMesh mesh, TaylorWall wall) {
+TaylorBar taylor_bar(TaylorMesh mesh, TaylorWall wall, study::Formulation formulation) {
+  auto study = mesh == TaylorMesh::quarter ? quarter_study(wall) : meridian_study(wall);
+  study.materials.front().formulation = formulation;
   if (mesh == TaylorMesh::quarter)
-    return {quarter_study(wall), quarter_mesh()};
-  auto study = meridian_study(wall);
+    return {std::move(study), quarter_mesh()};
   auto rod = model::load_mesh(study.mesh);
   return {std::move(study), std::move(rod)};
 }
@@ -192,6 +193,7 @@ TaylorResult run(TaylorBar bar) {
   result.plastic = whole * energy.plastic;
   result.start = whole * energy.start;
   result.scheme = whole * energy.bulk_scheme;
+  result.hourglass = whole * energy.hourglass;
   result.steps = simulation.counters().steps;
   result.cells = model.bulk.cells.size();
   measure_shape(model, simulation.state().motion.u, result);

@@ -24,16 +24,18 @@ struct TaylorBar {
   study::Study study;
   mesh::Mesh mesh;
 };
-TaylorBar taylor_bar(TaylorMesh mesh, TaylorWall wall);
+TaylorBar taylor_bar(TaylorMesh mesh, TaylorWall wall,
+                     study::Formulation formulation = study::Formulation::mean_dilatation);
 
 struct TaylorResult {
-  double length = 0;  ///< [m]
-  double radius = 0;  ///< the largest, of the foot [m]
-  double edge = 0;    ///< how far from the wall the widest place is [m]
-  double balance = 0; ///< largest of all records, in parts of the largest energy
-  double plastic = 0; ///< [J], of the whole rod
-  double start = 0;   ///< [J]
-  double scheme = 0;  ///< bulk_scheme [J]
+  double length = 0;    ///< [m]
+  double radius = 0;    ///< the largest, of the foot [m]
+  double edge = 0;      ///< how far from the wall the widest place is [m]
+  double balance = 0;   ///< largest of all records, in parts of the largest energy
+  double plastic = 0;   ///< [J], of the whole rod
+  double start = 0;     ///< [J]
+  double scheme = 0;    ///< bulk_scheme [J]
+  double hourglass = 0; ///< [J]
   std::int64_t steps = 0;
   std::size_t cells = 0;
   double seconds = 0; ///< of the processor, in steps

@@ -2,6 +2,7 @@
 #include "rubato/domain/bulk.hpp"
 
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/domain/undeformed.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>
@@ -35,6 +36,8 @@ element::CellKind kind_of(const Bulk& bulk, const Behaviour& behaviour, CellType
   element::CellKind kind{type, bulk.section, behaviour.strain, behaviour.formulation};
   if (!element::is_offered(kind))
     kind.formulation = element::Formulation::full;
+  if (kind.formulation == element::Formulation::reduced)
+    kind.hourglass = hourglass_control(behaviour.law, bulk.section.physics);
   return kind;
 }
 

@@ -32,6 +32,14 @@ double Domain::back_stress_energy(const QuadratureStates& states) const {
   return std::visit([&](const auto& kind) { return kind.back_stress_energy(states); }, kind_);
 }
 
+double Domain::hourglass_energy(const VectorXd& u) const {
+  return std::visit([&](const auto& kind) { return kind.hourglass_energy(u); }, kind_);
+}
+
+bool Domain::has_own_scheme() const {
+  return std::visit([](const auto& kind) { return kind.has_own_scheme(); }, kind_);
+}
+
 std::span<const LawSpring> Domain::law_springs() const {
   return std::visit([](const auto& kind) { return kind.law_springs(); }, kind_);
 }

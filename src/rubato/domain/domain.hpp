@@ -50,6 +50,12 @@ public:
   /// What back stresses store, of states with records [force · length].
   double back_stress_energy(const QuadratureStates& states) const;
 
+  /// What reduced cells store in hourglasses at displacements u; `energy` is without it [force · length].
+  double hourglass_energy(const Eigen::VectorXd& u) const;
+  /// Whether the work of the forces of nonlinear cells over a step may be another than what is stored and
+  /// dissipated.
+  bool has_own_scheme() const;
+
   /// Springs by tables.
   std::span<const LawSpring> law_springs() const;
 

@@ -26,12 +26,12 @@ struct LawPath {
   /// remembers something or sees logarithmic strain: a point after the other in the order of Bulk::cells.
   std::vector<LawPoint> points;
   Eigen::VectorXd forces; ///< f of the cells that are not constant, one a dof [force]
-  double stored = 0;      ///< in these cells [force · length]
-  double elsewhere = 0;   ///< the part of it in cells without `points`, and in hyperelastic ones
+  double stored = 0;      ///< in these cells, hourglasses with it [force · length]
+  double elsewhere = 0; ///< the part of it in cells without `points`, in hyperelastic ones and in hourglasses
   // Over its step:
   Balance taken; ///< its `scheme` stays 0
-  /// Σ w {stress}:[strain + free], of hyperelastic laws Σ w [stored] less heat. What {f}·[u] exceeds it by is
-  /// Balance::scheme.
+  /// Σ w {stress}:[strain + free], of hyperelastic laws Σ w [stored] less heat, and [stored] of hourglasses.
+  /// What {f}·[u] exceeds it by is Balance::scheme.
   double law_work = 0;
 };
 

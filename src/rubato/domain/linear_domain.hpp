@@ -37,6 +37,7 @@ public:
   /// Materials take nothing: all that is put into them is stored.
   Balance balance(const QuadratureStates&, const QuadratureStates&) const { return {}; }
   double back_stress_energy(const QuadratureStates&) const { return 0; }
+  double hourglass_energy(const Eigen::VectorXd&) const { return 0; }
   const Heat* heat() const { return heat_.get(); }
   std::span<const LawSpring> law_springs() const { return springs_; }
   const SparseMatrix& initial_tangent() const { return *stiffness_; }
@@ -47,6 +48,7 @@ public:
   PlasticStep plastic_step(const QuadratureStates&, const QuadratureStates&) const { return {}; }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
   bool has_finite_strain() const { return false; }
+  bool has_own_scheme() const { return false; }
   double growth(const Eigen::VectorXd&, const QuadratureStates&, const LawPath&, double) const { return 0; }
 
 private:

@@ -2,6 +2,7 @@
 #include "rubato/domain/nonlinear_cells.hpp"
 
 #include "rubato/cell/wave_patterns.hpp"
+#include "rubato/domain/undeformed.hpp"
 #include "rubato/element/energy_momentum.hpp"
 
 #include <algorithm>
@@ -40,15 +41,6 @@ void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const D
 
 namespace {
 
-/// Its tangent in small strain where nothing has happened.
-material::ElasticPoint first_tangent(const material::PointLaw& law) {
-  const std::vector<double> old(static_cast<std::size_t>(material::state_size(law)), 0.0);
-  auto now = old;
-  material::Response response;
-  material::respond(law, material::Strain6::Zero(), old, now, {}, material::Want::tangent, response);
-  return {response.tangent};
-}
-
 /// What a law without memory takes is stored. Growth of stiffness needs stresses of logarithmic strain.
 bool is_followed(const Behaviour& behaviour) {
   return has_linear_stress(behaviour.law) &&
@@ -67,8 +59,9 @@ int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) 
   const int remembered = element::state_size_of_cell(kind, material::state_size(behaviour.law));
   auto undeformed = kind;
   undeformed.strain = element::StrainKind::small;
+  undeformed.hourglass.limit = 0;
   groups_.push_back(
-      {kind, behaviour.law, cell::topology(type).node_count, element::point_count(type),
+      {kind, behaviour.law, cell::topology(type).node_count, element::point_count(kind),
        static_cast<std::size_t>(remembered), is_followed(behaviour) || behaviour.expansion.has_value(),
        has_linear_stress(behaviour.law), behaviour.expansion.value_or(material::FullExpansion::Zero()),
        undeformed, first_tangent(behaviour.law), cell::shortest_waves(type)});
@@ -108,6 +101,26 @@ void NonlinearCells::find_places(const SparseMatrix& pattern) {
         places_.push_back(static_cast<std::int32_t>(std::lower_bound(begin, end, row) - begin));
     }
   }
+}
+
+bool NonlinearCells::has_own_scheme() const {
+  return has_finite_strain() ||
+         std::ranges::any_of(groups_, [](const Group& group) { return group.kind.hourglass.limit > 0; });
+}
+
+double NonlinearCells::hourglass_energy(const VectorXd& u) const {
+  std::vector<double> displacement;
+  double sum = 0;
+  for (const auto& cell : cells_) {
+    const auto& group = group_of(cell);
+    if (group.kind.formulation != element::Formulation::reduced)
+      continue;
+    gather(cell, u, displacement);
+    sum += element::hourglass_energy(
+        group.kind, std::span(points_).subspan(cell.first_node, static_cast<std::size_t>(group.nodes)),
+        displacement);
+  }
+  return sum;
 }
 
 bool NonlinearCells::has_finite_strain() const {
@@ -161,7 +174,7 @@ Failed NonlinearCells::add_each(const StepSpan& step, const QuadratureStates& ol
     }
     now.mode_force = std::max(now.mode_force, result.mode_force);
     if (wanted.path != nullptr)
-      go_along(cell, old, now, result.stored, scratch, *wanted.path);
+      go_along(cell, old, now, result, scratch, *wanted.path);
   }
   return {};
 }
@@ -258,11 +271,13 @@ void NonlinearCells::scatter(const Cell& cell, const std::vector<double>& values
 }
 
 void NonlinearCells::go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now,
-                              double stored, const Scratch& scratch, LawPath& path) const {
-  path.stored += stored;
+                              const element::CellResult& result, const Scratch& scratch,
+                              LawPath& path) const {
+  path.stored += result.stored + result.hourglass;
+  path.elsewhere += result.hourglass;
   const auto& group = group_of(cell);
   if (!group.followed || !group.stress_is_linear)
-    path.elsewhere += stored;
+    path.elsewhere += result.stored;
   if (!group.followed)
     return;
   const auto points = static_cast<std::size_t>(group.points);

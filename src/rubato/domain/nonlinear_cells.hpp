@@ -38,6 +38,8 @@ public:
   bool empty() const { return cells_.empty(); }
   std::size_t record_count() const { return record_count_; }
   bool has_finite_strain() const;
+  /// Whether the work of their forces over a step may be another than what laws and hourglasses take of it.
+  bool has_own_scheme() const;
 
   /// Adds forces and tangents at the end of the step to what is wanted, which has its size and pattern.
   /// `heat`: of the bulk; null: nothing is heated.
@@ -50,6 +52,9 @@ public:
   Balance balance(const QuadratureStates& old, const QuadratureStates& now) const;
   /// What back stresses store, of states with records [force · length].
   double back_stress_energy(const QuadratureStates& states) const;
+
+  /// Stored in hourglasses of reduced cells [force · length].
+  double hourglass_energy(const Eigen::VectorXd& u) const;
 
   /// y += K x, K the tangent where nothing has happened yet.
   void add_initial_product(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
@@ -115,8 +120,8 @@ private:
   element::CellResult evaluate_between(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
                                        QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
   void add_answers(const Cell& cell, const Wanted& wanted, const Scratch& scratch) const;
-  void go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now, double stored,
-                const Scratch& scratch, LawPath& path) const;
+  void go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now,
+                const element::CellResult& result, const Scratch& scratch, LawPath& path) const;
   double growth_of_shape(const Cell& cell, const Eigen::VectorXd& u, const LawPath& path,
                          Scratch& scratch) const;
   double growth_of_tangent(std::size_t cell, const Eigen::VectorXd& u, const QuadratureStates& states,

@@ -50,6 +50,8 @@ public:
   }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
   bool has_finite_strain() const { return cells_->has_finite_strain(); }
+  bool has_own_scheme() const { return cells_->has_own_scheme(); }
+  double hourglass_energy(const Eigen::VectorXd& u) const { return cells_->hourglass_energy(u); }
   double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path,
                 double rate) const {
     return cells_->growth(u, states, path, rate);

@@ -131,6 +131,11 @@ Eigen::Matrix<double, 6, 1> as_tensor(const material::Strain6& strain) {
   return tensor;
 }
 
+/// Of the points of cell::stiffness_rule, which may have one column for all.
+MatrixXd at_each_point(const MatrixXd& values, CellType type) {
+  return values.replicate(1, extrapolation(type).cols() / values.cols());
+}
+
 } // namespace
 
 /// The law answers from where it is to the same strain: as it did at the end of the step.
@@ -138,13 +143,13 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
   const auto [block, index] = mesh_.place_of(bulk_.cells[cell]);
   const auto nodes = block->cell(index);
   const auto kind = kind_of(bulk_, behaviour, block->type);
-  const auto count = slot(element::point_count(block->type));
+  const auto count = slot(element::point_count(kind));
   MatrixXd result(6, static_cast<Index>(count));
   if (what == Tensor::plastic_strain) {
     for (std::size_t q = 0; q < count; ++q)
       result.col(static_cast<Index>(q)) =
           as_tensor(material::plastic_strain(behaviour.law, state_at(behaviour, cell, q)));
-    return result;
+    return at_each_point(result, block->type);
   }
   gather(dofs_, nodes, u_, local_);
   const CellPoints points(mesh_, nodes);
@@ -162,7 +167,7 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
                                             ? records[q].cauchy
                                             : as_tensor(heated_strain(behaviour.law, seen, records[q].free));
   }
-  return result;
+  return at_each_point(result, block->type);
 }
 
 std::vector<material::Strain6> CellTensors::free_strains(const Behaviour& behaviour, std::size_t cell) const {
@@ -174,11 +179,14 @@ std::vector<material::Strain6> CellTensors::free_strains(const Behaviour& behavi
 }
 
 MatrixXd CellTensors::cumulated_plastic_strain(std::size_t cell) {
-  MatrixXd result = MatrixXd::Zero(1, extrapolation(mesh_.type_of(bulk_.cells[cell])).cols());
-  if (const auto* behaviour = bulk_.behaviour(cell))
-    for (Index q = 0; q < result.cols(); ++q)
-      result(0, q) = material::cumulated_plastic_strain(behaviour->law, state_at(*behaviour, cell, slot(q)));
-  return result;
+  const auto type = mesh_.type_of(bulk_.cells[cell]);
+  const auto* behaviour = bulk_.behaviour(cell);
+  if (behaviour == nullptr)
+    return MatrixXd::Zero(1, extrapolation(type).cols());
+  MatrixXd result(1, element::point_count(kind_of(bulk_, *behaviour, type)));
+  for (Index q = 0; q < result.cols(); ++q)
+    result(0, q) = material::cumulated_plastic_strain(behaviour->law, state_at(*behaviour, cell, slot(q)));
+  return at_each_point(result, type);
 }
 
 MatrixXd CellTensors::linear_at_points(Tensor what, std::size_t cell) {

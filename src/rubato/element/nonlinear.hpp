@@ -15,6 +15,8 @@
 /// enhanced         strain from displacement modes of the cell's own: R. L. Taylor, P. J. Beresford, E. L.
 ///                  Wilson, Int. J. Numer. Meth. Eng. 10 (1976) 1211–1219; J. C. Simo, M. S. Rifai, ibid. 29
 ///                  (1990) 1595–1638; J. C. Simo, F. Armero, ibid. 33 (1992) 1413–1449
+/// reduced          one point, which has the means of the gradients over the volume, and forces against what
+///                  it does not see: D. P. Flanagan, T. Belytschko, ibid. 17 (1981) 679–706
 #pragma once
 
 #include "rubato/element/element.hpp"
@@ -33,7 +35,13 @@ enum class StrainKind {
   logarithmic     ///< E = ½ ln FᵀF, T
 };
 
-enum class Formulation { full, mean_dilatation, enhanced };
+enum class Formulation { full, mean_dilatation, enhanced, reduced };
+
+/// What keeps reduced cells in shape (nonlinear/hourglass_control.hpp).
+struct HourglassControl {
+  double modulus = 0; ///< shear modulus of the law where nothing has happened [stress]
+  double limit = 0;   ///< strain from which on it resists with a constant stress; 0: never
+};
 
 /// What is the same for all cells of a kind. In plane stress the law is one that gives stresses with zz = 0
 /// and the tangent that belongs to them.
@@ -42,14 +50,16 @@ struct CellKind {
   Section section;
   StrainKind strain = StrainKind::small;
   Formulation formulation = Formulation::full;
+  HourglassControl hourglass = {}; ///< reduced cells only
 };
 
 /// Whether there is such a cell: `full` for every bulk cell, `mean_dilatation` for QUAD4 (plane strain,
-/// axisymmetric), HEXA8, PENTA6, `enhanced` for QUAD4 and HEXA8 with small or Green–Lagrange strain.
+/// axisymmetric), HEXA8, PENTA6, `enhanced` for QUAD4 and HEXA8 with small or Green–Lagrange strain,
+/// `reduced` for QUAD4 and HEXA8.
 bool is_offered(const CellKind& kind);
 
-/// Points of cell::stiffness_rule.
-int point_count(CellType type);
+/// Points of cell::stiffness_rule; 1 of reduced cells.
+int point_count(const CellKind& kind);
 
 /// Unknowns of the cell's own: 4 in QUAD4, 9 in HEXA8, there 12 in small strain; 0 if not enhanced.
 int mode_count(const CellKind& kind);
@@ -67,7 +77,7 @@ struct PointRecord {
   material::Stress6 cauchy; ///< true stress P Fᵀ/J of what the law saw; plane stress: by undeformed
                             ///< thickness
   Eigen::Matrix3d gradient; ///< ∂u/∂X with the strain of the cell's own modes; zz is 0 in the plane
-  Eigen::Matrix3d piola;    ///< P_c: Σ volume · P_c : d(gradient) is f·du
+  Eigen::Matrix3d piola;    ///< P_c: Σ volume · P_c : d(gradient) is f·du, less what hourglasses take
 
   bool operator==(const PointRecord&) const = default;
 };
@@ -111,6 +121,7 @@ struct CellResult {
   Failure failure = Failure::none;
   int point = -1;        ///< where it failed; −1: of the cell
   double stored = 0;     ///< Σ volume · stored
+  double hourglass = 0;  ///< stored in hourglasses of a reduced cell [force · length]
   double mode_force = 0; ///< largest Σ w |P| |∂H/∂α|: what forces on modes are compared with
 
   explicit operator bool() const { return failure == Failure::none; }
@@ -123,5 +134,9 @@ const char* described(Failure failure);
 /// that is not offered.
 CellResult evaluate(const CellKind& kind, const PointLaws& laws, const CellInput& input,
                     const CellOutput& output);
+
+/// CellResult::hourglass of a cell with that displacement: 0 of all but reduced cells.
+double hourglass_energy(const CellKind& kind, std::span<const Eigen::Vector3d> points,
+                        std::span<const double> displacement);
 
 } // namespace rubato::element

@@ -123,7 +123,8 @@ element::Formulation formulation(study::Formulation kind) {
     return element::Formulation::mean_dilatation;
   case study::Formulation::enhanced:
     return element::Formulation::enhanced;
-  case study::Formulation::reduced: // not offered yet
+  case study::Formulation::reduced:
+    return element::Formulation::reduced;
   case study::Formulation::full:
     break;
   }
@@ -139,7 +140,7 @@ std::optional<domain::Behaviour> behaviour_of(const study::Study& study, const s
   const bool heated = material.expansion && !study.temperatures.empty();
   domain::Behaviour behaviour{material::make_point_law(material, study.physics),
                               strain_kind(study::strain_of(material)), formulation(wanted),
-                              constant && !heated};
+                              constant && wanted != study::Formulation::reduced && !heated};
   if (heated)
     behaviour.expansion = material::expansion_strain(material::make_law(material), *material.expansion);
   return behaviour;

@@ -19,6 +19,10 @@ constexpr double worth_a_warning = 1e-2;
 constexpr int soon = 10;
 /// Of the largest energy. Rounding makes meshes that touch overlap by less.
 constexpr double worth_telling = 1e-6;
+/// Of what the bodies themselves have stored and dissipated.
+constexpr double most_in_hourglasses = 0.05;
+/// Of the largest energy: where bodies begin to deform, hourglasses may hold much of little.
+constexpr double few_in_hourglasses = 1e-3;
 
 /// What the bodies have from nowhere: all in all, or from contact or finite strain alone where the scheme
 /// takes that again.
@@ -68,6 +72,7 @@ const char* cause_of(const step::EnergyRecord& record) {
 void EnergyWatch::note(double t, const step::EnergyLedger& ledger) {
   record_.note(t, ledger);
   now_ = ledger;
+  note_hourglasses(t);
   if (gained(ledger) <= worth_a_warning * record_.largest) {
     gained_for_ = 0;
     return;
@@ -76,6 +81,19 @@ void EnergyWatch::note(double t, const step::EnergyLedger& ledger) {
     gained_since_ = t;
   if (gained_for_ > soon)
     warn(fmt::format("from t = {:g} to {:g}", gained_since_, t));
+}
+
+void EnergyWatch::note_hourglasses(double t) {
+  most_internal_ = std::max(most_internal_, now_.strain + now_.back_stress + now_.plastic + now_.viscous);
+  if (told_hourglasses_ || now_.hourglass <= most_in_hourglasses * most_internal_ ||
+      now_.hourglass <= few_in_hourglasses * record_.largest)
+    return;
+  told_hourglasses_ = true;
+  watch_.warn(
+      fmt::format("{}: hourglasses of reduced cells hold {:.3g} at t = {:g}, {:.2g} of what the bodies "
+                  "have stored and dissipated, expected at most {:g}; a finer mesh, or "
+                  "'formulation: mean_dilatation', 'enhanced' or 'full', cures it",
+                  run_, now_.hourglass, t, now_.hourglass / most_internal_, most_in_hourglasses));
 }
 
 void EnergyWatch::warn(const std::string& when) {

@@ -9,8 +9,9 @@
 
 namespace rubato::run {
 
-/// Follows the ledger of a run: says when energy is gained and not given up again, and at the end how well
-/// the ledger closes. docs/theory/energy.md has the numbers behind what is worth a warning.
+/// Follows the ledger of a run: says when energy is gained and not given up again or hourglasses hold much of
+/// it, and at the end how well the ledger closes. docs/theory/energy.md has the numbers behind what is worth
+/// a warning.
 class EnergyWatch {
 public:
   /// Everything must outlive this. `record`: of what was followed before.
@@ -24,6 +25,7 @@ public:
 
 private:
   void warn(const std::string& when);
+  void note_hourglasses(double t);
 
   const std::string& run_;
   const Watch& watch_;
@@ -32,6 +34,8 @@ private:
   double gained_since_ = 0;
   int gained_for_ = 0; ///< instants in a row at which the gain was worth a warning
   bool warned_ = false;
+  double most_internal_ = 0; ///< that bodies have stored and dissipated
+  bool told_hourglasses_ = false;
 };
 
 } // namespace rubato::run

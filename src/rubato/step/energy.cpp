@@ -98,6 +98,7 @@ EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, con
   ledger_.strain = strain_energy(start, constant_resultants(start));
   ledger_.strain += energy_of_ground(model, start);
   ledger_.back_stress = model.domain.back_stress_energy(start.bulk_points);
+  ledger_.hourglass = model.domain.hourglass_energy(start.motion.u);
   ledger_.contact = energy_of_springs(model.zones, start.zones);
   ledger_.held_heat = model.domain.heat() != nullptr ? model.domain.heat()->held_energy(start.t) : 0;
   ledger_.start = ledger_.stored();
@@ -116,6 +117,7 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   if (scheme_->conserving) // its internal forces do the work that is stored, not that of both ends' mean
     materials.scheme = 0;
   step::enter(materials, ledger_);
+  ledger_.hourglass = model_->domain.hourglass_energy(trial.motion.u);
   ledger_.external_work += work(moved, committed.external_force, trial.external_force);
   enter_heat(committed, trial);
   if (damped(trial))

@@ -37,7 +37,8 @@ struct EnergyLedger {
   double viscous = 0;       ///< dissipated by viscoelastic materials
   double impact = 0;        ///< taken by contact pressures and not stored: > 0 where bodies hit, < 0 gained
   double numerical = 0;     ///< dissipated by the time scheme; < 0 gained
-  /// Work of internal forces over steps that bodies of finite strain neither store nor dissipate: an error of
+  /// Work of internal forces over steps that bodies of finite strain, and hourglasses of those that yield,
+  /// neither store nor dissipate: an error of
   /// the time scheme, too; < 0 gained.
   double bulk_scheme = 0;
   double unbalanced = 0; ///< work of the forces that iterations and the rounding of f_int left unbalanced

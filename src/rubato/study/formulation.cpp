@@ -54,7 +54,8 @@ Formulation formulation_of(const Material& material, Physics physics, CellType t
 bool is_linear(const Study& study) {
   return std::ranges::all_of(study.materials, [&](const Material& material) {
     const bool whole = material.formulation.value_or(Formulation::full) == Formulation::full;
-    return has_constant_stiffness(material) && (whole || study.temperatures.empty());
+    return has_constant_stiffness(material) && wanted_formulation(material) != Formulation::reduced &&
+           (whole || study.temperatures.empty());
   });
 }
 
@@ -73,9 +74,8 @@ bool yields(const Study& study) {
 }
 
 bool takes_large_rotations(const Study& study) {
-  return std::ranges::any_of(study.materials, [](const Material& material) {
-    return strain_of(material) != StrainKind::small;
-  });
+  return std::ranges::any_of(
+      study.materials, [](const Material& material) { return strain_of(material) != StrainKind::small; });
 }
 
 } // namespace rubato::study

@@ -25,8 +25,9 @@ Formulation wanted_formulation(const Material& material);
 /// The same where there is such a cell, else full.
 Formulation formulation_of(const Material& material, Physics physics, CellType type);
 
-/// Whether one stiffness of the whole holds for every step: constant stiffness of all materials, and no
-/// temperatures of cells that are not integrated in full.
+/// Whether one stiffness of the whole holds for every step: constant stiffness of all materials, no reduced
+/// cells, whose hourglasses have an energy of their own, and no temperatures of cells that are not integrated
+/// in full.
 bool is_linear(const Study& study);
 
 /// Whether points or cells of the material remember their past; whether some material's do.

@@ -72,7 +72,7 @@ inline constexpr std::array<Word<Formulation>, 4> formulation_words{
     {{"full", Formulation::full},
      {"mean_dilatation", Formulation::mean_dilatation},
      {"enhanced", Formulation::enhanced},
-     {"reduced", Formulation::reduced, false}}};
+     {"reduced", Formulation::reduced}}};
 
 inline constexpr std::array<Word<VolumeEnergy>, 2> volume_energy_words{
     {{"logarithmic", VolumeEnergy::logarithmic}, {"quadratic", VolumeEnergy::quadratic}}};

@@ -335,12 +335,16 @@ const BadMaterial bad_cells[] = {
     {elastic + ", strain: large",
      "materials.steel.strain: found 'large', expected one of small, green_lagrange, logarithmic", ""},
     {elastic + ", formulation: enhance",
-     "materials.steel.formulation: found 'enhance', expected one of full, mean_dilatation, enhanced; did you "
-     "mean "
-     "'enhanced'?",
+     "materials.steel.formulation: found 'enhance', expected one of full, mean_dilatation, enhanced, "
+     "reduced; did you mean 'enhanced'?",
      ""},
-    {elastic + ", formulation: reduced",
-     "materials.steel.formulation: found 'reduced', expected one of full, mean_dilatation, enhanced", ""},
+    {bilinear + ", formulation: reduced",
+     "materials.steel.formulation: the scheme newmark takes reduced cells of materials that do not yield "
+     "only, "
+     "expected mean_dilatation",
+     ""},
+    {"young: 1+x, poisson: 0.3, formulation: reduced",
+     "materials.steel.young: depends on the place, which reduced cells cannot; expected a number", ""},
     {rubber + ", formulation: enhanced",
      "materials.steel.formulation: enhanced cells grow hourglasses under large compression with the law "
      "hyperelastic, expected mean_dilatation",

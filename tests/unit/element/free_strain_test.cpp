@@ -46,7 +46,7 @@ Strain6 isotropic(double a) {
 }
 
 std::vector<Strain6> everywhere(const CellKind& kind, const Strain6& strain) {
-  return std::vector(static_cast<std::size_t>(point_count(kind.type)), strain);
+  return std::vector(static_cast<std::size_t>(point_count(kind)), strain);
 }
 
 /// Different at each point.

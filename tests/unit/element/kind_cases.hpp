@@ -17,9 +17,10 @@ namespace rubato::element {
 
 inline std::string name_of(const CellKind& kind) {
   constexpr const char* strains[] = {"Small", "GreenLagrange", "Logarithmic"};
-  constexpr const char* formulations[] = {"Full", "MeanDilatation", "Enhanced"};
+  constexpr const char* formulations[] = {"Full", "MeanDilatation", "Enhanced", "Reduced"};
   return test::name_of(test::BulkCase{kind.type, kind.section.physics}) +
-         strains[static_cast<int>(kind.strain)] + formulations[static_cast<int>(kind.formulation)];
+         strains[static_cast<int>(kind.strain)] + formulations[static_cast<int>(kind.formulation)] +
+         (kind.hourglass.limit > 0 ? "Yielding" : "");
 }
 
 inline void PrintTo(const CellKind& kind, std::ostream* out) {
@@ -31,10 +32,17 @@ inline std::vector<CellKind> every_kind() {
   for (const auto& bulk : test::every_bulk_case())
     for (const auto strain : {StrainKind::small, StrainKind::green_lagrange, StrainKind::logarithmic})
       for (const auto formulation :
-           {Formulation::full, Formulation::mean_dilatation, Formulation::enhanced}) {
-        const CellKind kind{bulk.type, {bulk.physics, 0.7}, strain, formulation};
-        if (is_offered(kind))
+           {Formulation::full, Formulation::mean_dilatation, Formulation::enhanced, Formulation::reduced}) {
+        CellKind kind{bulk.type, {bulk.physics, 0.7}, strain, formulation};
+        if (!is_offered(kind))
+          continue;
+        if (formulation == Formulation::reduced)
+          kind.hourglass.modulus = 80;
+        kinds.push_back(kind);
+        if (formulation == Formulation::reduced) {
+          kind.hourglass.limit = 0.01;
           kinds.push_back(kind);
+        }
       }
   return kinds;
 }
@@ -45,7 +53,7 @@ struct OneCell {
       : kind(of_kind), laws(of_laws), points(test::bent_cell(kind.type)),
         d(component_count(kind.section.physics)), dofs(static_cast<Eigen::Index>(points.size()) * d),
         old(static_cast<std::size_t>(state_size_of_cell(kind, laws.state_size()))), now(old), force(dofs),
-        tangent(dofs, dofs), records(static_cast<std::size_t>(point_count(kind.type))) {}
+        tangent(dofs, dofs), records(static_cast<std::size_t>(point_count(kind))) {}
 
   CellResult evaluate(const Eigen::VectorXd& u) {
     const auto size = static_cast<std::size_t>(dofs);

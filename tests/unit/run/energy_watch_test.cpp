@@ -51,6 +51,30 @@ TEST_F(EnergyOfARun, IsNotWarnedOfWhatTheSchemeSoonTakesAgain) {
             "by the time scheme");
 }
 
+TEST_F(EnergyOfARun, IsWarnedOfOnceWhenHourglassesHoldMuchOfIt) {
+  const auto note_hourglass = [&](double strain, double plastic, double hourglass) {
+    step::EnergyLedger ledger;
+    ledger.external_work = 1000;
+    ledger.strain = strain;
+    ledger.plastic = plastic;
+    ledger.hourglass = hourglass;
+    ledger.kinetic = 1000 - strain - plastic - hourglass;
+    energy_.note(++t_, ledger);
+  };
+  note_hourglass(1, 0, 0.9); // less than a thousandth of all
+  note_hourglass(100, 100, 9.9);
+  note_hourglass(0, 100, 9.9); // strain swings back
+  EXPECT_TRUE(warnings_.empty());
+  note_hourglass(100, 100, 10.1);
+  note_hourglass(100, 100, 20);
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_EQ(
+      warnings_[0],
+      "evol: hourglasses of reduced cells hold 10.1 at t = 4, 0.051 of what the bodies have stored and "
+      "dissipated, expected at most 0.05; a finer mesh, or 'formulation: mean_dilatation', 'enhanced' or "
+      "'full', cures it");
+}
+
 TEST_F(EnergyOfARun, IsWarnedOfOnceWhenTheGainStays) {
   note(0, 0);
   for (int i = 0; i < 30; ++i)

@@ -99,6 +99,7 @@ TEST_P(ExplicitImpact, GoesOnToTheSameBitsFromEachCheckpoint) {
 INSTANTIATE_TEST_SUITE_P(Bodies, ExplicitImpact,
                          testing::Values(Kind{"PlasticLogarithmic", thrown(steel)},
                                          Kind{"PlasticSmall", thrown(soft_steel)},
+                                         Kind{"PlasticReduced", thrown(steel + ", formulation: reduced")},
                                          Kind{"Prony", thrown(polymer)},
                                          Kind{"Linear", thrown("young: 20e9, poisson: 0.3")}),
                          test::name_of_kind);

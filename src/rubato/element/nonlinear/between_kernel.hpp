@@ -358,6 +358,7 @@ private:
       output_.records[q] = {weight(static_cast<int>(q)),
                             after_.response[q].stored,
                             after_.strain[q],
+                            material::Strain6::Zero(), // nothing is heated
                             after_.response[q].stress,
                             stress_of(f * s * f.transpose() / (scale * (1 + volume_change(h)))),
                             h,

@@ -3,10 +3,11 @@
 /// that are made with them. Sizes are known at compile time for the cells that most meshes are made of.
 ///
 /// D components a node and Rows gradients: axisymmetric cells have a third one, N_i/R, which gives the hoop
-/// strain to the first component.
+/// strain to the first component. Cells of one point have there the means of the gradients over their volume.
 #pragma once
 
 #include "rubato/element/nonlinear/kinematics.hpp"
+#include "rubato/element/nonlinear/mean_gradients.hpp"
 #include "rubato/element/nonlinear/reference_gradients.hpp"
 
 #include <Eigen/LU>
@@ -24,8 +25,10 @@ template <int Components, int GradientRows, int N, int Q> struct Shape {
   static constexpr bool is_fixed = N != Eigen::Dynamic;
   static constexpr int most_nodes = is_fixed ? N : 27;
   static constexpr int most_points = is_fixed ? Q : 27;
+  /// QUAD4 and HEXA8 with one point.
+  static constexpr bool is_reduced = is_fixed && Q == 1 && N == (1 << d);
   /// QUAD4 and HEXA8 may have a mode of their own for each direction, behind the nodes.
-  static constexpr bool may_be_enhanced = d == 2 ? N == 4 : N == 8;
+  static constexpr bool may_be_enhanced = N == (1 << d) && !is_reduced;
   /// Those, and PENTA6 among the cells of any size.
   static constexpr bool may_average = is_fixed ? may_be_enhanced : d == 3;
   static constexpr int stride = even(most_nodes + (may_be_enhanced ? d : 0));
@@ -60,13 +63,18 @@ template <class S> typename S::Gradient part(const Eigen::Matrix3d& tensor) {
 
 template <class S> class CellGradients {
 public:
+  using AllNodes = Eigen::Matrix<double, S::nodes, S::rows, Eigen::ColMajor, S::most_nodes, S::rows>;
+
   /// On the undeformed shape.
   CellGradients(const ReferenceGradients& reference, std::span<const Eigen::Vector3d> points,
                 const Section& section)
       : nodes_(reference.nodes), points_(reference.points) {
     const auto x = coordinates(points);
-    for (int q = 0; q < points_; ++q)
-      set_point(reference, x, section, q);
+    if constexpr (S::is_reduced)
+      set_means(reference, x, points, section);
+    else
+      for (int q = 0; q < points_; ++q)
+        set_point(reference, x, section, q);
   }
 
   int nodes() const {
@@ -98,9 +106,8 @@ public:
 
   /// Nodes × rows of one point.
   auto gradients(int q) const {
-    using Matrix = Eigen::Matrix<double, S::nodes, S::rows, Eigen::ColMajor, S::most_nodes, S::rows>;
-    return Eigen::Map<const Matrix, Eigen::Aligned16, Eigen::OuterStride<S::stride>>(pair(q, 0, 0), nodes(),
-                                                                                     S::rows);
+    return Eigen::Map<const AllNodes, Eigen::Aligned16, Eigen::OuterStride<S::stride>>(pair(q, 0, 0), nodes(),
+                                                                                       S::rows);
   }
 
   typename S::Nodal coordinates(std::span<const Eigen::Vector3d> points) const {
@@ -156,6 +163,31 @@ private:
     if constexpr (S::rows > S::d)
       Eigen::Map<Eigen::VectorXd>(pair(q, S::d, 0), nodes()) = n / radius_[place];
     clear_rest(q);
+  }
+
+  void set_means(const ReferenceGradients& reference, const typename S::Nodal& x,
+                 std::span<const Eigen::Vector3d> points, const Section& section) {
+    clear_rest(0);
+    if constexpr (S::rows > S::d) {
+      set_means_of(CellGradients<Shape<S::d, S::rows, S::nodes, S::nodes>>(reference, points, section));
+    } else {
+      const auto means = mean_gradients<S::d>(x);
+      weight_[0] = means.volume * measure(section, 0);
+      Eigen::Map<typename S::Nodal, Eigen::Aligned16, Eigen::OuterStride<S::stride>>(pair(0, 0, 0)) =
+          means.gradients;
+    }
+  }
+
+  /// Of a cell with points.
+  template <class Points> void set_means_of(const Points& of_points) {
+    weight_[0] = 0;
+    typename Points::AllNodes sum = Points::AllNodes::Zero();
+    for (int q = 0; q < of_points.points(); ++q) {
+      weight_[0] += of_points.weight(q);
+      sum += of_points.weight(q) * of_points.gradients(q);
+    }
+    Eigen::Map<typename Points::AllNodes, Eigen::Aligned16, Eigen::OuterStride<S::stride>>(pair(0, 0, 0)) =
+        sum / weight_[0];
   }
 
   /// Nodes that make the number even, and places of modes.

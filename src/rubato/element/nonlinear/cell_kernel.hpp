@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/element/nonlinear/enhanced.hpp"
+#include "rubato/element/nonlinear/hourglass_control.hpp"
 #include "rubato/element/nonlinear/mean_dilatation.hpp"
 
 #include <cmath>
@@ -41,7 +42,10 @@ private:
     if constexpr (S::may_average)
       if (cell_.kind.formulation == Formulation::mean_dilatation)
         return mean_dilatation();
-    return full();
+    if constexpr (S::is_reduced)
+      return reduced();
+    else
+      return full();
   }
 
   CellResult full() {
@@ -53,7 +57,23 @@ private:
     cell_.conjugate = cell_.piola;
     if (wants_tangent())
       cell_.is_small() ? put_full<SmallModuli<S>>() : put_full<LargeModuli<S>>();
-    return with_force(result);
+    return with_force(result, cell_.gradients.no_force());
+  }
+
+  CellResult reduced() {
+    cell_.seen[0].h = cell_.gradient[0];
+    auto result = cell_.respond(want());
+    if (!result)
+      return result;
+    cell_.conjugate = cell_.piola;
+    const HourglassForces<S> hourglass(cell_.kind, cell_.gradients, cell_.input);
+    result.hourglass = hourglass.energy();
+    if (wants_tangent()) {
+      cell_.is_small() ? put_full<SmallModuli<S>>() : put_full<LargeModuli<S>>();
+      auto k = tangent();
+      hourglass.add_tangent(k);
+    }
+    return with_force(result, hourglass.forces());
   }
 
   template <class Held> void put_full() {
@@ -73,7 +93,7 @@ private:
     mean.set_conjugates(wants_tangent());
     if (wants_tangent())
       cell_.is_small() ? put_mean<SmallModuli<S>>(mean) : put_mean<LargeModuli<S>>(mean);
-    return with_force(result);
+    return with_force(result, cell_.gradients.no_force());
   }
 
   template <class Held> void put_mean(const MeanDilatation<S>& mean) {
@@ -106,11 +126,11 @@ private:
       auto k = tangent();
       modes.put_tangent(k);
     }
-    return with_force(result);
+    return with_force(result, cell_.gradients.no_force());
   }
 
-  CellResult with_force(CellResult result) {
-    auto force = cell_.gradients.no_force();
+  /// `force`: what acts beside the stresses.
+  CellResult with_force(CellResult result, typename S::Nodal force) {
     for (int q = 0; q < cell_.count(); ++q)
       cell_.gradients.add_force(q, cell_.conjugate[place(q)], force);
     cell_.put_force(force);

@@ -27,9 +27,8 @@ bool has_mean_dilatation(const CellKind& kind) {
   }
 }
 
-bool has_modes(const CellKind& kind) {
-  return (kind.type == CellType::quad4 || kind.type == CellType::hexa8) &&
-         kind.strain != StrainKind::logarithmic;
+bool is_box(const CellKind& kind) {
+  return kind.type == CellType::quad4 || kind.type == CellType::hexa8;
 }
 
 } // namespace
@@ -41,14 +40,17 @@ bool is_offered(const CellKind& kind) {
   case Formulation::mean_dilatation:
     return has_mean_dilatation(kind);
   case Formulation::enhanced:
-    return has_modes(kind);
+    return is_box(kind) && kind.strain != StrainKind::logarithmic;
+  case Formulation::reduced:
+    return is_box(kind);
   default:
     return true;
   }
 }
 
-int point_count(CellType type) {
-  return static_cast<int>(cell::stiffness_rule(type).size());
+int point_count(const CellKind& kind) {
+  return kind.formulation == Formulation::reduced ? 1
+                                                  : static_cast<int>(cell::stiffness_rule(kind.type).size());
 }
 
 int mode_count(const CellKind& kind) {
@@ -60,7 +62,7 @@ int mode_count(const CellKind& kind) {
 }
 
 int state_size_of_cell(const CellKind& kind, int law_state_size) {
-  return point_count(kind.type) * law_state_size + mode_count(kind);
+  return point_count(kind) * law_state_size + mode_count(kind);
 }
 
 const char* described(Failure failure) {

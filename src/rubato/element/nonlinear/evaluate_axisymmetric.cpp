@@ -11,7 +11,7 @@ CellResult evaluate_axisymmetric(const CellKind& kind, const PointLaws& laws, co
   const auto evaluate_as = [&]<class S>(ShapeTag<S>) {
     result = CellKernel<S>(kind, laws, input, output).evaluate();
   };
-  if (!with_fixed_plane<3>(kind.type, evaluate_as))
+  if (!with_fixed_plane<3>(kind, evaluate_as))
     evaluate_as(ShapeTag<Shape<2, 3, Eigen::Dynamic, Eigen::Dynamic>>{});
   return result;
 }

@@ -11,7 +11,7 @@ CellResult evaluate_solid(const CellKind& kind, const PointLaws& laws, const Cel
   const auto evaluate_as = [&]<class S>(ShapeTag<S>) {
     result = CellKernel<S>(kind, laws, input, output).evaluate();
   };
-  if (!with_fixed_solid(kind.type, evaluate_as))
+  if (!with_fixed_solid(kind, evaluate_as))
     evaluate_as(ShapeTag<Shape<3, 3, Eigen::Dynamic, Eigen::Dynamic>>{});
   return result;
 }

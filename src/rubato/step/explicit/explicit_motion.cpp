@@ -209,8 +209,8 @@ domain::Failed ExplicitMotion::step(double end) {
   const double begin = std::exchange(t_, end);
   ++steps_;
   ++survey_.made;
-  const bool finite = model_->domain.has_finite_strain();
-  const double bulk_power = finite ? path_.forces.dot(v_) : 0;
+  const bool has_scheme = model_->domain.has_own_scheme();
+  const double bulk_power = has_scheme ? path_.forces.dot(v_) : 0;
   const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
   const double follower_power = has_followers() ? follower_force_.dot(v_) : 0;
   if (const auto springs = model_->domain.law_springs(); !springs.empty())
@@ -221,7 +221,7 @@ domain::Failed ExplicitMotion::step(double end) {
     return failed;
   enter_contact(begin, end);
   enter(path_.taken, energy_);
-  if (finite)
+  if (has_scheme)
     energy_.bulk_scheme += h_ / 2 * (bulk_power + path_.forces.dot(v_)) - path_.law_work;
   if (damping_)
     energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
@@ -340,7 +340,8 @@ VectorXd ExplicitMotion::acceleration() const {
 EnergyLedger ExplicitMotion::energy() const {
   auto ledger = energy_;
   ledger.kinetic = kinetic_energy();
-  ledger.strain = strain_energy();
+  ledger.hourglass = model_->domain.hourglass_energy(u_);
+  ledger.strain = strain_energy() - ledger.hourglass;
   if (const auto* heat = model_->domain.heat())
     ledger.held_heat = heat->held_energy(t_);
   for (const auto& zone : contact_) {
@@ -356,7 +357,7 @@ double ExplicitMotion::kinetic_energy() const {
   return energy_.kinetic + 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
 }
 
-/// Of the present states, which have no records: that of nonlinear cells is the path's.
+/// Of the present states, which have no records: that of nonlinear cells is the path's, hourglasses with it.
 double ExplicitMotion::strain_energy() const {
   const auto& domain = model_->domain;
   if (!domain.is_linear())
