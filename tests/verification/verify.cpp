@@ -62,7 +62,7 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 23> entries{
+constexpr std::array<Entry, 24> entries{
     {{"v1", rubato::verification::write_bar_on_wall},
      {"v2", rubato::verification::write_dropped_bar},
      {"v3", rubato::verification::write_contact_patch},
@@ -84,6 +84,7 @@ constexpr std::array<Entry, 23> entries{
      {"relations", rubato::verification::write_relations},
      {"heat", rubato::verification::write_heat},
      {"solids", rubato::verification::write_solids},
+     {"bulk", rubato::verification::write_bulk},
      {"mortar", rubato::verification::write_mortar},
      {"mortar_robustness", rubato::verification::write_mortar_robustness}}};
 

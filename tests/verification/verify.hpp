@@ -51,6 +51,8 @@ void write_signorini(const std::filesystem::path& folder);
 void write_relations(const std::filesystem::path& folder);
 void write_heat(const std::filesystem::path& folder);
 void write_solids(const std::filesystem::path& folder);
+/// Benchmarks of nonlinear bodies, locking and convergence of Newton's method.
+void write_bulk(const std::filesystem::path& folder);
 /// V11.
 void write_free_beam(const std::filesystem::path& folder);
 /// Natural frequencies against Code_Aster.
