@@ -87,13 +87,14 @@ bool isotropic_stiffness(CellType type, std::span<const Eigen::Vector3d> points,
     const CellGradients<S> gradients(reference_gradients(type), points, section);
     IsotropicStiffness<S>(gradients, lame).put(k);
   };
+  const CellKind kind{type, section};
   switch (section.physics) {
   case study::Physics::solid:
-    return with_fixed_solid(type, put_as);
+    return with_fixed_solid(kind, put_as);
   case study::Physics::axisymmetric:
-    return with_fixed_plane<3>(type, put_as);
+    return with_fixed_plane<3>(kind, put_as);
   default:
-    return with_fixed_plane<2>(type, put_as);
+    return with_fixed_plane<2>(kind, put_as);
   }
 }
 
