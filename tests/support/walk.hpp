@@ -12,6 +12,7 @@
 #include "rubato/time/step_control.hpp"
 
 #include "support/model_of.hpp"
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string_view>
@@ -27,6 +28,7 @@ class Walk {
   struct Told {
     step::State before;
     std::vector<step::StepReport> reports;
+    int deepest_cut = 0;
   };
   std::unique_ptr<Told> told_ = std::make_unique<Told>();
 
@@ -43,6 +45,7 @@ public:
              [told = told_.get()](const simulation::AcceptedStep& step) {
                told->before = step.before;
                told->reports.push_back(step.report);
+               told->deepest_cut = std::max(told->deepest_cut, step.attempt.cut_level);
              },
          .rejected = [told = told_.get()](
                          const simulation::RejectedStep& step) { told->reports.push_back(step.report); }});
@@ -112,6 +115,7 @@ public:
   time::Scheme scheme;
   const step::State& before = told_->before;                     ///< the state before the last step
   const std::vector<step::StepReport>& reports = told_->reports; ///< of every attempt
+  const int& deepest_cut = told_->deepest_cut;                   ///< halvings of the shortest accepted step
   std::function<void()> accepted; ///< called after every accepted step, cut ones too
 };
 

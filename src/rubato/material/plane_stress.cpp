@@ -33,6 +33,13 @@ struct Enclosure {
   }
 };
 
+/// Takes what is left of σ_zz out of all stresses, by their slopes in E_zz. Nearly incompressible bodies at
+/// rest would else have 1e-15 of their bulk modulus as a stress, which no iteration can bring to balance.
+void remove_rest_across(Response& out) {
+  out.stress -= out.tangent.col(across) * (out.stress[across] / out.tangent(across, across));
+  out.stress[across] = 0;
+}
+
 void condense(Response& out) {
   auto& d = out.tangent;
   const Stress6 column = d.col(across) / d(across, across);
@@ -83,7 +90,7 @@ bool respond(const PlaneStress& law, const Strain6& strain, std::span<const doub
       [&](const auto& one) { return respond_in_plane(one, strain, old, now, step, out); }, law.law);
   if (!found)
     return false;
-  out.stress[across] = 0;
+  remove_rest_across(out);
   if (want == Want::tangent)
     condense(out);
   return true;

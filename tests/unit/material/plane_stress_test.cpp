@@ -66,6 +66,16 @@ TEST(PlaneStress, EqualsTheLawOfSpaceWithoutStressAcross) {
   }
 }
 
+/// Strains that are rounding make stresses that are rounding of the shear modulus, not of the bulk modulus.
+TEST(PlaneStress, LeavesNoStressOfTheBulkModulusAtRest) {
+  for (const double bulk : {1.0, 200.0, 1e5}) {
+    PointPath path(PlaneStress{MooneyRivlin{0.5, 0, bulk}});
+    ASSERT_TRUE(path.to_strain(in_plane(2e-16, 1e-16, 1e-16)));
+    EXPECT_LT(path.response().stress.norm(), 2e-15) << bulk;
+    EXPECT_EQ(path.response().stress[2], 0);
+  }
+}
+
 /// A sheet of rubber that is stretched to 4 times its length in one step, and back.
 TEST(PlaneStress, FindsTheThicknessOfLargeSteps) {
   const double strain = 0.5 * (16 - 1);

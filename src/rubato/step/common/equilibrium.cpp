@@ -2,6 +2,7 @@
 #include "rubato/step/common/equilibrium.hpp"
 
 #include "rubato/core/tolerances.hpp"
+#include "rubato/mesh/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,16 @@ using model::Model;
 
 /// Of the largest contact force: what loads and reactions are at least held for in the residual's scale.
 constexpr double least_scale = 1e-4;
+
+/// Displacements by which rounding may be told in a step to t [length]. Iterations of bodies that flow may
+/// have no end, and run to where any force would count as rounding. Linear bodies do not.
+double reach_of(const Model& model, const State& committed, double t) {
+  if (model.domain.is_linear())
+    return std::numeric_limits<double>::infinity();
+  const auto& [u, v, a] = committed.motion;
+  return std::max({mesh::diagonal(model.mesh), model.reduction.imposed(t).lpNorm<Eigen::Infinity>(),
+                   u.lpNorm<Eigen::Infinity>() + (t - committed.t) * v.lpNorm<Eigen::Infinity>()});
+}
 
 /// sum += factor |matrix| values
 void add_magnitudes(double factor, const model::SparseMatrix& matrix, const VectorXd& values, VectorXd& sum) {
@@ -196,8 +207,8 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without
   // strain.
-  const double rounding =
-      tolerances.rounding() * system_.diagonal.lpNorm<Eigen::Infinity>() * motion.u.lpNorm<Eigen::Infinity>();
+  const double moved = std::min(motion.u.lpNorm<Eigen::Infinity>(), reach_of(model_, committed_, t_));
+  const double rounding = tolerances.rounding() * system_.diagonal.lpNorm<Eigen::Infinity>() * moved;
   report.unbalanced_force = largest;
   report.residual = largest == 0 || std::max(largest, scale_) <= rounding ? 0 : largest / scale_;
   report.worst_node = residual_.size() > 0
@@ -207,7 +218,7 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
 
 bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiffness& stiffness, double far,
                                   double tolerance) const {
-  const VectorXd moved = motion.u.cwiseAbs();
+  const VectorXd moved = motion.u.cwiseAbs().cwiseMin(reach_of(model_, committed_, t_));
   VectorXd summed = VectorXd::Zero(moved.size());
   add_magnitudes(system_.coefficients.stiffness, model_.domain.initial_tangent(), moved, summed);
   if (scheme_.dynamic)
