@@ -4,6 +4,9 @@
 /// coefficients. The same seed gives the same variants everywhere.
 #pragma once
 
+#include "rubato/deck/read.hpp"
+#include "rubato/run/time_loop.hpp"
+
 #include "verification/dice.hpp"
 #include <array>
 #include <cstdint>
@@ -37,6 +40,22 @@ std::vector<SolidVariant> solid_variants(std::uint32_t seed, int first, int coun
 
 /// Where a node of the generated mesh is put.
 std::array<double, 2> placed(const Shape& shape, double x, double y);
+
+struct SolidSurvival {
+  run::RunResult result;
+  std::string failure;     ///< why it did not come to its end, or empty
+  int bulk_iterations = 0; ///< of all attempts, cut ones included
+  int factorisations = 0;  ///< likewise
+  double balance = 0;      ///< largest, over the largest energy
+  double plastic = 0;      ///< plastic work, over the largest energy
+  double penetration = 0;  ///< of exact contact at the end, over the size of the mesh
+  double tension = 0;      ///< of contact at the end, over its largest pressure
+  bool finished() const { return failure.empty(); }
+};
+
+/// Runs a variant in a folder that is gone afterwards. It is given up when it has tried far more steps than
+/// it has. `changes` are laid over the deck as by `--set`.
+SolidSurvival survive(const SolidVariant& variant, const std::vector<deck::Setting>& changes = {});
 
 /// What a family draws from; the number, family and title of the variant are filled in afterwards.
 SolidVariant plastic_beams(Dice& dice);

@@ -52,7 +52,8 @@ std::string mesh_with(const std::string& bodies) {
 
 } // namespace
 
-/// Pressed by the lid, then by a fluid from within. The groove has room for what the squeeze displaces.
+/// Pressed by the lid, then by a fluid from within against the wall of the groove. What the squeeze displaces
+/// has room within.
 SolidVariant seal_in_groove(Dice& dice) {
   constexpr double half = 2.5, radius = 20;
   const auto cells = any_plane_cells(dice);
@@ -61,7 +62,6 @@ SolidVariant seal_in_groove(Dice& dice) {
   const auto material = drawn_rubber(dice, 0.5, 5, 1.1e-9);
   const auto contact = drawn_contact(dice, 0.5, true);
   const double squeeze = dice.uniform(0.08, is_linear(cells) ? 0.3 : 0.2);
-  const double room = (rounded ? 0 : squeeze / (1 - squeeze)) + dice.uniform(0.05, 0.25);
   const double pressure = material.young / 3 * dice.magnitude(0.05, 1.5);
   const auto pace = drawn_pace(dice, material, contact, 2 * half);
   const int steps = 2 * dice.whole(8, 16);
@@ -70,10 +70,9 @@ SolidVariant seal_in_groove(Dice& dice) {
   variant.steps = steps;
   if (rounded)
     variant.shape = {Mapping::rounded, radius, half};
-  variant.words =
-      fmt::format("{} seal, {} {} × {}, {}, {}, by {:.0f} %, room {:.2g}, pressure {:.2g}, {}, {} steps",
-                  rounded ? "rounded" : "square", cells, n, n, material.words, contact.words, 100 * squeeze,
-                  room, pressure, pace.scheme, steps);
+  variant.words = fmt::format("{} seal, {} {} × {}, {}, {}, by {:.0f} %, pressure {:.2g}, {}, {} steps",
+                              rounded ? "rounded" : "square", cells, n, n, material.words, contact.words,
+                              100 * squeeze, pressure, pace.scheme, steps);
   variant.deck = fmt::format(
       "{}  groups: {{skin: {{skin: seal}}}}\nphysics: axisymmetric\nmaterials:\n{}functions:\n"
       "  presses: {{times: [0, {:.6g}], values: [0, 1]}}\n  fills: {{times: [{:.6g}, {:.6g}], values: [0, "
@@ -88,7 +87,7 @@ SolidVariant seal_in_groove(Dice& dice) {
       mesh_with(
           rectangle("seal", {radius - half, -half}, {radius + half, half}, {n, n}, cells, "left: inside")),
       material_entry("rubber", material), pace.phase, pace.phase, 2 * pace.phase, pressure, -half, keys, half,
-      -2 * half * squeeze, keys, radius + half + 2 * half * room, keys, even_time(pace, 2, steps), radius);
+      -2 * half * squeeze, keys, radius + half, keys, even_time(pace, 2, steps), radius);
   return variant;
 }
 

@@ -62,7 +62,7 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 23> entries{
+constexpr std::array<Entry, 24> entries{
     {{"v1", rubato::verification::write_bar_on_wall},
      {"v2", rubato::verification::write_dropped_bar},
      {"v3", rubato::verification::write_contact_patch},
@@ -81,6 +81,7 @@ constexpr std::array<Entry, 23> entries{
      {"condensed", rubato::verification::write_condensed},
      {"defaults", rubato::verification::write_defaults},
      {"robustness", rubato::verification::write_robustness},
+     {"solids_robustness", rubato::verification::write_solids_robustness},
      {"relations", rubato::verification::write_relations},
      {"heat", rubato::verification::write_heat},
      {"solids", rubato::verification::write_solids},

@@ -11,6 +11,9 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+#include <vector>
+
 namespace rubato::step {
 
 /// What a step starts from: the internal forces at the displacements of its start, at its end instant.
@@ -22,11 +25,14 @@ struct BulkStart {
 /// Whether the matrix is factored, or only made: with contact in it, it is another one in every iteration.
 enum class Factored { yes, no };
 
+/// Springs where contact holds the bodies when a step starts; none where nothing does.
+using SpringsOfContact = std::function<std::vector<NodeSpring>()>;
+
 class BulkTangent {
 public:
-  /// Everything must outlive this.
+  /// Everything must outlive this. `springs` are asked for where a matrix is not positive definite.
   BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-              const State& committed, double t, Factored factored);
+              const State& committed, double t, Factored factored, SpringsOfContact springs);
 
   /// Goes on with the tangent that the step before ended with, unless every iteration is to have its own or
   /// that step had another length. Depends on the committed state alone, so that a resumed run does the same.
@@ -46,7 +52,8 @@ public:
   bool renew_at_start();
 
   int renewals() const { return renewals_; }
-  /// Whether a matrix was not positive definite, and whether that of the start was not.
+  /// Whether a matrix was not positive definite, and whether that of the start was not even with the springs
+  /// of contact.
   bool is_indefinite() const { return indefinite_; }
   bool starts_indefinite() const { return starts_indefinite_; }
 
@@ -54,6 +61,7 @@ private:
   Eigen::VectorXd slightly_on() const;
   Tangent at(const Eigen::VectorXd& u, Eigen::VectorXd* forces);
   bool put(const Tangent& tangent);
+  bool put_held(const Tangent& tangent);
   void go_on_with(const Tangent& tangent);
   double factor_in_iterations() const;
 
@@ -63,6 +71,7 @@ private:
   const State& committed_;
   double t_;
   Factored factored_;
+  SpringsOfContact springs_;
   model::SparseMatrix matrix_; ///< storage of tangents
   domain::QuadratureStates unused_;
   int renewals_ = 0;

@@ -31,6 +31,7 @@ struct RetrySettings {
   bool geometry_by_loop = false;  ///< also where the zone iterates it by Newton
   bool status_by_newton = false;  ///< also where the zone iterates it by a loop
   Start start = Start::usual;
+  bool searches = false; ///< nonlinear bodies go only as far along a move as that brings them into balance
 };
 
 /// What outer loops hold of one zone while Newton iterates; empty: nothing.
