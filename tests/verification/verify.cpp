@@ -81,6 +81,7 @@ constexpr std::array<Entry, 24> entries{
      {"condensed", rubato::verification::write_condensed},
      {"defaults", rubato::verification::write_defaults},
      {"robustness", rubato::verification::write_robustness},
+     {"solids_robustness", rubato::verification::write_solids_robustness},
      {"relations", rubato::verification::write_relations},
      {"heat", rubato::verification::write_heat},
      {"solids", rubato::verification::write_solids},

@@ -66,6 +66,8 @@ void write_condensed(const std::filesystem::path& folder);
 /// Hundreds of random variants of the two beams, as robustness.hpp draws them; the decks of those that fail
 /// stay in the build folder.
 void write_robustness(const std::filesystem::path& folder);
+/// Hundreds of random variants of bodies that yield and stretch, as solids_sweep.hpp draws them; likewise.
+void write_solids_robustness(const std::filesystem::path& folder);
 /// Mortar contact against closed solutions, beside nodes.
 void write_mortar(const std::filesystem::path& folder);
 /// Random variants of the two beams with mortar contact, some of them beside nodes.

@@ -59,6 +59,15 @@ public:
            !prediction_is_exact(model_);
   }
 
+  bool are_whole() const { return whole_; }
+
+  /// Moves of nonlinear bodies that make it worse are cut short.
+  StepReport search(State& trial) { return afresh({.searches = true}, trial); }
+
+  bool can_search(const StepReport& report) const {
+    return !whole_ && can_condense(model_, system_) && report.bulk_iterations > 1;
+  }
+
   StepReport from_other_start(State& trial) { return afresh({.start = *other_start_}, trial); }
 
   /// Other augmentations start from the last step too, and are tried instead where there are any.
@@ -214,10 +223,12 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
                    const State& committed, double t, State& trial, const GoesOn& goes_on) {
   Attempts attempts(model, scheme, system, committed, t, goes_on);
   auto report = attempts.plainly(trial);
-  if (report.failed() && report.indefinite)
+  if (report.outcome == Outcome::indefinite)
     report = attempts.whole(trial);
   if (report.outcome == Outcome::too_many_iterations && attempts.has_exact_tangent())
     report = attempts.exactly(trial);
+  if (report.failed() && attempts.can_search(report))
+    report = attempts.search(trial);
   if (report.failed() && attempts.has_other_start())
     report = attempts.from_other_start(trial);
   if (report.failed() && attempts.has_augmentation())
@@ -228,6 +239,8 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
     report = attempts.free_status(trial);
   if (report.failed() && attempts.has_friction())
     report = attempts.raise_friction(trial);
+  if (report.failed() && report.indefinite && !attempts.are_whole())
+    report = attempts.whole(trial);
   return report;
 }
 

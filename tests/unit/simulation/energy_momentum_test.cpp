@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 /// A block 1×3 of three cells of density 1 that flies, turns by 3 and stretches.
 std::string plane_block(const std::string& material, const std::string& time) {
   return fmt::format(
-      R"(mesh: {{generate: [{{name: block, rectangle: {{from: [0, 0], to: [1, 3]}}, divisions: [1, 3], cells: quad4}}]}}
+      R"deck(mesh: {{generate: [{{name: block, rectangle: {{from: [0, 0], to: [1, 3]}}, divisions: [1, 3], cells: quad4}}]}}
 physics: plane_strain
 materials: {{any: {{{}, density: 1}}}}
 initial: [{{on: block, velocity: {{x: "3-3*y", y: "1+3*x+2.5*(y-1.5)"
@@ -29,21 +29,16 @@ initial: [{{on: block, velocity: {{x: "3-3*y", y: "1+3*x+2.5*(y-1.5)"
 }
 }
 }]
-newton: {
-  {
-  residual:
-    1e-13
-  }
-}
+newton: {{residual: 1e-13}}
 time: {}
-)",
+)deck",
       material, time);
 }
 
 /// The same 1×1×3, turning by (2, 3, 1).
 std::string solid_block(const std::string& material, const std::string& time) {
   return fmt::format(
-      R"(mesh: {{generate: [{{name: block, box: {{from: [0, 0, 0], to: [1, 1, 3]}}, divisions: [1, 1, 3], cells: hexa8}}]}}
+      R"deck(mesh: {{generate: [{{name: block, box: {{from: [0, 0, 0], to: [1, 1, 3]}}, divisions: [1, 1, 3], cells: hexa8}}]}}
 physics: solid
 materials: {{any: {{{}, density: 1}}}}
 initial: [{{on: block, velocity: {{x: "3+3*z-y", y: "1+x-2*z", z: "-2+2*y-3*x+2.5*(z-1.5)"
@@ -51,14 +46,9 @@ initial: [{{on: block, velocity: {{x: "3+3*z-y", y: "1+x-2*z", z: "-2+2*y-3*x+2.
 }
 }
 }]
-newton: {
-  {
-  residual:
-    1e-13
-  }
-}
+newton: {{residual: 1e-13}}
 time: {}
-)",
+)deck",
       material, time);
 }
 
@@ -215,7 +205,7 @@ void expect_no_gain(test::Walk& walk) {
 /// A block that falls, turns and slides.
 std::string thrown_block(const std::string& material, const std::string& more) {
   return fmt::format(
-      R"(mesh:
+      R"deck(mesh:
   generate:
     - {{name: block, rectangle: {{from: [0, 0.2], to: [1, 1.2]}}, divisions: [3, 3], cells: quad4, sides: {{bottom: under, left: left, right: right}}}}
     - {{name: table, rectangle: {{from: [-2, -1], to: [4, 0]}}, divisions: [12, 2], cells: quad4, sides: {{top: over, bottom: ground}}}}
@@ -229,7 +219,7 @@ initial: [{{on: block, velocity: {{x: "2-0.5*(y-0.7)", y: "-4+0.5*(x-0.5)"
 }
 }]
 newton: {{residual: 1e-12}}
-{})",
+{})deck",
       material, more);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/bulk_newton.hpp"
 
+#include <utility>
+
 namespace rubato::step {
 namespace {
 
@@ -11,17 +13,17 @@ constexpr int most_halvings = 6;
 /// Residuals that grow from tangent to tangent do not come back.
 constexpr int most_growing = 4;
 
-/// From one motion part of the way to another.
+} // namespace
+
 time::Motion between(const time::Motion& from, const time::Motion& to, double part) {
   const auto mix = [part](const VectorXd& a, const VectorXd& b) { return VectorXd(a + part * (b - a)); };
   return {mix(from.u, to.u), mix(from.v, to.v), mix(from.a, to.a)};
 }
 
-} // namespace
-
 BulkNewton::BulkNewton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                       const State& committed, double t, Factored factored)
-    : model_(model), system_(system), tangent_(model, scheme, system, committed, t, factored) {}
+                       const State& committed, double t, Factored factored, SpringsOfContact springs)
+    : model_(model), system_(system),
+      tangent_(model, scheme, system, committed, t, factored, std::move(springs)) {}
 
 const BulkStart& BulkNewton::start() {
   const auto before = system_.factored;

@@ -14,11 +14,14 @@
 
 namespace rubato::step {
 
+/// From one motion part of the way to another.
+time::Motion between(const time::Motion& from, const time::Motion& to, double part);
+
 class BulkNewton {
 public:
   /// Everything must outlive this.
   BulkNewton(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-             const State& committed, double t, Factored factored);
+             const State& committed, double t, Factored factored, SpringsOfContact springs = {});
 
   /// What the first iterate starts from. Then the factor may be another one.
   const BulkStart& start();
@@ -45,6 +48,10 @@ public:
   bool goes_back() const { return goes_back_; }
   /// Where it came from, if that is the start of the step: with the tangent that is there now. Else null.
   const BulkStart* back_at_start() const { return at_start_ ? &*start_ : nullptr; }
+
+  /// Whether the tangent was taken where the iterate came from, and what was out of balance there [force].
+  bool is_fresh() const { return is_fresh_; }
+  double unbalanced_at_base() const { return last_; }
 
   /// What there is to tell of a step whose outcome the report has already.
   void fill(StepReport& report, const Equilibrium& equilibrium) const;

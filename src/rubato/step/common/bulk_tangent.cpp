@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/bulk_tangent.hpp"
 
+#include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -16,6 +18,10 @@ constexpr double iterations_by_new_factor = 2;
 /// Of the way that the step would go by itself: cells that yield have their tangent for the direction of it.
 /// Far along that way they would be too soft for a step that turns out shorter.
 constexpr double small_part = 1e-3;
+/// Springs of contact that are tried one after the other, in parts of the stiffness of their nodes. Soft ones
+/// keep iterations fast where points slip or surfaces move together, against which no spring would stand in
+/// the end.
+constexpr std::array<double, 3> parts_of_springs{0.1, 1, 10};
 
 } // namespace
 
@@ -24,9 +30,11 @@ domain::ForcesOf forces_of(const time::Scheme& scheme) {
 }
 
 BulkTangent::BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-                         const State& committed, double t, Factored factored)
+                         const State& committed, double t, Factored factored, SpringsOfContact springs)
     : model_(model), scheme_(scheme), system_(system), committed_(committed), t_(t), factored_(factored),
-      load_factor_(committed.load_factor) {}
+      load_factor_(committed.load_factor), springs_(std::move(springs)) {
+  hold(system_, {});
+}
 
 bool BulkTangent::is_fresh_at_start() const {
   return !committed_.tangent || committed_.step != system_.step || committed_.indefinite ||
@@ -99,8 +107,28 @@ bool BulkTangent::put(const Tangent& tangent) {
   if (renew(system_, model_, tangent))
     return true;
   indefinite_ = true;
+  if (put_held(tangent))
+    return true;
   if (before)
     renew(system_, model_, before);
+  return false;
+}
+
+/// With springs where contact holds the bodies. They stay for the rest of the step.
+bool BulkTangent::put_held(const Tangent& tangent) {
+  const auto springs = springs_ && system_.held.empty() ? springs_() : std::vector<NodeSpring>();
+  if (springs.empty())
+    return false;
+  for (const double part : parts_of_springs) {
+    auto parts = springs;
+    for (auto& spring : parts)
+      spring.stiffness *= part;
+    hold(system_, std::move(parts));
+    ++renewals_;
+    if (renew(system_, model_, tangent))
+      return true;
+  }
+  hold(system_, {});
   return false;
 }
 

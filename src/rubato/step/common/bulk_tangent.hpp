@@ -11,6 +11,9 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+#include <vector>
+
 namespace rubato::step {
 
 /// Whether internal forces of the scheme are those of the end of a step, or of the whole of it.
@@ -25,11 +28,14 @@ struct BulkStart {
 /// Whether the matrix is factored, or only made: with contact in it, it is another one in every iteration.
 enum class Factored { yes, no };
 
+/// Springs where contact holds the bodies when a step starts; none where nothing does.
+using SpringsOfContact = std::function<std::vector<NodeSpring>()>;
+
 class BulkTangent {
 public:
-  /// Everything must outlive this.
+  /// Everything must outlive this. `springs` are asked for where a matrix is not positive definite.
   BulkTangent(const model::Model& model, const time::Scheme& scheme, EffectiveSystem& system,
-              const State& committed, double t, Factored factored);
+              const State& committed, double t, Factored factored, SpringsOfContact springs);
 
   /// Goes on with the tangent that the step before ended with, unless every iteration is to have its own or
   /// that step had another length. Depends on the committed state alone, so that a resumed run does the same.
@@ -53,7 +59,8 @@ public:
   void set_load_factor(double factor) { load_factor_ = factor; }
 
   int renewals() const { return renewals_; }
-  /// Whether a matrix was not positive definite, and whether that of the start was not.
+  /// Whether a matrix was not positive definite, and whether that of the start was not even with the springs
+  /// of contact.
   bool is_indefinite() const { return indefinite_; }
   bool starts_indefinite() const { return starts_indefinite_; }
 
@@ -62,6 +69,7 @@ private:
   Tangent at(const Eigen::VectorXd& u, Eigen::VectorXd* forces,
              domain::TangentOf of = domain::TangentOf::symmetric);
   bool put(const Tangent& tangent);
+  bool put_held(const Tangent& tangent);
   void go_on_with(const Tangent& tangent);
   double factor_in_iterations() const;
 
@@ -72,6 +80,7 @@ private:
   double t_;
   Factored factored_;
   double load_factor_;
+  SpringsOfContact springs_;
   model::SparseMatrix matrix_; ///< storage of tangents
   domain::QuadratureStates unused_;
   int renewals_ = 0;

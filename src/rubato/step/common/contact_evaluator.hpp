@@ -35,6 +35,7 @@ struct RetrySettings {
   /// Of the forces of a conserving scheme, with contact in the matrix of every iteration: it is not
   /// symmetric.
   bool exact_tangent = false;
+  bool searches = false; ///< nonlinear bodies go only as far along a move as that brings them into balance
 };
 
 /// What outer loops hold of one zone while Newton iterates; empty: nothing.

@@ -107,6 +107,15 @@ void put_weak_springs(const Model& model, EffectiveSystem& system) {
   });
 }
 
+void put_held(const Model& model, EffectiveSystem& system) {
+  for (const auto& spring : system.held)
+    model.reduction.for_each_unknown(spring.row, [&](int row, double by_row) {
+      model.reduction.for_each_unknown(spring.column, [&](int column, double by_column) {
+        system.matrix.coeffRef(row, column) += by_row * by_column * spring.stiffness;
+      });
+    });
+}
+
 /// Returns how stiff they are together.
 double add_weak_springs(const Model& model, EffectiveSystem& system) {
   system.has_free_bodies = true;
@@ -172,6 +181,15 @@ void renew_matrix(EffectiveSystem& system, const Model& model, const Tangent& ta
       model.reduction.reduced(effective_matrix(model, system.coefficients, matrix_of(model, tangent)));
   if (system.weak_spring > 0)
     put_weak_springs(model, system);
+  put_held(model, system);
+}
+
+void hold(EffectiveSystem& system, std::vector<NodeSpring> springs) {
+  if (springs.empty() && system.held.empty())
+    return;
+  system.held = std::move(springs);
+  system.tangent.reset();
+  system.factored.reset();
 }
 
 bool renew(EffectiveSystem& system, const Model& model, const Tangent& tangent) {

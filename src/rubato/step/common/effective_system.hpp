@@ -19,6 +19,13 @@ namespace rubato::step {
 
 struct CondensedScratch;
 
+/// Between two components of one node.
+struct NodeSpring {
+  int row = 0; ///< dofs
+  int column = 0;
+  double stiffness = 0; ///< [force/length]
+};
+
 /// The effective matrix A = m M + c C + k K of one step length, on free dofs. K is the domain's tangent: of a
 /// linear domain A and its factor serve every step of that length, of others they are renewed
 /// (common/bulk_tangent.hpp).
@@ -34,6 +41,7 @@ struct EffectiveSystem {
   Tangent factored;             ///< the same of the factor
   double weak_spring = 0;       ///< on each free unknown of bodies that only contact holds [force/length]
   bool has_free_bodies = false; ///< whether there are such springs
+  std::vector<NodeSpring> held; ///< where contact holds bodies that are not stable without (held_surface.hpp)
   Eigen::VectorXd diagonal;     ///< of every dof, constrained ones included
   std::vector<contact::ZoneCoefficients> zones;
   std::vector<contact::Discretisation> discretisations; ///< of every zone, kept from one iterate to the next
@@ -58,6 +66,10 @@ void renew_matrix(EffectiveSystem& system, const model::Model& model, const Tang
 /// The same with the factor; where every iteration solves the whole system there is none. False when the
 /// matrix is not positive definite: then the factor means nothing until there is another one.
 bool renew(EffectiveSystem& system, const model::Model& model, const Tangent& tangent);
+
+/// Puts springs into the matrix of a nonlinear domain in place of those it has, from the next renewal on;
+/// none: takes them out.
+void hold(EffectiveSystem& system, std::vector<NodeSpring> springs);
 
 /// Whether they have the same values, or both none.
 bool same_values(const Tangent& a, const Tangent& b);

@@ -83,6 +83,14 @@ ContactStiffness contact_stiffness(const Model& model, const EffectiveSystem& sy
 ContactForce::ContactForce(Index dofs)
     : all(VectorXd::Zero(dofs)), nodal(VectorXd::Zero(dofs)), forgotten(VectorXd::Zero(dofs)) {}
 
+ContactForce ContactForce::after(const ContactForce& other, double part) const {
+  ContactForce mixed = other;
+  mixed.all += part * (all - other.all);
+  mixed.nodal += part * (nodal - other.nodal);
+  mixed.forgotten += part * (forgotten - other.forgotten);
+  return mixed;
+}
+
 Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
                          const State& committed, double t)
     : model_(model), scheme_(scheme), system_(system), t_(t), committed_(committed),

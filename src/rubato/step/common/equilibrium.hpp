@@ -23,6 +23,8 @@ struct ContactForce {
   Eigen::VectorXd forgotten; ///< the part that the next step's history has nothing of
 
   explicit ContactForce(Eigen::Index dofs);
+  /// Part of the way from other forces to these.
+  ContactForce after(const ContactForce& other, double part) const;
   /// Calls `add` with each of the vectors that forces of a zone stand in.
   template <class Add> void for_zone(const contact::Zone& zone, const Add& add) {
     add(all);

@@ -3,6 +3,7 @@
 
 #include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
+#include "rubato/step/common/held_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,9 +97,12 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
     : model_(model), scheme_(scheme), system_(system), committed_(committed), side_(side),
       progress_(progress), equilibrium_(model, scheme, system, committed, t),
       scratch_(scratch_of(model, system, scheme)), scale_(committed.force_scale),
-      reach_(reach_of(model, system)), surface_(model, scheme, system) {
+      reach_(reach_of(model, system)), force_at_base_(committed.motion.u.size()),
+      surface_(model, scheme, system) {
   if (!model.domain.is_linear())
-    bulk_.emplace(model, scheme, system, committed, t, Factored::yes);
+    bulk_.emplace(model, scheme, system, committed, t, Factored::yes, [this] {
+      return springs_of_contact(model_, side_.at(committed_, Frozen(model_.zones.size())), system_.diagonal);
+    });
 }
 
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {

@@ -93,6 +93,7 @@ private:
   void start_from(const State& trial);
   void start_ahead(const State& trial);
   std::optional<Outcome> go_on_from(State& trial, const Frozen& frozen, ContactForce force);
+  double search(State& trial, ContactForce& force);
   void go_back(State& trial);
   void take_factor();
   void predict_contact(State& trial, const Frozen& frozen);
@@ -140,6 +141,7 @@ private:
   bool started_ = false;
   bool counts_anew_ = false;
   std::vector<contact::ZoneState> zones_at_base_; ///< of a nonlinear bulk
+  ContactForce force_at_base_;                    ///< likewise
   bool measured_ = false;                         ///< whether now() is at the iterate already
   SurfaceMotion surface_;
 };

@@ -2,12 +2,23 @@
 // Iterates of a nonlinear bulk, at each of which contact is solved to its end.
 #include "rubato/step/interface/condensed.hpp"
 
+#include <array>
+
 namespace rubato::step {
+namespace {
+
+/// Of the way to an iterate that are tried one after the other.
+constexpr std::array<double, 4> parts_of_move{0.5, 0.25, 0.125, 0.0625};
+/// What part of a move takes of the unbalanced force, at least, in parts of what its length promises.
+constexpr double kept_promise = 0.1;
+
+} // namespace
 
 /// Supports have moved already, the bodies follow by the tangent.
 void Condensed::start_ahead(const State& trial) {
   const auto& start = bulk_->start();
   zones_at_base_ = trial.zones;
+  force_at_base_.all = committed_.contact_force;
   if (bulk_->starts_indefinite())
     return;
   if (bulk_->renewed())
@@ -19,13 +30,15 @@ void Condensed::start_ahead(const State& trial) {
 
 /// Contact starts anew from the next iterate of the bulk, with the forces that it has.
 std::optional<Outcome> Condensed::go_on_from(State& trial, const Frozen& frozen, ContactForce force) {
-  const auto part = bulk_->shorten(surface_.base, trial.motion, equilibrium_);
+  auto part = bulk_->shorten(surface_.base, trial.motion, equilibrium_);
   if (!part)
     return Outcome::cell_failed;
   if (*part != 1) {
     equilibrium_.evaluate(trial.motion, force);
     equilibrium_.measure(trial.motion, force, report_);
   }
+  if (side_.variant().searches && bulk_->is_fresh())
+    *part *= search(trial, force);
   if (!equilibrium_.residual().allFinite())
     return Outcome::not_finite;
   const double allowed = report_.tolerance * equilibrium_.scale();
@@ -44,10 +57,42 @@ std::optional<Outcome> Condensed::go_on_from(State& trial, const Frozen& frozen,
     collect_forces(frozen);
   }
   zones_at_base_ = trial.zones;
+  if (!bulk_->goes_back())
+    force_at_base_ = std::move(force);
   scratch_.history.forget();
   surface_stall_ = bulk_stall_ = {};
   counts_anew_ = true;
   return std::nullopt;
+}
+
+/// Where a whole move leaves more out of balance than there was, as bodies that flow at a constant stress do:
+/// the part of it that leaves least, of those tried up to the first that is good enough. Contact forces are
+/// taken to change along with the motion. How much of the move is left.
+double Condensed::search(State& trial, ContactForce& force) {
+  const auto whole = trial.motion;
+  const auto whole_force = force;
+  const double before = bulk_->unbalanced_at_base();
+  double least = report_.unbalanced_force;
+  double best = 1;
+  const auto go_to = [&](double part) {
+    trial.motion = part == 1 ? whole : between(surface_.base, whole, part);
+    force = whole_force.after(force_at_base_, part);
+    equilibrium_.evaluate(trial.motion, force);
+    equilibrium_.measure(trial.motion, force, report_);
+  };
+  double tried = 1;
+  for (const double part : parts_of_move) {
+    if (!equilibrium_.failed() && report_.unbalanced_force <= (1 - kept_promise * tried) * before)
+      break;
+    go_to(tried = part);
+    if (!equilibrium_.failed() && report_.unbalanced_force < least) {
+      least = report_.unbalanced_force;
+      best = part;
+    }
+  }
+  if (tried != best)
+    go_to(best);
+  return best;
 }
 
 void Condensed::go_back(State& trial) {
