@@ -111,12 +111,14 @@ inline const std::vector<NamedLaw> every_explicit_law{
      }},
 };
 
-/// Whether its bodies give back all that is done to them.
+/// Whether its bodies give back all that is done to them and have forces of whole steps: the scheme
+/// energy_momentum takes them.
 inline bool is_elastic(const NamedLaw& law) {
   study::Material material;
   material.young = 1;
   law.give(material);
-  return material.law != study::LawKind::plastic && material.law != study::LawKind::prony;
+  return material.law != study::LawKind::plastic && material.law != study::LawKind::prony &&
+         material.formulation != study::Formulation::reduced;
 }
 
 /// The study of a deck whose material of that place has the law.

@@ -24,11 +24,7 @@ std::string plane_block(const std::string& material, const std::string& time) {
       R"deck(mesh: {{generate: [{{name: block, rectangle: {{from: [0, 0], to: [1, 3]}}, divisions: [1, 3], cells: quad4}}]}}
 physics: plane_strain
 materials: {{any: {{{}, density: 1}}}}
-initial: [{{on: block, velocity: {{x: "3-3*y", y: "1+3*x+2.5*(y-1.5)"
-}
-}
-}
-}]
+initial: [{{on: block, velocity: {{x: "3-3*y", y: "1+3*x+2.5*(y-1.5)"}}}}]
 newton: {{residual: 1e-13}}
 time: {}
 )deck",
@@ -41,11 +37,7 @@ std::string solid_block(const std::string& material, const std::string& time) {
       R"deck(mesh: {{generate: [{{name: block, box: {{from: [0, 0, 0], to: [1, 1, 3]}}, divisions: [1, 1, 3], cells: hexa8}}]}}
 physics: solid
 materials: {{any: {{{}, density: 1}}}}
-initial: [{{on: block, velocity: {{x: "3+3*z-y", y: "1+x-2*z", z: "-2+2*y-3*x+2.5*(z-1.5)"
-}
-}
-}
-}]
+initial: [{{on: block, velocity: {{x: "3+3*z-y", y: "1+x-2*z", z: "-2+2*y-3*x+2.5*(z-1.5)"}}}}]
 newton: {{residual: 1e-13}}
 time: {}
 )deck",
@@ -213,11 +205,7 @@ std::string thrown_block(const std::string& material, const std::string& more) {
 physics: plane_strain
 materials: {{any: {{{}, density: 1}}}}
 supports: [{{on: ground, fix: [x, y]}}]
-initial: [{{on: block, velocity: {{x: "2-0.5*(y-0.7)", y: "-4+0.5*(x-0.5)"
-}
-}
-}
-}]
+initial: [{{on: block, velocity: {{x: "2-0.5*(y-0.7)", y: "-4+0.5*(x-0.5)"}}}}]
 newton: {{residual: 1e-12}}
 {})deck",
       material, more);

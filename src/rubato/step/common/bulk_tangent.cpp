@@ -109,8 +109,8 @@ bool BulkTangent::put(const Tangent& tangent) {
   indefinite_ = true;
   if (put_held(tangent))
     return true;
-  if (before)
-    renew(system_, model_, before);
+  // A factor there must be for what asks for one before the next attempt.
+  renew(system_, model_, before ? before : values_of(model_.domain.initial_tangent()));
   return false;
 }
 
