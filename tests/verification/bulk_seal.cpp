@@ -19,7 +19,7 @@ namespace {
 using Eigen::Vector3d;
 using mesh::NodeIndex;
 
-constexpr double cord = 1, mean_radius = 10, groove = 2.5;
+constexpr double cord = 1, mean_radius = 10, groove = 2.4;
 constexpr double inner_wall = mean_radius - groove / 2, outer_wall = mean_radius + groove / 2;
 
 /// A disc of QUAD4 about the origin: a core of 2n × 2n, whose sides bulge, and n rings between it and the

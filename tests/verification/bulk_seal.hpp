@@ -19,7 +19,7 @@ struct SealResult {
 };
 
 /// A cord of diameter 2 at the mean radius 10, Mooney-Rivlin with c10 = 0.6, c01 = 0.15 and K = 150, in a
-/// groove 2.5 wide: floor, walls and lid are rigid lines, friction 0.1, mortar contact by its defaults,
+/// groove 2.4 wide: floor, walls and lid are rigid lines, friction 0.1, mortar contact by its defaults,
 /// axisymmetric, static. `n` cells along a radius outside of the square core of 2n × 2n. `step`: in parts of
 /// the diameter. Throws std::runtime_error when a step fails.
 SealResult press_seal(int n, double step = 0.025);
