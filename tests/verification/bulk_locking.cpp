@@ -74,19 +74,23 @@ void add_cook(std::vector<LockingRow>& rows, const std::string& what, const Cook
                        [&](std::string_view formulation) { return cook(membrane, n, formulation); }));
 }
 
-void add_membranes(std::vector<LockingRow>& rows) {
-  add_cook(rows, "plane stress, ν = 1/3", flat, 23.97,
-           {{16, {.full = 23.43, .enhanced = 23.88, .digit = 1e-2}},
-            {32, {.full = 23.82, .enhanced = 23.94, .digit = 1e-2}},
-            {128, {.full = 23.95, .enhanced = 23.964, .digit = 1e-2}}});
-  add_cook(rows, "plane strain, ν = 0.3", compressible, 9.22,
-           {{16, {8.866, 9.015, 9.094, 1e-3}}, {128, {9.198, 9.207, 9.208, 1e-3}}});
-  add_cook(rows, "plane strain, ν = 0.4999", incompressible, 7.77,
-           {{16, {2.31, 7.591, 7.605, 1e-3}},
-            {64, {4.03, 7.737, 7.734, 1e-3}},
-            {128, {5.69, 7.755, 7.753, 1e-3}}});
-  add_cook(rows, "plane strain, ν = 0.4999", incompressible_middle, 7.405,
-           {{128, {5.58, 7.397, 7.396, 1e-3}}});
+void add_membranes(std::vector<LockingRow>& rows, int finest) {
+  const auto add = [&](const std::string& what, const Cook& membrane, double exact,
+                       std::vector<std::pair<int, Expected>> meshes) {
+    std::erase_if(meshes, [&](const auto& mesh) { return mesh.first > finest; });
+    add_cook(rows, what, membrane, exact, meshes);
+  };
+  add("plane stress, ν = 1/3", flat, 23.97,
+      {{16, {.full = 23.43, .enhanced = 23.88, .digit = 1e-2}},
+       {32, {.full = 23.82, .enhanced = 23.94, .digit = 1e-2}},
+       {128, {.full = 23.95, .enhanced = 23.964, .digit = 1e-2}}});
+  add("plane strain, ν = 0.3", compressible, 9.22,
+      {{16, {8.866, 9.015, 9.094, 1e-3}}, {128, {9.198, 9.207, 9.208, 1e-3}}});
+  add("plane strain, ν = 0.4999", incompressible, 7.77,
+      {{16, {2.31, 7.591, 7.605, 1e-3}},
+       {64, {4.03, 7.737, 7.734, 1e-3}},
+       {128, {5.69, 7.755, 7.753, 1e-3}}});
+  add("plane strain, ν = 0.4999", incompressible_middle, 7.405, {{128, {5.58, 7.397, 7.396, 1e-3}}});
 }
 
 // --- tube 20 to 40 under the inner pressure 1
@@ -194,9 +198,9 @@ bool holds(const LockingNumber& number, double exact) {
          std::abs(number.found - exact) <= std::abs(number.expected - exact);
 }
 
-std::vector<LockingRow> locking_rows() {
+std::vector<LockingRow> locking_rows(int finest) {
   std::vector<LockingRow> rows;
-  add_membranes(rows);
+  add_membranes(rows, finest);
   add_tubes(rows);
   add_beams(rows);
   return rows;

@@ -26,6 +26,7 @@ struct LockingRow {
 /// Whether it is within 0.5 % of what is expected, or as near as its digits tell, or nearer to `exact`.
 bool holds(const LockingNumber& number, double exact);
 
-std::vector<LockingRow> locking_rows();
+/// Membranes of more cells a side than `finest` are left out.
+std::vector<LockingRow> locking_rows(int finest = 128);
 
 } // namespace rubato::verification

@@ -55,17 +55,17 @@ TEST(BulkBenchmarks, IntegratedInFullLockAsMuchAsExpected) {
   expect_within(locked_structures());
 }
 
-/// As measured with an independent implementation, or better.
+/// As measured with an independent implementation, or better; finer membranes are on the page.
 TEST(LockingOfLinearCells, IsWhatTheTableHas) {
   int count = 0;
-  for (const auto& row : locking_rows())
+  for (const auto& row : locking_rows(64))
     for (const auto& number : {row.full, row.mean_dilatation, row.enhanced})
       if (number) {
         EXPECT_TRUE(holds(*number, row.exact))
             << row.what << ": " << number->found << ", expected " << number->expected;
         ++count;
       }
-  EXPECT_EQ(count, 70);
+  EXPECT_EQ(count, 59);
 }
 
 TEST(LockingOfLinearCells, MayBeLessThanExpectedButNotMore) {

@@ -56,7 +56,8 @@ public:
         continue;
       if (!takes_bases_ || surface_.moved.lpNorm<Eigen::Infinity>() <= at_rest * reach_.most())
         return;
-      take_as_base();
+      if (!take_as_base())
+        return;
     }
   }
 
@@ -93,15 +94,22 @@ private:
                 points_);
   }
 
-  /// The forces of the springs that hold free bodies are dropped: the motion reached is the new base.
-  void take_as_base() {
+  /// The forces of the springs that hold free bodies are dropped: the motion reached is the new base. False
+  /// where a cell has no forces there: the base stays as it is.
+  bool take_as_base() {
     const double more = still_to_come();
+    surface_.move_bulk(trial_);
+    trial_.motion.u += more * (trial_.motion.u - surface_.base.u);
+    if (!site_.equilibrium.has_forces_at(trial_.motion.u)) {
+      trial_.motion = surface_.base;
+      surface_.place(trial_);
+      return false;
+    }
     const VectorXd moved = (1 + more) * surface_.moved;
     for (auto& point : points_)
       point.value = measures_of(point, moved);
-    surface_.move_bulk(trial_);
-    trial_.motion.u += more * (trial_.motion.u - surface_.base.u);
     surface_.start_from(trial_.motion, site_.equilibrium);
+    return true;
   }
 
   /// Moves from base to base that go one way, each the part r of the one before, have r/(1 − r) of the last
