@@ -6,12 +6,11 @@
 #include "rubato/mesh/builder.hpp"
 #include "rubato/simulation/simulation.hpp"
 
+#include "verification/quarter_disc.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
-#include <vector>
 
 namespace rubato::verification {
 namespace {
@@ -64,60 +63,8 @@ study::Study quarter_study(TaylorWall wall) {
   return deck::parse_deck(deck, "taylor.yaml").runs.front();
 }
 
-/// Three blocks of n × n quadrangles in a quarter of a disc: one in the middle, two between it and the
-/// circle.
-class QuarterDisc {
-public:
-  explicit QuarterDisc(int n) : n_(n) {}
-
-  std::vector<Vector3d> points;
-  std::vector<std::array<NodeIndex, 4>> cells;
-
-  void fill() {
-    const auto core = [&](int i, int j) { return core_point(i, j); };
-    const auto right = [&](int i, int j) { return between(core_point(n_, j), angle(j), i); };
-    const auto top = [&](int i, int j) {
-      return between(core_point(i, n_), std::numbers::pi / 2 - angle(i), j);
-    };
-    for (int j = 0; j < n_; ++j)
-      for (int i = 0; i < n_; ++i) {
-        add({core(i, j), core(i + 1, j), core(i + 1, j + 1), core(i, j + 1)});
-        add({right(i, j), right(i + 1, j), right(i + 1, j + 1), right(i, j + 1)});
-        add({top(i, j), top(i + 1, j), top(i + 1, j + 1), top(i, j + 1)});
-      }
-  }
-
-private:
-  /// A square with a corner that is drawn in, so that the three blocks meet at 120 degrees.
-  Vector3d core_point(int i, int j) const {
-    const double x = static_cast<double>(i) / n_, y = static_cast<double>(j) / n_;
-    return 0.5 * radius * Vector3d(x * (1 - 0.12 * y), y * (1 - 0.12 * x), 0);
-  }
-  double angle(int step) const { return std::numbers::pi / 4 * step / n_; }
-  Vector3d between(const Vector3d& inner, double phi, int step) const {
-    const Vector3d outer = radius * Vector3d(std::cos(phi), std::sin(phi), 0);
-    return inner + (outer - inner) * step / n_;
-  }
-
-  void add(const std::array<Vector3d, 4>& corners) {
-    auto& cell = cells.emplace_back();
-    std::ranges::transform(corners, cell.begin(), [&](const Vector3d& x) { return node_at(x); });
-  }
-  NodeIndex node_at(const Vector3d& x) {
-    const auto same = [&](const Vector3d& y) { return (x - y).norm() < 1e-9 * radius; };
-    const auto found = std::ranges::find_if(points, same);
-    if (found != points.end())
-      return static_cast<NodeIndex>(found - points.begin());
-    points.push_back(x);
-    return static_cast<NodeIndex>(points.size()) - 1;
-  }
-
-  int n_;
-};
-
 mesh::Mesh quarter_mesh() {
-  QuarterDisc disc(2);
-  disc.fill();
+  const auto disc = quarter_disc(radius, 2);
   mesh::MeshBuilder builder(3);
   const auto count = static_cast<NodeIndex>(disc.points.size());
   for (int layer = 0; layer <= layers; ++layer)
