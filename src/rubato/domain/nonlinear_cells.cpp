@@ -233,13 +233,14 @@ element::CellResult NonlinearCells::evaluate_between(const Cell& cell, const Ste
   if (wanted.records)
     output.records =
         std::span(now.records).subspan(cell.first_record, static_cast<std::size_t>(group.points));
+  constexpr double exact = 1e-13; // what is left of forces on the modes works, and is stored nowhere
   const element::BetweenInput input{
       std::span(points_).subspan(cell.first_node, static_cast<std::size_t>(group.nodes)),
       scratch.before,
       scratch.displacement,
       std::span(old.values).subspan(cell.first_state, group.state_size),
       {step.t1 - step.t0},
-      {.force = old.mode_force}};
+      {.relative = exact, .force = old.mode_force}};
   const auto result = element::evaluate_between(group.kind, element::PointLaws(group.law), input, output);
   for (double& entry : scratch.tangent)
     entry *= 2;

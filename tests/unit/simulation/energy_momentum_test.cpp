@@ -3,6 +3,7 @@
 /// under loads, and how its steps are solved.
 #include "rubato/step/energy.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,30 +19,55 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// A block 1×3 of three cells of density 1 that flies, turns by 3 and stretches.
-std::string plane_block(const std::string& material, const std::string& time) {
+/// Groups of one node each, and their velocities.
+struct Throw {
+  std::string groups, initial;
+
+  void add(const Vector3d& place, const Vector3d& velocity, int components) {
+    const auto list = [&](const Vector3d& x) {
+      return components == 2 ? fmt::format("[{}, {}]", x[0], x[1])
+                             : fmt::format("[{}, {}, {}]", x[0], x[1], x[2]);
+    };
+    const auto name = fmt::format("at{}", count_++);
+    const Vector3d around = Vector3d::Constant(0.1);
+    groups += fmt::format("    {}: {{box: {{from: {}, to: {}}}, take: nodes}}\n", name, list(place - around),
+                          list(place + around));
+    initial += fmt::format("  - {{on: {}, velocity: {{x: {}, y: {}{}}}}}\n", name, velocity[0], velocity[1],
+                           components == 2 ? "" : fmt::format(", z: {}", velocity[2]));
+  }
+
+private:
+  int count_ = 0;
+};
+
+/// A block 1×3, or 1×1×3, of three cells of density 1 that flies, turns and stretches.
+std::string thrown(int components, const std::string& material, const std::string& time) {
+  const Vector3d turn = components == 2 ? Vector3d(0, 0, 3) : Vector3d(2, 3, 1);
+  const int along = components - 1;
+  Throw all;
+  for (int level = 0; level <= 3; ++level)
+    for (int corner = 0; corner < 2 * along; ++corner) {
+      Vector3d x(corner % 2, corner / 2, 0);
+      x[along] = level;
+      Vector3d v = turn.cross(x) + Vector3d(3, 1, components == 2 ? 0 : -2);
+      v[along] += 2.5 * (level - 1.5);
+      all.add(x, v, components);
+    }
+  const auto* shape = components == 2
+                          ? "rectangle: {from: [0, 0], to: [1, 3]}, divisions: [1, 3], cells: quad4"
+                          : "box: {from: [0, 0, 0], to: [1, 1, 3]}, divisions: [1, 1, 3], cells: hexa8";
   return fmt::format(
-      R"deck(mesh: {{generate: [{{name: block, rectangle: {{from: [0, 0], to: [1, 3]}}, divisions: [1, 3], cells: quad4}}]}}
-physics: plane_strain
-materials: {{any: {{{}, density: 1}}}}
-initial: [{{on: block, velocity: {{x: "3-3*y", y: "1+3*x+2.5*(y-1.5)"}}}}]
-newton: {{residual: 1e-13}}
-time: {}
-)deck",
-      material, time);
+      "mesh:\n  generate: [{{name: block, {}}}]\n  groups:\n{}physics: {}\nmaterials: {{any: {{{}, "
+      "density: 1}}}}\ninitial:\n{}newton: {{residual: 1e-13}}\ntime: {}\n",
+      shape, all.groups, components == 2 ? "plane_strain" : "solid", material, all.initial, time);
 }
 
-/// The same 1×1×3, turning by (2, 3, 1).
+std::string plane_block(const std::string& material, const std::string& time) {
+  return thrown(2, material, time);
+}
+
 std::string solid_block(const std::string& material, const std::string& time) {
-  return fmt::format(
-      R"deck(mesh: {{generate: [{{name: block, box: {{from: [0, 0, 0], to: [1, 1, 3]}}, divisions: [1, 1, 3], cells: hexa8}}]}}
-physics: solid
-materials: {{any: {{{}, density: 1}}}}
-initial: [{{on: block, velocity: {{x: "3+3*z-y", y: "1+x-2*z", z: "-2+2*y-3*x+2.5*(z-1.5)"}}}}]
-newton: {{residual: 1e-13}}
-time: {}
-)deck",
-      material, time);
+  return thrown(3, material, time);
 }
 
 const std::string mooney = "law: hyperelastic, c10: 50, c01: 10, bulk: 1000";
@@ -181,23 +207,27 @@ time: {{scheme: {}, step: 0.02, end: 0.6}}
 void expect_no_gain(test::Walk& walk) {
   step::EnergyRecord record;
   bool touched = false;
+  double gain = 0; // what iterations left unbalanced does not count
   walk.accepted = [&] {
-    record.note(walk.state().t, walk.simulation.energy());
+    const auto& ledger = walk.simulation.energy();
+    record.note(walk.state().t, ledger);
+    gain = std::max(gain, ledger.gain() - ledger.unbalanced);
     touched = touched || step::points_in_contact(walk.state()) > 0;
   };
   ASSERT_TRUE(walk.to_end());
   EXPECT_TRUE(touched);
   EXPECT_EQ(step::points_in_contact(walk.state()), 0) << "it must have bounced off";
   EXPECT_LE(record.largest_balance, 1e-12 * record.largest);
-  EXPECT_LE(record.gain, 1e-12 * record.largest);
+  EXPECT_LE(gain, 1e-12 * record.largest);
+  EXPECT_LE(std::abs(walk.simulation.energy().unbalanced), 1e-10 * record.largest);
   EXPECT_GT(walk.simulation.energy().friction, 1e-4 * record.largest);
   EXPECT_EQ(walk.simulation.energy().bulk_scheme, 0);
 }
 
-/// A block that falls, turns and slides.
+/// A block that falls, slides and turns.
 std::string thrown_block(const std::string& material, const std::string& more) {
   return fmt::format(
-      R"deck(mesh:
+      R"(mesh:
   generate:
     - {{name: block, rectangle: {{from: [0, 0.2], to: [1, 1.2]}}, divisions: [3, 3], cells: quad4, sides: {{bottom: under, left: left, right: right}}}}
     - {{name: table, rectangle: {{from: [-2, -1], to: [4, 0]}}, divisions: [12, 2], cells: quad4, sides: {{top: over, bottom: ground}}}}
@@ -205,9 +235,9 @@ std::string thrown_block(const std::string& material, const std::string& more) {
 physics: plane_strain
 materials: {{any: {{{}, density: 1}}}}
 supports: [{{on: ground, fix: [x, y]}}]
-initial: [{{on: block, velocity: {{x: "2-0.5*(y-0.7)", y: "-4+0.5*(x-0.5)"}}}}]
+initial: [{{on: block, velocity: {{x: 2, y: -4}}}}]
 newton: {{residual: 1e-12}}
-{})deck",
+{})",
       material, more);
 }
 
@@ -248,7 +278,7 @@ std::string driven_beam(const std::string& time, const std::string& more = "newt
 physics: plane_strain
 materials: {{any: {{young: 1000, poisson: 0.3, density: 1, strain: green_lagrange, rayleigh: {{stiffness: 1e-4, mass: 0.1}}}}}}
 functions: {{ramp: {{ramp: [0, 0.5]}}}}
-supports: [{{on: left, rotate: {{about: [0, 0.5], angle: "0.5*pi*t^2"}}}}]
+supports: [{{on: left, rotate: {{about: [0, 0.5], angle: '0.5*pi*t^2'}}}}]
 loads: [{{pressure: {{on: top, value: 2, function: ramp, follower: true}}}}, {{gravity: {{y: -3}}}}]
 time: {}
 {})",

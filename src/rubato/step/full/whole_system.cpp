@@ -27,9 +27,9 @@ bool WholeSystem::is_factored() const {
          !side_.variant().exact_tangent;
 }
 
-/// Whether anything but the effective matrix, which is symmetric, stands in the system.
+/// Whether anything but the effective matrix stands in the system, or that is not symmetric.
 bool WholeSystem::touches() const {
-  return model_.multiplier_count > 0 || !contact_.force_by_dof.empty() || side_.variant().exact_tangent;
+  return model_.multiplier_count > 0 || !contact_.force_by_dof.empty() || scheme_.conserving;
 }
 
 std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
