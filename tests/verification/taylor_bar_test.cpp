@@ -39,6 +39,16 @@ TEST(TaylorBar, HasThePublishedShapeOnAQuarterOfSolidCells) {
   expect_ledger(result);
 }
 
+/// One point a cell; hourglasses hold little of the energy.
+TEST(TaylorBar, HasThePublishedShapeOnReducedCells) {
+  for (const auto mesh : {TaylorMesh::meridian, TaylorMesh::quarter}) {
+    const auto result = run(taylor_bar(mesh, TaylorWall::sliding, study::Formulation::reduced));
+    expect_published_shape(result);
+    EXPECT_LE(result.balance, 1e-10);
+    EXPECT_LE(result.hourglass, 0.05 * result.start);
+  }
+}
+
 /// Nothing holds the foot to a smooth wall: its edge comes off by 0.5 mm, and is 0.4 mm wider than where it
 /// stays in the plane. Cells half as long give 7.44 mm, too.
 TEST(TaylorBar, LiftsItsEdgeOffASmoothWall) {

@@ -108,7 +108,7 @@ struct OneStep {
   }
 
   void heat() {
-    for (int q = 0; q < point_count(cell.kind.type); ++q)
+    for (int q = 0; q < point_count(cell.kind); ++q)
       cell.free_strain.push_back(isotropic(0.01 + 0.004 * std::sin(3. * q)));
   }
 

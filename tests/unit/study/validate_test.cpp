@@ -269,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"materials.steel.expansion", "takes no nonlinear bodies that expand",
             [](Study& s) {
               s.materials[0].strain = StrainKind::green_lagrange, s.materials[0].expansion.emplace();
-              s.temperatures.push_back({.value = {FieldValue(20.0)}});
+              s.temperatures.emplace_back().on = "all";
               s.time.scheme = SchemeKind::energy_momentum;
             }},
         Bad{"time.mass_scaling.step", "expected a number > 0",
