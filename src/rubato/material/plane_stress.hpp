@@ -3,8 +3,9 @@
 /// describes them; zz of the strain that is given does not count.
 ///
 /// Newton's method on σ_zz(E_zz) from the E_zz of the step's start, kept between values of opposite sign,
-/// until |σ_zz| ≤ 1e-12 max|σ| or ≤ 1e-15 D_zzzz max(1, |E|); then D ← D − D_·zz D_zz·/D_zzzz (de Souza Neto,
-/// Perić, Owen, Computational Methods for Plasticity, 2008, section 9.2). zz of stress and tangent are 0.
+/// until |σ_zz| ≤ 1e-12 max|σ| or ≤ 1e-15 D_zzzz max(1, |E|); then σ ← σ − D_·zz σ_zz/D_zzzz, which takes
+/// that rest out, and D ← D − D_·zz D_zz·/D_zzzz (de Souza Neto, Perić, Owen, Computational Methods for
+/// Plasticity, 2008, section 9.2). zz of stress and tangent are 0.
 #pragma once
 
 #include "rubato/material/space_law.hpp"
