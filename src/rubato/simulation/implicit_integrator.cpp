@@ -41,14 +41,16 @@ step::State first_state(const model::Model& model, const time::Scheme& scheme, c
                              settings.start != study::StartKind::at_rest_unloaded);
 }
 
-/// Of Newton's method: three with an old tangent do about what one with its own does. A step whose symmetric
-/// tangents led nowhere is nearly too long, however few iterations the exact one took.
-int iterations_of(const step::StepReport& report) {
+/// Of Newton's method: three with an old tangent do about what one with its own does, and two with the
+/// symmetric tangent of a conserving scheme. A step whose symmetric tangents led nowhere is nearly too long,
+/// however few iterations the exact one took.
+int iterations_of(const time::Scheme& scheme, const step::StepReport& report) {
   constexpr int too_many = 12;
   if (report.exact_tangent)
     return too_many;
   const int own = std::min(report.factorisations, report.bulk_iterations);
-  return own + (report.bulk_iterations - own + 2) / 3;
+  const int all = own + (report.bulk_iterations - own + 2) / 3;
+  return scheme.conserving ? (all + 1) / 2 : all;
 }
 
 } // namespace
@@ -125,7 +127,7 @@ Trial ImplicitIntegrator::make(const GoesOn& goes_on) {
 }
 
 void ImplicitIntegrator::accept(Trial trial) {
-  control_.accept(iterations_of(trial.report));
+  control_.accept(iterations_of(scheme_, trial.report));
   std::swap(account_, next_account_);
   spare_ = state_.replace(std::move(trial.state));
 }
