@@ -90,7 +90,7 @@ void EnergyWatch::note_hourglasses(double t) {
     return;
   told_hourglasses_ = true;
   watch_.warn(
-      fmt::format("{}: hourglasses of reduced cells hold {:.3g} at t = {:g}, {:.2g} of what the bodies "
+      fmt::format("{}: hourglasses of reduced cells hold {:.3g} at t = {:g}, {:.3g} of what the bodies "
                   "have stored and dissipated, expected at most {:g}; a finer mesh, or "
                   "'formulation: mean_dilatation', 'enhanced' or 'full', cures it",
                   run_, now_.hourglass, t, now_.hourglass / most_internal_, most_in_hourglasses));

@@ -70,7 +70,7 @@ TEST_F(EnergyOfARun, IsWarnedOfOnceWhenHourglassesHoldMuchOfIt) {
   ASSERT_EQ(warnings_.size(), 1u);
   EXPECT_EQ(
       warnings_[0],
-      "evol: hourglasses of reduced cells hold 10.1 at t = 4, 0.051 of what the bodies have stored and "
+      "evol: hourglasses of reduced cells hold 10.1 at t = 4, 0.0505 of what the bodies have stored and "
       "dissipated, expected at most 0.05; a finer mesh, or 'formulation: mean_dilatation', 'enhanced' or "
       "'full', cures it");
 }
