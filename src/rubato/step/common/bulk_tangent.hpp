@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -28,8 +29,11 @@ struct BulkStart {
 /// Whether the matrix is factored, or only made: with contact in it, it is another one in every iteration.
 enum class Factored { yes, no };
 
-/// Springs where contact holds the bodies when a step starts; none where nothing does.
-using SpringsOfContact = std::function<std::vector<NodeSpring>()>;
+/// In which directions springs hold the points that touch: as contact does, or in every one.
+enum class Held { as_contact, everywhere };
+/// Springs where contact holds the bodies, at the iterate that it was evaluated at last; none where nothing
+/// does.
+using SpringsOfContact = std::function<std::vector<NodeSpring>(Held)>;
 
 class BulkTangent {
 public:
@@ -81,6 +85,7 @@ private:
   Factored factored_;
   double load_factor_;
   SpringsOfContact springs_;
+  std::size_t level_ = 0;      ///< of springs, which only rises
   model::SparseMatrix matrix_; ///< storage of tangents
   domain::QuadratureStates unused_;
   int renewals_ = 0;
