@@ -38,19 +38,28 @@ protected:
                        small_motion};
   const domain::Domain& domain_ = any_.model.domain;
   VectorXd u0_ = any_.anything(), u1_ = any_.anything();
+  domain::QuadratureStates start_ = states_at(u0_);
+
+  domain::QuadratureStates states_at(const VectorXd& u) const {
+    const VectorXd undeformed = VectorXd::Zero(u.size());
+    domain::QuadratureStates states;
+    EXPECT_FALSE(
+        domain_.evaluate({undeformed, u, 0, 0}, domain_.initial_states(), states, {.records = true}));
+    return states;
+  }
 
   VectorXd forces_at(const VectorXd& u) const {
     VectorXd forces;
     domain::QuadratureStates now;
-    EXPECT_FALSE(domain_.evaluate({u0_, u, 0, 0.5, nullptr, ForcesOf::step}, domain_.initial_states(), now,
-                                  {.forces = &forces}));
+    EXPECT_FALSE(
+        domain_.evaluate({u0_, u, 0, 0.5, nullptr, ForcesOf::step}, start_, now, {.forces = &forces}));
     return forces;
   }
 
   MatrixXd tangent_at(const VectorXd& u, TangentOf of) const {
     domain::SparseMatrix tangent = domain_.initial_tangent();
     domain::QuadratureStates now;
-    EXPECT_FALSE(domain_.evaluate({u0_, u, 0, 0.5, nullptr, ForcesOf::step}, domain_.initial_states(), now,
+    EXPECT_FALSE(domain_.evaluate({u0_, u, 0, 0.5, nullptr, ForcesOf::step}, start_, now,
                                   {.tangent = &tangent, .tangent_of = of}));
     return tangent;
   }
@@ -73,20 +82,18 @@ TEST_P(ForcesOfAStep, HaveASymmetricTangentThatIsTheStiffnessOfAStepThatDoesNotM
   EXPECT_GT((exact - exact.transpose()).norm(), 1e-6 * exact.norm());
   domain::SparseMatrix stiffness = domain_.initial_tangent();
   domain::QuadratureStates now;
-  ASSERT_FALSE(domain_.evaluate({u0_, u0_, 0, 0.5}, domain_.initial_states(), now, {.tangent = &stiffness}));
+  ASSERT_FALSE(domain_.evaluate({u0_, u0_, 0, 0.5}, start_, now, {.tangent = &stiffness}));
   for (const auto of : {TangentOf::symmetric, TangentOf::exact})
     EXPECT_LE((tangent_at(u0_, of) - MatrixXd(stiffness)).norm(), 1e-9 * near.norm());
 }
 
 TEST_P(ForcesOfAStep, DoTheWorkThatIsStored) {
-  domain::QuadratureStates start, now;
-  const VectorXd undeformed = VectorXd::Zero(u0_.size());
+  domain::QuadratureStates unchanged, now;
   VectorXd before, forces;
-  ASSERT_FALSE(domain_.evaluate({undeformed, u0_, 0, 0}, domain_.initial_states(), start,
-                                {.forces = &before, .records = true}));
-  ASSERT_FALSE(domain_.evaluate({u0_, u1_, 0, 0.5, nullptr, ForcesOf::step}, start, now,
+  ASSERT_FALSE(domain_.evaluate({u0_, u0_, 0, 0}, start_, unchanged, {.forces = &before}));
+  ASSERT_FALSE(domain_.evaluate({u0_, u1_, 0, 0.5, nullptr, ForcesOf::step}, start_, now,
                                 {.forces = &forces, .records = true}));
-  const double stored = domain_.energy(u0_, before, 0, start), after = domain_.energy(u1_, forces, 0.5, now);
+  const double stored = domain_.energy(u0_, before, 0, start_), after = domain_.energy(u1_, forces, 0.5, now);
   EXPECT_NEAR((u1_ - u0_).dot(forces), after - stored, 1e-12 * (after + stored));
 }
 
