@@ -48,7 +48,7 @@ struct SolidSurvival {
   int factorisations = 0;  ///< likewise
   double balance = 0;      ///< largest, over the largest energy
   double plastic = 0;      ///< plastic work, over the largest energy
-  double penetration = 0;  ///< of exact contact at the end, over the size of the mesh
+  double penetration = 0;  ///< of exact contact at the end, but by moreau_jean, over the size of the mesh
   double tension = 0;      ///< of contact at the end, over its largest pressure
   bool finished() const { return failure.empty(); }
 };

@@ -241,7 +241,7 @@ SolidVariant snap_hook(Dice& dice) {
   const double height = bump * dice.uniform(0.1, 0.6);
   const double travel = bump + dice.uniform(0.2, 0.4) * length;
   const auto pace = drawn_pace(dice, material, contact, 60 * length);
-  const int steps = 2 * dice.whole(12, 24);
+  const int steps = 2 * dice.whole(16, 32);
   SolidVariant variant;
   variant.steps = steps;
   variant.words = fmt::format(
@@ -274,7 +274,7 @@ SolidVariant ball_through_ring(Dice& dice) {
   const double bore = ball * (1 - narrow);
   const double tall = dice.uniform(4, 8), wall = dice.uniform(3, 8);
   const auto pace = drawn_pace(dice, material, contact, 4 * ball);
-  const int steps = 2 * dice.whole(12, 24);
+  const int steps = 2 * dice.whole(20, 40);
   const double begin = -std::sqrt(ball * ball - bore * bore) - 0.2;
   const double travel = tall - 2 * begin;
   const int thick = std::max(2, static_cast<int>(std::lround(high * wall / tall)));

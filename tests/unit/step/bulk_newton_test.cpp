@@ -44,6 +44,21 @@ contact: {die: {slave: skin, friction: 10,
 time: {scheme: static, step: 0.0166666666666666667, end: 1}
 )";
 
+/// A rubber column that would buckle without the plate that presses it by three tenths of its height.
+const std::string column = R"(
+mesh: {generate: [{name: column, rectangle: {from: [-5, 0], to: [5, 12]}, divisions: [5, 6], cells: quad4,
+  sides: {bottom: foot, top: head}, points: {right_top: corner}}]}
+physics: plane_strain
+materials: {rubber: {law: hyperelastic, c10: 0.5, bulk: 50}}
+functions: {down: {ramp: {begin: 0, end: 1}}, aside: {ramp: {begin: 1, end: 1.5}}}
+supports: [{on: foot, fix: [x, y]}]
+contact: {plate: {slave: head, friction: 2, obstacle: {plane: {point: [0, 12], normal: [0, -1]},
+  move: {x: {value: 2, function: aside}, y: {value: -3.6, function: down}}}}}
+time: {scheme: static, step: 0.05, end: 1}
+)";
+const std::string held_column = R"([{on: foot, fix: [x, y]}, {on: head, fix: x,
+  y: {value: -3.6, function: down}}])";
+
 double moved(const Walk& walk, const std::string& node, int axis) {
   const auto& model = walk.model;
   return walk.state().motion.u[model.dofs.dof(mesh::find_nodes(model.mesh, node).nodes.front(), axis)];
@@ -106,6 +121,34 @@ TEST(BulkNewton, CutsStepsInWhichPlasticStrainGrowsTooMuch) {
   EXPECT_GT(held.simulation.counters().cuts, 0);
   EXPECT_EQ(free.simulation.counters().cuts, 0);
   EXPECT_NEAR(moved(held, "waist", 0), moved(free, "waist", 0), 0.05 * moved(free, "waist", 0));
+}
+
+bool was_indefinite(const Walk& walk) {
+  return std::ranges::any_of(walk.reports, &StepReport::indefinite);
+}
+
+TEST(BulkNewton, HoldsByContactWhatIsNotStableWithoutIt) {
+  Walk pressed(column);
+  Walk held(column, {{"contact", "~"}, {"supports", held_column}});
+  while (!pressed.finished())
+    ASSERT_TRUE(pressed.advance());
+  while (!held.finished())
+    ASSERT_TRUE(held.advance());
+  EXPECT_TRUE(was_indefinite(pressed));
+  EXPECT_FALSE(was_indefinite(held));
+  EXPECT_EQ(pressed.simulation.counters().cuts, 0);
+  EXPECT_NEAR(reaction(pressed, "foot", 1), reaction(held, "foot", 1),
+              1e-6 * std::abs(reaction(held, "foot", 1)));
+}
+
+/// The springs that hold it there are in the way of points that slip, and of none in the end.
+TEST(BulkNewton, FollowsWhatSlidesAndIsNotStableWithoutContact) {
+  Walk walk(column, {{"time.end", "1.5"}, {"contact.plate.friction", "0.3"}});
+  while (!walk.finished())
+    ASSERT_TRUE(walk.advance());
+  EXPECT_TRUE(was_indefinite(walk));
+  EXPECT_LE(walk.simulation.counters().cuts, 2);
+  EXPECT_LE(std::abs(walk.simulation.energy().balance()), 1e-10 * walk.simulation.energy().largest());
 }
 
 TEST(BulkNewton, VariesTheLengthOfSteps) {

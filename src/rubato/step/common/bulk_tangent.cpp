@@ -18,10 +18,15 @@ constexpr double iterations_by_new_factor = 2;
 /// Of the way that the step would go by itself: cells that yield have their tangent for the direction of it.
 /// Far along that way they would be too soft for a step that turns out shorter.
 constexpr double small_part = 1e-3;
-/// Springs of contact that are tried one after the other, in parts of the stiffness of their nodes. Soft ones
-/// keep iterations fast where points slip or surfaces move together, against which no spring would stand in
-/// the end.
-constexpr std::array<double, 3> parts_of_springs{0.1, 1, 10};
+/// Springs of contact that are tried one after the other, in parts of the stiffness of their nodes. Softer
+/// ones make surfaces so compliant that contact does not settle, stiffer ones are in the way of surfaces that
+/// move against them: along each other, or together.
+struct SpringLevel {
+  Held held;
+  double part;
+};
+constexpr std::array<SpringLevel, 4> spring_levels{
+    {{Held::as_contact, 0.1}, {Held::as_contact, 1}, {Held::everywhere, 0.1}, {Held::everywhere, 1}}};
 
 } // namespace
 
@@ -93,33 +98,35 @@ bool BulkTangent::put(const Tangent& tangent) {
     renew_matrix(system_, model_, tangent);
     return true;
   }
-  ++renewals_;
   const auto before = system_.factored;
-  if (renew(system_, model_, tangent))
-    return true;
-  indefinite_ = true;
+  const auto held_before = system_.held;
+  if (held_before.empty()) {
+    ++renewals_;
+    if (renew(system_, model_, tangent))
+      return true;
+    indefinite_ = true;
+  }
   if (put_held(tangent))
     return true;
+  hold(system_, held_before);
   if (before)
     renew(system_, model_, before);
   return false;
 }
 
-/// With springs where contact holds the bodies. They stay for the rest of the step.
+/// With springs where contact holds the bodies. A step that needs them has them to its end.
 bool BulkTangent::put_held(const Tangent& tangent) {
-  const auto springs = springs_ && system_.held.empty() ? springs_() : std::vector<NodeSpring>();
-  if (springs.empty())
-    return false;
-  for (const double part : parts_of_springs) {
-    auto parts = springs;
-    for (auto& spring : parts)
-      spring.stiffness *= part;
-    hold(system_, std::move(parts));
+  for (; springs_ && level_ < spring_levels.size(); ++level_) {
+    auto springs = springs_(spring_levels[level_].held);
+    if (springs.empty())
+      return false;
+    for (auto& spring : springs)
+      spring.stiffness *= spring_levels[level_].part;
+    hold(system_, std::move(springs));
     ++renewals_;
     if (renew(system_, model_, tangent))
       return true;
   }
-  hold(system_, {});
   return false;
 }
 

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct BulkStart {
 /// Whether the matrix is factored, or only made: with contact in it, it is another one in every iteration.
 enum class Factored { yes, no };
 
+/// In which directions springs hold the points that touch: as contact does, or in every one.
+enum class Held { as_contact, everywhere };
 /// Springs where contact holds the bodies when a step starts; none where nothing does.
-using SpringsOfContact = std::function<std::vector<NodeSpring>()>;
+using SpringsOfContact = std::function<std::vector<NodeSpring>(Held)>;
 
 class BulkTangent {
 public:
@@ -72,6 +75,7 @@ private:
   double t_;
   Factored factored_;
   SpringsOfContact springs_;
+  std::size_t level_ = 0;      ///< of springs, which only rises
   model::SparseMatrix matrix_; ///< storage of tangents
   domain::QuadratureStates unused_;
   int renewals_ = 0;

@@ -6,15 +6,17 @@
 #pragma once
 
 #include "rubato/model/model.hpp"
+#include "rubato/step/common/bulk_tangent.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 
 #include <vector>
 
 namespace rubato::step {
 
-/// Along the normal of points that slip, in every direction of points that stick; of the nodes of both sides.
-/// Each as stiff as `diagonal`, an entry a dof, at its node, less where the node has little of the point.
+/// Along the normal of points that slip, in every direction of points that stick, or of all that touch; of
+/// the nodes of both sides. Each as stiff as `diagonal`, an entry a dof, at its node, less where the node has
+/// little of the point.
 std::vector<NodeSpring> springs_of_contact(const model::Model& model, const ContactIterate& contact,
-                                           const Eigen::VectorXd& diagonal);
+                                           const Eigen::VectorXd& diagonal, Held held);
 
 } // namespace rubato::step

@@ -100,8 +100,9 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
       reach_(reach_of(model, system)), force_at_base_(committed.motion.u.size()),
       surface_(model, scheme, system) {
   if (!model.domain.is_linear())
-    bulk_.emplace(model, scheme, system, committed, t, Factored::yes, [this] {
-      return springs_of_contact(model_, side_.at(committed_, Frozen(model_.zones.size())), system_.diagonal);
+    bulk_.emplace(model, scheme, system, committed, t, Factored::yes, [this](Held held) {
+      return springs_of_contact(model_, side_.at(committed_, Frozen(model_.zones.size())), system_.diagonal,
+                                held);
     });
 }
 
