@@ -114,7 +114,7 @@ bool BulkTangent::put(const Tangent& tangent) {
   return false;
 }
 
-/// With springs where contact holds the bodies. A step that needs them has them to its end.
+/// With springs where contact holds the bodies now. A step that needs them has them to its end.
 bool BulkTangent::put_held(const Tangent& tangent) {
   for (; springs_ && level_ < spring_levels.size(); ++level_) {
     auto springs = springs_(spring_levels[level_].held);

@@ -28,7 +28,8 @@ enum class Factored { yes, no };
 
 /// In which directions springs hold the points that touch: as contact does, or in every one.
 enum class Held { as_contact, everywhere };
-/// Springs where contact holds the bodies when a step starts; none where nothing does.
+/// Springs where contact holds the bodies, at the iterate that it was evaluated at last; none where nothing
+/// does.
 using SpringsOfContact = std::function<std::vector<NodeSpring>(Held)>;
 
 class BulkTangent {

@@ -101,8 +101,8 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
       surface_(model, scheme, system) {
   if (!model.domain.is_linear())
     bulk_.emplace(model, scheme, system, committed, t, Factored::yes, [this](Held held) {
-      return springs_of_contact(model_, side_.at(committed_, Frozen(model_.zones.size())), system_.diagonal,
-                                held);
+      return springs_of_contact(model_, started_ ? now() : side_.at(committed_, Frozen(model_.zones.size())),
+                                system_.diagonal, held);
     });
 }
 
