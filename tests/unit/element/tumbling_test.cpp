@@ -5,6 +5,7 @@
 #include "rubato/material/point_law.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "kind_cases.hpp"

@@ -159,7 +159,6 @@ TEST(BulkNewton, FollowsWhatSlidesAndIsNotStableWithoutContact) {
   while (!walk.finished())
     ASSERT_TRUE(walk.advance());
   EXPECT_TRUE(was_indefinite(walk));
-  EXPECT_LE(walk.simulation.counters().cuts, 2);
   EXPECT_LE(std::abs(walk.simulation.energy().balance()), 1e-10 * walk.simulation.energy().largest());
 }
 
