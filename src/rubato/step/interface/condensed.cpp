@@ -130,7 +130,7 @@ std::optional<Outcome> Condensed::begin(State& trial, const Frozen& frozen) {
     started_ = true;
   else if (!started_ || bases_carry_forces())
     start_from(trial);
-  if (!equilibrium_.residual().allFinite())
+  if (!equilibrium_.residual().allFinite() || !surface_.free.allFinite())
     return Outcome::not_finite;
   side_.start_iterations();
   if (starts_from_prediction(model_, side_.variant().start))

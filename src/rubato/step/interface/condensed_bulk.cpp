@@ -52,6 +52,8 @@ std::optional<Outcome> Condensed::go_on_from(State& trial, const Frozen& frozen,
     surface_.start_from(trial.motion, equilibrium_.residual(), Condensed::force());
   else
     surface_.start_from(trial.motion, equilibrium_.residual_without(force));
+  if (!surface_.free.allFinite())
+    return Outcome::not_finite;
   if (*part != 1 || bulk_->goes_back()) {
     side_.measure(trial, frozen, now());
     collect_forces(frozen);
