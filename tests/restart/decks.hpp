@@ -111,7 +111,7 @@ materials:
 supports: [{on: ground, fix: [x, y]}]
 initial: [{on: block, velocity: {x: 2, y: -4}}]
 contact: {foot: {master: over, slave: under, friction: 0.2}}
-time: {scheme: energy_momentum, step: 0.02, max_step: 0.04, end: 0.3}
+time: {scheme: energy_momentum, step: 0.02, end: 0.3}
 probes: {fall: {on: block, take: min, field: velocity}}
 fields: {formats: [vtu], every: 3, last: false}
 )";
