@@ -93,6 +93,11 @@ Plasticity& make_plastic(Material& material) {
   return material.plasticity;
 }
 
+void statically(Study& study) {
+  study.time.scheme = SchemeKind::static_steps;
+  study.time.contact_mass = ContactMass::consistent;
+}
+
 void make_rubber(Material& material) {
   material.law = LawKind::hyperelastic;
   material.poisson = 0;
@@ -253,15 +258,15 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"time.arc_length", "follows the motion past limit loads by itself",
             [](Study& s) { make_plastic(s.materials[0]), s.time.arc_length = {1, "all"}; }},
         Bad{"time.arc_length", "as every material is linear",
-            [](Study& s) { s.time.scheme = SchemeKind::static_steps, s.time.arc_length = {1, "all"}; }},
+            [](Study& s) { statically(s), s.time.arc_length = {1, "all"}; }},
         Bad{"time.arc_length", "has no load to multiply",
             [](Study& s) {
-              make_plastic(s.materials[0]), s.time.scheme = SchemeKind::static_steps;
+              make_plastic(s.materials[0]), statically(s);
               s.loads.clear(), s.time.arc_length = {1, "all"};
             }},
         Bad{"time.arc_length.length", "expected a number > 0",
             [](Study& s) {
-              make_plastic(s.materials[0]), s.time.scheme = SchemeKind::static_steps;
+              make_plastic(s.materials[0]), statically(s);
               s.time.arc_length = {0, "all"};
             }},
         Bad{"materials.steel.law", "the law plastic dissipates; expected moreau_jean",
