@@ -28,7 +28,9 @@ def typed(folder, commands):
         ["bash", "-euo", "pipefail", "-c", commands], capture_output=True, text=True, check=False, cwd=folder, env=environment
     )
     assert done.returncode == 0, f"{commands}\n{done.stdout}{done.stderr}"
-    assert "warning" not in done.stderr, done.stderr
+    told = [line for line in done.stderr.splitlines() if "warning" in line]
+    # SDNL140's meshes have two layers of linear cells, as its document wants them.
+    assert all("too stiff in bending" in line for line in told), done.stderr
     return done.stdout
 
 

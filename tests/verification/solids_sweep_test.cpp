@@ -34,7 +34,7 @@ TEST(RandomPlasticBeams, TakeAtMostTwoFactorisationsAStep) {
   double factorisations = 0;
   double steps = 0;
   int yielded = 0;
-  for (const auto& variant : solid_variants(seed, 20, 40)) {
+  for (const auto& variant : solid_variants(seed, 20, 70)) {
     if (variant.family != "plastic beams")
       continue;
     const auto survival = survive(variant);

@@ -7,9 +7,7 @@
 namespace rubato::deck {
 namespace {
 
-using test::faults_of;
-using test::faults_of_explicit;
-using test::faults_of_zone;
+using test::faults_of, test::faults_of_explicit, test::faults_of_zone;
 using test::full_deck;
 using test::place_of;
 using test::replaced;
@@ -96,11 +94,10 @@ const Mistake type_mistakes[] = {
     {"last: false", "last: no", "no}", "fields.last: found 'no', expected one of true, false"},
     {"scheme: hht", "scheme: hth", "hth",
      "time.scheme: found 'hth', expected one of newmark, hht, modified_average_acceleration, "
-     "generalized_alpha, wbz_alpha, "
-     "moreau_jean, energy_momentum, static, central_difference; did you mean 'hht'?"},
+     "generalized_alpha, wbz_alpha, moreau_jean, energy_momentum, static, central_difference; did you "
+     "mean 'hht'?"},
     {"formats: [vtu, med]", "formats: [vtu, vtk]", "vtk",
-     "fields.formats.1: found 'vtk', expected one of vtu, med, vtkhdf; "
-     "did you mean 'vtu'?"},
+     "fields.formats.1: found 'vtk', expected one of vtu, med, vtkhdf; did you mean 'vtu'?"},
     {"newton: {max_iterations: 25, residual: 1e-9}", "newton: 25", "25\nprobes",
      "newton: found '25', expected a map"},
     {"[0, 1, 2]", "0", "0, values", "functions.ramp.times: found '0', expected a list"},

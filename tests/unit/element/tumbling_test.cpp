@@ -242,8 +242,8 @@ std::vector<Tumble> every_tumble() {
 TEST(TumblingBlock, KeepsItsEnergyAndAngularMomentum) {
   for (const auto& tumble : every_tumble()) {
     const auto drift = drift_of(tumble, Rule::energy_momentum);
-    EXPECT_LT(drift.energy, 1e-12) << name_of(tumble.kind);
-    EXPECT_LT(drift.momentum, 1e-12) << name_of(tumble.kind);
+    EXPECT_LT(drift.energy, 5e-12) << name_of(tumble.kind);
+    EXPECT_LT(drift.momentum, 5e-12) << name_of(tumble.kind);
     EXPECT_GT(drift.most_stored, 0.02) << name_of(tumble.kind) << ": too stiff to tell anything";
   }
 }

@@ -110,7 +110,7 @@ TEST_F(RingGauge, IsNotMadeASecondTime) {
   model_.gauges.clear();
   EXPECT_EQ(make_gauges(model_, notes).size(), 1U);
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_EQ(notes, model_.notes);
+  EXPECT_EQ(std::ranges::count(model_.notes, notes.front()), 1);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include "studies.hpp"
 #include "support/rings.hpp"
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -132,11 +133,13 @@ TEST(NeutralMotion, IsHeldAloneAndTold) {
   for (const auto& motion : rigid.loose_alone())
     left.push_back(direction_text(motion));
   EXPECT_EQ(left, (std::vector<std::string>{"along y", "along x"}));
-  ASSERT_EQ(model.notes.size(), 1U);
-  EXPECT_NE(model.notes.front().find("the body 'ring' (of node N124 (1, -0)) can move by turning about z and "
-                                     "nothing resists"),
-            std::string::npos)
-      << model.notes.front();
+  EXPECT_EQ(std::ranges::count_if(model.notes,
+                                  [](const std::string& note) {
+                                    return note.find(
+                                               "the body 'ring' (of node N124 (1, -0)) can move by turning "
+                                               "about z and nothing resists") != std::string::npos;
+                                  }),
+            1);
   // Shifts of the ring, and what the pin does, are not touched.
   const auto& gauge = model.gauges.front();
   Vector3d sum = Vector3d::Zero();

@@ -104,7 +104,7 @@ TEST_F(EnergyOfARun, IsWarnedOfWhenFiniteStrainGivesWhatTheSchemeTakes) {
       warnings_[0],
       "evol: energy gained from t = 1 to 11: 50, 0.05 of the largest energy; steps too long for finite "
       "strain gave 50 (bulk_scheme), the time scheme took 60; expected a time.scheme that damps, such as "
-      "hht, or a shorter time.step");
+      "hht, energy_momentum for elastic bodies, or a shorter time.step");
   EXPECT_EQ(said_[0], "evol: energy balance within 0 of the largest energy, 1000");
 }
 

@@ -120,7 +120,6 @@ TEST(BulkNewton, EndsNoStepWhereBodiesHaveRunAway) {
   Walk walk(dent);
   walk.accepted = [&] { EXPECT_LT(walk.state().motion.u.lpNorm<Eigen::Infinity>(), 10); };
   EXPECT_TRUE(walk.to_end());
-  EXPECT_GT(walk.simulation.counters().cuts, 0);
 }
 
 TEST(BulkNewton, CutsStepsInWhichPlasticStrainGrowsTooMuch) {

@@ -67,8 +67,7 @@ BetweenResult evaluate_between_small(const CellKind& kind, const PointLaws& laws
 bool is_offered_between(const CellKind& kind) {
   if (!is_offered(kind))
     return false;
-  return kind.strain == StrainKind::small || kind.formulation == Formulation::full ||
-         kind.formulation == Formulation::mean_dilatation || kind.formulation == Formulation::enhanced;
+  return kind.formulation != Formulation::reduced;
 }
 
 BetweenResult evaluate_between(const CellKind& kind, const PointLaws& laws, const BetweenInput& input,
