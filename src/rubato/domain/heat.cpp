@@ -171,4 +171,14 @@ VectorXd Heat::degrees(std::size_t cell, const VectorXd& temperatures) const {
   return at_points.array() - expansion_of(cell)->reference;
 }
 
+void Heat::put_free_strains(std::size_t cell, const VectorXd& temperatures,
+                            const material::FullExpansion& expansion,
+                            std::vector<material::Strain6>& strains) const {
+  strains.clear();
+  if (expansion_of(cell) == nullptr)
+    return;
+  for (const double excess : degrees(cell, temperatures))
+    strains.push_back(excess * expansion);
+}
+
 } // namespace rubato::domain

@@ -8,6 +8,7 @@
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/material/expansion.hpp"
+#include "rubato/material/point_law.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -53,6 +54,11 @@ public:
   const study::ThermalExpansion* expansion_of(std::size_t cell) const;
   /// ϑ at the points of cell::stiffness_rule of a heated cell.
   Eigen::VectorXd degrees(std::size_t cell, const Eigen::VectorXd& temperatures) const;
+  /// What expands freely at these points of a cell whose law has the expansion: nothing of cells that are not
+  /// heated.
+  void put_free_strains(std::size_t cell, const Eigen::VectorXd& temperatures,
+                        const material::FullExpansion& expansion,
+                        std::vector<material::Strain6>& strains) const;
   /// Of a heated cell.
   CellHeat cell_heat(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t cell) const;
   /// Places of its nodes in DofMap::nodes.

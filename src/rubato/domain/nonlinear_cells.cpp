@@ -162,9 +162,8 @@ Failed NonlinearCells::add_each(const StepSpan& step, const QuadratureStates& ol
   if (heat != nullptr)
     scratch.temperatures = heat->temperatures(step.t1);
   for (const auto& cell : cells_) {
-    scratch.free.clear();
-    if (heat != nullptr && heat->expansion_of(cell.place) != nullptr)
-      find_free_strains(cell, *heat, scratch);
+    if (heat != nullptr)
+      heat->put_free_strains(cell.place, scratch.temperatures, group_of(cell).expansion, scratch.free);
     const auto result = step.of == ForcesOf::step ? evaluate_between(cell, step, old, now, wanted, scratch)
                                                   : evaluate(cell, step, old, now, wanted, scratch);
     if (!result) {
@@ -254,12 +253,6 @@ void NonlinearCells::add_answers(const Cell& cell, const Wanted& wanted, const S
     scatter(cell, scratch.force, *wanted.forces);
   if (wanted.tangent != nullptr)
     add_tangent(cell, scratch.tangent, *wanted.tangent);
-}
-
-void NonlinearCells::find_free_strains(const Cell& cell, const Heat& heat, Scratch& scratch) const {
-  const auto& expansion = group_of(cell).expansion;
-  for (const double degrees : heat.degrees(cell.place, scratch.temperatures))
-    scratch.free.push_back(degrees * expansion);
 }
 
 void NonlinearCells::scatter(const Cell& cell, const std::vector<double>& values, VectorXd& sum) const {

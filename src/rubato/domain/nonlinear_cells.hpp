@@ -116,7 +116,6 @@ private:
                   const Wanted& wanted, const Heat* heat) const;
   element::CellResult evaluate(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
                                QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
-  void find_free_strains(const Cell& cell, const Heat& heat, Scratch& scratch) const;
   element::CellResult evaluate_between(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
                                        QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
   void add_answers(const Cell& cell, const Wanted& wanted, const Scratch& scratch) const;

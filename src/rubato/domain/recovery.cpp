@@ -157,7 +157,9 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
   std::vector<double> now(old.size());
   std::vector<double> force(local_.size());
   std::vector<element::PointRecord> records(count);
-  const auto free = free_strains(behaviour, cell);
+  std::vector<material::Strain6> free;
+  if (heat_ != nullptr && behaviour.expansion)
+    heat_->put_free_strains(cell, temperatures_, *behaviour.expansion, free);
   element::evaluate(kind, element::PointLaws(behaviour.law), {points, local_, old, {}, {}, free},
                     {now, force, {}, records});
   const auto size = slot(material::state_size(behaviour.law));
@@ -168,14 +170,6 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
                                             : as_tensor(heated_strain(behaviour.law, seen, records[q].free));
   }
   return at_each_point(result, block->type);
-}
-
-std::vector<material::Strain6> CellTensors::free_strains(const Behaviour& behaviour, std::size_t cell) const {
-  std::vector<material::Strain6> free;
-  if (heat_ != nullptr && heat_->expansion_of(cell) != nullptr)
-    for (const double degrees : heat_->degrees(cell, temperatures_))
-      free.push_back(degrees * *behaviour.expansion);
-  return free;
 }
 
 MatrixXd CellTensors::cumulated_plastic_strain(std::size_t cell) {

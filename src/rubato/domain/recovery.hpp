@@ -52,7 +52,6 @@ private:
   std::span<const double> state_at(const Behaviour& behaviour, std::size_t cell, std::size_t point) const;
   Eigen::MatrixXd linear_at_points(Tensor what, std::size_t cell);
   Eigen::MatrixXd nonlinear_at_points(Tensor what, const Behaviour& behaviour, std::size_t cell);
-  std::vector<material::Strain6> free_strains(const Behaviour& behaviour, std::size_t cell) const;
 
   const mesh::Mesh& mesh_;
   const Bulk& bulk_;

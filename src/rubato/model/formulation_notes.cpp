@@ -113,14 +113,19 @@ struct Part {
   std::set<CellType> types = {};
 };
 
+/// Whether few layers of such cells are too stiff in bending.
+bool bends_too_stiffly(const Model& model, const Material& material, CellType type) {
+  return (type == CellType::quad4 || type == CellType::hexa8) &&
+         study::formulation_of(material, model.study.physics, type) == Formulation::full;
+}
+
 std::map<int, Part> parts_of(const Model& model, const Material& material, const Bodies& bodies,
                              const std::vector<Layers>& layers, const std::vector<std::size_t>& cells) {
   std::map<int, Part> parts;
   for (const auto i : cells) {
     const auto cell = model.bulk.cells[i];
     const auto type = model.mesh.type_of(cell);
-    const bool has_layers = type == CellType::quad4 || type == CellType::hexa8;
-    if (!has_layers || study::formulation_of(material, model.study.physics, type) != Formulation::full)
+    if (!bends_too_stiffly(model, material, type))
       continue;
     auto& part = parts[bodies.of(model.mesh.nodes_of(cell).front())];
     ++part.cells;
@@ -185,14 +190,21 @@ void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const
 
 std::vector<std::string> notes_on_formulations(const Model& model) {
   std::vector<std::string> notes;
+  const auto& materials = model.study.materials;
   const auto cells = cells_by_material(model.study, model.bulk);
+  bool may_bend = false;
+  for (std::size_t m = 0; m < cells.size(); ++m) {
+    note_locking(model, materials[m], cells[m], notes);
+    may_bend = may_bend || std::ranges::any_of(cells[m], [&](std::size_t i) {
+                 return bends_too_stiffly(model, materials[m], model.mesh.type_of(model.bulk.cells[i]));
+               });
+  }
+  if (!may_bend)
+    return notes;
   const Bodies bodies(model.mesh, model.bulk);
   const auto layers = layers_of(model.mesh, model.bulk);
-  for (std::size_t m = 0; m < cells.size(); ++m) {
-    const auto& material = model.study.materials[m];
-    note_locking(model, material, cells[m], notes);
-    note_bending(model, material, bodies, layers, cells[m], notes);
-  }
+  for (std::size_t m = 0; m < cells.size(); ++m)
+    note_bending(model, materials[m], bodies, layers, cells[m], notes);
   return notes;
 }
 

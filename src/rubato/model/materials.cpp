@@ -133,15 +133,13 @@ element::Formulation formulation(study::Formulation kind) {
 
 /// Nothing where cells are linear and integrated in full.
 std::optional<domain::Behaviour> behaviour_of(const study::Study& study, const study::Material& material) {
-  const bool constant = study::has_constant_stiffness(material);
   const auto wanted = study::wanted_formulation(material);
-  if (constant && wanted == study::Formulation::full)
+  if (study::has_constant_stiffness(material) && wanted == study::Formulation::full)
     return std::nullopt;
-  const bool heated = material.expansion && !study.temperatures.empty();
   domain::Behaviour behaviour{material::make_point_law(material, study.physics),
                               strain_kind(study::strain_of(material)), formulation(wanted),
-                              constant && wanted != study::Formulation::reduced && !heated};
-  if (heated)
+                              study::is_linear(study, material)};
+  if (study::is_heated(study, material))
     behaviour.expansion = material::expansion_strain(material::make_law(material), *material.expansion);
   return behaviour;
 }

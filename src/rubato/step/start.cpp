@@ -177,7 +177,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
   if (!loaded_history)
     state.residual_force.setZero();
   state.bulk = bulk_forces(model, state);
-  state.external_force = loads(model, state);
+  state.external_force = loaded;
   return state;
 }
 
@@ -207,7 +207,7 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
   if (scheme.dynamic)
     state.motion.a = balanced_acceleration(model, unbalanced, state.motion.v, given_acceleration(model, t));
   state.bulk = bulk_forces(model, state);
-  state.external_force = loads(model, state);
+  state.external_force = loaded;
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
     state.friction_force = VectorXd::Zero(state.contact_force.size());
   return state;

@@ -51,12 +51,19 @@ Formulation formulation_of(const Material& material, Physics physics, CellType t
   return has_cells(wanted, type, physics) ? wanted : Formulation::full;
 }
 
+bool is_heated(const Study& study, const Material& material) {
+  return material.expansion && !study.temperatures.empty();
+}
+
+bool is_linear(const Study& study, const Material& material) {
+  const auto wanted = wanted_formulation(material);
+  return has_constant_stiffness(material) && wanted != Formulation::reduced &&
+         (wanted == Formulation::full || !is_heated(study, material));
+}
+
 bool is_linear(const Study& study) {
-  return std::ranges::all_of(study.materials, [&](const Material& material) {
-    const bool whole = material.formulation.value_or(Formulation::full) == Formulation::full;
-    return has_constant_stiffness(material) && wanted_formulation(material) != Formulation::reduced &&
-           (whole || study.temperatures.empty());
-  });
+  return std::ranges::all_of(study.materials,
+                             [&](const Material& material) { return is_linear(study, material); });
 }
 
 bool remembers(const Material& material) {

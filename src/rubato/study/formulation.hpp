@@ -25,9 +25,13 @@ Formulation wanted_formulation(const Material& material);
 /// The same where there is such a cell, else full.
 Formulation formulation_of(const Material& material, Physics physics, CellType type);
 
-/// Whether one stiffness of the whole holds for every step: constant stiffness of all materials, no reduced
-/// cells, whose hourglasses have an energy of their own, and no temperatures of cells that are not integrated
-/// in full.
+/// Whether the material expands by temperatures that the study has.
+bool is_heated(const Study& study, const Material& material);
+
+/// Whether one stiffness of the cells of the material holds for every step: a constant one, no reduced cells,
+/// whose hourglasses have an energy of their own, and no heat in cells that are not integrated in full; of
+/// the study: whether that is so of all its materials.
+bool is_linear(const Study& study, const Material& material);
 bool is_linear(const Study& study);
 
 /// Whether points or cells of the material remember their past; whether some material's do.

@@ -159,25 +159,22 @@ private:
   }
 
   CellResult with_better_modes() {
-    constexpr int most_halvings = 6;
     energy_.set_moduli(middle_, moduli_);
     const Whole k = exact_tangent();
     const Eigen::PartialPivLU<Whole> factor(k.bottomRightCorner(modes_, modes_));
-    const Vector start = unknowns_, step = -factor.solve(mode_residual());
-    const double before = std::abs(step.dot(mode_residual()));
+    const auto level = [&] { return std::abs(mode_residual().dot(factor.solve(mode_residual()))); };
+    const Vector step = -factor.solve(mode_residual());
+    const double before = level();
     if (!std::isfinite(before))
       return {Failure::not_finite};
     CellResult result;
-    double part = 1;
-    for (int i = 0; i <= most_halvings; ++i, part /= 2) {
-      unknowns_ = start + part * step;
+    const auto respond_there = [&] {
       motion_.set_modes_after(unknowns_.data());
-      result = respond();
-      if (result &&
-          (modes_are_solved() || std::abs(mode_residual().dot(factor.solve(mode_residual()))) < before))
-        return result;
-    }
-    is_stalled_ = true;
+      return respond();
+    };
+    const auto is_better = [&] { return modes_are_solved() || level() < before; };
+    if (!go_halving(step, unknowns_, result, respond_there, is_better))
+      is_stalled_ = true;
     return result;
   }
 

@@ -69,7 +69,6 @@ private:
   static constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   /// Where no step makes forces on modes smaller, so much of rounding is an end.
   static constexpr double stalled_rounding = 1e3;
-  static constexpr int most_halvings = 6;
 
   static std::size_t place(int q) { return static_cast<std::size_t>(q); }
 
@@ -150,20 +149,15 @@ private:
     set_mode_matrix();
     const Eigen::PartialPivLU<ModeMatrix> factor(whole_.template bottomRightCorner<modes, modes>());
     const auto level = [&] { return std::abs(residual_.dot(factor.solve(residual_))); };
-    const Unknowns start = unknowns_;
     const Unknowns step = -factor.solve(residual_);
     const double before = level();
     if (!std::isfinite(before))
       return {Failure::not_finite};
     CellResult result;
-    double part = 1;
-    for (int i = 0; i <= most_halvings; ++i, part /= 2) {
-      unknowns_ = start + part * step;
-      result = respond();
-      if (result && (is_solved() || level() < before))
-        return result;
-    }
-    is_stalled_ = true;
+    const auto is_better = [&] { return is_solved() || level() < before; };
+    if (!go_halving(
+            step, unknowns_, result, [&] { return respond(); }, is_better))
+      is_stalled_ = true;
     return result;
   }
 

@@ -15,6 +15,23 @@
 
 namespace rubato::element {
 
+/// A step of Newton's method for the modes, halved while a law fails or it leads to nothing better. False: it
+/// has stalled.
+template <class Unknowns, class Respond, class IsBetter>
+bool go_halving(const Unknowns& step, Unknowns& unknowns, CellResult& result, const Respond& respond,
+                const IsBetter& is_better) {
+  constexpr int most_halvings = 6;
+  const Unknowns start = unknowns;
+  double part = 1;
+  for (int i = 0; i <= most_halvings; ++i, part /= 2) {
+    unknowns = start + part * step;
+    result = respond();
+    if (result && is_better())
+      return true;
+  }
+  return false;
+}
+
 /// j₀/j (R₀/R) at the points.
 template <class S> using ModeRatios = std::array<double, static_cast<std::size_t>(S::most_points)>;
 

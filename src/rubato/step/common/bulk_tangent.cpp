@@ -160,9 +160,8 @@ double BulkTangent::factor_in_iterations() const {
   constexpr double forces_by_entry = 4;
   constexpr double tangent_by_entry = 16;
   const auto entries = static_cast<double>(system_.compliance->factor_entries());
-  const auto unknowns = static_cast<double>(system_.matrix.rows());
   const auto of_matrix = static_cast<double>(system_.matrix.nonZeros());
-  const double factor = 1.5 * entries * entries / unknowns / dense_speed + tangent_by_entry * of_matrix;
+  const double factor = system_.compliance->factor_flops() / dense_speed + tangent_by_entry * of_matrix;
   const double iteration = 4 * entries + forces_by_entry * of_matrix;
   return factor / iteration;
 }

@@ -98,7 +98,8 @@ Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const E
       predicted_bulk_(time::predict(
           scheme, system.step, {committed.bulk.internal, committed.bulk.momentum, committed.bulk.inertia})),
       dead_(model::external_force(model, t, committed.load_factor)), external_(dead_),
-      load_factor_(committed.load_factor), history_(history_forces(scheme, committed)) {
+      load_factor_(committed.load_factor), reach_(reach_of(model, committed, t)),
+      history_(history_forces(scheme, committed)) {
   if (const auto* heat = model.domain.heat())
     heat_ = heat->largest_force(t);
 }
@@ -215,7 +216,7 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without
   // strain.
-  const double moved = std::min(motion.u.lpNorm<Eigen::Infinity>(), reach_of(model_, committed_, t_));
+  const double moved = std::min(motion.u.lpNorm<Eigen::Infinity>(), reach_);
   const double rounding = tolerances.rounding() * system_.diagonal.lpNorm<Eigen::Infinity>() * moved;
   report.unbalanced_force = largest;
   report.residual = largest == 0 || std::max(largest, scale_) <= rounding ? 0 : largest / scale_;
@@ -226,7 +227,7 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
 
 bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiffness& stiffness, double far,
                                   double tolerance) const {
-  const VectorXd moved = motion.u.cwiseAbs().cwiseMin(reach_of(model_, committed_, t_));
+  const VectorXd moved = motion.u.cwiseAbs().cwiseMin(reach_);
   VectorXd summed = VectorXd::Zero(moved.size());
   add_magnitudes(system_.coefficients.stiffness, model_.domain.initial_tangent(), moved, summed);
   if (scheme_.dynamic)

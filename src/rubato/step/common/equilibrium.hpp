@@ -115,6 +115,7 @@ private:
   Eigen::VectorXd dead_;                        ///< the loads that do not follow [force]
   Eigen::VectorXd external_;
   double load_factor_;
+  double reach_;            ///< displacements by which rounding may be told [length]
   double heat_ = 0;         ///< the largest force of temperatures at the end of the step [force]
   Eigen::VectorXd history_; ///< the scheme's terms of the start of the step
   Eigen::VectorXd bracket_; ///< what the next step's history has of bulk and loads [force]

@@ -73,7 +73,7 @@ void check_enhanced(Rules& rules, const Material& material, const std::string& o
                  fmt::format("the scheme {} takes enhanced cells of linear materials at small strain only, "
                              "expected {}",
                              word_of(scheme_words, study.time.scheme), instead));
-  else if (is_explicit(study.time.scheme) && material.expansion && !study.temperatures.empty())
+  else if (is_explicit(study.time.scheme) && is_heated(study, material))
     rules.broken({path, of_material + ".expansion", "time.scheme"},
                  fmt::format("the scheme {} takes no enhanced cells that expand by temperature, expected {}",
                              word_of(scheme_words, study.time.scheme), instead));
@@ -90,7 +90,7 @@ void check_reduced(Rules& rules, const Material& material, const std::string& pa
                     study.physics == Physics::plane_stress ? "full" : "mean_dilatation"));
   else if (study.time.scheme == SchemeKind::energy_momentum)
     rules.broken({path, "time.scheme"}, "the scheme energy_momentum takes no reduced cells, expected full");
-  if (material.expansion && !study.temperatures.empty())
+  if (is_heated(study, material))
     rules.broken({path, "temperature"},
                  "found thermal expansion of reduced cells, which follow no temperature; expected full");
 }
@@ -111,8 +111,7 @@ void check_formulation(Rules& rules, const Material& material, const std::string
 void check_conserved(Rules& rules, const Material& material, const std::string& path) {
   if (rules.study.time.scheme != SchemeKind::energy_momentum)
     return;
-  const bool linear = has_constant_stiffness(material) && wanted_formulation(material) == Formulation::full;
-  if (material.expansion && !rules.study.temperatures.empty() && !linear)
+  if (is_heated(rules.study, material) && !is_linear(rules.study, material))
     rules.broken({path + ".expansion", "time.scheme"},
                  "the scheme energy_momentum takes no nonlinear bodies that expand by temperature, expected "
                  "moreau_jean");
