@@ -12,6 +12,7 @@
 #include "rubato/step/common/bulk_newton.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/equilibrium.hpp"
+#include "rubato/step/interface/bulk_history.hpp"
 #include "rubato/step/interface/free_motions.hpp"
 #include "rubato/step/interface/interface_newton_system.hpp"
 #include "rubato/step/interface/newton_history.hpp"
@@ -94,6 +95,7 @@ private:
   void start_ahead(const State& trial);
   std::optional<Outcome> go_on_from(State& trial, const Frozen& frozen, ContactForce force);
   double search(State& trial, ContactForce& force);
+  bool go_on_faster(State& trial, ContactForce& force);
   void go_back(State& trial);
   void take_factor();
   void predict_contact(State& trial, const Frozen& frozen);
@@ -142,6 +144,7 @@ private:
   bool counts_anew_ = false;
   std::vector<contact::ZoneState> zones_at_base_; ///< of a nonlinear bulk
   ContactForce force_at_base_;                    ///< likewise
+  BulkHistory bulk_history_;                      ///< likewise
   bool measured_ = false;                         ///< whether now() is at the iterate already
   SurfaceMotion surface_;
 };

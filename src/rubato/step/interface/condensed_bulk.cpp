@@ -39,6 +39,7 @@ std::optional<Outcome> Condensed::go_on_from(State& trial, const Frozen& frozen,
   }
   if (side_.variant().searches && bulk_->is_fresh())
     *part *= search(trial, force);
+  const bool faster = *part == 1 && go_on_faster(trial, force);
   if (!equilibrium_.residual().allFinite())
     return Outcome::not_finite;
   const double allowed = report_.tolerance * equilibrium_.scale();
@@ -54,7 +55,7 @@ std::optional<Outcome> Condensed::go_on_from(State& trial, const Frozen& frozen,
     surface_.start_from(trial.motion, equilibrium_.residual_without(force));
   if (!surface_.free.allFinite())
     return Outcome::not_finite;
-  if (*part != 1 || bulk_->goes_back()) {
+  if (*part != 1 || faster || bulk_->goes_back()) {
     side_.measure(trial, frozen, now());
     collect_forces(frozen);
   }
@@ -62,7 +63,7 @@ std::optional<Outcome> Condensed::go_on_from(State& trial, const Frozen& frozen,
   if (!bulk_->goes_back())
     force_at_base_ = std::move(force);
   scratch_.history.forget();
-  surface_stall_ = bulk_stall_ = {};
+  surface_stall_ = {};
   counts_anew_ = true;
   return std::nullopt;
 }
@@ -95,6 +96,32 @@ double Condensed::search(State& trial, ContactForce& force) {
   if (tried != best)
     go_to(best);
   return best;
+}
+
+/// Where springs in the matrix hold moves back: by the history of moves, if that leaves less out of balance.
+bool Condensed::go_on_faster(State& trial, ContactForce& force) {
+  if (system_.held.empty() && !system_.has_free_bodies)
+    return false;
+  BulkIterate plain{trial.motion, force, {}};
+  for (const auto& zone : trial.zones)
+    plain.multipliers.push_back(zone.multipliers);
+  bulk_history_.add(surface_.base, plain, now().status);
+  if (!bulk_history_.is_slow())
+    return false;
+  const auto go_to = [&](const BulkIterate& iterate) {
+    trial.motion = iterate.motion;
+    force = iterate.force;
+    for (std::size_t z = 0; z < trial.zones.size(); ++z)
+      trial.zones[z].multipliers = iterate.multipliers[z];
+    equilibrium_.evaluate(trial.motion, force);
+    equilibrium_.measure(trial.motion, force, report_);
+  };
+  const double before = report_.unbalanced_force;
+  go_to(bulk_history_.accelerated());
+  if (!equilibrium_.failed() && report_.unbalanced_force < before)
+    return true;
+  go_to(plain);
+  return false;
 }
 
 void Condensed::go_back(State& trial) {

@@ -27,37 +27,41 @@ void Corrected::add(double share, const Corrected& to, const Corrected& from) {
     multipliers[z] += share * (to.multipliers[z] - from.multipliers[z]);
 }
 
-void NewtonHistory::forget() {
-  entries_.clear();
-}
-
-void NewtonHistory::add(VectorXd change, const Corrected& corrected) {
-  if (entries_.size() == most_entries)
-    entries_.erase(entries_.begin());
-  entries_.push_back({std::move(change), corrected});
-}
-
-bool NewtonHistory::is_slow() const {
-  const auto count = entries_.size();
-  return count >= 2 && entries_[count - 1].change.norm() > slow * entries_[count - 2].change.norm();
-}
-
-void NewtonHistory::accelerate(Corrected& correction) const {
-  const auto count = static_cast<Index>(entries_.size()) - 1;
-  const auto& last = entries_.back();
-  MatrixXd differences(last.change.size(), count);
-  for (Index j = 0; j < count; ++j)
-    differences.col(j) =
-        entries_[static_cast<std::size_t>(j) + 1].change - entries_[static_cast<std::size_t>(j)].change;
+std::vector<double> shares_of_history(std::span<const VectorXd> changes) {
+  const auto count = changes.size() - 1;
+  MatrixXd differences(changes.back().size(), static_cast<Index>(count));
+  for (std::size_t j = 0; j < count; ++j)
+    differences.col(static_cast<Index>(j)) = changes[j + 1] - changes[j];
   Eigen::ColPivHouseholderQR<MatrixXd> factor;
   factor.setThreshold(dependent);
   factor.compute(differences);
-  const VectorXd shares = factor.solve(last.change);
-  if (!shares.allFinite())
-    return;
-  for (Index j = 0; j < count; ++j)
-    correction.add(-shares[j], entries_[static_cast<std::size_t>(j) + 1].corrected,
-                   entries_[static_cast<std::size_t>(j)].corrected);
+  const VectorXd shares = factor.solve(changes.back());
+  return shares.allFinite() ? std::vector<double>(shares.begin(), shares.end()) : std::vector<double>{};
+}
+
+void NewtonHistory::forget() {
+  changes_.clear();
+  corrected_.clear();
+}
+
+void NewtonHistory::add(VectorXd change, const Corrected& corrected) {
+  if (changes_.size() == most_entries) {
+    changes_.erase(changes_.begin());
+    corrected_.erase(corrected_.begin());
+  }
+  changes_.push_back(std::move(change));
+  corrected_.push_back(corrected);
+}
+
+bool NewtonHistory::is_slow() const {
+  const auto count = changes_.size();
+  return count >= 2 && changes_[count - 1].norm() > slow * changes_[count - 2].norm();
+}
+
+void NewtonHistory::accelerate(Corrected& correction) const {
+  const auto shares = shares_of_history(changes_);
+  for (std::size_t j = 0; j < shares.size(); ++j)
+    correction.add(-shares[j], corrected_[j + 1], corrected_[j]);
 }
 
 } // namespace rubato::step

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <span>
 #include <vector>
 
 namespace rubato::step {
@@ -24,6 +25,9 @@ struct Corrected {
   void add(double share, const Corrected& to, const Corrected& from);
 };
 
+/// γ of changes, of which there are at least two, the last one last; none where rounding has eaten them.
+std::vector<double> shares_of_history(std::span<const Eigen::VectorXd> changes);
+
 class NewtonHistory {
 public:
   void forget();
@@ -35,11 +39,8 @@ public:
   void accelerate(Corrected& correction) const;
 
 private:
-  struct Entry {
-    Eigen::VectorXd change;
-    Corrected corrected;
-  };
-  std::vector<Entry> entries_;
+  std::vector<Eigen::VectorXd> changes_;
+  std::vector<Corrected> corrected_; ///< as many
 };
 
 } // namespace rubato::step

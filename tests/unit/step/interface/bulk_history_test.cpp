@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/interface/bulk_history.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rubato::step {
+namespace {
+
+using contact::Status;
+using Eigen::VectorXd;
+
+using Statuses = std::vector<std::vector<Status>>;
+
+/// A matrix too stiff along three directions leaves that much of an error there.
+const VectorXd left = (VectorXd(5) << 0, 0.9, 0, 0.6, -0.5).finished();
+const VectorXd solution = VectorXd::LinSpaced(5, -1, 2);
+
+/// What is reached from a motion: velocities are twice the displacements, accelerations four times, forces
+/// and multipliers five and six times.
+BulkIterate reached_from(const VectorXd& u) {
+  const VectorXd next = solution + left.cwiseProduct(u - solution);
+  BulkIterate iterate{{next, 2 * next, 4 * next}, ContactForce(5), {6 * next}};
+  iterate.force.all = 5 * next;
+  return iterate;
+}
+
+void expect_consistent(const BulkIterate& iterate) {
+  const auto& u = iterate.motion.u;
+  EXPECT_LE((iterate.motion.v - 2 * u).norm(), 1e-10);
+  EXPECT_LE((iterate.motion.a - 4 * u).norm(), 1e-10);
+  EXPECT_LE((iterate.force.all - 5 * u).norm(), 1e-10);
+  EXPECT_LE((iterate.multipliers[0] - 6 * u).norm(), 1e-10);
+}
+
+time::Motion at(const VectorXd& u) {
+  return {u, 2 * u, 4 * u};
+}
+
+TEST(BulkHistory, EndsWithAnIterateForEachSlowDirection) {
+  const Statuses stick{{Status::stick}};
+  BulkHistory history;
+  VectorXd u = VectorXd::Zero(5);
+  for (int i = 0; i < 8; ++i) {
+    auto next = reached_from(u);
+    history.add(at(u), next, stick);
+    if (history.is_slow())
+      next = history.accelerated();
+    expect_consistent(next);
+    u = next.motion.u;
+  }
+  EXPECT_LE((u - solution).norm(), 1e-9);
+}
+
+TEST(BulkHistory, KnowsNothingOfIteratesWithOtherStatuses) {
+  BulkHistory history;
+  VectorXd u = VectorXd::Zero(5);
+  for (const auto status : {Status::stick, Status::slip, Status::stick}) {
+    const auto next = reached_from(u);
+    history.add(at(u), next, Statuses{{status}});
+    EXPECT_FALSE(history.is_slow());
+    u = next.motion.u;
+  }
+  history.add(at(u), reached_from(u), Statuses{{Status::stick}});
+  EXPECT_TRUE(history.is_slow());
+  history.forget();
+  EXPECT_FALSE(history.is_slow());
+}
+
+} // namespace
+} // namespace rubato::step
