@@ -129,6 +129,18 @@ void on_status(const contact::Zone& zone, Advice& advice) {
     on_loop(zone, &study::ContactZone::status, "status", advice);
 }
 
+/// Bodies of revolution that contact holds have the roll of their section as well, against which an
+/// axisymmetric model has little beside their hoops.
+void on_rolling(const model::Model& model, Advice& advice) {
+  if (model.study.physics != study::Physics::axisymmetric ||
+      std::ranges::any_of(model.zones, [](const auto& zone) { return zone.settings.friction > 0; }))
+    return;
+  for (const auto& body : model::loose_bodies(model))
+    advice.add(
+        fmt::format("friction, or supports that keep the section from rolling, for the body of node {}",
+                    model::node_label(model.mesh, body.node)));
+}
+
 void on_singular(const model::Model& model, Advice& advice) {
   const auto loose = model::loose_bodies(model);
   for (const auto& body : loose)
@@ -259,8 +271,10 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
     advice.add(model.study.time.arc_length
                    ? "shorter steps, or a scheme with inertia"
                    : "supports that move in the place of loads, time.arc_length, or a scheme with inertia");
-  if (!model.free_body_nodes.empty())
+  if (!model.free_body_nodes.empty()) {
     on_singular(model, advice);
+    on_rolling(model, advice);
+  }
   for (const auto& unmet : report.unmet)
     if (is_cause(report, unmet))
       on_criterion(model, unmet, advice);

@@ -116,6 +116,28 @@ TEST(AFailedStep, NamesTheBodiesThatNothingHoldsWhereTheMatrixIsSingular) {
       << text;
 }
 
+TEST(Advice, AgainstTheRollOfSectionsIsFriction) {
+  const std::string ring = R"deck(
+mesh: {generate: [{name: ring, rectangle: {from: [9, 0], to: [10, 1]}, divisions: [1, 1],
+  sides: {bottom: under, top: above}}]}
+physics: axisymmetric
+materials: {rubber: {young: 5, poisson: 0.4}}
+contact:
+  floor: {slave: under, obstacle: {plane: {point: [0, 0], normal: [0, 1]}}}
+  lid: {slave: above, obstacle: {plane: {point: [0, 1], normal: [0, -1]}, move: {y: {value: -0.1, function: f}}}}
+functions: {f: {ramp: {begin: 0, end: 1}}}
+time: {scheme: static, step: 0.1, end: 1}
+)deck";
+  const std::string rolling =
+      "friction, or supports that keep the section from rolling, for the body of node N1 (9, 0)";
+  const auto advice_for = [](const std::string& deck) {
+    const FailureOf failed(deck);
+    return failed.advice_for(failed.with(Outcome::too_many_iterations, {}));
+  };
+  EXPECT_TRUE(has(advice_for(ring), rolling));
+  EXPECT_FALSE(has(advice_for(test::with(ring, "slave: under,", "slave: under, friction: 0.1,")), rolling));
+}
+
 TEST(Advice, AgainstAGapIsSpringsInItsPlaceAndNotAShorterStepThatWasTriedAlready) {
   const FailureOf blocks(test::two_blocks);
   auto failure = blocks.with(Outcome::too_many_iterations, {{Criterion::gap, 0, 3, 3.1e-6, 2.5e-10, 4}});
