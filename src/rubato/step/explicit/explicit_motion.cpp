@@ -124,7 +124,7 @@ Spectrum ExplicitMotion::spectrum() const {
 void ExplicitMotion::survey() {
   if (!model_->domain.has_finite_strain() || (survey_.growth > 0 && survey_.made == 0))
     return;
-  const double growth = model_->domain.growth(u_, bulk_points_, path_, spectrum_.stiffness);
+  const double growth = model_->domain.growth(u_, bulk_points_, path_, spectrum_.stiffness, t_);
   const bool follows = survey_.growth > 0 && growth > 0;
   const double a_step = follows ? std::log(growth / survey_.growth) / survey_.made : 0;
   const int most = std::min(2 * survey_.interval, most_between_surveys);
