@@ -333,6 +333,7 @@ template <class Archive> void exchange(Archive& archive, const std::string& at, 
 }
 
 template <class Archive> void exchange(Archive& archive, step::EnergyRecord& record) {
+  archive.number(at + "rounding", energy.rounding);
   archive.number("energy_record/largest", record.largest);
   archive.number("energy_record/largest_balance", record.largest_balance);
   archive.number("energy_record/gain", record.gain);

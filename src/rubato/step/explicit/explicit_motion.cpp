@@ -176,11 +176,19 @@ void ExplicitMotion::collect_loads() {
 
 domain::Failed ExplicitMotion::advance(double end, int steps) {
   const double begin = t_;
+  const VectorXd before = u_;
   set_step((end - begin) / steps);
   for (int i = 1; i <= steps; ++i)
     if (const auto failed = step(i < steps ? begin + i * h_ : end))
       return failed;
+  energy_.rounding += rounding_since(before);
   return {};
+}
+
+/// No entry of K is larger than λ_K m.
+double ExplicitMotion::rounding_since(const VectorXd& before) const {
+  const auto& mass = model_->lumped_mass;
+  return spectrum_.stiffness * rounding_of_work(mass, before, u_);
 }
 
 /// The velocity half a step before t moves with the length of the step. So does the kinetic energy there,
