@@ -235,8 +235,13 @@ EnergyAccount::Obstacles EnergyAccount::work_of_obstacles(const State& committed
     const bool moves = zone.obstacle && zone.obstacle->moves();
     if (!moves && !zone.offset.moves())
       continue;
+    const bool rotates = moves && zone.obstacle->rotation;
+    if (rotates) { // each place comes a way of its own
+      work.normal += trial.zones[z].obstacle_work.normal;
+      work.tangential += trial.zones[z].obstacle_work.tangential;
+    }
     const Eigen::Vector3d way =
-        moves ? zone.obstacle->displacement(committed.t, trial.t) : Eigen::Vector3d::Zero().eval();
+        moves && !rotates ? zone.obstacle->translation(committed.t, trial.t) : Eigen::Vector3d::Zero().eval();
     const auto add = [&](const State& state, double part) {
       const auto& outcomes = state.zones[z].outcomes;
       for (std::size_t i = 0; i < outcomes.size(); ++i) {

@@ -323,7 +323,7 @@ double ExplicitMotion::work_of_obstacles(double from, double to) const {
   double sum = 0;
   for (std::size_t z = 0; z < contact_.size(); ++z)
     if (const auto& obstacle = model_->zones[z].obstacle; obstacle && obstacle->moves())
-      sum += obstacle->displacement(from, to).dot(contact_[z].push()) / 2;
+      sum += contact_[z].work_of_obstacle({&model_->mesh, &model_->dofs, &u_, &u_, to, from}, v_, h_) / 2;
   return sum;
 }
 
