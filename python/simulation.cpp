@@ -61,6 +61,8 @@ void bind_energy(py::module_& module) {
       .def_readonly("numerical", &EnergyLedger::numerical, "Dissipated by the time scheme; < 0 gained.")
       .def_readonly("bulk_scheme", &EnergyLedger::bulk_scheme,
                     "Of finite strain: neither stored nor dissipated by the bodies; < 0 gained.")
+      .def_readonly("rounding", &EnergyLedger::rounding,
+                    "What the rounding of forces may have put into all of these.")
       .def_readonly("unbalanced", &EnergyLedger::unbalanced, "Work of what iterations left unbalanced.")
       .def_readonly("start", &EnergyLedger::start, "Stored when the run began.")
       .def_property_readonly("stored", &EnergyLedger::stored,

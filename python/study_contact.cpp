@@ -26,7 +26,8 @@ template <> struct Description<Obstacle> {
       Member{"direction", &Obstacle::direction, "normal out of the obstacle, or axis; of any length > 0"},
       Member{"radius", &Obstacle::radius, "> 0 unless it is a plane [length]"},
       Member{"side", &Obstacle::side, "where the bodies are"},
-      Member{"move", &Obstacle::move, "along each axis [length]; None: at rest"});
+      Member{"move", &Obstacle::move, "along each axis [length]; None: at rest"},
+      Member{"rotate", &Obstacle::rotate, "about a line that move takes along, or None"});
 };
 template struct RecordCodec<Obstacle>;
 

@@ -84,8 +84,8 @@ TEST_F(RefusedCheckpoint, ThatIsSomethingElse) {
 
 TEST_F(RefusedCheckpoint, OfAnotherFormat) {
   EXPECT_EQ(
-      sentence_for(with(sound_, "format 6\n", "format 5\n")),
-      std::string("error: out/run/checkpoint.h5: the checkpoint has format 5, this program reads format 6") +
+      sentence_for(with(sound_, "format 7\n", "format 6\n")),
+      std::string("error: out/run/checkpoint.h5: the checkpoint has format 6, this program reads format 7") +
           start_over);
 }
 

@@ -202,6 +202,8 @@ ZoneState initial_state(const Zone& zone) {
           std::vector<PointOutcome>(zone.points.size()),
           std::vector<FrictionHistory>(zone.points.size()),
           {},
+          {},
+          {},
           {}};
 }
 

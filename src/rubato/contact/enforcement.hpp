@@ -36,6 +36,14 @@ struct PointOutcome {
 /// N, the size of the normal force: < 0 where it pulls [force].
 double pressing_force(const PointOutcome& outcome);
 
+/// What an obstacle does by its motion on the bodies that it touches [force · length].
+struct ObstacleWork {
+  double normal = 0; ///< of its pressures
+  double tangential = 0;
+
+  bool operator==(const ObstacleWork&) const = default;
+};
+
 /// What a step changes in a zone.
 struct ZoneState {
   /// Node after node of the slave surface, those of the zone's multiplier_variables.
@@ -43,8 +51,10 @@ struct ZoneState {
   std::vector<Status> status;                    ///< one a contact point
   std::vector<PointOutcome> outcomes;            ///< one a contact point
   std::vector<FrictionHistory> friction_history; ///< one a contact point
-  FrictionForces friction_forces;                ///< at the end of the step
+  PointForces friction_forces;                   ///< at the end of the step
   std::vector<double> lifts;                     ///< PointEvaluation::lift of each point; none before a step
+  PointForces pressing_forces;                   ///< likewise, of an obstacle
+  ObstacleWork obstacle_work;                    ///< in the step
 
   bool operator==(const ZoneState&) const = default;
 };

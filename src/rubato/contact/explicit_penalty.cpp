@@ -32,6 +32,24 @@ void pair_anew(NeighbourList& neighbours, const Configuration& configuration) {
   neighbours.update(configuration);
 }
 
+Vector3d velocity_of(const SlavePoint& point, const domain::DofMap& dofs, const VectorXd& velocity) {
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t i = 0; i < point.nodes.size(); ++i)
+    sum.head(dofs.components) +=
+        point.shape[i] * velocity.segment(dofs.dof(point.nodes[i], 0), dofs.components);
+  return sum;
+}
+
+/// How far an obstacle comes under a point that has `moved` to the configuration; a meshed master's way is in
+/// the motion of its nodes.
+Vector3d way_of_obstacle(const Zone& zone, const SlavePoint& point, const Vector3d& moved,
+                         const Configuration& configuration) {
+  if (!zone.obstacle)
+    return Vector3d::Zero();
+  const Vector3d now = position(point, configuration);
+  return zone.obstacle->way(now - moved, now, configuration.start_t, configuration.t);
+}
+
 Vector3d in_plane(const Vector3d& v, const Vector3d& normal) {
   return v - normal.dot(v) * normal;
 }
@@ -79,7 +97,8 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
       friction_history_[i].work += energy;
       continue;
     }
-    const Vector3d relative = step * place_.stencil.gather(velocity, *dofs_) - place_.obstacle_displacement;
+    const Vector3d moved = step * place_.stencil.gather(velocity, *dofs_);
+    const Vector3d relative = moved - way_of_obstacle(*zone_, zone_->points[i], moved, configuration);
     const Vector3d slip = in_plane(relative, place_.normal);
     spring.normal = place_.normal;
     spring.slip_on_tangents = place_.tangents.transpose() * slip;
@@ -88,16 +107,35 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
     const double work = -0.5 * zone_->points[i].weight * (traction + spring.traction).dot(slip);
     friction_history_[i].work += work - (tangential_energy(i) - energy);
     friction_history_[i].slip += slip.norm();
-    const Vector3d push = zone_->points[i].weight * (spring.pressure * spring.normal + spring.traction);
-    place_.stencil.scatter(-push, *dofs_, force);
+    place_.stencil.scatter(-push_of(i), *dofs_, force);
   }
 }
 
 Vector3d ExplicitPenalty::push() const {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t i = 0; i < springs_.size(); ++i)
-    sum += zone_->points[i].weight * (springs_[i].pressure * springs_[i].normal + springs_[i].traction);
+    sum += push_of(i);
   return sum;
+}
+
+Vector3d ExplicitPenalty::push_of(std::size_t index) const {
+  const auto& spring = springs_[index];
+  return zone_->points[index].weight * (spring.pressure * spring.normal + spring.traction);
+}
+
+double ExplicitPenalty::work_of_obstacle(const Configuration& configuration, const VectorXd& velocity,
+                                         double step) const {
+  const auto& obstacle = *zone_->obstacle;
+  if (!obstacle.rotation)
+    return obstacle.translation(configuration.start_t, configuration.t).dot(push());
+  double work = 0;
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const auto& point = zone_->points[i];
+    if (springs_[i].status != Status::open)
+      work += push_of(i).dot(
+          way_of_obstacle(*zone_, point, step * velocity_of(point, *dofs_, velocity), configuration));
+  }
+  return work;
 }
 
 double ExplicitPenalty::stored() const {

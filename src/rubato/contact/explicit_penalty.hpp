@@ -67,6 +67,10 @@ public:
 
   /// What the points' forces push the slave with, all together [force].
   Eigen::Vector3d push() const;
+  /// What these forces do by the motion of the obstacle in a step to the configuration, `velocity` times
+  /// `step` the displacement of the bodies in it [force · length].
+  double work_of_obstacle(const Configuration& configuration, const Eigen::VectorXd& velocity,
+                          double step) const;
 
   double stored() const;     ///< in the springs [force · length]
   double dissipated() const; ///< by friction, in all steps
@@ -89,6 +93,7 @@ private:
   bool press(Spring& spring, double normal_stiffness) const;
   void rub(Spring& spring, double friction, double normal_stiffness, const Eigen::Vector3d& slip) const;
   double tangential_energy(std::size_t point) const;
+  Eigen::Vector3d push_of(std::size_t point) const;
   template <class Visit> void visit_nodes(std::size_t point, const Visit& visit) const;
 
   const Zone* zone_;

@@ -4,7 +4,7 @@
 namespace rubato::contact {
 
 /// Each step fills the storage of the step before.
-void FrictionForces::clear() {
+void PointForces::clear() {
   points_.clear();
   ends_.clear();
   nodes_.clear();
@@ -12,7 +12,7 @@ void FrictionForces::clear() {
   forces_.clear();
 }
 
-void FrictionForces::add(std::size_t point, const Eigen::Vector3d& force, const Stencil& stencil) {
+void PointForces::add(std::size_t point, const Eigen::Vector3d& force, const Stencil& stencil) {
   points_.push_back(static_cast<int>(point));
   forces_.insert(forces_.end(), force.begin(), force.end());
   nodes_.insert(nodes_.end(), stencil.nodes.begin(), stencil.nodes.end());

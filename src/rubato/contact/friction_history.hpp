@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Cumulated slip and friction work of contact points since a run began.
+/// Cumulated slip and friction work of contact points since a run began, and what the next step needs for it.
 #pragma once
 
 #include "rubato/contact/stencil.hpp"
@@ -19,9 +19,9 @@ struct FrictionHistory {
   bool operator==(const FrictionHistory&) const = default;
 };
 
-/// Friction forces of a zone's points at the end of a step, as they were spread over the nodes: the next step
+/// Forces of a zone's points at the end of a step, as they were spread over the nodes: the next step
 /// moves these nodes against them.
-class FrictionForces {
+class PointForces {
 public:
   void clear();
   /// `force`: of the master on the slave [force].
@@ -47,7 +47,7 @@ public:
     visit("weights", weights_);
     visit("forces", forces_);
   }
-  bool operator==(const FrictionForces&) const = default;
+  bool operator==(const PointForces&) const = default;
 
 private:
   std::vector<int> points_; ///< an entry each

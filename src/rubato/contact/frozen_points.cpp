@@ -48,8 +48,8 @@ void FrozenPoints::measure(std::size_t point, const VectorXd& multipliers, const
   if (into.kinematics) {
     auto& k = *into.kinematics;
     if (zone_->obstacle) {
-      k.closest_point += zone_->obstacle->displacement(zone_->begin, configuration.t);
-      k.obstacle_displacement = zone_->obstacle->displacement(configuration.start_t, configuration.t);
+      k.closest_point += zone_->obstacle->translation(zone_->begin, configuration.t);
+      k.obstacle_displacement = zone_->obstacle->translation(configuration.start_t, configuration.t);
     }
     k.gap_origin -= zone_->offset.change(zone_->points[point].place, zone_->begin, configuration.t);
     if (zone_->settings.tie)

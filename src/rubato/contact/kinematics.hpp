@@ -39,7 +39,7 @@ struct Kinematics {
   double gap = 0;
   Eigen::Vector2d slip = Eigen::Vector2d::Zero();
   /// What an obstacle has instead of nodes, 0 on a master with faces: the place the point faces, and how far
-  /// the obstacle has come since the start of the step.
+  /// the obstacle's surface has come there since the start of the step.
   Eigen::Vector3d closest_point = Eigen::Vector3d::Zero();
   Eigen::Vector3d obstacle_displacement = Eigen::Vector3d::Zero();
   /// What gap and slip are counted from: less the zone's offset, and what a held frame adds.

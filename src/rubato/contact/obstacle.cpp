@@ -48,24 +48,26 @@ PlaceOnObstacle round_place(const Obstacle& obstacle, const Vector3d& r, const M
   return place;
 }
 
-PlaceOnObstacle place_on_plane(const Obstacle& obstacle, const Vector3d& r, const Vector3d& /*reference*/) {
+PlaceOnObstacle place_on_plane(const Obstacle& obstacle, const Matrix3d& turn, const Vector3d& r,
+                               const Vector3d& /*reference*/) {
   PlaceOnObstacle place;
-  place.normal = obstacle.direction;
+  place.normal = turn * obstacle.direction;
   place.gap = place.normal.dot(r);
-  place.tangent = across(place.normal);
+  place.tangent = turn * across(obstacle.direction);
   return place;
 }
 
-PlaceOnObstacle place_on_cylinder(const Obstacle& obstacle, const Vector3d& r,
+PlaceOnObstacle place_on_cylinder(const Obstacle& obstacle, const Matrix3d& turn, const Vector3d& r,
                                   const Vector3d& /*reference*/) {
-  const auto& axis = obstacle.direction;
+  const Vector3d axis = turn * obstacle.direction;
   auto place = round_place(obstacle, r, Matrix3d::Identity() - axis * axis.transpose());
   place.tangent = axis.cross(place.normal);
   return place;
 }
 
 /// The least turn from n₀ to n takes a vector t ⊥ n₀ to t − (t·n)(n₀ + n)/(1 + n₀·n).
-PlaceOnObstacle place_on_sphere(const Obstacle& obstacle, const Vector3d& r, const Vector3d& reference) {
+PlaceOnObstacle place_on_sphere(const Obstacle& obstacle, const Matrix3d& /*turn*/, const Vector3d& r,
+                                const Vector3d& reference) {
   auto place = round_place(obstacle, r, Matrix3d::Identity());
   const Vector3d start = round_place(obstacle, reference, Matrix3d::Identity()).normal;
   const Vector3d tangent = across(start);
@@ -79,9 +81,27 @@ PlaceOnObstacle place_on_sphere(const Obstacle& obstacle, const Vector3d& r, con
   return place;
 }
 
+/// ½ (R − 1) and ½ (1 − Rᵀ), R the turn between two instants.
+struct HalfTurns {
+  HalfTurns(const constraint::Rotation& rotation, double from, double to) {
+    const double angle = constraint::angle_at(rotation, to) - constraint::angle_at(rotation, from);
+    const double half = std::sin(angle / 2); // 1 − cos θ = 2 sin²(θ/2), which keeps its digits
+    Matrix3d once;
+    for (int i = 0; i < 3; ++i)
+      once.col(i) = rotation.axis.cross(Vector3d::Unit(i));
+    const Matrix3d twice = once * once;
+    forth = 0.5 * std::sin(angle) * once + half * half * twice;
+    back = 0.5 * std::sin(angle) * once - half * half * twice;
+  }
+
+  Matrix3d forth;
+  Matrix3d back;
+};
+
 struct Kind {
   ObstacleKind kind;
-  PlaceOnObstacle (*place)(const Obstacle&, const Vector3d& r, const Vector3d& reference);
+  PlaceOnObstacle (*place)(const Obstacle&, const Matrix3d& turn, const Vector3d& r,
+                           const Vector3d& reference);
 };
 constexpr std::array<Kind, 3> kinds{{{ObstacleKind::plane, place_on_plane},
                                      {ObstacleKind::cylinder, place_on_cylinder},
@@ -110,7 +130,31 @@ std::span<const ObstacleEntry> all_obstacles() {
   return entries;
 }
 
-Vector3d Obstacle::offset(double t) const {
+Pose Obstacle::pose(double t) const {
+  Pose pose{.offset = translation(t)};
+  if (!rotation)
+    return pose;
+  pose.offset += constraint::displacement_at(*rotation, point, t);
+  pose.turn = Eigen::AngleAxisd(constraint::angle_at(*rotation, t), rotation->axis).toRotationMatrix();
+  return pose;
+}
+
+/// With the arms d₀ and d₁ of both places: ½ (R − 1) d₀ + ½ (1 − Rᵀ) d₁, R the turn between the instants.
+Vector3d Obstacle::way(const Vector3d& start, const Vector3d& end, double from, double to) const {
+  const Vector3d before = translation(from), now = translation(to);
+  Vector3d way = now - before;
+  if (rotation) {
+    const HalfTurns half(*rotation, from, to);
+    way += half.forth * (start - rotation->about - before) + half.back * (end - rotation->about - now);
+  }
+  return way;
+}
+
+Matrix3d Obstacle::way_by_end(double from, double to) const {
+  return rotation ? HalfTurns(*rotation, from, to).back : Matrix3d::Zero();
+}
+
+Vector3d Obstacle::translation(double t) const {
   Vector3d moved = vector_of(move);
   for (std::size_t axis = 0; axis < functions.size(); ++axis)
     if (functions[axis])
@@ -124,7 +168,7 @@ Vector3d Obstacle::offset(double t) const {
 
 bool Obstacle::moves() const {
   const auto is_there = [](const auto& function) { return function.has_value(); };
-  return std::ranges::any_of(functions, is_there) || std::ranges::any_of(base, is_there);
+  return rotation || std::ranges::any_of(functions, is_there) || std::ranges::any_of(base, is_there);
 }
 
 Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
@@ -135,7 +179,8 @@ Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
                 .sign = obstacle.side == study::ObstacleSide::inside ? -1.0 : 1.0,
                 .move = {},
                 .functions = {},
-                .base = {}};
+                .base = {},
+                .rotation = {}};
   if (const Vector3d direction = vector_of(obstacle.direction); !direction.isZero(0))
     made.direction = direction.stableNormalized();
   if (physics == study::Physics::axisymmetric)
@@ -151,10 +196,10 @@ Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
   return made;
 }
 
-PlaceOnObstacle place_on(const Obstacle& obstacle, const Vector3d& offset, const Vector3d& x,
+PlaceOnObstacle place_on(const Obstacle& obstacle, const Pose& pose, const Vector3d& x,
                          const Vector3d& reference) {
   const auto kind = std::ranges::find(kinds, obstacle.kind, &Kind::kind);
-  return kind->place(obstacle, x - obstacle.point - offset, reference - obstacle.point);
+  return kind->place(obstacle, pose.turn, x - obstacle.point - pose.offset, reference - obstacle.point);
 }
 
 } // namespace rubato::contact

@@ -20,7 +20,8 @@ void take_nodes(const SlavePoint& point, int components, Kinematics& k) {
 }
 
 /// dτ₁ = α τ₂ + β n, dτ₂ = −α τ₁ + γ n, dn = −β τ₁ − γ τ₂ for each displacement.
-void vary(const PlaceOnObstacle& place, const Vector3d& moved, Kinematics& k) {
+/// `drag`: how the obstacle's way changes with the point's place.
+void vary(const PlaceOnObstacle& place, const Vector3d& moved, const Eigen::Matrix3d& drag, Kinematics& k) {
   const Vector3d n = k.normal, t1 = k.tangents.col(0), t2 = k.tangents.col(1);
   const auto unknowns = k.unknowns();
   k.d_normal.resize(3, unknowns);
@@ -38,8 +39,9 @@ void vary(const PlaceOnObstacle& place, const Vector3d& moved, Kinematics& k) {
       k.d_tangent[1].col(column) = -alpha * t1 - t2.dot(turn) * n;
       k.d_gap[column] = k.stencil.weights[node] * n[c];
       for (int a = 0; a < k.parametric_dimension; ++a)
-        k.d_slip(a, column) = k.stencil.weights[node] * k.tangents(c, a) +
-                              moved.dot(k.d_tangent[static_cast<std::size_t>(a)].col(column));
+        k.d_slip(a, column) =
+            k.stencil.weights[node] * (k.tangents(c, a) - k.tangents.col(a).dot(drag.col(c))) +
+            moved.dot(k.d_tangent[static_cast<std::size_t>(a)].col(column));
     }
 }
 
@@ -47,7 +49,7 @@ void vary(const PlaceOnObstacle& place, const Vector3d& moved, Kinematics& k) {
 
 PlaceOnObstacle place_before(const Obstacle& obstacle, const SlavePoint& point, const Vector3d& x,
                              const Configuration& configuration) {
-  return place_on(obstacle, obstacle.offset(configuration.t), x, point.place);
+  return place_on(obstacle, obstacle.pose(configuration.t), x, point.place);
 }
 
 void evaluate_before(const Obstacle& obstacle, const SlavePoint& point, const Configuration& configuration,
@@ -59,13 +61,14 @@ void evaluate_before(const Obstacle& obstacle, const SlavePoint& point, const Co
   k.tangents << place.tangent, place.normal.cross(place.tangent);
   k.gap = place.gap;
   k.closest_point = x - place.gap * place.normal;
-  k.obstacle_displacement = obstacle.displacement(configuration.start_t, configuration.t);
+  const Vector3d start = k.stencil.sum([&](auto node) { return configuration.start_position(node); });
+  k.obstacle_displacement = obstacle.way(start, x, configuration.start_t, configuration.t);
   const Vector3d moved =
       k.stencil.sum([&](auto node) { return configuration.increment(node); }) - k.obstacle_displacement;
   k.slip.setZero();
   for (int a = 0; a < k.parametric_dimension; ++a)
     k.slip[a] = k.tangents.col(a).dot(moved);
-  vary(place, moved, k);
+  vary(place, moved, obstacle.way_by_end(configuration.start_t, configuration.t), k);
 }
 
 } // namespace rubato::contact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Gap, slip and frame of a contact point before an obstacle, with their exact derivatives: those of
 /// kinematics.hpp, with what the obstacle's formula says instead of a face.
-///   g = g(x_s),   Δs_a = τ_a·[(u_s − u_s⁰) − (o − o⁰)],   o the obstacle's offset, ⁰ = start of the step
+///   g = g(x_s),   Δs_a = τ_a·[(u_s − u_s⁰) − o],   o the obstacle's way, ⁰ = start of the step
 #pragma once
 
 #include "rubato/contact/kinematics.hpp"

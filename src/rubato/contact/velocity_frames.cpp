@@ -13,6 +13,21 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+/// How far the obstacle comes at a point that goes on with its velocity. Along the normal it is how far its
+/// surface comes where the point will be: a round one that rotates about itself comes nowhere.
+Vector3d way_of(const Zone& zone, const SlavePoint& point, const Kinematics& k, const Configuration& start,
+                const VectorXd& velocity, double step) {
+  const auto& obstacle = *zone.obstacle;
+  const double end = start.t + step;
+  const Vector3d here = k.stencil.sum([&](auto node) { return start.position(node); });
+  const Vector3d there = here + step * k.stencil.gather(velocity, *start.dofs);
+  const Vector3d way = obstacle.way(here, there, start.t, end);
+  if (!obstacle.rotation)
+    return way;
+  const auto gap_at = [&](double t) { return place_on(obstacle, obstacle.pose(t), there, point.place).gap; };
+  return way + (gap_at(start.t) - gap_at(end) - k.normal.dot(way)) * k.normal;
+}
+
 /// What moves in a step but the bodies.
 struct Moving {
   Vector3d obstacle = Vector3d::Zero(); ///< how far it comes
@@ -52,12 +67,13 @@ std::vector<PointEvaluation> velocity_frames(Discretisation& discretisation, con
   std::vector<PointEvaluation> points;
   measure(discretisation, VectorXd::Zero(zone.multiplier_count()), start, points);
   const double end = start.t + law.step;
-  Moving moving{.obstacle =
-                    zone.obstacle ? zone.obstacle->displacement(start.t, end) : Vector3d::Zero().eval()};
+  Moving moving;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].kinematics)
       continue;
     const auto& k = *points[i].kinematics;
+    if (zone.obstacle)
+      moving.obstacle = way_of(zone, zone.points[i], k, start, velocity, law.step);
     moving.offset = zone.offset.change(zone.points[i].place, start.t, end);
     const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - moving.obstacle / law.step;
     const double normal = k.normal.dot(relative) + moving.offset / law.step;

@@ -73,12 +73,14 @@ study::Obstacle read_obstacle(const Value& value, const Context& context) {
     }
   if (const auto move = map.find("move"))
     read_move(*move, obstacle);
+  if (const auto rotate = map.find("rotate"))
+    obstacle.rotate = read_rotation(*rotate, context);
   map.finish();
   if (kinds != 1)
     value.spoil();
   const auto& entries = value.tree().entries;
-  const bool unknown_key_told =
-      std::ranges::any_of(entries, [](const auto& entry) { return entry.key != "move"; });
+  const bool unknown_key_told = std::ranges::any_of(
+      entries, [](const auto& entry) { return entry.key != "move" && entry.key != "rotate"; });
   if (kinds > 1 || (kinds == 0 && map.is_map() && !unknown_key_told))
     value.fault(fmt::format("found {} of plane, cylinder and sphere, expected one of them",
                             kinds == 0 ? "none" : "several"));

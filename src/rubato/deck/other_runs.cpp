@@ -49,8 +49,10 @@ private:
 /// However they move.
 bool same_surface(std::optional<study::Obstacle> one, std::optional<study::Obstacle> other) {
   for (auto* obstacle : {&one, &other})
-    if (*obstacle)
+    if (*obstacle) {
       (*obstacle)->move = {};
+      (*obstacle)->rotate.reset();
+    }
   return one == other;
 }
 

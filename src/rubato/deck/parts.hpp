@@ -68,6 +68,9 @@ study::Field read_field(const Value& value, const Context& context);
 /// The same of a displacement, for which a velocity or an acceleration may stand.
 study::Field read_motion(const Value& value, const Context& context);
 
+/// A line and an angle about it; in the plane there is one axis.
+study::Rotation read_rotation(const Value& value, const Context& context);
+
 void read_contact(const Found& value, const Context& context, std::vector<study::ContactZone>& zones);
 /// The rigid surface that stands for a zone's master.
 study::Obstacle read_obstacle(const Value& value, const Context& context);

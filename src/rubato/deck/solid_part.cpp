@@ -74,22 +74,6 @@ std::optional<study::ObliqueSupport> read_along(MapReader& map, const Context& c
   return along;
 }
 
-/// In the plane there is one axis.
-study::Rotation read_rotation(const Value& value, const Context& context) {
-  study::Rotation rotation;
-  MapReader map(value);
-  read_point(map.require("about"), context, rotation.about);
-  if (context.physics && study::dimension_of(*context.physics) == 2)
-    map.refuse("axis", fmt::format("{} turns about z, expected 'about' and 'angle'",
-                                   study::word_of(study::physics_words, *context.physics)));
-  else
-    read_point(context.physics ? map.require("axis") : map.find("axis"), context, rotation.axis);
-  if (const auto angle = map.require("angle"))
-    rotation.angle = read_motion(*angle, context);
-  map.finish();
-  return rotation;
-}
-
 study::Support read_support(const Value& value, const Context& context) {
   study::Support support;
   MapReader map(value);
@@ -148,6 +132,21 @@ study::Load read_load(const Value& value, study::LoadKind kind, const Context& c
 }
 
 } // namespace
+
+study::Rotation read_rotation(const Value& value, const Context& context) {
+  study::Rotation rotation;
+  MapReader map(value);
+  read_point(map.require("about"), context, rotation.about);
+  if (context.physics && study::dimension_of(*context.physics) == 2)
+    map.refuse("axis", fmt::format("{} turns about z, expected 'about' and 'angle'",
+                                   study::word_of(study::physics_words, *context.physics)));
+  else
+    read_point(context.physics ? map.require("axis") : map.find("axis"), context, rotation.axis);
+  if (const auto angle = map.require("angle"))
+    rotation.angle = read_motion(*angle, context);
+  map.finish();
+  return rotation;
+}
 
 bool read_point(const Found& value, const Context& context, std::array<double, 3>& point) {
   std::vector<double> numbers;

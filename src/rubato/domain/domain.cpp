@@ -64,9 +64,9 @@ double Domain::largest_eigenvalue(const VectorXd& inverse_mass) const {
   return std::visit([&](const auto& kind) { return kind.largest_eigenvalue(inverse_mass); }, kind_);
 }
 
-double Domain::growth(const VectorXd& u, const QuadratureStates& states, const LawPath& path,
-                      double rate) const {
-  return std::visit([&](const auto& kind) { return kind.growth(u, states, path, rate); }, kind_);
+double Domain::growth(const VectorXd& u, const QuadratureStates& states, const LawPath& path, double rate,
+                      double t) const {
+  return std::visit([&](const auto& kind) { return kind.growth(u, states, path, rate, t); }, kind_);
 }
 
 bool Domain::has_finite_strain() const {

@@ -80,9 +80,10 @@ public:
 
   /// By what the largest λ may have grown since nothing had happened, where cells of finite strain are
   /// compressed or grow stiffer; below 1 where it has not grown, 0 without such cells. `rate`: λ at first, as
-  /// largest_eigenvalue gives it; the path leads to u and `states`. Of models of explicit runs only.
-  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path,
-                double rate) const;
+  /// largest_eigenvalue gives it; the path leads to u and `states` at instant t. Of models of explicit runs
+  /// only.
+  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path, double rate,
+                double t) const;
   bool has_finite_strain() const;
 
   /// What a run begins with.

@@ -49,7 +49,9 @@ public:
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
   bool has_finite_strain() const { return false; }
   bool has_own_scheme() const { return false; }
-  double growth(const Eigen::VectorXd&, const QuadratureStates&, const LawPath&, double) const { return 0; }
+  double growth(const Eigen::VectorXd&, const QuadratureStates&, const LawPath&, double, double) const {
+    return 0;
+  }
 
 private:
   /// Shared by copies, which only read it.

@@ -64,9 +64,9 @@ public:
   /// (cell_rates.hpp), `rate`: λ of the whole at first [1/time²]. With logarithmic strain κ is by the height
   /// of a cell and its stress, which the path has, else by the stiffness of its shortest waves. Quadratic
   /// cells, which have no such waves: max κ λ_e/λ, not below the true growth, κ by the norm of their
-  /// stiffness.
-  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path,
-                double rate) const;
+  /// stiffness. `heat`: at instant t; null: nothing is heated.
+  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path, double rate,
+                const Heat* heat, double t) const;
 
 private:
   /// Cells of one kind and law.
@@ -103,7 +103,7 @@ private:
     std::vector<double> before, displacement, force, tangent, states;
     std::vector<Eigen::Vector3d> places;
     std::vector<element::PointRecord> records;
-    Eigen::VectorXd temperatures; ///< of an evaluation, as Heat has them; empty: nothing is heated
+    Eigen::VectorXd temperatures; ///< of an instant, as Heat has them; empty: nothing is heated
     std::vector<material::Strain6> free;
   };
 

@@ -72,8 +72,10 @@ void NonlinearCells::find_rates(const mesh::Mesh& mesh, const Bulk& bulk,
 /// Cells that are turned inside out, or nearly so, are left to their next evaluation, which fails: steps do
 /// not become so short that they never come there.
 double NonlinearCells::growth(const VectorXd& u, const QuadratureStates& states, const LawPath& path,
-                              double rate) const {
+                              double rate, const Heat* heat, double t) const {
   Scratch scratch;
+  if (heat != nullptr)
+    scratch.temperatures = heat->temperatures(t);
   double growth = 0;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const auto& cell = cells_[i];
@@ -81,6 +83,8 @@ double NonlinearCells::growth(const VectorXd& u, const QuadratureStates& states,
     if (kind == element::StrainKind::small) // no law is stiffer than at first
       continue;
     const bool by_shape = kind == element::StrainKind::logarithmic;
+    if (heat != nullptr && !by_shape)
+      heat->put_free_strains(cell.place, scratch.temperatures, group_of(cell).expansion, scratch.free);
     const double own =
         by_shape ? growth_of_shape(cell, u, path, scratch) : growth_of_tangent(i, u, states, scratch);
     const double part = rates_[i].lambda / rate;
@@ -131,7 +135,11 @@ double NonlinearCells::growth_of_tangent(std::size_t i, const VectorXd& u, const
   scratch.states.resize(group.state_size);
   const element::CellInput input{
       std::span(points_).subspan(cell.first_node, static_cast<std::size_t>(group.nodes)),
-      scratch.displacement, std::span(states.values).subspan(cell.first_state, group.state_size)};
+      scratch.displacement,
+      std::span(states.values).subspan(cell.first_state, group.state_size),
+      {},
+      {},
+      scratch.free};
   if (!element::evaluate(group.kind, element::PointLaws(group.law), input,
                          {scratch.states, scratch.force, scratch.tangent}))
     return 0;

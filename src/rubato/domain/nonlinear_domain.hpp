@@ -52,9 +52,9 @@ public:
   bool has_finite_strain() const { return cells_->has_finite_strain(); }
   bool has_own_scheme() const { return cells_->has_own_scheme(); }
   double hourglass_energy(const Eigen::VectorXd& u) const { return cells_->hourglass_energy(u); }
-  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path,
-                double rate) const {
-    return cells_->growth(u, states, path, rate);
+  double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path, double rate,
+                double t) const {
+    return cells_->growth(u, states, path, rate, heat(), t);
   }
 
 private:

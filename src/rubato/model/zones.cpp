@@ -5,6 +5,7 @@
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/named_faces.hpp"
+#include "rubato/model/rotations.hpp"
 #include "rubato/model/slave_side.hpp"
 #include "rubato/model/touching_parts.hpp"
 #include "rubato/model/zone_checks.hpp"
@@ -241,13 +242,24 @@ private:
       return;
     const auto geometry = zone_geometry();
     if (settings.obstacle)
-      zones_.push_back(contact::make_zone(
-          mesh_, settings, contact::make_obstacle(*settings.obstacle, study_.physics, study_.functions),
-          std::move(chosen.slave), excluded, geometry));
+      zones_.push_back(contact::make_zone(mesh_, settings, obstacle_of(*settings.obstacle),
+                                          std::move(chosen.slave), excluded, geometry));
     else
       zones_.push_back(contact::make_zone(mesh_, settings, std::move(chosen.master), std::move(chosen.slave),
                                           excluded, geometry));
     complete(zones_.back(), std::move(chosen.choice));
+  }
+
+  contact::Obstacle obstacle_of(const study::Obstacle& given) {
+    auto obstacle = contact::make_obstacle(given, study_.physics, study_.functions);
+    if (given.rotate)
+      try {
+        const auto path = fmt::format("contact.{}.obstacle.rotate", at_hand_);
+        obstacle.rotation = *shared_rotation({study_, mesh_, dofs_, {}}, *given.rotate, path);
+      } catch (const InputError& error) {
+        std::ranges::copy(error.faults(), std::back_inserter(faults_));
+      }
+    return obstacle;
   }
 
   void complete(contact::Zone& zone, std::string choice) {

@@ -262,6 +262,16 @@ template <class Archive> void exchange(Archive& archive, simulation::Counters& s
   archive.whole("spent/cuts", spent.cuts);
 }
 
+template <class Archive>
+void exchange(Archive& archive, const std::string& at, contact::PointForces& forces) {
+  forces.exchange([&]<class Values>(const std::string& name, Values& values) {
+    if constexpr (std::is_same_v<Values, std::vector<double>>)
+      archive.numbers(at + name, values);
+    else
+      archive.wholes(at + name, values);
+  });
+}
+
 template <class Archive> void exchange(Archive& archive, step::State& state) {
   archive.number("state/t", state.t);
   archive.number("state/step", state.step);
@@ -294,12 +304,10 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
     archive.table(at + "outcomes", state.zones[z].outcomes);
     archive.table(at + "friction_history", state.zones[z].friction_history);
     archive.numbers(at + "lifts", state.zones[z].lifts);
-    state.zones[z].friction_forces.exchange([&]<class Values>(const std::string& name, Values& values) {
-      if constexpr (std::is_same_v<Values, std::vector<double>>)
-        archive.numbers(at + "friction_forces/" + name, values);
-      else
-        archive.wholes(at + "friction_forces/" + name, values);
-    });
+    exchange(archive, at + "friction_forces/", state.zones[z].friction_forces);
+    exchange(archive, at + "pressing_forces/", state.zones[z].pressing_forces);
+    archive.number(at + "obstacle_work/normal", state.zones[z].obstacle_work.normal);
+    archive.number(at + "obstacle_work/tangential", state.zones[z].obstacle_work.tangential);
   }
 }
 
@@ -325,6 +333,7 @@ template <class Archive> void exchange(Archive& archive, const std::string& at, 
   archive.number(at + "numerical", energy.numerical);
   archive.number(at + "unbalanced", energy.unbalanced);
   archive.number(at + "start", energy.start);
+  archive.number(at + "rounding", energy.rounding);
   archive.number_if(at + "plastic", energy.plastic);
   archive.number_if(at + "back_stress", energy.back_stress);
   archive.number_if(at + "viscous", energy.viscous);

@@ -11,7 +11,7 @@ namespace rubato::results {
 /// Bytes in front of what is sealed; HDF5 calls this a user block.
 constexpr std::size_t seal_size = 512;
 /// Changes with the meaning of what a checkpoint holds.
-constexpr int checkpoint_format = 6;
+constexpr int checkpoint_format = 7;
 
 /// Writes the head over the first bytes of a file, and all of it through to the disk. Throws
 /// WriteError when that fails.

@@ -73,7 +73,7 @@ void EnergyWatch::note(double t, const step::EnergyLedger& ledger) {
   record_.note(t, ledger);
   now_ = ledger;
   note_hourglasses(t);
-  if (gained(ledger) <= worth_a_warning * record_.largest) {
+  if (gained(ledger) <= std::max(worth_a_warning * record_.largest, ledger.rounding)) {
     gained_for_ = 0;
     return;
   }

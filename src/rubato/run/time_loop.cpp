@@ -11,6 +11,7 @@
 #include "rubato/run/failure.hpp"
 #include "rubato/run/overlap_watch.hpp"
 #include "rubato/run/recall_watch.hpp"
+#include "rubato/run/turn_watch.hpp"
 #include "rubato/simulation/simulation.hpp"
 #include "rubato/study/damping.hpp"
 #include "rubato/study/schemes.hpp"
@@ -59,7 +60,7 @@ public:
                             .tell_memory = [this](std::size_t bytes) { tell_memory(bytes); }}),
         keeper_(model.study, course, watch_),
         energy_(model.study.name, watch_, course.from ? course.from->record : step::EnergyRecord()),
-        overlaps_(model, watch_), recall_(model, watch_) {
+        overlaps_(model, watch_), recall_(model, watch_), turns_(model, watch_) {
     if (!course.from)
       return;
     records_ = course.from->recorder.steps;
@@ -134,6 +135,7 @@ private:
     recorder_->energy(step.now.t, step.energy);
     overlaps_.note(step.before, step.now);
     recall_.note(step.before, step.now);
+    turns_.note(step.now);
   }
 
   /// A run that ends here is kept as it was before the attempt: resumed with other means, it makes it again.
@@ -338,6 +340,7 @@ private:
   EnergyWatch energy_;
   OverlapWatch overlaps_;
   RecallWatch recall_;
+  TurnWatch turns_;
   int records_ = 0; ///< so far: steps of results
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;

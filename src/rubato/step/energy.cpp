@@ -3,6 +3,7 @@
 #include "rubato/step/energy.hpp"
 
 #include "rubato/contact/springs.hpp"
+#include "rubato/core/tolerances.hpp"
 
 #include <utility>
 
@@ -92,8 +93,18 @@ void EnergyRecord::note(double t, const EnergyLedger& ledger) {
   by_bulk_scheme = -ledger.bulk_scheme;
 }
 
+double rounding_of_work(const VectorXd& resistance, const VectorXd& before, const VectorXd& now) {
+  return tolerances.rounding() *
+         resistance.dot((now - before).cwiseAbs().cwiseProduct(before.cwiseAbs().cwiseMax(now.cwiseAbs())));
+}
+
+std::shared_ptr<const VectorXd> EnergyAccount::diagonal_of(const Model& model) {
+  return std::make_shared<const VectorXd>(model.domain.initial_tangent().diagonal().cwiseAbs());
+}
+
 EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, const State& start)
-    : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)) {
+    : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)),
+      resistance_(diagonal_of(model)) {
   ledger_.kinetic = scheme.dynamic ? kinetic_energy(start) : 0;
   ledger_.strain = strain_energy(start, constant_resultants(start));
   ledger_.strain += energy_of_ground(model, start);
@@ -110,6 +121,7 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
   const auto& before = committed.bulk;
   const auto& now = trial.bulk;
   const VectorXd moved = trial.motion.u - committed.motion.u;
+  ledger_.rounding += rounding_of_work(*resistance_, committed.motion.u, trial.motion.u);
   ledger_.kinetic = scheme_->dynamic ? kinetic_energy(trial) : 0;
   const auto constant = constant_resultants(trial);
   ledger_.strain = strain_energy(trial, constant);
@@ -223,8 +235,13 @@ EnergyAccount::Obstacles EnergyAccount::work_of_obstacles(const State& committed
     const bool moves = zone.obstacle && zone.obstacle->moves();
     if (!moves && !zone.offset.moves())
       continue;
+    const bool rotates = moves && zone.obstacle->rotation;
+    if (rotates) { // each place comes a way of its own
+      work.normal += trial.zones[z].obstacle_work.normal;
+      work.tangential += trial.zones[z].obstacle_work.tangential;
+    }
     const Eigen::Vector3d way =
-        moves ? zone.obstacle->displacement(committed.t, trial.t) : Eigen::Vector3d::Zero().eval();
+        moves && !rotates ? zone.obstacle->translation(committed.t, trial.t) : Eigen::Vector3d::Zero().eval();
     const auto add = [&](const State& state, double part) {
       const auto& outcomes = state.zones[z].outcomes;
       for (std::size_t i = 0; i < outcomes.size(); ++i) {

@@ -43,6 +43,8 @@ struct EnergyLedger {
   double bulk_scheme = 0;
   double unbalanced = 0; ///< work of the forces that iterations and the rounding of f_int left unbalanced
   double start = 0;      ///< what was stored when the run began
+  /// What the rounding of internal forces may have put into all of these: a floor below which they are none.
+  double rounding = 0;
   /// Would be stored in bodies that cannot expand: `strain` and `heat` are differences of such terms.
   double held_heat = 0;
 
@@ -70,6 +72,11 @@ struct EnergyLedger {
 /// Adds what a step did in materials to the ledger.
 void enter(const domain::Balance& balance, EnergyLedger& ledger);
 
+/// What the rounding of forces K u may do as work between two displacements, 16 ε Σ |[u]| k |u|: in each
+/// force terms of the size k u cancel. `resistance`: k, a bound or the diagonal of K, one a dof.
+double rounding_of_work(const Eigen::VectorXd& resistance, const Eigen::VectorXd& before,
+                        const Eigen::VectorXd& now);
+
 /// How far ledgers of a run were out of balance, and what it gained.
 struct EnergyRecord {
   double largest = 0;         ///< of all terms at all instants
@@ -91,8 +98,8 @@ public:
   /// Goes on with an account as it was after one step or more.
   EnergyAccount(const model::Model& model, const time::Scheme& scheme, const EnergyLedger& ledger,
                 Overlaps overlaps)
-      : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)), ledger_(ledger),
-        overlaps_(std::move(overlaps)), closed_(true) {}
+      : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)),
+        resistance_(diagonal_of(model)), ledger_(ledger), overlaps_(std::move(overlaps)), closed_(true) {}
 
   /// Enters the step from `committed` to `trial`.
   void enter(const State& committed, const State& trial);
@@ -101,6 +108,7 @@ public:
   const Overlaps& overlaps() const { return overlaps_; }
 
 private:
+  static std::shared_ptr<const Eigen::VectorXd> diagonal_of(const model::Model& model);
   double work_of_contact(const Eigen::VectorXd& moved, const Eigen::VectorXd& before,
                          const Eigen::VectorXd& now) const;
   struct Supports {
@@ -126,7 +134,8 @@ private:
 
   const model::Model* model_;
   const time::Scheme* scheme_;
-  std::shared_ptr<const RigidParts> rigid_; ///< of the model, one for all copies
+  std::shared_ptr<const RigidParts> rigid_;           ///< of the model, one for all copies
+  std::shared_ptr<const Eigen::VectorXd> resistance_; ///< likewise: the diagonal of the initial tangent
   EnergyLedger ledger_;
   Overlaps overlaps_;
   bool closed_ = false; ///< the first step is done

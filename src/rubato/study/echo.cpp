@@ -289,6 +289,8 @@ Json echo(const Obstacle& obstacle, Physics physics) {
   Json map{{word(obstacle_words, obstacle.kind), shape}};
   map["move"] = Json::object();
   put_components(map["move"], obstacle.move);
+  if (obstacle.rotate)
+    map["rotate"] = echo(*obstacle.rotate, dimension);
   return map;
 }
 

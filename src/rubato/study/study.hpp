@@ -190,7 +190,7 @@ enum class ObstacleKind { plane, cylinder, sphere };
 /// Where the bodies are that an obstacle touches: around it, or in its hole.
 enum class ObstacleSide { outside, inside };
 
-/// A rigid surface given by a formula, where the deck puts it and moved from there as a function of time. In
+/// A rigid surface given by a formula, where the deck puts it and moved from there as functions of time. In
 /// plane physics a cylinder is a circle; in axisymmetric ones it has the axis of revolution.
 struct Obstacle {
   ObstacleKind kind = ObstacleKind::plane;
@@ -199,6 +199,8 @@ struct Obstacle {
   double radius = 0;                 ///< > 0 unless it is a plane [length]
   ObstacleSide side = ObstacleSide::outside;
   std::array<std::optional<Amplitude>, 3> move{}; ///< [length]
+  /// As a rigid body about a line; `move` is added and takes the line along.
+  std::optional<Rotation> rotate = {};
   bool operator==(const Obstacle&) const = default;
 };
 

@@ -22,7 +22,7 @@ using study::Physics;
 constexpr double h = 1e-6;
 
 PlaceOnObstacle seen(const study::Obstacle& obstacle, const Vector3d& x, Physics physics = Physics::solid) {
-  return place_on(make_obstacle(obstacle, physics, {}), Vector3d::Zero(), x, x);
+  return place_on(make_obstacle(obstacle, physics, {}), {}, x, x);
 }
 
 void expect_at(const PlaceOnObstacle& place, double gap, const Vector3d& normal) {
@@ -67,8 +67,8 @@ TEST(Obstacles, FollowTheirFunctionsOfTime) {
   plane.move = {study::Amplitude{2, "ramp"}, study::Amplitude{-1, {}}, {}};
   const auto obstacle = make_obstacle(plane, Physics::plane_strain, {{"ramp", {{0, 4}, {0, 1}, {}}}});
   EXPECT_TRUE(obstacle.moves());
-  EXPECT_EQ(obstacle.offset(1), Vector3d(0.5, -1, 0));
-  EXPECT_EQ(obstacle.offset(9), Vector3d(2, -1, 0));
+  EXPECT_EQ(obstacle.pose(1).offset, Vector3d(0.5, -1, 0));
+  EXPECT_EQ(obstacle.pose(9).offset, Vector3d(2, -1, 0));
   plane.move[0].reset();
   EXPECT_FALSE(make_obstacle(plane, Physics::plane_strain, {}).moves());
 }
@@ -85,7 +85,7 @@ TEST(Obstacles, GiveANormalEvenInTheirMiddle) {
 /// Half way round a ball, where its frame has no least turn to come from.
 TEST(Obstacles, GiveAFrameOppositeToWhereItStarted) {
   const auto ball = make_obstacle({.kind = ObstacleKind::sphere, .radius = 1}, Physics::solid, {});
-  const auto place = place_on(ball, Vector3d::Zero(), {0, 0, -2}, {0, 0, 2});
+  const auto place = place_on(ball, {}, {0, 0, -2}, {0, 0, 2});
   EXPECT_NEAR(place.tangent.norm(), 1, 1e-15);
   EXPECT_EQ(place.tangent.dot(place.normal), 0);
 }
@@ -108,7 +108,7 @@ TEST_P(SlaveBefore, HasAnOrthonormalFrameAndItsFootOnTheSurface) {
     EXPECT_LT((frame.transpose() * frame - Eigen::Matrix3d::Identity()).norm(), 1e-14);
     EXPECT_NEAR(frame.determinant(), 1, 1e-14);
     const auto& obstacle = *setup_.zone.obstacle;
-    const auto foot = place_on(obstacle, obstacle.offset(setup_.t), k.closest_point, k.closest_point);
+    const auto foot = place_on(obstacle, obstacle.pose(setup_.t), k.closest_point, k.closest_point);
     EXPECT_NEAR(foot.gap, 0, 1e-15);
     EXPECT_LT((foot.normal - k.normal).norm(), 1e-14);
     if (k.stencil.components == 2) {
@@ -157,19 +157,68 @@ TEST_P(SlaveBefore, HasTheExactTangentOfForcesAndEquations) {
   }
 }
 
+/// Where the place of an obstacle comes that is at x.
+Vector3d carried(const Obstacle& obstacle, const Vector3d& x, double from, double to) {
+  const auto before = obstacle.pose(from), now = obstacle.pose(to);
+  return obstacle.point + now.offset +
+         now.turn * before.turn.transpose() * (x - obstacle.point - before.offset);
+}
+
 /// A body that goes with the obstacle does not rub on it, one that stays does.
 TEST_P(SlaveBefore, SlipsAgainstTheMotionOfTheObstacle) {
   const auto& obstacle = *setup_.zone.obstacle;
-  const Vector3d way = obstacle.offset(setup_.t) - obstacle.offset(setup_.t_start);
+  const auto start = setup_.configuration(setup_.u_start);
+  const int d = setup_.dofs.components;
   VectorXd along = setup_.u_start;
-  for (Eigen::Index dof = 0; dof < along.size(); ++dof)
-    along[dof] += way[dof % setup_.dofs.components];
+  for (const auto node : setup_.dofs.nodes) {
+    const Vector3d x = start.position(node);
+    along.segment(setup_.dofs.dof(node, 0), d) +=
+        (carried(obstacle, x, setup_.t_start, setup_.t) - x).head(d);
+  }
   for (std::size_t p = 0; p < setup_.zone.points.size(); ++p) {
     EXPECT_LT(of(p, along).slip.norm(), 1e-15);
     const auto resting = of(p, setup_.u_start);
+    const Vector3d x = position(setup_.zone.points[p], start);
+    const Vector3d way = obstacle.way(x, x, setup_.t_start, setup_.t);
     for (int a = 0; a < resting.stencil.components - 1; ++a)
       EXPECT_NEAR(resting.slip[a], -way.dot(resting.tangents.col(a)), 1e-15);
   }
+}
+
+/// Half the chord of what is there at first and half that of what comes there: along the circle.
+TEST(Turning, ComesAlongTheCircleUnderAPointThatStays) {
+  auto disc = make_obstacle({.kind = ObstacleKind::cylinder, .direction = {0, 0, 1}, .radius = 2},
+                            Physics::plane_strain, {});
+  disc.rotation = constraint::Rotation{{}, Vector3d::UnitZ(), {.function = Function({0, 1}, {0, 1})}};
+  const Vector3d top(0, 2, 0);
+  for (const double angle : {0.1, 0.7}) {
+    EXPECT_LT((disc.way(top, top, 0.1, 0.1 + angle) - Vector3d(-2 * std::sin(angle), 0, 0)).norm(), 1e-15);
+    const Vector3d end = carried(disc, top, 0.1, 0.1 + angle);
+    EXPECT_LT((disc.way(top, end, 0.1, 0.1 + angle) - (end - top)).norm(), 1e-15);
+    EXPECT_EQ(place_on(disc, disc.pose(angle), top, top).gap, 0);
+  }
+  EXPECT_TRUE(disc.moves());
+}
+
+/// Normal, axis and centre go round, the line itself with what moves the obstacle.
+TEST(Turning, TakesNormalsAxesAndCentresAlong) {
+  auto plane = make_obstacle({.point = {1, 0, 0}, .direction = {0, 1, 0}}, Physics::solid, {});
+  plane.move = {0, 0, 5};
+  plane.rotation = constraint::Rotation{
+      {}, Vector3d::UnitZ(), {.number = M_PI_2, .function = Function({0, 1}, {0, 1})}};
+  const auto place =
+      place_on(plane, plane.pose(1), {-3, 7, 5}, {-3, 7, 5}); // the plane is x = 0, body at x < 0
+  EXPECT_NEAR(place.gap, 3, 1e-14);
+  EXPECT_LT((place.normal - Vector3d(-1, 0, 0)).norm(), 1e-15);
+  auto tube =
+      make_obstacle({.kind = ObstacleKind::cylinder, .point = {2, 0, 0}, .direction = {1, 0, 0}, .radius = 1},
+                    Physics::solid, {});
+  tube.rotation = plane.rotation; // its axis becomes y
+  EXPECT_NEAR(place_on(tube, tube.pose(1), {3, 9, 0}, {3, 9, 0}).gap, 2, 1e-14);
+  auto ball =
+      make_obstacle({.kind = ObstacleKind::sphere, .point = {2, 0, 0}, .radius = 1}, Physics::solid, {});
+  ball.rotation = plane.rotation;
+  EXPECT_NEAR(place_on(ball, ball.pose(1), {0, 4, 0}, {0, 4, 0}).gap, 1, 1e-14);
 }
 
 TEST_P(SlaveBefore, MeasuresTheSameInTheFrameItHolds) {

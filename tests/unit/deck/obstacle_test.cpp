@@ -66,12 +66,32 @@ TEST(Obstacles, MoveByNumbersAndFunctions) {
   EXPECT_EQ(moved[2], (study::Amplitude{1e-3, "ramp"}));
 }
 
+TEST(Obstacles, RotateAsSupportsDo) {
+  const auto turned =
+      obstacle_of(deck_with("{plane: {point: [0, 0, 0], normal: [0, 0, 1]}, rotate: {about: [1, "
+                            "2, 3], axis: [0, 0, 2], angle: {velocity: 5, function: ramp}}}"))
+          .rotate.value();
+  study::Field angle(5, "ramp");
+  angle.given = study::Given::velocity;
+  EXPECT_EQ(turned, (study::Rotation{.about = {1, 2, 3}, .axis = {0, 0, 2}, .angle = angle}));
+  EXPECT_EQ(
+      obstacle_of(deck_with("{cylinder: {point: [1, 2], radius: 2}, rotate: {about: [1, 2], angle: 3*t}}",
+                            "plane_strain"))
+          .rotate.value(),
+      (study::Rotation{.about = {1, 2, 0}, .axis = {0, 0, 1}, .angle = study::Formula{"3*t"}}));
+}
+
 TEST(Obstacles, ReadBackFromTheirEcho) {
   const std::pair<const char*, const char*> all[] = {
       {"solid", "{plane: {point: [1, 2, 3], normal: [0, 0, 4]}, move: {z: {value: 2, function: ramp}}}"},
       {"solid", "{cylinder: {point: [1, 2, 3], axis: [0, 1, 1], radius: 4, side: inside}, move: {y: 3}}"},
       {"solid", "{sphere: {point: [1, 2, 3], radius: 4, side: outside}}"},
       {"plane_strain", "{plane: {point: [1, 2], normal: [0, 4]}}"},
+      {"plane_strain",
+       "{plane: {point: [1, 2], normal: [0, 4]}, rotate: {about: [3, 4], angle: 0.1}, move: {x: 1}}"},
+      {"solid",
+       "{sphere: {point: [1, 2, 3], radius: 4}, rotate: {about: [1, 2, 3], axis: [1, 0, 0], angle: {value: "
+       "2, function: ramp}}}"},
       {"plane_stress", "{cylinder: {point: [1, 2], radius: 4}}"},
       {"axisymmetric", "{plane: {point: [1, 2], normal: [0, -1]}, move: {y: {value: 1, function: ramp}}}"},
       {"axisymmetric", "{cylinder: {radius: 4, side: inside}}"},
@@ -152,6 +172,23 @@ const Wrong wrongs[] = {
      "move on the axis of revolution only"},
     {"plane_strain", "{plane: {point: [0, 0], normal: [0, 1]}, move: {z: 1}}",
      "contact.floor.obstacle.move.z: plane_strain has no z, expected x or y"},
+    {"solid", "{rotate: {about: [0, 0, 0], axis: [0, 0, 1], angle: 1}}",
+     "contact.floor.obstacle: found none of plane, cylinder and sphere, expected one of them"},
+    {"solid", "{sphere: {point: [0, 0, 0], radius: 1}, rotate: {about: [0, 0, 0], angle: 1}}",
+     "contact.floor.obstacle.rotate: 'axis' is missing"},
+    {"solid",
+     "{sphere: {point: [0, 0, 0], radius: 1}, rotate: {about: [0, 0, 0], axis: [0, 0, 0], angle: 1}}",
+     "contact.floor.obstacle.rotate.axis: found a direction without length"},
+    {"plane_strain",
+     "{plane: {point: [0, 0], normal: [0, 1]}, rotate: {about: [0, 0], axis: [0, 1], angle: 1}}",
+     "contact.floor.obstacle.rotate.axis: plane_strain turns about z, expected 'about' and 'angle'"},
+    {"plane_strain", "{plane: {point: [0, 0], normal: [0, 1]}, rotate: {about: [0, 0], angle: x}}",
+     "contact.floor.obstacle.rotate.angle: found an angle that depends on the place, expected a number or an "
+     "expression of t: the group turns as a whole"},
+    {"axisymmetric", "{plane: {point: [0, 0], normal: [0, 1]}, rotate: {about: [0, 0], angle: 1}}",
+     "contact.floor.obstacle.rotate: found a rotation in axisymmetric, whose sections cannot turn as rigid "
+     "ones, "
+     "expected none"},
     {"solid", "{plane: {point: [0, 0, 0], normal: [0, 0, 1]}, move: {z: {value: 1, function: rmp}}}",
      "contact.floor.obstacle.move.z.function: no function is called 'rmp'; did you mean 'ramp'?"}};
 
@@ -173,6 +210,12 @@ TEST(Obstacles, StandOnTheirOwn) {
       Sentences{"contact.a.normal: found average, an obstacle gives the normal itself, expected master"});
   EXPECT_EQ(faults(plane + ", clamped_normal: projection"),
             Sentences{"contact.a.clamped_normal: no projection on an obstacle is ever clamped"});
+  EXPECT_EQ(
+      faults("obstacle: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}, rotate: {about: [0, 0, 0], axis: "
+             "[1, 0, 0], angle: 1}}, freeze: true"),
+      Sentences{
+          "contact.a.obstacle.rotate: found freeze: true beside 'rotate', expected one of them: normals "
+          "that are held do not turn"});
   EXPECT_EQ(faults(plane + ", normal: master, method: nodal_lagrange, friction: 0.1"), Sentences{});
 }
 
@@ -184,6 +227,7 @@ TEST(Obstacles, OfARunToStartFromMayOnlyMoveDifferently) {
                      change + "}}}}\n");
   };
   EXPECT_EQ(faults("{move: {z: 1}}"), Sentences{});
+  EXPECT_EQ(faults("{rotate: {about: [0, 0, 0], axis: [0, 0, 1], angle: 1}}"), Sentences{});
   EXPECT_EQ(faults("{plane: {point: [0, 0, 1]}}").size(), 1U);
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/walk.hpp"
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -84,6 +86,47 @@ TEST_F(EnergyOfARun, IsWarnedOfOnceWhenTheGainStays) {
   EXPECT_EQ(warnings_[0],
             "evol: energy gained from t = 2 to 12: 21, 0.021 of the largest energy; contact pressures "
             "gave 20 more than they took, the time scheme gave 1");
+}
+
+/// A rigid turn has no energy but that of rounding, half of which is gained.
+TEST_F(EnergyOfARun, IsNotWarnedOfWhatRoundingMayHaveGiven) {
+  const auto note_rounding = [&](double rounding) {
+    step::EnergyLedger ledger;
+    ledger.strain = 1e-19;
+    ledger.support_work = -4e-17;
+    ledger.rounding = rounding;
+    energy_.note(++t_, ledger);
+  };
+  for (int i = 0; i < 20; ++i)
+    note_rounding(5e-17);
+  energy_.tell();
+  EXPECT_TRUE(warnings_.empty()) << warnings_.front();
+  for (int i = 0; i < 20; ++i)
+    note_rounding(3e-17);
+  EXPECT_EQ(warnings_.size(), 1U);
+}
+
+TEST_F(EnergyOfARun, OfARigidTurnIsRounding) {
+  test::Walk walk(R"(
+mesh: {generate: [{name: block, rectangle: {from: [0, 0], to: [3, 1]}, divisions: [4, 2], cells: quad4, sides: {left: left}}]}
+physics: plane_strain
+materials: {steel: {young: 200e9, poisson: 0.3, density: 7800, strain: green_lagrange}}
+functions: {f: {times: [0, 1], values: [0, 1]}}
+supports: [{on: block, rotate: {about: [1, 2], angle: {value: 2, function: f}}}]
+time: {scheme: static, end: 1, step: 0.02}
+)");
+  double worst = 0;
+  walk.accepted = [&] {
+    const auto ledger = walk.simulation.energy();
+    energy_.note(walk.state().t, ledger);
+    worst = std::max(worst, ledger.gain() / ledger.largest());
+    EXPECT_LT(ledger.largest(), ledger.rounding);
+    EXPECT_LT(ledger.rounding, 1e-9 * 200e9); // of what a strain of 1 would store
+  };
+  ASSERT_TRUE(walk.to_end());
+  energy_.tell();
+  EXPECT_GT(worst, 0.01);
+  EXPECT_TRUE(warnings_.empty()) << warnings_.front();
 }
 
 TEST_F(EnergyOfARun, IsWarnedOfWhenContactGivesWhatTheSchemeTakes) {

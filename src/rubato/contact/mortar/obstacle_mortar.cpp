@@ -37,9 +37,8 @@ std::span<const std::vector<cell::QuadraturePoint>> facet_rules(CellType type) {
   return table.at(type);
 }
 
-Seen seen_from(const Obstacle& obstacle, const Vector3d& offset, const Vector3d& x,
-               const Vector3d& undeformed) {
-  const auto place = place_on(obstacle, offset, x, undeformed);
+Seen seen_from(const Obstacle& obstacle, const Pose& pose, const Vector3d& x, const Vector3d& undeformed) {
+  const auto place = place_on(obstacle, pose, x, undeformed);
   Seen seen;
   seen << place.gap, place.normal, x - place.gap * place.normal, place.tangent;
   return seen;
@@ -53,21 +52,20 @@ bool faces(const SlaveFace& placed, const Eigen::Vector2d& xi, const Vector3d& n
 
 /// Gaps at the corners of a sub-facet. Faces may hang over the obstacle's end: where all points of the rule
 /// see it corners do.
-void see_corners(const SlaveFace& placed, const SubFacet& facet, const Obstacle& obstacle,
-                 const Vector3d& offset, std::vector<SeenGap>& seen) {
+void see_corners(const SlaveFace& placed, const SubFacet& facet, const Obstacle& obstacle, const Pose& pose,
+                 std::vector<SeenGap>& seen) {
   for (std::size_t i = 0; i < at(facet.node_count); ++i) {
     const auto node = facet.nodes[i];
     const Vector3d x = placed.x.col(node), undeformed = placed.undeformed.col(node);
     const Eigen::Vector2d xi = cell::reference_cell(placed.type).nodes[node].head<2>();
     seen.push_back({Eigen::Vector4d::Unit(static_cast<Eigen::Index>(i)),
-                    seen_from(obstacle, offset, x, undeformed)[gap_column], xi});
+                    seen_from(obstacle, pose, x, undeformed)[gap_column], xi});
   }
 }
 
 /// One sub-facet before the obstacle.
 void integrate_facet(const SlaveFace& placed, int face, int facet_index, const Obstacle& obstacle,
-                     const Vector3d& offset, const SlaveReference& reference, double reach,
-                     Workspace::Impl& work) {
+                     const Pose& pose, const SlaveReference& reference, double reach, Workspace::Impl& work) {
   const auto& measure = reference.measure;
   const auto& facet = subfacets(placed.type)[at(facet_index)];
   Part part;
@@ -77,7 +75,7 @@ void integrate_facet(const SlaveFace& placed, int face, int facet_index, const O
   work.seen_gaps.clear();
   for (const auto& [place, weight] : facet_rules(placed.type)[at(facet_index)]) {
     const Eigen::Vector2d xi = place.head<2>();
-    const auto seen = seen_from(obstacle, offset, face_position(placed.type, placed.x, xi),
+    const auto seen = seen_from(obstacle, pose, face_position(placed.type, placed.x, xi),
                                 face_position(placed.type, placed.undeformed, xi));
     if (!(std::abs(seen[gap_column]) <= reach) || !faces(placed, xi, seen.segment<3>(normal_column)))
       continue;
@@ -92,7 +90,7 @@ void integrate_facet(const SlaveFace& placed, int face, int facet_index, const O
   }
   if (!(part.covered.first.sum() > 0))
     return;
-  see_corners(placed, facet, obstacle, offset, work.seen_gaps);
+  see_corners(placed, facet, obstacle, pose, work.seen_gaps);
   part.gaps = products.col(gap_column);
   make_dual(placed, reference, work, part);
   part.first_overlap = work.seen.size();
@@ -130,7 +128,7 @@ void average_seen(int dimension, const Workspace::Impl& work, Operators& into) {
 } // namespace
 
 void integrate(const Surface& slave, const SlaveReference& reference, const Obstacle& obstacle,
-               const Vector3d& offset, std::span<const Vector3d> slave_x, const Options& options,
+               const Pose& pose, std::span<const Vector3d> slave_x, const Options& options,
                Workspace& workspace, Operators& into) {
   require_finite(slave, slave_x, "slave");
   auto& work = workspace.impl();
@@ -140,8 +138,8 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Obst
   for (std::size_t f = 0; f < slave.faces.size(); ++f) {
     const auto placed = slave_face(slave.faces[f], reference, slave_x, work.normals);
     for (std::size_t facet = 0; facet < subfacets(placed.type).size(); ++facet)
-      integrate_facet(placed, static_cast<int>(f), static_cast<int>(facet), obstacle, offset, reference,
-                      reach, work);
+      integrate_facet(placed, static_cast<int>(f), static_cast<int>(facet), obstacle, pose, reference, reach,
+                      work);
   }
   share_functions(slave, reference, slave_x, options, work, into);
   fill_stencils(slave, nullptr, reference.dimension, work, into);

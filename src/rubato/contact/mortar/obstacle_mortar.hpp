@@ -14,11 +14,11 @@
 
 namespace rubato::contact::mortar {
 
-/// `offset`: how far the obstacle has come. Points are covered within options.reach on either side, by
+/// `pose`: where the obstacle is. Points are covered within options.reach on either side, by
 /// default at any distance: an obstacle has one face only, and a body may come from afar in one step. The
 /// anchor of a node is the mean place it faces. Throws as the other integrate.
 void integrate(const Surface& slave, const SlaveReference& reference, const Obstacle& obstacle,
-               const Eigen::Vector3d& offset, std::span<const Eigen::Vector3d> slave_x,
-               const Options& options, Workspace& workspace, Operators& into);
+               const Pose& pose, std::span<const Eigen::Vector3d> slave_x, const Options& options,
+               Workspace& workspace, Operators& into);
 
 } // namespace rubato::contact::mortar

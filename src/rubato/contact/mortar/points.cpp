@@ -89,9 +89,7 @@ void Points::update(const Configuration& configuration) {
   take_start(configuration);
   if (held_lifts_.size() != slave_.size())
     take_lifts();
-  const Vector3d offset =
-      zone_->obstacle ? zone_->obstacle->offset(configuration.t) : Vector3d::Zero().eval();
-  integrate_at(slave_, master_, offset, now_);
+  integrate_at(slave_, master_, configuration.t, now_);
   hold_those_that_return();
   hold_lifts();
 }
@@ -153,19 +151,18 @@ void Points::begin(std::span<const double> lifts) {
 
 /// Before the first step.
 void Points::take_lifts() {
-  const Vector3d offset = zone_->obstacle ? zone_->obstacle->offset(start_t_) : Vector3d::Zero().eval();
-  integrate_at(start_slave_, start_master_, offset, now_);
+  integrate_at(start_slave_, start_master_, start_t_, now_);
   held_lifts_.resize(now_.nodes.size());
   std::ranges::transform(now_.nodes, held_lifts_.begin(), lift_of);
 }
 
-void Points::integrate_at(const Positions& slave, const Positions& master, const Vector3d& offset,
-                          Operators& into) {
+void Points::integrate_at(const Positions& slave, const Positions& master, double t, Operators& into) {
   const auto options = options_at(slave, master);
   if (zone_->meets_itself())
     integrate(zone_->slave, *zone_->mortar, zone_->slave, slave, slave, options, workspace_, into);
   else if (zone_->obstacle)
-    integrate(zone_->slave, *zone_->mortar, *zone_->obstacle, offset, slave, options, workspace_, into);
+    integrate(zone_->slave, *zone_->mortar, *zone_->obstacle, zone_->obstacle->pose(t), slave, options,
+              workspace_, into);
   else
     integrate(zone_->slave, *zone_->mortar, zone_->master, slave, master, options, workspace_, into);
 }
@@ -206,7 +203,7 @@ void Points::take_start(const Configuration& configuration) {
 
 void Points::take_tangents_before_obstacle() {
   Operators before;
-  integrate_at(start_slave_, {}, zone_->obstacle->offset(start_t_), before);
+  integrate_at(start_slave_, {}, start_t_, before);
   start_tangents_.resize(start_slave_.size());
   std::ranges::transform(before.nodes, start_tangents_.begin(), &Node::tangents);
 }
@@ -223,9 +220,12 @@ void Points::take_tangents() {
     start_tangents_[i] = node_frame(*zone_->mortar, start_slave_, normals, i).tangents;
 }
 
-Vector3d Points::anchor_motion(const Configuration& configuration) const {
-  return zone_->obstacle ? zone_->obstacle->displacement(configuration.start_t, configuration.t)
-                         : Vector3d::Zero().eval();
+Vector3d Points::anchor_motion(const Node& node, const Configuration& configuration) const {
+  if (!zone_->obstacle)
+    return Vector3d::Zero();
+  const Vector3d start = node.stencil.sum([&](auto at) { return configuration.start_position(at); });
+  const Vector3d end = node.stencil.sum([&](auto at) { return configuration.position(at); });
+  return zone_->obstacle->way(start, end, configuration.start_t, configuration.t);
 }
 
 void Points::measure(std::size_t position, const VectorXd& multipliers, const Configuration& configuration,
@@ -249,10 +249,12 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.normal = node.normal;
   k.tangents = node.tangents;
   k.closest_point = node.anchor;
-  k.obstacle_displacement = anchor_motion(configuration);
+  k.obstacle_displacement = anchor_motion(node, configuration);
   const Vector3d start =
       gap_vector(node, [&](auto at) { return configuration.start_position(at); }) + k.obstacle_displacement;
-  k.slip_origin = (start_tangents_[position] - node.tangents).transpose() * start;
+  k.slip_origin.setZero(); // an obstacle that rotates takes frames along
+  if (!zone_->obstacle || !zone_->obstacle->rotation)
+    k.slip_origin = (start_tangents_[position] - node.tangents).transpose() * start;
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
   k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
   const double offset = zone_->offset.at(point.place, configuration.t);

@@ -43,8 +43,7 @@ public:
 
 private:
   using Positions = std::vector<Eigen::Vector3d>;
-  void integrate_at(const Positions& slave, const Positions& master, const Eigen::Vector3d& offset,
-                    Operators& into);
+  void integrate_at(const Positions& slave, const Positions& master, double t, Operators& into);
   Options options_at(const Positions& slave, const Positions& master);
   void take_start(const Configuration& configuration);
   void take_tangents();
@@ -54,7 +53,7 @@ private:
   void hold_lifts();
   void hold_lift(std::size_t node);
   void take_lifts();
-  Eigen::Vector3d anchor_motion(const Configuration& configuration) const;
+  Eigen::Vector3d anchor_motion(const Node& node, const Configuration& configuration) const;
 
   const Zone* zone_;
   std::vector<Keep> keep_;

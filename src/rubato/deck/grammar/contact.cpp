@@ -114,7 +114,8 @@ Forms obstacle() {
               {"sphere", "a sphere",
                map("a sphere", {{"point", "its centre [length]", coordinates(), true}, radius(), side()})},
               {"move", "displacement from there; at rest when not given",
-               map("a motion", components("displacement [length]", varying(number())))}});
+               map("a motion", components("displacement [length]", varying(number())))},
+              {"rotate", "as a rigid body, by any angle; move is added", rotation()}});
 }
 
 Forms contact() {

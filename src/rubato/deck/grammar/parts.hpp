@@ -13,6 +13,8 @@ Forms materials();
 std::vector<Key> material_words();
 Forms functions();
 Forms supports();
+/// A line and an angle about it.
+Forms rotation();
 Forms base_motion();
 Forms preload();
 /// Keys of a plane that cuts bodies.

@@ -103,15 +103,19 @@ Forms supports() {
       {"turn", "rotations of a reference, small [radians]",
        map("rotations of a reference",
            components("rotation of a reference [radians], about the axis", motion(field_value())))});
-  keys.push_back({"rotate", "every node of a group as a rigid body, by any angle; x, y and z are added",
-                  map("a rotation about a line that stays where it is",
-                      {{"about", "a place on the line; in the plane the point [length]", coordinates(), true},
-                       {"axis", "direction of the line; in the plane none", coordinates()},
-                       {"angle", "by the right-hand rule [radians], a number or an expression of t",
-                        motion(expression()), true}})});
+  keys.push_back(
+      {"rotate", "every node of a group as a rigid body, by any angle; x, y and z are added", rotation()});
   keys.push_back(
       {"until", "instant at which it lets go; the end of the run when not given [time]", number()});
   return list(map("a support", std::move(keys)));
+}
+
+Forms rotation() {
+  return map("a rotation about a line that stays where it is",
+             {{"about", "a place on the line; in the plane the point [length]", coordinates(), true},
+              {"axis", "direction of the line; in the plane none", coordinates()},
+              {"angle", "by the right-hand rule [radians], a number or an expression of t",
+               motion(expression()), true}});
 }
 
 Forms base_motion() {

@@ -351,42 +351,9 @@ void ContactEvaluator::finish(const Frozen& frozen, const ContactIterate& iterat
   }
   if (!frames_.empty())
     measure_places(trial);
-  for (std::size_t z = 0; z < iterate.status.size(); ++z)
+  for (std::size_t z = 0; z < iterate.status.size(); ++z) {
+    add_obstacle_work(z, iterate.points[z], trial);
     add_friction_history(z, iterate.points[z], trial);
-}
-
-/// Works are those that the energy ledger counts, [r]·{τ} with r the motion of a point relative to the place
-/// it faces, as its force at that end of the step was spread; [r]·τ₁ where τ₁ is the mean over the step.
-void ContactEvaluator::add_friction_history(std::size_t z, std::span<const PointEvaluation> points,
-                                            State& trial) const {
-  const auto& zone = model_.zones[z];
-  const auto& before = committed_.zones[z];
-  auto& now = trial.zones[z];
-  auto& history = now.friction_history;
-  history = before.friction_history;
-  history.resize(points.size());
-  now.friction_forces.clear();
-  if (zone.settings.tie)
-    return;
-  const auto configuration = at_end(trial);
-  const auto increment = [&](mesh::NodeIndex node) { return configuration.increment(node); };
-  const Eigen::Vector3d obstacle_displacement =
-      zone.obstacle ? zone.obstacle->displacement(committed_.t, trial.t) : Eigen::Vector3d::Zero().eval();
-  const bool mean_force = !frames_.empty();
-  const auto& earlier = before.friction_forces;
-  for (std::size_t e = 0; !mean_force && e < earlier.count(); ++e)
-    history[earlier.point(e)].work -=
-        0.5 * earlier.force(e).dot(earlier.sum(e, increment) - obstacle_displacement);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& outcome = now.outcomes[i];
-    if (now.status[i] != Status::open)
-      history[i].slip += outcome.slip.norm();
-    if (outcome.tangential.isZero(0))
-      continue;
-    const auto& stencil = points[i].kinematics->stencil;
-    history[i].work -=
-        (mean_force ? 1.0 : 0.5) * outcome.tangential.dot(stencil.sum(increment) - obstacle_displacement);
-    now.friction_forces.add(i, outcome.tangential, stencil);
   }
 }
 

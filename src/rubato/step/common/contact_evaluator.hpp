@@ -124,6 +124,10 @@ private:
   bool has_frozen_frames(std::size_t zone, const Frozen& frozen) const {
     return !frames_.empty() || !frozen[zone].frames.empty();
   }
+  void add_obstacle_work(std::size_t z, std::span<const contact::PointEvaluation> points, State& trial) const;
+  double work_by_way(std::size_t zone, const contact::PointForces& forces, const State& trial) const;
+  Eigen::Vector3d way_of_obstacle(std::size_t zone, const contact::PointForces& forces, std::size_t entry,
+                                  const State& trial) const;
   void add_friction_history(std::size_t z, std::span<const contact::PointEvaluation> points,
                             State& trial) const;
   void measure_places(State& trial) const;

@@ -124,7 +124,7 @@ Spectrum ExplicitMotion::spectrum() const {
 void ExplicitMotion::survey() {
   if (!model_->domain.has_finite_strain() || (survey_.growth > 0 && survey_.made == 0))
     return;
-  const double growth = model_->domain.growth(u_, bulk_points_, path_, spectrum_.stiffness);
+  const double growth = model_->domain.growth(u_, bulk_points_, path_, spectrum_.stiffness, t_);
   const bool follows = survey_.growth > 0 && growth > 0;
   const double a_step = follows ? std::log(growth / survey_.growth) / survey_.made : 0;
   const int most = std::min(2 * survey_.interval, most_between_surveys);
@@ -176,11 +176,19 @@ void ExplicitMotion::collect_loads() {
 
 domain::Failed ExplicitMotion::advance(double end, int steps) {
   const double begin = t_;
+  const VectorXd before = u_;
   set_step((end - begin) / steps);
   for (int i = 1; i <= steps; ++i)
     if (const auto failed = step(i < steps ? begin + i * h_ : end))
       return failed;
+  energy_.rounding += rounding_since(before);
   return {};
+}
+
+/// No entry of K is larger than λ_K m.
+double ExplicitMotion::rounding_since(const VectorXd& before) const {
+  const auto& mass = model_->lumped_mass;
+  return spectrum_.stiffness * rounding_of_work(mass, before, u_);
 }
 
 /// The velocity half a step before t moves with the length of the step. So does the kinetic energy there,
@@ -315,7 +323,7 @@ double ExplicitMotion::work_of_obstacles(double from, double to) const {
   double sum = 0;
   for (std::size_t z = 0; z < contact_.size(); ++z)
     if (const auto& obstacle = model_->zones[z].obstacle; obstacle && obstacle->moves())
-      sum += obstacle->displacement(from, to).dot(contact_[z].push()) / 2;
+      sum += contact_[z].work_of_obstacle({&model_->mesh, &model_->dofs, &u_, &u_, to, from}, v_, h_) / 2;
   return sum;
 }
 

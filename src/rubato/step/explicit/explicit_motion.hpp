@@ -118,6 +118,7 @@ private:
   void find_spectrum();
   void set_step(double step);
   domain::Failed step(double end);
+  double rounding_since(const Eigen::VectorXd& before) const;
   void deform();
   domain::Failed find_forces();
   double kinetic_energy() const;

@@ -91,6 +91,12 @@ void check_obstacle(Rules& rules, const ContactZone& zone) {
   if (obstacle.kind != ObstacleKind::plane)
     rules.number(shape + ".radius", obstacle.radius, bounds::radius);
   check_move(rules, obstacle, path + ".move");
+  if (obstacle.rotate)
+    check_rotate(rules, *obstacle.rotate, path + ".rotate");
+  if (obstacle.rotate && zone.freeze)
+    rules.broken(
+        {path + ".rotate", fmt::format("contact.{}.freeze", zone.name)},
+        "found freeze: true beside 'rotate', expected one of them: normals that are held do not turn");
 }
 
 } // namespace rubato::study

@@ -25,15 +25,15 @@ void check_line(Rules& rules, const Rotation& rotation, const std::string& path)
     rules.broken({path + ".axis", "physics"},
                  fmt::format("found a direction in the plane, {} turns about z only",
                              word_of(physics_words, physics)));
-  if (physics == Physics::axisymmetric)
-    rules.broken({path, "physics"},
-                 "found a rotation in axisymmetric, whose sections cannot turn as rigid ones, expected none");
 }
 
 } // namespace
 
 void check_rotate(Rules& rules, const Rotation& rotation, const std::string& path) {
   check_line(rules, rotation, path);
+  if (rules.study.physics == Physics::axisymmetric)
+    rules.broken({path, "physics"},
+                 "found a rotation in axisymmetric, whose sections cannot turn as rigid ones, expected none");
   rules.motion(path + ".angle", rotation.angle);
   if (varies_in_place(rotation.angle))
     rules.broken({path + ".angle"}, "found an angle that depends on the place, expected a number or an "

@@ -19,10 +19,10 @@ test::TwoSurfaces slave_at(CellType type, double height) {
 }
 
 Operators before(const test::TwoSurfaces& two, const contact::Obstacle& obstacle, const Options& options = {},
-                 const Vector3d& offset = Vector3d::Zero()) {
+                 const contact::Pose& pose = {}) {
   Workspace workspace;
   Operators operators;
-  integrate(two.slave, two.reference(), obstacle, offset, two.slave_x(), options, workspace, operators);
+  integrate(two.slave, two.reference(), obstacle, pose, two.slave_x(), options, workspace, operators);
   return operators;
 }
 
@@ -54,7 +54,7 @@ TEST(MortarBeforeAnObstacle, SeesTheDistanceOfAPlaneAndHandsOnAUniformPressure) 
 
 TEST(MortarBeforeAnObstacle, MovesWithIt) {
   const auto operators =
-      before(slave_at(CellType::quad4, 0.05), plane_for(CellType::quad4), {}, Vector3d(0, 0, 0.02));
+      before(slave_at(CellType::quad4, 0.05), plane_for(CellType::quad4), {}, {.offset = {0, 0, 0.02}});
   for (const auto& node : operators.nodes)
     EXPECT_NEAR(node.gap, 0.03, 1e-15);
 }
@@ -100,7 +100,7 @@ TEST(MortarBeforeAnObstacle, HasAGapWhoseSlopeIsTheRowToSecondOrderInTheFace) {
           auto x = two.slave_x();
           x[moved][c] += side == 0 ? -h : h;
           Workspace workspace;
-          integrate(two.slave, reference, sphere, Vector3d::Zero(), x, {}, workspace, sides[side]);
+          integrate(two.slave, reference, sphere, {}, x, {}, workspace, sides[side]);
         }
         for (std::size_t j = 0; j < operators.nodes.size(); ++j) {
           const auto& node = operators.nodes[j];

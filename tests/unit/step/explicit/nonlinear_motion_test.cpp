@@ -249,7 +249,7 @@ double true_rate(const model::Model& model, const State& state) {
   domain::QuadratureStates unused;
   const auto forces = [&](const VectorXd& u) {
     VectorXd f;
-    model.domain.evaluate({u, u}, state.bulk_points, unused, {.forces = &f});
+    model.domain.evaluate({u, u, state.t, state.t}, state.bulk_points, unused, {.forces = &f});
     return f;
   };
   constexpr double small = 1e-6;
@@ -294,6 +294,27 @@ TEST(ExplicitNonlinear, StepsBecomeShortWhereCellsAreSqueezed) {
     EXPECT_GE(believed, 0.95 * right) << material << strain;
     EXPECT_LE(believed, 2 * right) << material << strain;
     EXPECT_LE(std::abs(motion.energy().balance()), 1e-10 * motion.energy().largest()) << material << strain;
+  }
+}
+
+/// A block between fixed ends that is cooled has the stresses of its free strain, and the stiffness of these.
+TEST(ExplicitNonlinear, StepsBecomeShortWhereHeldBodiesAreCooled) {
+  for (const auto& material : {spring_steel + ", expansion: 0.4", rubber + ", expansion: 0.4"}) {
+    const auto model = model_of(block(material, "plane_strain", 4) + R"(
+functions: {cool: {times: [0, 20], values: [0, -1]}}
+temperature: [{on: all, value: 1, function: cool}]
+runs: {one: {time: {end: 20}, supports: [{on: held, fix: [x, y]}, {on: end, fix: [x, y]}]}}
+)");
+    ExplicitMotion motion(model);
+    const double first = motion.spectrum().stiffness;
+    EXPECT_FALSE(go(motion, 20)) << material;
+    motion.survey();
+    const double believed = motion.spectrum().stiffness;
+    const double right = true_rate(model, motion.state());
+    EXPECT_GT(right, 1.3 * first) << material;
+    EXPECT_GE(believed, 0.95 * right) << material;
+    EXPECT_LE(believed, 2 * right) << material;
+    EXPECT_LE(std::abs(motion.energy().balance()), 1e-10 * motion.energy().largest()) << material;
   }
 }
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/run/turn_watch.hpp"
+
+#include "rubato/study/formulation.hpp"
+#include "rubato/study/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace rubato::run {
+namespace {
+
+/// That supports and materials of small strain keep to, too: 1.2e-3 of stretch [radians].
+constexpr double largest_small_turn = 0.05;
+
+const study::Relation& relation_of(const study::Study& study, const std::string& name) {
+  return *std::ranges::find(study.relations, name, &study::Relation::name);
+}
+
+/// Whether a support, a load or a connector knows the name.
+bool is_used(const study::Study& study, const std::string& name) {
+  const auto is_on = [&](const auto& entry) { return entry.on == name; };
+  return std::ranges::any_of(study.supports, is_on) || std::ranges::any_of(study.loads, is_on) ||
+         std::ranges::any_of(study.masses, is_on) ||
+         std::ranges::any_of(study.connectors,
+                             [&](const auto& one) { return one.on == name || one.to == name; });
+}
+
+/// A distributed reference that nothing holds and loads only looks at its group.
+bool is_bound(const study::Study& study, const model::Reference& reference) {
+  const auto kind = relation_of(study, reference.name).kind;
+  return kind == study::RelationKind::rigid ||
+         (kind == study::RelationKind::distributed && is_used(study, reference.name));
+}
+
+double turn_of(const model::Reference& reference, const step::State& state, int components) {
+  const auto rows = reference.motion.rows() - components;
+  return (reference.motion.bottomRows(rows) * state.motion.u(reference.dofs)).norm();
+}
+
+std::string_view remedy_for(const study::Study& study) {
+  return study::takes_large_rotations(study)
+             ? "expected a group that 'supports: rotate' turns where the rotation is given, or a stiff "
+               "meshed "
+               "body of a material with strain: green_lagrange in the relation's place"
+             : "expected a material with strain: green_lagrange or logarithmic, as small strain stretches "
+               "bodies alike, and 'supports: rotate' or a stiff meshed body in the relation's place";
+}
+
+} // namespace
+
+TurnWatch::TurnWatch(const model::Model& model, const Watch& watch) : model_(model), watch_(watch) {
+  for (const auto& reference : model.references)
+    if (reference.turns && is_bound(model.study, reference))
+      watched_.push_back(&reference);
+}
+
+void TurnWatch::note(const step::State& now) {
+  std::erase_if(watched_, [&](const model::Reference* reference) {
+    const double turn = turn_of(*reference, now, model_.dofs.components);
+    if (!(turn > largest_small_turn))
+      return false;
+    const auto& relation = relation_of(model_.study, reference->name);
+    watch_.warn(
+        fmt::format("{}: at t = {:g} the {} relation '{}' has turned by {:.3g} radians, more than {}: "
+                    "it holds for small rotations and stretches its group by {:.2g}; {}",
+                    model_.study.name, now.t, study::word_of(study::relation_words, relation.kind),
+                    reference->name, turn, largest_small_turn, turn * turn / 2, remedy_for(model_.study)));
+    return true;
+  });
+}
+
+} // namespace rubato::run

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Says when groups of relations turn too far.
+#pragma once
+
+#include "rubato/model/model.hpp"
+#include "rubato/run/time_loop.hpp"
+#include "rubato/step/state.hpp"
+
+#include <vector>
+
+namespace rubato::run {
+
+/// Rigid relations are linear, u = t + θ × r: a group that turns by θ becomes longer by θ²/2 across the axis.
+/// The forces and supports of a distributed reference are shared out by the undeformed shape in the same way.
+/// Said once of each relation.
+class TurnWatch {
+public:
+  /// Everything must outlive this.
+  TurnWatch(const model::Model& model, const Watch& watch);
+
+  void note(const step::State& now);
+
+private:
+  const model::Model& model_;
+  const Watch& watch_;
+  std::vector<const model::Reference*> watched_;
+};
+
+} // namespace rubato::run
