@@ -53,7 +53,7 @@ runs:
     time: {end: 0.012}
 )";
 
-/// A roller that is pressed into a block and drawn along it, rubbing.
+/// A roller that is pressed into a block, turned and drawn along it, rubbing.
 inline const std::string rolled_block = R"(title: a roller on a block
 mesh:
   generate:
@@ -68,6 +68,7 @@ contact:
     obstacle:
       cylinder: {point: [0, 1], radius: 1}
       move: {x: {value: 0.3, function: draw}, y: {value: -0.05, function: press}}
+      rotate: {about: [0, 1], angle: {value: -0.5, function: draw}}
     slave: top
     integration: nodes
     friction: 0.4

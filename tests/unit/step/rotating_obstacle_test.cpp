@@ -73,11 +73,11 @@ time: {scheme: static, step: 0.04, end: 1}
 newton: {residual: 1e-11}
 )";
 
-class Roller : public testing::TestWithParam<Way> {};
+class RotatingRoller : public testing::TestWithParam<Way> {};
 
 /// From the first full slip on the force is μN, and what the roller gives is what friction takes: the moment
 /// times sin Δθ in each step, as the block stays where it is.
-TEST_P(Roller, DragsTheBlockWithFrictionTimesForceAndDoesTheWorkOfItsMoment) {
+TEST_P(RotatingRoller, DragsTheBlockWithFrictionTimesForceAndDoesTheWorkOfItsMoment) {
   Walk walk(on_roller, GetParam().changes);
   const double turn = 0.8 / 20;
   double balance = 0;
@@ -104,7 +104,7 @@ TEST_P(Roller, DragsTheBlockWithFrictionTimesForceAndDoesTheWorkOfItsMoment) {
 
 const std::string roller = "contact.roller.";
 
-INSTANTIATE_TEST_SUITE_P(By, Roller,
+INSTANTIATE_TEST_SUITE_P(By, RotatingRoller,
                          testing::Values(Way{"AugmentedLagrangian", {}},
                                          Way{"WholeSystem", {{"solver", "full"}}},
                                          Way{"Mortar", {{roller + "integration", "mortar"}}, 1e-3},
@@ -113,9 +113,9 @@ INSTANTIATE_TEST_SUITE_P(By, Roller,
                                               {roller + "coefficients", "{tangential: 1e8}"}}}),
                          name_of);
 
-class EveryWay : public testing::TestWithParam<Way> {};
+class EveryWayOfRolling : public testing::TestWithParam<Way> {};
 
-TEST_P(EveryWay, ClosesTheLedger) {
+TEST_P(EveryWayOfRolling, ClosesTheLedger) {
   Walk walk(on_roller, GetParam().changes);
   double balance = 0;
   walk.accepted = [&] { balance = std::max(balance, std::abs(walk.simulation.energy().balance())); };
@@ -132,7 +132,7 @@ Changes with(Changes changes, const Changes& more) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    By, EveryWay,
+    By, EveryWayOfRolling,
     testing::Values(
         Way{"GaussPoints", {{roller + "integration", "{gauss: 2}"}}},
         Way{"Penalty",
@@ -199,9 +199,9 @@ time: {scheme: static, step: 0.2, end: 1}
 newton: {residual: 1e-11}
 )";
 
-class Jaws : public testing::TestWithParam<Way> {};
+class TurningJaws : public testing::TestWithParam<Way> {};
 
-TEST_P(Jaws, TurnABlockThatSticksAsARigidBody) {
+TEST_P(TurningJaws, TurnABlockThatSticksAsARigidBody) {
   Walk walk(in_jaws, GetParam().changes);
   ASSERT_TRUE(walk.advance());
   const Eigen::VectorXd pressed = walk.state().motion.u;
@@ -221,7 +221,7 @@ TEST_P(Jaws, TurnABlockThatSticksAsARigidBody) {
   EXPECT_NEAR(walk.simulation.energy().support_work, given, 1e-8 * stored);
 }
 
-INSTANTIATE_TEST_SUITE_P(By, Jaws,
+INSTANTIATE_TEST_SUITE_P(By, TurningJaws,
                          testing::Values(Way{"Nodes", {}}, Way{"WholeSystem", {{"solver", "full"}}},
                                          Way{"Mortar",
                                              {{"contact.low.integration", "mortar"},
@@ -229,7 +229,7 @@ INSTANTIATE_TEST_SUITE_P(By, Jaws,
                          name_of);
 
 /// A pad on a disc beside its axis: friction acts along the circle, whatever the step.
-TEST(Disc, DragsAPadAlongItsCircle) {
+TEST(RotatingDisc, DragsAPadAlongItsCircle) {
   for (const std::string step : {"0.2", "0.05"}) {
     Walk walk(R"(
 mesh:
