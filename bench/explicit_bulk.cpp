@@ -2,6 +2,7 @@
 /// What explicit steps of nonlinear bodies cost: a box of HEXA8 (mean dilatation), n cells along each side,
 /// that flies against a wall it is fastened to.
 ///   PlasticStep             J2, linear hardening, small strain
+///   PlasticStepOfFullCells  the same with full integration
 ///   LogarithmicStep         the same with logarithmic strain
 ///   RubberStep              neo-Hookean
 ///   …StepOfReducedCells     the same with one point a cell
@@ -58,6 +59,10 @@ void PlasticStep(benchmark::State& state) {
   make_steps(state, steel);
 }
 
+void PlasticStepOfFullCells(benchmark::State& state) {
+  make_steps(state, steel + ", formulation: full");
+}
+
 void LogarithmicStep(benchmark::State& state) {
   make_steps(state, steel + ", strain: logarithmic");
 }
@@ -83,6 +88,7 @@ void RubberStepOfReducedCells(benchmark::State& state) {
 }
 
 BENCHMARK(PlasticStep)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
+BENCHMARK(PlasticStepOfFullCells)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
 BENCHMARK(LogarithmicStep)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
 BENCHMARK(RubberStep)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
 BENCHMARK(PlasticStepOfReducedCells)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);

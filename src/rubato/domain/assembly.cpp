@@ -12,6 +12,8 @@
 #include <numeric>
 #include <stdexcept>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace rubato::domain {
 namespace {
@@ -23,56 +25,54 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// The cells around each numbered node, in compressed rows.
+/// The cells around each numbered node, in compressed rows, and which of the nodes of such a cell it is.
 struct CellsOfNodes {
   std::vector<std::int64_t> start;
   std::vector<CellIndex> cells;
+  std::vector<std::int32_t> own;
 };
 
 CellsOfNodes cells_around_nodes(const mesh::Mesh& mesh, std::span<const CellIndex> cells,
                                 const DofMap& dofs) {
   const auto number = [&](NodeIndex node) { return at(dofs.first_dof[at(node)] / dofs.components); };
-  CellsOfNodes around{std::vector<std::int64_t>(dofs.nodes.size() + 1, 0), {}};
+  CellsOfNodes around{std::vector<std::int64_t>(dofs.nodes.size() + 1, 0), {}, {}};
   for (const auto cell : cells)
     for (const auto node : mesh.nodes_of(cell))
       ++around.start[number(node) + 1];
   std::partial_sum(around.start.begin(), around.start.end(), around.start.begin());
   around.cells.resize(at(around.start.back()));
+  around.own.resize(around.cells.size());
   auto next = around.start;
   for (const auto cell : cells)
-    for (const auto node : mesh.nodes_of(cell))
-      around.cells[at(next[number(node)]++)] = cell;
+    for (std::int32_t own = 0; const auto node : mesh.nodes_of(cell)) {
+      const auto place = at(next[number(node)]++);
+      around.cells[place] = cell;
+      around.own[place] = own++;
+    }
   return around;
 }
 
-/// Visits what a cell of those numbered nodes adds to: block row, block column, column in the block, its
-/// first value in the matrix. `place_in_column(row, column)`: where the block row begins in a column of the
-/// other.
-template <class Place, class Visit>
-void visit_block_columns(std::span<const std::int32_t> numbers, int components, SparseMatrix& matrix,
-                         const Place& place_in_column, const Visit& visit) {
-  for (std::size_t j = 0; j < numbers.size(); ++j) {
-    const int* outer = matrix.outerIndexPtr() + std::int64_t{numbers[j]} * components;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const auto place = place_in_column(numbers[i], numbers[j]);
-      for (int b = 0; b < components; ++b)
-        visit(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j), b,
-              matrix.valuePtr() + outer[b] + place);
-    }
+/// Adds blocks of C rows under each other to those that begin at places in a column.
+template <int C> void add_blocks(const double* blocks, std::span<const std::int32_t> places, double* column) {
+  for (const auto place : places) {
+    std::array<double, C> sum;
+    for (std::size_t a = 0; a < C; ++a)
+      sum[a] = column[place + static_cast<std::int32_t>(a)] + blocks[a];
+    std::ranges::copy(sum, column + place);
+    blocks += C;
   }
 }
 
-/// Of the nodes of one cell, without a heap.
-struct Numbers {
-  template <class Number>
-  Numbers(std::span<const NodeIndex> nodes, const Number& number_of) : count(nodes.size()) {
-    std::ranges::transform(nodes, values.begin(), number_of);
+/// Where the square of places of each cell of the mesh begins, nodes × nodes of those in `cells`.
+std::vector<std::int64_t> first_places(const mesh::Mesh& mesh, std::span<const CellIndex> cells) {
+  std::vector<std::int64_t> first(at(mesh.cell_count()) + 1, 0);
+  for (const auto cell : cells) {
+    const auto nodes = static_cast<std::int64_t>(mesh.nodes_of(cell).size());
+    first[at(cell) + 1] = nodes * nodes;
   }
-  operator std::span<const std::int32_t>() const { return {values.data(), count}; }
-
-  std::array<std::int32_t, 27> values;
-  std::size_t count;
-};
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  return first;
+}
 
 /// One cell of the bulk with all that its matrices are made of.
 struct Cell {
@@ -90,6 +90,7 @@ struct Cell {
   double factor; ///< of its law
 };
 
+/// Of matrices the diagonal: no entry of a semidefinite one is larger than both of its row and column there.
 /// The reason is a material or a size beyond what numbers hold: it is told where it comes from.
 template <class Values>
 void require_finite(const Values& element, const Cell& cell, const mesh::Mesh& mesh, std::string_view what) {
@@ -102,25 +103,49 @@ void require_finite(const Values& element, const Cell& cell, const mesh::Mesh& m
 } // namespace
 
 BlockPattern::BlockPattern(const mesh::Mesh& mesh, std::span<const CellIndex> cells, const DofMap& dofs)
-    : components_(dofs.components), first_dof_(dofs.first_dof), start_(dofs.nodes.size() + 1, 0) {
+    : components_(dofs.components), first_dof_(dofs.first_dof), start_(dofs.nodes.size() + 1, 0),
+      first_place_(first_places(mesh, cells)), places_(at(first_place_.back())) {
   const auto around = cells_around_nodes(mesh, cells, dofs);
   std::vector<std::int32_t> last_seen_by(dofs.nodes.size(), -1);
+  std::vector<std::int32_t> place_of(dofs.nodes.size());
   for (std::int32_t node = 0; at(node) < dofs.nodes.size(); ++node) {
-    for (auto c = around.start[at(node)]; c < around.start[at(node) + 1]; ++c)
-      for (const auto other : mesh.nodes_of(around.cells[at(c)])) {
+    const auto each_cell = [&](const auto& work) {
+      for (auto c = at(around.start[at(node)]); c < at(around.start[at(node) + 1]); ++c)
+        work(around.cells[c], around.own[c]);
+    };
+    each_cell([&](CellIndex cell, std::int32_t) {
+      for (const auto other : mesh.nodes_of(cell)) {
         const auto neighbour = number_of(other);
-        if (last_seen_by[at(neighbour)] != node)
+        if (std::exchange(last_seen_by[at(neighbour)], node) != node)
           neighbours_.push_back(neighbour);
-        last_seen_by[at(neighbour)] = node;
       }
+    });
     start_[at(node) + 1] = static_cast<std::int64_t>(neighbours_.size());
-    std::sort(neighbours_.begin() + start_[at(node)], neighbours_.end());
+    const auto neighbours = std::span(neighbours_).subspan(at(start_[at(node)]));
+    std::ranges::sort(neighbours);
+    for (std::int32_t place = 0; const auto neighbour : neighbours)
+      place_of[at(neighbour)] = components_ * place++;
+    each_cell([&](CellIndex cell, std::int32_t own) { put_places(cell, own, mesh, place_of); });
   }
   if (start_.back() * components_ * components_ > std::numeric_limits<int>::max())
     throw std::length_error("the matrix of this mesh has more entries than a 32-bit index can count");
 }
 
+void BlockPattern::put_places(CellIndex cell, std::int32_t own, const mesh::Mesh& mesh,
+                              std::span<const std::int32_t> place_of) {
+  const auto nodes = mesh.nodes_of(cell);
+  const auto first = first_place_[at(cell)] + own * static_cast<std::int64_t>(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    places_[at(first) + i] = place_of[at(number_of(nodes[i]))];
+}
+
 SparseMatrix BlockPattern::zero_matrix() const {
+  auto matrix = matrix_without_values();
+  matrix.coeffs().setZero();
+  return matrix;
+}
+
+SparseMatrix BlockPattern::matrix_without_values() const {
   const auto nodes = static_cast<std::int64_t>(start_.size()) - 1;
   const auto size = static_cast<Eigen::Index>(nodes * components_);
   SparseMatrix matrix(size, size);
@@ -135,61 +160,154 @@ SparseMatrix BlockPattern::zero_matrix() const {
           *inner++ = neighbours_[at(k)] * components_ + a;
       *outer++ = static_cast<int>(inner - matrix.innerIndexPtr());
     }
-  matrix.coeffs().setZero();
   return matrix;
+}
+
+int BlockPattern::columns_up_to(std::span<const NodeIndex> nodes) const {
+  int last = 0;
+  for (const auto node : nodes)
+    last = std::max(last, first_dof_[at(node)]);
+  return last + components_;
 }
 
 std::int32_t BlockPattern::number_of(NodeIndex node) const {
   return first_dof_[at(node)] / components_;
 }
 
-std::int64_t BlockPattern::place_in_column(std::int32_t row_node, std::int32_t column_node) const {
-  const auto begin = neighbours_.begin() + start_[at(column_node)];
-  const auto end = neighbours_.begin() + start_[at(column_node) + 1];
-  return (std::lower_bound(begin, end, row_node) - begin) * components_;
+template <class Visit>
+void BlockPattern::visit_columns(CellIndex cell, std::span<const NodeIndex> nodes, SparseMatrix& matrix,
+                                 const Visit& visit) const {
+  const auto places = std::span(places_).subspan(at(first_place_[at(cell)]), nodes.size() * nodes.size());
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    const int* outer = matrix.outerIndexPtr() + first_dof_[at(nodes[j])];
+    for (int b = 0; b < components_; ++b)
+      visit(static_cast<Eigen::Index>(j), b, places.subspan(j * nodes.size(), nodes.size()),
+            matrix.valuePtr() + outer[b]);
+  }
 }
 
-void BlockPattern::add(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& element,
+void BlockPattern::add(CellIndex cell, std::span<const NodeIndex> nodes, const Eigen::MatrixXd& element,
                        SparseMatrix& matrix) const {
-  const Numbers numbers(nodes, [&](NodeIndex node) { return number_of(node); });
-  visit_block_columns(
-      numbers, components_, matrix, [&](int row, int column) { return place_in_column(row, column); },
-      [&](Eigen::Index i, Eigen::Index j, int b, double* values) {
-        const double* source = element.col(j * components_ + b).data() + i * components_;
-        for (int a = 0; a < components_; ++a)
-          values[a] += source[a];
-      });
+  const auto add = [&]<int C>(std::integral_constant<int, C>) {
+    visit_columns(cell, nodes, matrix, [&](Eigen::Index j, int b, auto places, double* column) {
+      add_blocks<C>(element.col(j * C + b).data(), places, column);
+    });
+  };
+  if (components_ == 3)
+    add(std::integral_constant<int, 3>{});
+  else
+    add(std::integral_constant<int, 2>{});
 }
 
-void BlockPattern::add_to_diagonals(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& m,
-                                    SparseMatrix& matrix) const {
-  const Numbers numbers(nodes, [&](NodeIndex node) { return number_of(node); });
-  visit_block_columns(
-      numbers, components_, matrix, [&](int row, int column) { return place_in_column(row, column); },
-      [&](Eigen::Index i, Eigen::Index j, int b, double* values) { values[b] += m(i, j); });
+void BlockPattern::add_to_diagonals(CellIndex cell, std::span<const NodeIndex> nodes,
+                                    const Eigen::MatrixXd& m, SparseMatrix& matrix) const {
+  visit_columns(cell, nodes, matrix, [&](Eigen::Index j, int b, auto places, double* column) {
+    const double* value = m.col(j).data();
+    for (const auto place : places)
+      column[place + b] += *value++;
+  });
 }
 
 namespace {
+
+/// A matrix whose columns become zero when cells reach them: then they are near when the cells add to them,
+/// which is sooner done than to fetch zeros of the whole matrix from afar.
+class Sum {
+public:
+  explicit Sum(const BlockPattern& pattern) : pattern_(pattern), matrix_(pattern.matrix_without_values()) {}
+
+  /// To be added to at the columns of those nodes.
+  SparseMatrix& at(std::span<const NodeIndex> nodes) {
+    clear(pattern_.columns_up_to(nodes));
+    return matrix_;
+  }
+  SparseMatrix take() {
+    clear(static_cast<int>(matrix_.cols()));
+    SparseMatrix whole;
+    whole.swap(matrix_); // Eigen copies where others move
+    return whole;
+  }
+
+private:
+  void clear(int end) {
+    if (end <= cleared_)
+      return;
+    const int* outer = matrix_.outerIndexPtr();
+    std::fill(matrix_.valuePtr() + outer[cleared_], matrix_.valuePtr() + outer[end], 0.0);
+    cleared_ = end;
+  }
+
+  const BlockPattern& pattern_;
+  SparseMatrix matrix_;
+  int cleared_ = 0; ///< columns
+};
+
+/// That of one linear cell depends on its edges alone: laws are the same everywhere, no radius counts.
+bool has_stiffness_of_edges(const Bulk& bulk, std::size_t cell) {
+  return bulk.section.physics != study::Physics::axisymmetric && bulk.field(cell) == nullptr &&
+         bulk.behaviour(cell) == nullptr;
+}
+
+/// Stiffnesses of cells one after the other. Where edges are all that counts, the nodes are seen from the
+/// first one: cells of one law with the same edges have the same stiffness then, to the last digit, and those
+/// that follow each other, as in generated boxes, have it computed once.
+class Stiffnesses {
+public:
+  Stiffnesses(const mesh::Mesh& mesh, const Bulk& bulk) : mesh_(mesh), bulk_(bulk) {}
+
+  /// `i`: the place of the cell in the bulk. Times the factor of its law.
+  const Eigen::MatrixXd& of(std::size_t i, const Cell& cell) {
+    const std::span<const Eigen::Vector3d> points = cell.points;
+    if (!has_stiffness_of_edges(bulk_, i)) {
+      last_law_ = -1;
+      compute(i, cell, points);
+      return element_;
+    }
+    std::array<Eigen::Vector3d, 27> from_first;
+    for (std::size_t n = 0; n < points.size(); ++n)
+      from_first[n] = points[n] - points[0];
+    const auto edges = std::span<const Eigen::Vector3d>(from_first).first(points.size());
+    if (last_law_ == bulk_.law_of_cell[i] && last_type_ == cell.type &&
+        std::ranges::equal(edges, std::span(last_edges_).first(edges.size())))
+      return element_;
+    compute(i, cell, edges);
+    std::ranges::copy(edges, last_edges_.begin());
+    last_law_ = bulk_.law_of_cell[i];
+    last_type_ = cell.type;
+    return element_;
+  }
+
+private:
+  void compute(std::size_t i, const Cell& cell, std::span<const Eigen::Vector3d> points) {
+    const auto size = cell.node_count() * element::component_count(bulk_.section.physics);
+    element_.resize(size, size);
+    cell_stiffness(bulk_, i, cell.type, points, element_);
+    if (cell.factor != 1)
+      element_ *= cell.factor;
+    require_finite(element_.diagonal(), cell, mesh_, "stiffness");
+  }
+
+  const mesh::Mesh& mesh_;
+  const Bulk& bulk_;
+  Eigen::MatrixXd element_;
+  std::array<Eigen::Vector3d, 27> last_edges_;
+  std::int32_t last_law_ = -1; ///< −1: there is none to compare with
+  CellType last_type_ = CellType::point1;
+};
 
 /// Of the cells that `is_wanted` says, by their places in the bulk.
 template <class Wanted>
 SparseMatrix assemble_stiffness_of(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                                    std::span<const double> factors, const Wanted& is_wanted) {
-  auto matrix = pattern.zero_matrix();
-  Eigen::MatrixXd element;
+  Sum sum(pattern);
+  Stiffnesses stiffnesses(mesh, bulk);
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
     if (!is_wanted(i))
       continue;
     const Cell cell(mesh, bulk, factors, i);
-    const auto size = cell.node_count() * element::component_count(bulk.section.physics);
-    element.resize(size, size);
-    cell_stiffness(bulk, i, cell.type, cell.points, element);
-    if (!factors.empty())
-      element *= cell.factor;
-    require_finite(element, cell, mesh, "stiffness");
-    pattern.add(cell.nodes, element, matrix);
+    pattern.add(cell.index, cell.nodes, stiffnesses.of(i, cell), sum.at(cell.nodes));
   }
-  return matrix;
+  return sum.take();
 }
 
 } // namespace
@@ -206,17 +324,17 @@ SparseMatrix assemble_constant_stiffness(const mesh::Mesh& mesh, const Bulk& bul
 
 SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                            std::span<const double> factors) {
-  auto matrix = pattern.zero_matrix();
+  Sum sum(pattern);
   Eigen::MatrixXd element;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
     const Cell cell(mesh, bulk, factors, i);
     element.resize(cell.node_count(), cell.node_count());
     cell_mass(bulk, i, cell.type, cell.points, element);
     element *= cell.factor;
-    require_finite(element, cell, mesh, "mass");
-    pattern.add_to_diagonals(cell.nodes, element, matrix);
+    require_finite(element.diagonal(), cell, mesh, "mass");
+    pattern.add_to_diagonals(cell.index, cell.nodes, element, sum.at(cell.nodes));
   }
-  return matrix;
+  return sum.take();
 }
 
 Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,

@@ -27,22 +27,38 @@ public:
   /// All entries stored, all zero.
   SparseMatrix zero_matrix() const;
 
-  /// Adds an element matrix, node-major (nodes · components square), of a cell with those nodes.
-  void add(std::span<const mesh::NodeIndex> nodes, const Eigen::MatrixXd& element,
+  /// The same before anything is written to the values.
+  SparseMatrix matrix_without_values() const;
+  /// How many columns there are up to the last one of these nodes.
+  int columns_up_to(std::span<const mesh::NodeIndex> nodes) const;
+
+  /// Adds an element matrix, node-major (nodes · components square), of one of the cells, which has those
+  /// nodes.
+  void add(mesh::CellIndex cell, std::span<const mesh::NodeIndex> nodes, const Eigen::MatrixXd& element,
            SparseMatrix& matrix) const;
 
   /// Adds m ⊗ 1, m square of size nodes.
-  void add_to_diagonals(std::span<const mesh::NodeIndex> nodes, const Eigen::MatrixXd& m,
-                        SparseMatrix& matrix) const;
+  void add_to_diagonals(mesh::CellIndex cell, std::span<const mesh::NodeIndex> nodes,
+                        const Eigen::MatrixXd& m, SparseMatrix& matrix) const;
 
 private:
   std::int32_t number_of(mesh::NodeIndex node) const;
-  std::int64_t place_in_column(std::int32_t row_node, std::int32_t column_node) const;
+  /// Of the column of node `own` of a cell, where the blocks of its nodes begin.
+  void put_places(mesh::CellIndex cell, std::int32_t own, const mesh::Mesh& mesh,
+                  std::span<const std::int32_t> place_of);
+  /// Calls visit(node of the cell, column of its block, where the blocks of the nodes of the cell begin in
+  /// the column, the values of the column).
+  template <class Visit>
+  void visit_columns(mesh::CellIndex cell, std::span<const mesh::NodeIndex> nodes, SparseMatrix& matrix,
+                     const Visit& visit) const;
 
   int components_;
-  std::vector<std::int32_t> first_dof_;  ///< of mesh nodes
-  std::vector<std::int64_t> start_;      ///< of numbered nodes: where its neighbours begin
-  std::vector<std::int32_t> neighbours_; ///< numbered nodes, ascending, each beside itself too
+  std::vector<std::int32_t> first_dof_;   ///< of mesh nodes
+  std::vector<std::int64_t> start_;       ///< of numbered nodes: where its neighbours begin
+  std::vector<std::int32_t> neighbours_;  ///< numbered nodes, ascending, each beside itself too
+  std::vector<std::int64_t> first_place_; ///< of cells of the mesh, in places_
+  /// Of each cell, node by node: where the row block of one begins in the columns of another.
+  std::vector<std::int32_t> places_;
 };
 
 /// Stiffness of the whole where nothing has happened yet, times `factors[law]` for the cells of each law when

@@ -15,8 +15,9 @@ void go_along(const material::PointLaw& law, const CellEnd& now, std::span<const
     path.taken.plastic += record.volume * taken.plastic;
     path.taken.back_stress += record.volume * taken.back_stress;
     path.taken.viscous += record.volume * taken.viscous;
-    const double heat = heat_between(law, {points[i].strain, points[i].free, points[i].stress},
-                                     {record.strain, record.free, record.stress});
+    const double heat = linear ? -mean.dot(record.free - points[i].free)
+                               : heat_between(law, {points[i].strain, points[i].free, points[i].stress},
+                                              {record.strain, record.free, record.stress});
     path.taken.heat += record.volume * heat;
     path.law_work += record.volume * ((linear ? mean.dot(record.strain - points[i].strain) : 0) - heat);
     points[i] = {record.strain, record.free, record.stress};

@@ -21,7 +21,12 @@ void dsyrk_(const char* triangle, const char* transposed, const int* size, const
             double* sum, const int* sum_stride);
 void dpstrf_(const char* triangle, const int* size, double* matrix, const int* stride, int* pivots, int* rank,
              const double* tolerance, double* work, int* info);
-void dpotri_(const char* triangle, const int* size, double* factor, const int* stride, int* info);
+void dtrmm_(const char* side, const char* triangle, const char* transposed, const char* diagonal,
+            const int* rows, const int* columns, const double* factor, const double* matrix,
+            const int* stride, double* values, const int* values_stride);
+void dtrtri_(const char* triangle, const char* diagonal, const int* size, double* matrix, const int* stride,
+             int* info);
+void dlauum_(const char* triangle, const int* size, double* matrix, const int* stride, int* info);
 void dgetrf_(const int* rows, const int* columns, double* matrix, const int* stride, int* pivots, int* info);
 void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* factors,
              const int* stride, const int* pivots, double* values, const int* values_stride, int* info);

@@ -25,9 +25,10 @@ CellIndex Mesh::cell_count() const {
 
 Mesh::Place Mesh::place_of(CellIndex cell) const {
   for (const auto& block : blocks) {
-    if (cell < block.cell_count())
+    const auto count = block.cell_count();
+    if (cell < count)
       return {&block, cell};
-    cell -= block.cell_count();
+    cell -= count;
   }
   throw std::out_of_range("cell index past the end of the mesh");
 }

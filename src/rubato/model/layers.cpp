@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace rubato::model {
 namespace {
@@ -60,6 +62,22 @@ OppositeSides opposite_sides(CellType type) {
   return found;
 }
 
+/// What a cell is asked for again and again.
+struct RowCell {
+  CellType type;
+  std::span<const mesh::NodeIndex> nodes;
+};
+
+std::vector<RowCell> row_cells(const mesh::Mesh& mesh, std::span<const CellIndex> cells) {
+  std::vector<RowCell> found;
+  found.reserve(cells.size());
+  for (const auto cell : cells) {
+    const auto place = mesh.place_of(cell);
+    found.push_back({place.block->type, place.block->cell(place.index)});
+  }
+  return found;
+}
+
 /// A row of cells through opposite sides.
 struct Row {
   int count = 0;
@@ -71,9 +89,9 @@ struct Row {
 class Rows {
 public:
   Rows(const mesh::Mesh& mesh, const domain::Bulk& bulk)
-      : mesh_(mesh), bulk_(bulk), row_of_(bulk.cells.size() * most_directions, none) {
+      : mesh_(mesh), cells_(row_cells(mesh, bulk.cells)), row_of_(cells_.size() * most_directions, none) {
     collect_sides();
-    for (std::size_t cell = 0; cell < bulk.cells.size(); ++cell)
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell)
       if (has_rows(type_of(cell)))
         for (std::uint8_t direction = 0; direction < directions_of(cell); ++direction)
           if (row_of(cell, direction) == none)
@@ -99,7 +117,7 @@ public:
   }
 
 private:
-  CellType type_of(std::size_t cell) const { return mesh_.type_of(bulk_.cells[cell]); }
+  CellType type_of(std::size_t cell) const { return cells_[cell].type; }
   std::size_t directions_of(std::size_t cell) const { return cell::topology(type_of(cell)).sides.size() / 2; }
   const OppositeSides& opposite(std::size_t cell) const {
     return type_of(cell) == CellType::quad4 ? of_quad4_ : of_hexa8_;
@@ -112,12 +130,12 @@ private:
   }
 
   mesh::CornerSet corners(std::size_t cell, std::uint8_t side) const {
-    return mesh::corner_set(mesh_.nodes_of(bulk_.cells[cell]), cell::topology(type_of(cell)).sides[side]);
+    return mesh::corner_set(cells_[cell].nodes, cell::topology(type_of(cell)).sides[side]);
   }
 
   /// Both cells at each side.
   void collect_sides() {
-    for (std::size_t cell = 0; cell < bulk_.cells.size(); ++cell) {
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
       const auto count = cell::topology(type_of(cell)).sides.size();
       for (std::uint8_t side = 0; side < count; ++side) {
         const auto number = static_cast<std::size_t>(sets_.insert(corners(cell, side)));
@@ -136,7 +154,7 @@ private:
   }
 
   Eigen::Vector3d centre(std::size_t cell, std::uint8_t side) const {
-    const auto nodes = mesh_.nodes_of(bulk_.cells[cell]);
+    const auto nodes = cells_[cell].nodes;
     const auto& own = cell::topology(type_of(cell)).sides[side].nodes;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const auto local : own)
@@ -185,7 +203,7 @@ private:
   }
 
   const mesh::Mesh& mesh_;
-  const domain::Bulk& bulk_;
+  std::vector<RowCell> cells_;
   const OppositeSides of_quad4_ = opposite_sides(CellType::quad4);
   const OppositeSides of_hexa8_ = opposite_sides(CellType::hexa8);
   mesh::CornerSets sets_;

@@ -114,6 +114,22 @@ TEST_F(TwoMaterials, LumpToTheRowSumsOfALinearMass) {
   EXPECT_LT((lumped_mass(mesh_, bulk_, dofs_) - rows).norm(), 1e-14 * rows.norm());
 }
 
+/// Some cells with the same edges as the one before, some with another law or other edges.
+TEST(CongruentCells, AssembleToTheSumOfTheirCells) {
+  constexpr int n = 3;
+  auto mesh = test::patch_mesh(CellType::hexa8, n, [](const Vector3d& x) { return Vector3d(3 * x); });
+  mesh.points[21] += Vector3d(0.1, -0.05, 0.08);
+  Bulk bulk{{Physics::solid, 1.}, {}, {soft, hard}, {}};
+  for (mesh::CellIndex cell = 0; cell < n * n * n; ++cell) {
+    bulk.cells.push_back(cell);
+    bulk.law_of_cell.push_back(cell % 5 == 4 ? 1 : 0);
+  }
+  const auto dofs = number_dofs(mesh, bulk.cells, 3);
+  const BlockPattern pattern(mesh, bulk.cells, dofs);
+  const MatrixXd expected = dense_stiffness(mesh, bulk, dofs);
+  EXPECT_LT((MatrixXd(assemble_stiffness(mesh, bulk, pattern)) - expected).norm(), 1e-15 * expected.norm());
+}
+
 TEST(CellFaults, NameEveryCellThatCannotBeComputedWith) {
   auto mesh = test::patch_mesh(CellType::quad4, 2, test::shaken(2, 2, 0.1));
   auto& block = mesh.blocks.front();

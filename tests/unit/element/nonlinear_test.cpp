@@ -145,6 +145,40 @@ TEST_P(EveryKind, GivesTheSameForcesWithoutATangent) {
   EXPECT_LT((force - cell.force).norm(), 1e-14 * force.norm());
 }
 
+TEST_P(EveryKind, GivesTheSameAtItsPointsWithoutATangent) {
+  OneCell cell(GetParam(), curved_for(GetParam()));
+  if (cell.laws.is_hyperelastic())
+    cell.free_strain.assign(cell.records.size(), material::Strain6::Zero());
+  else
+    cell.free_strain.assign(cell.records.size(), 0.003 * material::Strain6::Random());
+  const VectorXd u = some_displacement(cell);
+  const auto with = cell.evaluate(u);
+  ASSERT_TRUE(with);
+  std::vector<double> now(cell.now.size());
+  std::vector<PointRecord> records(cell.records.size());
+  VectorXd force(cell.dofs);
+  const auto size = static_cast<std::size_t>(cell.dofs);
+  const auto without =
+      evaluate(cell.kind, cell.laws,
+               {cell.points, {u.data(), size}, cell.old, cell.step, cell.modes, cell.free_strain},
+               {now, {force.data(), size}, {}, records});
+  ASSERT_TRUE(without);
+  EXPECT_NEAR(without.stored, with.stored, 1e-13 * with.stored);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    EXPECT_NEAR(now[i], cell.now[i], 1e-14);
+  for (std::size_t q = 0; q < records.size(); ++q) {
+    const auto& expected = cell.records[q];
+    EXPECT_NEAR(records[q].volume, expected.volume, 1e-14 * expected.volume);
+    EXPECT_NEAR(records[q].stored, expected.stored, 1e-13 * expected.stored);
+    EXPECT_LT((records[q].strain - expected.strain).norm(), 1e-15);
+    EXPECT_EQ(records[q].free, expected.free);
+    EXPECT_LT((records[q].stress - expected.stress).norm(), 1e-13 * expected.stress.norm());
+    EXPECT_LT((records[q].cauchy - expected.cauchy).norm(), 1e-13 * expected.cauchy.norm());
+    EXPECT_LT((records[q].gradient - expected.gradient).norm(), 1e-15);
+    EXPECT_LT((records[q].piola - expected.piola).norm(), 1e-13 * expected.piola.norm());
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cells, EveryKind, testing::ValuesIn(every_kind()),
                          [](const auto& tested) { return name_of(tested.param); });
 
