@@ -264,6 +264,7 @@ class EnergyLedger:
     impact: Final[float]
     numerical: Final[float]
     bulk_scheme: Final[float]
+    rounding: Final[float]
     unbalanced: Final[float]
     start: Final[float]
     stored: Final[float]
