@@ -102,9 +102,12 @@ std::string_view quantity_of(const StoredField& field) {
 }
 
 std::vector<std::string> stored_field_names() {
-  std::vector<std::string> names;
-  for (const auto& field : stored_fields(3))
-    names.push_back(field.name);
+  static const auto names = [] { // asked for by every part of a deck that names fields
+    Names found;
+    for (const auto& field : stored_fields(3))
+      found.push_back(field.name);
+    return found;
+  }();
   return names;
 }
 
@@ -118,7 +121,7 @@ bool is_written(const FieldOutput& output, const StoredField& field) {
 std::vector<std::string> components_of(ProbeField field, int dimension) {
   if (field == ProbeField::rotation)
     return dimension == 3 ? axes_of(dimension) : std::vector<std::string>{"z"};
-  const auto fields = stored_fields(dimension);
+  const auto fields = fields_at_nodes(dimension);
   const auto found = std::ranges::find(fields, word_of(probe_field_words, field), &StoredField::name);
   return found->components;
 }
