@@ -65,7 +65,9 @@ public:
   StepReport search(State& trial) { return afresh({.searches = true}, trial); }
 
   bool can_search(const StepReport& report) const {
-    return !whole_ && can_condense(model_, system_) && report.bulk_iterations > 1;
+    const bool knows =
+        can_condense(model_, system_) || (model_.zones.empty() && !model_.study.time.arc_length);
+    return !whole_ && knows && report.bulk_iterations > 1;
   }
 
   StepReport from_other_start(State& trial) { return afresh({.start = *other_start_}, trial); }

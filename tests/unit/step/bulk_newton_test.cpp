@@ -67,6 +67,17 @@ contact: {plate: {slave: head, friction: 2, obstacle: {plane: {point: [0, 12], n
   move: {x: {value: 2, function: aside}, y: {value: -3.6, function: down}}}}}
 time: {scheme: static, step: 0.05, end: 1}
 )";
+/// A block of metal that flows from the first step on, sheared and stretched by as much as itself.
+const std::string sheared = R"(
+mesh: {generate: [{name: block, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [8, 8], cells: quad4,
+  sides: {top: top, bottom: held}}]}
+physics: plane_strain
+materials: {metal: {law: plastic, young: 200e9, poisson: 0.3,
+  hardening: {linear: {yield_stress: 400e6, modulus: 1e9}}}}
+functions: {ramp: {ramp: {begin: 0, end: 1}}}
+supports: [{on: held, fix: [x, y]}, {on: top, x: {value: 2, function: ramp}, y: {value: 2, function: ramp}}]
+time: {scheme: static, step: 0.01, end: 0.1}
+)";
 const std::string held_column = R"([{on: foot, fix: [x, y]}, {on: head, fix: x,
   y: {value: -3.6, function: down}}])";
 
@@ -158,6 +169,14 @@ TEST(BulkNewton, FollowsWhatSlidesAndIsNotStableWithoutContact) {
   while (!walk.finished())
     ASSERT_TRUE(walk.advance());
   EXPECT_TRUE(was_indefinite(walk));
+  EXPECT_LE(std::abs(walk.simulation.energy().balance()), 1e-10 * walk.simulation.energy().largest());
+}
+
+TEST(BulkNewton, IsSearchedAlongItsMovesWhereNothingTouches) {
+  Walk walk(sheared);
+  while (!walk.finished())
+    ASSERT_TRUE(walk.advance());
+  EXPECT_EQ(walk.simulation.counters().cuts, 0);
   EXPECT_LE(std::abs(walk.simulation.energy().balance()), 1e-10 * walk.simulation.energy().largest());
 }
 

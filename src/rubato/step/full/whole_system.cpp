@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/full/whole_system.hpp"
 
+#include "rubato/step/common/move_search.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -208,6 +210,20 @@ std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& froze
   return std::nullopt;
 }
 
+/// Of bodies that nothing touches.
+void WholeSystem::search(State& trial) {
+  const auto whole = trial.motion;
+  const auto unbalanced_at = [&](double part) {
+    trial.motion = part == 1 ? whole : between(before_.motion, whole, part);
+    equilibrium_.evaluate(trial.motion, force_);
+    equilibrium_.measure(trial.motion, force_, report_);
+    return equilibrium_.failed() ? std::nullopt : std::optional(report_.unbalanced_force);
+  };
+  const auto [best, tried] = search_along_move(bulk_->unbalanced_at_base(), unbalanced_at(1), unbalanced_at);
+  if (tried != best)
+    unbalanced_at(best);
+}
+
 std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, double part) {
   if (bulk_)
     if (const auto outcome = go_on_from(trial, frozen))
@@ -228,6 +244,8 @@ std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, 
       return Outcome::cell_failed;
     if (path_)
       take_load_factor(trial, trial.load_factor + part * *taken * factor_change);
+    else if (side_.variant().searches && bulk_->is_fresh())
+      search(trial);
   }
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
     trial.zones[z].multipliers +=

@@ -47,6 +47,7 @@ private:
   void add_zone(std::size_t zone, const Frozen& frozen);
   std::optional<LinearSolution> solution(const time::Motion& motion);
   bool is_factored() const;
+  void search(State& trial);
   void take_load_factor(State& trial, double factor);
   bool follow_path(const State& trial, LinearSolution& found, double& factor_change) const;
   bool touches() const;

@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Iterates of a nonlinear bulk, at each of which contact is solved to its end.
+#include "rubato/step/common/move_search.hpp"
 #include "rubato/step/interface/condensed.hpp"
 
-#include <array>
-
 namespace rubato::step {
-namespace {
-
-/// Of the way to an iterate that are tried one after the other.
-constexpr std::array<double, 4> parts_of_move{0.5, 0.25, 0.125, 0.0625};
-/// What part of a move takes of the unbalanced force, at least, in parts of what its length promises.
-constexpr double kept_promise = 0.1;
-
-} // namespace
 
 /// Supports have moved already, the bodies follow by the tangent.
 void Condensed::start_ahead(const State& trial) {
@@ -68,33 +59,23 @@ std::optional<Outcome> Condensed::go_on_from(State& trial, const Frozen& frozen,
   return std::nullopt;
 }
 
-/// Where a whole move leaves more out of balance than there was, as bodies that flow at a constant stress do:
-/// the part of it that leaves least, of those tried up to the first that is good enough. Contact forces are
-/// taken to change along with the motion. How much of the move is left.
+/// Contact forces are taken to change along with the motion. How much of the move is left.
 double Condensed::search(State& trial, ContactForce& force) {
   const auto whole = trial.motion;
   const auto whole_force = force;
-  const double before = bulk_->unbalanced_at_base();
-  double least = report_.unbalanced_force;
-  double best = 1;
-  const auto go_to = [&](double part) {
+  const auto unbalanced = [&] {
+    return equilibrium_.failed() ? std::nullopt : std::optional(report_.unbalanced_force);
+  };
+  const auto unbalanced_at = [&](double part) {
     trial.motion = part == 1 ? whole : between(surface_.base, whole, part);
     force = whole_force.after(force_at_base_, part);
     equilibrium_.evaluate(trial.motion, force);
     equilibrium_.measure(trial.motion, force, report_);
+    return unbalanced();
   };
-  double tried = 1;
-  for (const double part : parts_of_move) {
-    if (!equilibrium_.failed() && report_.unbalanced_force <= (1 - kept_promise * tried) * before)
-      break;
-    go_to(tried = part);
-    if (!equilibrium_.failed() && report_.unbalanced_force < least) {
-      least = report_.unbalanced_force;
-      best = part;
-    }
-  }
+  const auto [best, tried] = search_along_move(bulk_->unbalanced_at_base(), unbalanced(), unbalanced_at);
   if (tried != best)
-    go_to(best);
+    unbalanced_at(best);
   return best;
 }
 
