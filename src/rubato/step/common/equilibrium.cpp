@@ -81,8 +81,7 @@ ContactStiffness contact_stiffness(const Model& model, const EffectiveSystem& sy
 }
 
 ContactForce::ContactForce(Index dofs)
-    : all(VectorXd::Zero(dofs)), nodal(VectorXd::Zero(dofs)), forgotten(VectorXd::Zero(dofs)),
-      reacting(VectorXd::Zero(dofs)) {}
+    : all(VectorXd::Zero(dofs)), nodal(VectorXd::Zero(dofs)), forgotten(VectorXd::Zero(dofs)) {}
 
 ContactForce ContactForce::after(const ContactForce& other, double part) const {
   ContactForce mixed = other;
@@ -94,7 +93,6 @@ void ContactForce::add(double share, const ContactForce& to, const ContactForce&
   all += share * (to.all - from.all);
   nodal += share * (to.nodal - from.nodal);
   forgotten += share * (to.forgotten - from.forgotten);
-  reacting += share * (to.reacting - from.reacting);
 }
 
 Equilibrium::Equilibrium(const Model& model, const time::Scheme& scheme, const EffectiveSystem& system,
@@ -212,7 +210,6 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
                                   system_.step);
   // Bodies that press each other without loads, as in a shrink fit, have reactions of rounding only.
   scale_ = std::max(scale_, least_scale * scheme_.contact_weight() * contact.all.lpNorm<Eigen::Infinity>());
-  scale_ = std::max(scale_, scheme_.contact_weight() * contact.reacting.lpNorm<Eigen::Infinity>());
   // Bodies that expand freely have no other forces.
   scale_ = std::max(scale_, scheme_.forces.now * heat_);
   own_scale_ = scale_;

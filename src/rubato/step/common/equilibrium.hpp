@@ -21,7 +21,6 @@ struct ContactForce {
   Eigen::VectorXd all;
   Eigen::VectorXd nodal;     ///< the part of nodal methods: it counts among the applied forces
   Eigen::VectorXd forgotten; ///< the part that the next step's history has nothing of
-  Eigen::VectorXd reacting;  ///< what obstacles put on the bodies: what holds bodies is a reaction
 
   explicit ContactForce(Eigen::Index dofs);
   /// Part of the way from other forces to these.
@@ -35,8 +34,6 @@ struct ContactForce {
       add(forgotten);
     if (zone.unit_weights)
       add(nodal);
-    if (zone.obstacle)
-      add(reacting);
   }
 };
 
@@ -80,9 +77,8 @@ public:
   /// What these loads do at a factor of one at displacements u, on free dofs [force].
   Eigen::VectorXd controlled_force(const Eigen::VectorXd& u) const;
   /// Fills the report's residual and worst node. Code_Aster's RESI_GLOB_RELA: the largest unbalanced force
-  /// over the largest of reactions (the forces of obstacles among them) and applied forces (inertia, history
-  /// and the forces of nodal methods among them), and of the momentum's rate, but no less than 1e-4 of the
-  /// largest contact force.
+  /// over the largest of reactions and applied forces (inertia, history and the forces of nodal methods among
+  /// them), and of the momentum's rate, but no less than 1e-4 of the largest contact force.
   void measure(const time::Motion& motion, const ContactForce& contact, StepReport& report);
   /// Whether every entry of the residual is within `tolerance` or no more than what rounding of the forces
   /// that it sums may leave: 16 units in the last digit of (|A| |u|)_i, A being the effective matrix, and at

@@ -51,24 +51,6 @@ TEST_P(Residual, IsTheEquationOfTheScheme) {
   }
 }
 
-/// What obstacles hold bodies by is measured by as a reaction is, what bodies press each other by is not.
-TEST_P(Residual, IsMeasuredByForcesOfObstacles) {
-  const auto motion = any_motion();
-  ContactForce contact(any_.model.dofs.dof_count);
-  contact.all[0] = contact.all[1] = 1e9;
-  const auto scale_with = [&] {
-    StepReport report;
-    equilibrium_.evaluate(motion, contact);
-    equilibrium_.measure(motion, contact, report);
-    return equilibrium_.scale();
-  };
-  const double weight = any_.scheme.contact_weight();
-  const double pressed = scale_with();
-  contact.reacting[0] = 1e12;
-  EXPECT_LT(pressed, 1e12 * weight);
-  EXPECT_DOUBLE_EQ(scale_with(), 1e12 * weight);
-}
-
 /// A correction d changes it by A d: one step of Newton's method balances a bulk that is linear.
 TEST_P(Residual, ChangesByTheEffectiveMatrix) {
   auto motion = any_motion();
