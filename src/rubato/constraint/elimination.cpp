@@ -84,7 +84,9 @@ private:
   const ImposedValue& value_of(const Term& term) const {
     return equations_[static_cast<std::size_t>(term.dof)].value;
   }
-  static bool is_zero(const ImposedValue& value) { return value.value == 0 && !value.field && !value.rotation; }
+  static bool is_zero(const ImposedValue& value) {
+    return value.value == 0 && !value.field && !value.rotation;
+  }
 
   /// The equation with dependent dofs replaced.
   Row row_of(int number) const {

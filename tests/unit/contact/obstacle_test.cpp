@@ -204,8 +204,8 @@ TEST(Turning, ComesAlongTheCircleUnderAPointThatStays) {
 TEST(Turning, TakesNormalsAxesAndCentresAlong) {
   auto plane = make_obstacle({.point = {1, 0, 0}, .direction = {0, 1, 0}}, Physics::solid, {});
   plane.move = {0, 0, 5};
-  plane.rotation = constraint::Rotation{
-      {}, Vector3d::UnitZ(), {.number = M_PI_2, .function = Function({0, 1}, {0, 1})}};
+  plane.rotation =
+      constraint::Rotation{{}, Vector3d::UnitZ(), {.number = M_PI_2, .function = Function({0, 1}, {0, 1})}};
   const auto place =
       place_on(plane, plane.pose(1), {-3, 7, 5}, {-3, 7, 5}); // the plane is x = 0, body at x < 0
   EXPECT_NEAR(place.gap, 3, 1e-14);
