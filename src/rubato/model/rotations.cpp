@@ -16,8 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Bodies of small strain that rotate stretch by 1 − cos of the angle, by 1.2e-3 at this one [radians].
-constexpr double largest_small_angle = 0.05;
 /// Instants that are looked at of a run that finds its steps itself, and the most of any other.
 constexpr double instants_unknown = 1000;
 constexpr double most_instants = 100'000;

@@ -10,6 +10,9 @@
 
 namespace rubato::model {
 
+/// Bodies of small strain that rotate stretch by 1 − cos of the angle, by 1.2e-3 at this one [radians].
+inline constexpr double largest_small_angle = 0.05;
+
 /// A rotation of the study, its angle integrated over the run where it gives a velocity or an acceleration.
 /// Throws InputError where that cannot be done.
 std::shared_ptr<const constraint::Rotation> shared_rotation(const Parts& parts, const study::Rotation& given,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/turn_watch.hpp"
 
+#include "rubato/model/rotations.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/words.hpp"
 
@@ -12,9 +13,6 @@
 
 namespace rubato::run {
 namespace {
-
-/// That supports and materials of small strain keep to, too: 1.2e-3 of stretch [radians].
-constexpr double largest_small_turn = 0.05;
 
 const study::Relation& relation_of(const study::Study& study, const std::string& name) {
   return *std::ranges::find(study.relations, name, &study::Relation::name);
@@ -44,8 +42,7 @@ double turn_of(const model::Reference& reference, const step::State& state, int 
 std::string_view remedy_for(const study::Study& study) {
   return study::takes_large_rotations(study)
              ? "expected a group that 'supports: rotate' turns where the rotation is given, or a stiff "
-               "meshed "
-               "body of a material with strain: green_lagrange in the relation's place"
+               "meshed body of a material with strain: green_lagrange in the relation's place"
              : "expected a material with strain: green_lagrange or logarithmic, as small strain stretches "
                "bodies alike, and 'supports: rotate' or a stiff meshed body in the relation's place";
 }
@@ -61,14 +58,14 @@ TurnWatch::TurnWatch(const model::Model& model, const Watch& watch) : model_(mod
 void TurnWatch::note(const step::State& now) {
   std::erase_if(watched_, [&](const model::Reference* reference) {
     const double turn = turn_of(*reference, now, model_.dofs.components);
-    if (!(turn > largest_small_turn))
+    if (!(turn > model::largest_small_angle))
       return false;
     const auto& relation = relation_of(model_.study, reference->name);
-    watch_.warn(
-        fmt::format("{}: at t = {:g} the {} relation '{}' has turned by {:.3g} radians, more than {}: "
-                    "it holds for small rotations and stretches its group by {:.2g}; {}",
-                    model_.study.name, now.t, study::word_of(study::relation_words, relation.kind),
-                    reference->name, turn, largest_small_turn, turn * turn / 2, remedy_for(model_.study)));
+    watch_.warn(fmt::format(
+        "{}: at t = {:g} the {} relation '{}' has turned by {:.3g} radians, more than {}: "
+        "it holds for small rotations and stretches its group by {:.2g}; {}",
+        model_.study.name, now.t, study::word_of(study::relation_words, relation.kind), reference->name, turn,
+        model::largest_small_angle, turn * turn / 2, remedy_for(model_.study)));
     return true;
   });
 }

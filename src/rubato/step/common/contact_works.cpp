@@ -10,14 +10,15 @@ using contact::Status;
 
 } // namespace
 
-/// [o]·{p} of the forces that an obstacle pushes the bodies with, o its way at the points, as their forces at
-/// that end of the step were spread; [o]·p₁ where p₁ is the mean over the step.
+/// Of an obstacle that rotates: [o]·{p} of the forces that it pushes the bodies with, o its way at the
+/// points, as their forces at that end of the step were spread; [o]·p₁ where p₁ is the mean over the step.
 void ContactEvaluator::add_obstacle_work(std::size_t z, std::span<const PointEvaluation> points,
                                          State& trial) const {
   auto& now = trial.zones[z];
   now.pressing_forces.clear();
   now.obstacle_work = {};
-  if (!model_.zones[z].obstacle)
+  // Of one that is only translated the ledger multiplies the sum of its forces.
+  if (const auto& obstacle = model_.zones[z].obstacle; !obstacle || !obstacle->rotation)
     return;
   const auto& before = committed_.zones[z];
   const bool mean_force = !frames_.empty();
