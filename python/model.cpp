@@ -127,12 +127,14 @@ mesh::Mesh as_run(mesh::Mesh mesh, const study::MeshSource& source) {
   return source.groups.empty() ? std::move(mesh) : mesh::with_groups(std::move(mesh), source.groups);
 }
 
-SharedModel make_model(const py::object& study, std::optional<mesh::Mesh> mesh) {
+SharedModel make_model(const py::object& study, std::optional<mesh::Mesh> mesh, int threads) {
+  const Threads workers(threads);
   const auto of = Codec<study::Study>::from(study, "");
   const py::gil_scoped_release unlocked;
   if (!mesh)
-    return std::make_shared<Model>(model::build_model(of));
-  return std::make_shared<Model>(model::build_model(on_given_mesh(of), as_run(std::move(*mesh), of.mesh)));
+    return std::make_shared<Model>(model::build_model(of, workers));
+  return std::make_shared<Model>(
+      model::build_model(on_given_mesh(of), as_run(std::move(*mesh), of.mesh), workers));
 }
 
 void check_fits(const Model& model, const step::State& state) {
@@ -162,15 +164,15 @@ ModelClass declare_model(py::module_& module) {
 }
 
 void bind_model(ModelClass& type) {
-  type.def(py::init([](const py::object& study, const mesh::Mesh* mesh) {
-             return make_model(study, mesh != nullptr ? std::optional(*mesh) : std::nullopt);
+  type.def(py::init([](const py::object& study, const mesh::Mesh* mesh, int threads) {
+             return make_model(study, mesh != nullptr ? std::optional(*mesh) : std::nullopt, threads);
            }),
-           py::arg("study"), py::arg("mesh") = py::none(),
+           py::arg("study"), py::arg("mesh") = py::none(), py::arg("threads") = 1,
            "mesh: instead of the one that the study names; it is copied, its cells are mended and it gets "
            "the groups "
            "that study.mesh makes. Raises InputError with every rule that the study breaks, else with every "
            "fault "
-           "that shows against the mesh.")
+           "that shows against the mesh. threads: that assembly and simulations may use.")
       .def_property_readonly(
           "mesh", [](const SharedModel& model) { return std::shared_ptr<mesh::Mesh>(model, &model->mesh); },
           "The mesh of the model.")

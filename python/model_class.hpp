@@ -22,7 +22,7 @@ study::Study on_given_mesh(study::Study study);
 mesh::Mesh as_run(mesh::Mesh mesh, const study::MeshSource& source);
 
 /// Of a record of a study, on the mesh if there is one. With the interpreter's lock held; throws InputError.
-SharedModel make_model(const pybind11::object& study, std::optional<mesh::Mesh> mesh);
+SharedModel make_model(const pybind11::object& study, std::optional<mesh::Mesh> mesh, int threads);
 
 /// Throws InputError for a state of another model.
 void check_fits(const model::Model& model, const step::State& state);

@@ -84,9 +84,9 @@ Running::Running(SharedModel model, const simulation::Start& start)
 }
 
 std::unique_ptr<Running> Running::make(const py::object& study, const step::State* previous,
-                                       const simulation::Memento* memento) {
-  auto model =
-      py::isinstance<model::Model>(study) ? study.cast<SharedModel>() : make_model(study, std::nullopt);
+                                       const simulation::Memento* memento, int threads) {
+  auto model = py::isinstance<model::Model>(study) ? study.cast<SharedModel>()
+                                                   : make_model(study, std::nullopt, threads);
   const py::gil_scoped_release unlocked;
   return std::unique_ptr<Running>(new Running(std::move(model), {.previous = previous, .memento = memento}));
 }

@@ -45,7 +45,7 @@ struct Told {
 class Running {
 public:
   static std::unique_ptr<Running> make(const py::object& study, const step::State* previous,
-                                       const simulation::Memento* memento);
+                                       const simulation::Memento* memento, int threads);
   /// Python's collector is told of the functions of observers, which may refer to the simulation.
   static void set_up_type(PyHeapTypeObject* type);
 

@@ -82,26 +82,27 @@ struct Wishes {
   std::optional<mesh::Mesh> mesh;
   const step::State* previous = nullptr;
   run::Begin begin = run::Begin::anew;
+  Threads threads;
 };
 
 /// Without the interpreter's lock.
 RunResult run_as(const study::Study& study, const std::filesystem::path& folder, const run::Watch& watch,
                  Wishes wishes) {
   if (!wishes.mesh)
-    return run::run_study(study, folder, watch, wishes.previous, wishes.begin);
+    return run::run_study(study, folder, watch, wishes.previous, wishes.begin, wishes.threads);
   return run::run_study(on_given_mesh(study), as_run(std::move(*wishes.mesh), study.mesh), folder, watch,
-                        wishes.previous, wishes.begin);
+                        wishes.previous, wishes.begin, wishes.threads);
 }
 
 RunResult run_study(const py::object& record, const std::filesystem::path& folder, const py::object& progress,
                     bool resume, const step::State* previous, const mesh::Mesh* mesh, const py::object& say,
-                    const py::object& warn) {
+                    const py::object& warn, int threads) {
   const auto study = Codec<study::Study>::from(record, "");
   Listener listener(progress, say, warn);
   RunResult result;
   {
     const py::gil_scoped_release unlocked;
-    Wishes wishes{{}, previous, resume ? run::Begin::resumed : run::Begin::anew};
+    Wishes wishes{{}, previous, resume ? run::Begin::resumed : run::Begin::anew, Threads(threads)};
     if (mesh != nullptr)
       wishes.mesh = *mesh;
     result = run_as(study, folder, listener.watch(), std::move(wishes));
@@ -152,7 +153,9 @@ void bind_results(py::module_& module) {
       .def_readonly("cuts", &RunResult::cuts, "Of steps.")
       .def_readonly("kept", &RunResult::kept, "Whether there is a checkpoint to resume from.")
       .def_readonly("setup_seconds", &RunResult::setup_seconds, "Processor time before the first step.")
-      .def_readonly("loop_seconds", &RunResult::loop_seconds, "Processor time of the steps.")
+      .def_readonly("loop_seconds", &RunResult::loop_seconds, "Processor time of the steps, of all threads.")
+      .def_readonly("elapsed_seconds", &RunResult::elapsed_seconds,
+                    "Of this process on the run, by the clock.")
       .def_readonly("checks", &RunResult::checks, "A CheckResult each of the study's checks.")
       .def_property_readonly("checks_hold", &RunResult::checks_hold, "Whether all do.")
       .def_property_readonly(
@@ -171,12 +174,12 @@ void bind_runs(py::module_& module) {
   bind_results(module);
   module.def("run", &run_study, py::arg("study"), py::arg("folder"), py::arg("progress") = py::none(),
              py::arg("resume") = false, py::arg("previous") = py::none(), py::arg("mesh") = py::none(),
-             py::arg("say") = py::none(), py::arg("warn") = py::none(),
+             py::arg("say") = py::none(), py::arg("warn") = py::none(), py::arg("threads") = 1,
              R"(Runs a study into a folder of its own, as the program does: open_run() reads it.
 
 progress(Progress) is called after each attempt at a step; say(sentence) and warn(sentence) get what the program
 prints. resume: go on from the checkpoint in the folder. previous: the State that a study with start "from_run" begins
-with. mesh: instead of the one that the study names, as of Model. What the functions raise ends the run as Ctrl-C does
+with. mesh: instead of the one that the study names, as of Model. threads: that the run may use. What the functions raise ends the run as Ctrl-C does
 and is raised here, with a folder that can be resumed.
 Raises InputError, before the folder is made or touched, for a study that cannot be run, and OSError.)");
 }

@@ -195,10 +195,10 @@ void bind_class(py::module_& module) {
       "Time integration of a study or a model. A for loop over it makes its accepted steps, and "
       "raises StepError when no cut is left.");
   type.def(py::init(&Running::make), py::arg("study"), py::arg("previous") = py::none(),
-           py::arg("memento") = py::none(),
+           py::arg("memento") = py::none(), py::arg("threads") = 1,
            "study: Study or Model. previous: the State that a study with start \"from_run\" begins with. "
            "memento: to go "
-           "on from, instead of the begin. Raises InputError.")
+           "on from, instead of the begin. threads: of a study; a Model has its own. Raises InputError.")
       .def(
           "advance",
           [](Running& running, const py::object& callback) { return running.step(callback, true); },

@@ -39,6 +39,12 @@ void add_run(CLI::App& program, Arguments& arguments) {
   command->add_flag("--resume", run.resume,
                     "go on from the checkpoints in the folder of results; runs at their end are left alone");
   command->add_flag("--dry-run", run.dry, "say what would be run and where, with its size; write nothing");
+  command
+      ->add_option("--threads", run.threads,
+                   "threads that a run may use, at least 1 (default: one a core, or RUBATO_THREADS)")
+      ->type_name(kind::number)
+      ->check(CLI::PositiveNumber)
+      ->envname("RUBATO_THREADS");
   command->add_flag("-q,--quiet", run.quiet, "print checks and errors only");
   command->callback([&arguments] { arguments.work = [&] { return app::run(arguments.run); }; });
 }

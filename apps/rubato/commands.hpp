@@ -20,6 +20,7 @@ struct RunArguments {
   bool resume = false;
   bool dry = false; ///< say what would be run
   bool quiet = false;
+  int threads = 0; ///< 0: as many as there are cores
 };
 int run(const RunArguments& arguments);
 

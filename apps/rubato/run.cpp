@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/threads.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/run/time_loop.hpp"
@@ -71,7 +72,9 @@ class Series {
 public:
   Series(const RunArguments& arguments, std::filesystem::path output, std::stop_token stop)
       : output_(std::move(output)), begin_(arguments.resume ? run::Begin::resumed : run::Begin::anew),
-        only_(arguments.only), quiet_(arguments.quiet), stop_(std::move(stop)), line_(arguments.quiet) {
+        only_(arguments.only), quiet_(arguments.quiet),
+        threads_(arguments.threads > 0 ? arguments.threads : physical_cores()), stop_(std::move(stop)),
+        line_(arguments.quiet) {
     watch_.progress = [this](const run::Progress& progress) { line_.update(progress); };
     watch_.within = watch_.progress;
     watch_.say = [this](const std::string& text) { line_.say(text); };
@@ -108,7 +111,7 @@ private:
 
   int run(const study::Study& study, const step::State* previous) {
     const auto folder = output_ / study.name;
-    auto result = run::run_study(study, folder, watch_, previous, begin_of(study.name));
+    auto result = run::run_study(study, folder, watch_, previous, begin_of(study.name), threads_);
     line_.close();
     if (!quiet_ || !result.checks.empty())
       print_summary(study, result, folder);
@@ -124,6 +127,7 @@ private:
   run::Begin begin_;
   std::vector<std::string> only_;
   bool quiet_;
+  Threads threads_;
   std::stop_token stop_;
   ProgressLine line_;
   run::Watch watch_;

@@ -210,7 +210,7 @@ class CellField:
     def means(self) -> _Floats: ...
 
 class Model:
-    def __init__(self, study: Study, mesh: Mesh | None = ...) -> None: ...
+    def __init__(self, study: Study, mesh: Mesh | None = ..., threads: int = ...) -> None: ...
     @property
     def mesh(self) -> Mesh: ...
     @property
@@ -341,7 +341,11 @@ class Where:
 
 class Simulation:
     def __init__(
-        self, study: Study | Model, previous: State | None = ..., memento: Memento | None = ...
+        self,
+        study: Study | Model,
+        previous: State | None = ...,
+        memento: Memento | None = ...,
+        threads: int = ...,
     ) -> None: ...
     def advance(self, callback: Callable[[Where], bool | None] | None = ...) -> Step: ...
     def attempt(self, callback: Callable[[Where], bool | None] | None = ...) -> Step: ...
@@ -408,6 +412,7 @@ class RunResult:
     kept: Final[bool]
     setup_seconds: Final[float]
     loop_seconds: Final[float]
+    elapsed_seconds: Final[float]
     checks: Final[list[CheckResult]]
     checks_hold: Final[bool]
     state: Final[State]
@@ -421,6 +426,7 @@ def run(
     mesh: Mesh | None = ...,
     say: Callable[[str], None] | None = ...,
     warn: Callable[[str], None] | None = ...,
+    threads: int = ...,
 ) -> RunResult: ...
 
 class StoredFields:

@@ -52,6 +52,30 @@ CellsOfNodes cells_around_nodes(const mesh::Mesh& mesh, std::span<const CellInde
   return around;
 }
 
+/// Numbered nodes in parts that follow one another, one a thread.
+class NodesInParts {
+public:
+  NodesInParts(std::size_t nodes, const Threads& threads)
+      : nodes_(static_cast<std::int64_t>(nodes)), count_(threads.parts_of(nodes, 1000)) {}
+  int count() const { return count_; }
+  std::int32_t first(int part) const { return static_cast<std::int32_t>(nodes_ * part / count_); }
+
+private:
+  std::int64_t nodes_;
+  int count_;
+};
+
+std::vector<std::int32_t> joined(std::vector<std::vector<std::int32_t>>&& parts) {
+  auto whole = std::move(parts.front());
+  std::size_t size = whole.size();
+  for (std::size_t part = 1; part < parts.size(); ++part)
+    size += parts[part].size();
+  whole.reserve(size);
+  for (std::size_t part = 1; part < parts.size(); ++part)
+    whole.insert(whole.end(), parts[part].begin(), parts[part].end());
+  return whole;
+}
+
 /// Adds blocks of C rows under each other to those that begin at places in a column.
 template <int C> void add_blocks(const double* blocks, std::span<const std::int32_t> places, double* column) {
   for (const auto place : places) {
@@ -102,33 +126,43 @@ void require_finite(const Values& element, const Cell& cell, const mesh::Mesh& m
 
 } // namespace
 
-BlockPattern::BlockPattern(const mesh::Mesh& mesh, std::span<const CellIndex> cells, const DofMap& dofs)
-    : components_(dofs.components), first_dof_(dofs.first_dof), start_(dofs.nodes.size() + 1, 0),
-      first_place_(first_places(mesh, cells)), places_(at(first_place_.back())) {
+BlockPattern::BlockPattern(const mesh::Mesh& mesh, std::span<const CellIndex> cells, const DofMap& dofs,
+                           const Threads& threads)
+    : components_(dofs.components), cells_(cells.begin(), cells.end()), shares_(mesh, cells, threads),
+      first_dof_(dofs.first_dof), start_(dofs.nodes.size() + 1, 0), first_place_(first_places(mesh, cells)),
+      places_(at(first_place_.back())) {
+  const NodesInParts parts(dofs.nodes.size(), threads);
   const auto around = cells_around_nodes(mesh, cells, dofs);
-  std::vector<std::int32_t> last_seen_by(dofs.nodes.size(), -1);
-  std::vector<std::int32_t> place_of(dofs.nodes.size());
-  for (std::int32_t node = 0; at(node) < dofs.nodes.size(); ++node) {
-    const auto each_cell = [&](const auto& work) {
-      for (auto c = at(around.start[at(node)]); c < at(around.start[at(node) + 1]); ++c)
-        work(around.cells[c], around.own[c]);
-    };
-    each_cell([&](CellIndex cell, std::int32_t) {
-      for (const auto other : mesh.nodes_of(cell)) {
-        const auto neighbour = number_of(other);
-        if (std::exchange(last_seen_by[at(neighbour)], node) != node)
-          neighbours_.push_back(neighbour);
-      }
-    });
-    start_[at(node) + 1] = static_cast<std::int64_t>(neighbours_.size());
-    const auto neighbours = std::span(neighbours_).subspan(at(start_[at(node)]));
-    std::ranges::sort(neighbours);
-    for (std::int32_t place = 0; const auto neighbour : neighbours)
-      place_of[at(neighbour)] = components_ * place++;
-    each_cell([&](CellIndex cell, std::int32_t own) { put_places(cell, own, mesh, place_of); });
-  }
+  std::vector<std::vector<std::int32_t>> found(at(parts.count()));
+  threads.each(parts.count(), [&](int part) {
+    auto& neighbours = found[at(part)];
+    std::vector<std::int32_t> last_seen_by(dofs.nodes.size(), -1);
+    std::vector<std::int32_t> place_of(dofs.nodes.size());
+    for (auto node = parts.first(part); node < parts.first(part + 1); ++node) {
+      const auto first = neighbours.size();
+      const auto each_cell = [&](const auto& work) {
+        for (auto c = at(around.start[at(node)]); c < at(around.start[at(node) + 1]); ++c)
+          work(around.cells[c], around.own[c]);
+      };
+      each_cell([&](CellIndex cell, std::int32_t) {
+        for (const auto other : mesh.nodes_of(cell)) {
+          const auto neighbour = number_of(other);
+          if (std::exchange(last_seen_by[at(neighbour)], node) != node)
+            neighbours.push_back(neighbour);
+        }
+      });
+      const auto own = std::span(neighbours).subspan(first);
+      start_[at(node) + 1] = static_cast<std::int64_t>(own.size());
+      std::ranges::sort(own);
+      for (std::int32_t place = 0; const auto neighbour : own)
+        place_of[at(neighbour)] = components_ * place++;
+      each_cell([&](CellIndex cell, std::int32_t i) { put_places(cell, i, mesh, place_of); });
+    }
+  });
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
   if (start_.back() * components_ * components_ > std::numeric_limits<int>::max())
     throw std::length_error("the matrix of this mesh has more entries than a 32-bit index can count");
+  neighbours_ = joined(std::move(found));
 }
 
 void BlockPattern::put_places(CellIndex cell, std::int32_t own, const mesh::Mesh& mesh,
@@ -146,101 +180,150 @@ SparseMatrix BlockPattern::zero_matrix() const {
 }
 
 SparseMatrix BlockPattern::matrix_without_values() const {
-  const auto nodes = static_cast<std::int64_t>(start_.size()) - 1;
-  const auto size = static_cast<Eigen::Index>(nodes * components_);
+  const auto nodes = start_.size() - 1;
+  const auto size = static_cast<Eigen::Index>(nodes) * components_;
+  const auto area = components_ * components_;
   SparseMatrix matrix(size, size);
-  matrix.resizeNonZeros(static_cast<Eigen::Index>(start_.back() * components_ * components_));
-  int* outer = matrix.outerIndexPtr();
-  int* inner = matrix.innerIndexPtr();
-  *outer++ = 0;
-  for (std::int64_t node = 0; node < nodes; ++node)
-    for (int b = 0; b < components_; ++b) {
-      for (auto k = start_[at(node)]; k < start_[at(node) + 1]; ++k)
-        for (int a = 0; a < components_; ++a)
-          *inner++ = neighbours_[at(k)] * components_ + a;
-      *outer++ = static_cast<int>(inner - matrix.innerIndexPtr());
+  matrix.resizeNonZeros(static_cast<Eigen::Index>(start_.back() * area));
+  const NodesInParts parts(nodes, shares_.threads());
+  shares_.threads().each(parts.count(), [&](int part) {
+    for (auto node = parts.first(part); node < parts.first(part + 1); ++node) {
+      const auto neighbours =
+          std::span(neighbours_).subspan(at(start_[at(node)]), at(start_[at(node) + 1] - start_[at(node)]));
+      int entry = static_cast<int>(start_[at(node)] * area);
+      for (int b = 0; b < components_; ++b) {
+        matrix.outerIndexPtr()[node * components_ + b] = entry;
+        for (const auto neighbour : neighbours)
+          for (int a = 0; a < components_; ++a)
+            matrix.innerIndexPtr()[entry++] = neighbour * components_ + a;
+      }
     }
+  });
+  matrix.outerIndexPtr()[size] = static_cast<int>(start_.back() * area);
   return matrix;
-}
-
-int BlockPattern::columns_up_to(std::span<const NodeIndex> nodes) const {
-  int last = 0;
-  for (const auto node : nodes)
-    last = std::max(last, first_dof_[at(node)]);
-  return last + components_;
 }
 
 std::int32_t BlockPattern::number_of(NodeIndex node) const {
   return first_dof_[at(node)] / components_;
 }
 
-template <class Visit>
-void BlockPattern::visit_columns(CellIndex cell, std::span<const NodeIndex> nodes, SparseMatrix& matrix,
-                                 const Visit& visit) const {
-  const auto places = std::span(places_).subspan(at(first_place_[at(cell)]), nodes.size() * nodes.size());
-  for (std::size_t j = 0; j < nodes.size(); ++j) {
-    const int* outer = matrix.outerIndexPtr() + first_dof_[at(nodes[j])];
-    for (int b = 0; b < components_; ++b)
-      visit(static_cast<Eigen::Index>(j), b, places.subspan(j * nodes.size(), nodes.size()),
-            matrix.valuePtr() + outer[b]);
-  }
-}
-
-void BlockPattern::add(CellIndex cell, std::span<const NodeIndex> nodes, const Eigen::MatrixXd& element,
-                       SparseMatrix& matrix) const {
-  const auto add = [&]<int C>(std::integral_constant<int, C>) {
-    visit_columns(cell, nodes, matrix, [&](Eigen::Index j, int b, auto places, double* column) {
-      add_blocks<C>(element.col(j * C + b).data(), places, column);
-    });
-  };
-  if (components_ == 3)
-    add(std::integral_constant<int, 3>{});
-  else
-    add(std::integral_constant<int, 2>{});
-}
-
-void BlockPattern::add_to_diagonals(CellIndex cell, std::span<const NodeIndex> nodes,
-                                    const Eigen::MatrixXd& m, SparseMatrix& matrix) const {
-  visit_columns(cell, nodes, matrix, [&](Eigen::Index j, int b, auto places, double* column) {
-    const double* value = m.col(j).data();
-    for (const auto place : places)
-      column[place + b] += *value++;
-  });
-}
-
 namespace {
 
-/// A matrix whose columns become zero when cells reach them: then they are near when the cells add to them,
-/// which is sooner done than to fetch zeros of the whole matrix from afar.
+enum class Entries {
+  blocks,   ///< of matrices of nodes · components
+  diagonals ///< of m ⊗ 1, m a matrix of nodes
+};
+
+/// A matrix of the whole that cells add to. Columns become zero when a cell first reaches them: then they are
+/// near when cells add to them, which is sooner done than to fetch zeros of the whole matrix from afar.
 class Sum {
 public:
-  explicit Sum(const BlockPattern& pattern) : pattern_(pattern), matrix_(pattern.matrix_without_values()) {}
+  explicit Sum(const BlockPattern& pattern)
+      : pattern_(pattern), matrix_(pattern.matrix_without_values()),
+        is_clear_(at(matrix_.cols() / pattern.components()), 0) {}
 
-  /// To be added to at the columns of those nodes.
-  SparseMatrix& at(std::span<const NodeIndex> nodes) {
-    clear(pattern_.columns_up_to(nodes));
-    return matrix_;
+  /// Adds those columns of an element matrix, node-major, whose nodes take part.
+  template <Entries E, class TakesPart>
+  void add(CellIndex cell, std::span<const NodeIndex> nodes, const Eigen::MatrixXd& element,
+           const TakesPart& takes_part) {
+    const auto places = pattern_.places(cell, nodes.size());
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      if (takes_part(nodes[j]))
+        add_column<E>(pattern_.first_dof(nodes[j]), j, places.subspan(j * nodes.size(), nodes.size()),
+                      element);
   }
+
   SparseMatrix take() {
-    clear(static_cast<int>(matrix_.cols()));
+    for (std::size_t node = 0; node < is_clear_.size(); ++node)
+      clear(static_cast<int>(node) * pattern_.components());
     SparseMatrix whole;
     whole.swap(matrix_); // Eigen copies where others move
     return whole;
   }
 
 private:
-  void clear(int end) {
-    if (end <= cleared_)
+  void clear(int dof) {
+    auto& is_clear = is_clear_[at(dof / pattern_.components())];
+    if (std::exchange(is_clear, char{1}) != 0)
       return;
-    const int* outer = matrix_.outerIndexPtr();
-    std::fill(matrix_.valuePtr() + outer[cleared_], matrix_.valuePtr() + outer[end], 0.0);
-    cleared_ = end;
+    const int* outer = matrix_.outerIndexPtr() + dof;
+    std::fill(matrix_.valuePtr() + outer[0], matrix_.valuePtr() + outer[pattern_.components()], 0.0);
+  }
+
+  /// Those of node j of the element, which has that first dof.
+  template <Entries E>
+  void add_column(int dof, std::size_t j, std::span<const std::int32_t> places,
+                  const Eigen::MatrixXd& element) {
+    clear(dof);
+    if constexpr (E == Entries::diagonals)
+      add_diagonals(element.col(static_cast<Eigen::Index>(j)).data(), dof, places);
+    else if (pattern_.components() == 3)
+      add_all_blocks<3>(element, dof, j, places);
+    else
+      add_all_blocks<2>(element, dof, j, places);
+  }
+
+  template <int C>
+  void add_all_blocks(const Eigen::MatrixXd& element, int dof, std::size_t j,
+                      std::span<const std::int32_t> places) {
+    const int* outer = matrix_.outerIndexPtr() + dof;
+    for (int b = 0; b < C; ++b)
+      add_blocks<C>(element.col(static_cast<Eigen::Index>(j) * C + b).data(), places,
+                    matrix_.valuePtr() + outer[b]);
+  }
+
+  void add_diagonals(const double* values, int dof, std::span<const std::int32_t> places) {
+    const int* outer = matrix_.outerIndexPtr() + dof;
+    for (int b = 0; b < pattern_.components(); ++b)
+      for (std::size_t i = 0; i < places.size(); ++i)
+        matrix_.valuePtr()[outer[b] + places[i] + b] += values[i];
   }
 
   const BlockPattern& pattern_;
   SparseMatrix matrix_;
-  int cleared_ = 0; ///< columns
+  std::vector<char> is_clear_; ///< of each numbered node, whether its columns are no longer what memory was
 };
+
+/// Of the cells of the pattern, their places in the bulk, whose order they have.
+std::vector<std::size_t> places_in_bulk(const BlockPattern& pattern, const Bulk& bulk) {
+  std::vector<std::size_t> places;
+  const auto cells = pattern.cells();
+  places.reserve(cells.size());
+  for (std::size_t i = 0; i < bulk.cells.size() && places.size() < cells.size(); ++i)
+    if (bulk.cells[i] == cells[places.size()])
+      places.push_back(i);
+  if (places.size() < cells.size())
+    throw std::invalid_argument("a pattern has cells that the bulk has not, or in another order");
+  return places;
+}
+
+/// The sum of what `matrix_of` gives for each cell of the pattern, called with the share and the place in the
+/// bulk; null where a cell adds nothing.
+template <Entries E, class MatrixOf>
+SparseMatrix sum_of_cells(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
+                          const MatrixOf& matrix_of) {
+  Sum sum(pattern);
+  const auto& shares = pattern.shares();
+  const auto places = places_in_bulk(pattern, bulk);
+  std::vector<Eigen::MatrixXd> kept(shares.border().size());
+  shares.each([&](int share, std::size_t i) {
+    const Eigen::MatrixXd* element = matrix_of(share, places[i]);
+    if (element == nullptr)
+      return;
+    const auto cell = pattern.cells()[i];
+    const auto border = shares.place_in_border(i);
+    if (border < 0)
+      return sum.add<E>(cell, mesh.nodes_of(cell), *element, [](NodeIndex) { return true; });
+    sum.add<E>(cell, mesh.nodes_of(cell), *element, [&](NodeIndex node) { return !shares.is_shared(node); });
+    kept[at(border)] = *element;
+  });
+  for (std::size_t b = 0; b < kept.size(); ++b) {
+    const auto cell = pattern.cells()[shares.border()[b]];
+    if (kept[b].size() > 0)
+      sum.add<E>(cell, mesh.nodes_of(cell), kept[b], [&](NodeIndex node) { return shares.is_shared(node); });
+  }
+  return sum.take();
+}
 
 /// That of one linear cell depends on its edges alone: laws are the same everywhere, no radius counts.
 bool has_stiffness_of_edges(const Bulk& bulk, std::size_t cell) {
@@ -299,15 +382,11 @@ private:
 template <class Wanted>
 SparseMatrix assemble_stiffness_of(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                                    std::span<const double> factors, const Wanted& is_wanted) {
-  Sum sum(pattern);
-  Stiffnesses stiffnesses(mesh, bulk);
-  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    if (!is_wanted(i))
-      continue;
-    const Cell cell(mesh, bulk, factors, i);
-    pattern.add(cell.index, cell.nodes, stiffnesses.of(i, cell), sum.at(cell.nodes));
-  }
-  return sum.take();
+  std::vector<Stiffnesses> stiffnesses(at(pattern.shares().count()), Stiffnesses(mesh, bulk));
+  return sum_of_cells<Entries::blocks>(
+      mesh, bulk, pattern, [&](int share, std::size_t i) -> const Eigen::MatrixXd* {
+        return is_wanted(i) ? &stiffnesses[at(share)].of(i, Cell(mesh, bulk, factors, i)) : nullptr;
+      });
 }
 
 } // namespace
@@ -324,17 +403,16 @@ SparseMatrix assemble_constant_stiffness(const mesh::Mesh& mesh, const Bulk& bul
 
 SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                            std::span<const double> factors) {
-  Sum sum(pattern);
-  Eigen::MatrixXd element;
-  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
+  std::vector<Eigen::MatrixXd> elements(at(pattern.shares().count()));
+  return sum_of_cells<Entries::diagonals>(mesh, bulk, pattern, [&](int share, std::size_t i) {
     const Cell cell(mesh, bulk, factors, i);
+    auto& element = elements[at(share)];
     element.resize(cell.node_count(), cell.node_count());
     cell_mass(bulk, i, cell.type, cell.points, element);
     element *= cell.factor;
     require_finite(element.diagonal(), cell, mesh, "mass");
-    pattern.add_to_diagonals(cell.index, cell.nodes, element, sum.at(cell.nodes));
-  }
-  return sum.take();
+    return &element;
+  });
 }
 
 Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,

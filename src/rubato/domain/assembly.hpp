@@ -4,6 +4,7 @@
 
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
+#include "rubato/domain/work_shares.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -18,41 +19,41 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// Which nodes share a cell: the places of a sparse matrix of dense components × components blocks, both
 /// triangles. Every matrix made from one pattern stores the same entries (a mass some zeros), so that sums of
-/// them are sums of their value arrays.
+/// them are sums of their value arrays. It knows, too, which thread computes which of the cells; the matrices
+/// do not depend on that.
 class BlockPattern {
 public:
   /// Throws std::length_error when the matrix would have more entries than an int can count.
-  BlockPattern(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells, const DofMap& dofs);
+  BlockPattern(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells, const DofMap& dofs,
+               const Threads& threads = {});
 
   /// All entries stored, all zero.
   SparseMatrix zero_matrix() const;
 
   /// The same before anything is written to the values.
   SparseMatrix matrix_without_values() const;
-  /// How many columns there are up to the last one of these nodes.
-  int columns_up_to(std::span<const mesh::NodeIndex> nodes) const;
+  /// The cells, dealt out to threads.
+  std::span<const mesh::CellIndex> cells() const { return cells_; }
+  const WorkShares& shares() const { return shares_; }
 
-  /// Adds an element matrix, node-major (nodes · components square), of one of the cells, which has those
-  /// nodes.
-  void add(mesh::CellIndex cell, std::span<const mesh::NodeIndex> nodes, const Eigen::MatrixXd& element,
-           SparseMatrix& matrix) const;
-
-  /// Adds m ⊗ 1, m square of size nodes.
-  void add_to_diagonals(mesh::CellIndex cell, std::span<const mesh::NodeIndex> nodes,
-                        const Eigen::MatrixXd& m, SparseMatrix& matrix) const;
+  int components() const { return components_; }
+  int first_dof(mesh::NodeIndex node) const { return first_dof_[static_cast<std::size_t>(node)]; }
+  /// Of one of the cells, which has so many nodes: node by node, where the row block of one begins in the
+  /// columns of another.
+  std::span<const std::int32_t> places(mesh::CellIndex cell, std::size_t nodes) const {
+    return std::span(places_).subspan(static_cast<std::size_t>(first_place_[static_cast<std::size_t>(cell)]),
+                                      nodes * nodes);
+  }
 
 private:
   std::int32_t number_of(mesh::NodeIndex node) const;
   /// Of the column of node `own` of a cell, where the blocks of its nodes begin.
   void put_places(mesh::CellIndex cell, std::int32_t own, const mesh::Mesh& mesh,
                   std::span<const std::int32_t> place_of);
-  /// Calls visit(node of the cell, column of its block, where the blocks of the nodes of the cell begin in
-  /// the column, the values of the column).
-  template <class Visit>
-  void visit_columns(mesh::CellIndex cell, std::span<const mesh::NodeIndex> nodes, SparseMatrix& matrix,
-                     const Visit& visit) const;
 
   int components_;
+  std::vector<mesh::CellIndex> cells_;
+  WorkShares shares_;
   std::vector<std::int32_t> first_dof_;   ///< of mesh nodes
   std::vector<std::int64_t> start_;       ///< of numbered nodes: where its neighbours begin
   std::vector<std::int32_t> neighbours_;  ///< numbered nodes, ascending, each beside itself too

@@ -35,6 +35,14 @@ double slope_by_expansion(const LawEnd& end) {
 
 } // namespace
 
+void add(const Balance& part, Balance& sum) {
+  sum.plastic += part.plastic;
+  sum.back_stress += part.back_stress;
+  sum.viscous += part.viscous;
+  sum.scheme += part.scheme;
+  sum.heat += part.heat;
+}
+
 double heat_between(const PointLaw& law, const LawEnd& old, const LawEnd& now) {
   if (has_linear_stress(law))
     return -0.5 * (old.stress + now.stress).dot(now.free - old.free);

@@ -30,6 +30,8 @@ struct Balance {
   double heat = 0; ///< put into the cells by what expands freely
 };
 
+void add(const Balance& part, Balance& sum);
+
 /// What a law saw at a point, what expanded freely there (element::PointRecord) and the stress.
 struct LawEnd {
   const material::Strain6& strain;

@@ -35,8 +35,17 @@ struct LawPath {
   double law_work = 0;
 };
 
+/// What one cell adds to a path.
+struct PathPart {
+  double stored = 0;
+  double elsewhere = 0;
+  Balance taken;
+  double law_work = 0; ///< but for what `elsewhere` changes by
+};
+
 /// Adds what happened at the points of one cell since `points`, which go on to `now`.
 void go_along(const material::PointLaw& law, const CellEnd& now, std::span<const double> old_states,
-              std::span<LawPoint> points, LawPath& path);
+              std::span<LawPoint> points, PathPart& part);
+void add(const PathPart& part, LawPath& path);
 
 } // namespace rubato::domain

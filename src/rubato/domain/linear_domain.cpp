@@ -10,10 +10,10 @@ namespace rubato::domain {
 using Eigen::VectorXd;
 
 LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat,
-                           std::vector<LawSpring> springs)
+                           std::vector<LawSpring> springs, const Threads& threads)
     : heat_(std::move(heat)), springs_(std::move(springs)) {
   if (stiffness.nonZeros() > 0)
-    product_.emplace(stiffness, components);
+    product_.emplace(stiffness, components, threads);
   const auto own = std::make_shared<SparseMatrix>();
   own->swap(stiffness);
   stiffness_ = own;

@@ -25,7 +25,7 @@ public:
   /// `stiffness`: K of the cells and of all springs, symmetric, in whole blocks of `components` (2 or 3).
   /// `heat`: null without temperatures. `springs`: those by tables, whose held slopes K has.
   LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat = nullptr,
-               std::vector<LawSpring> springs = {});
+               std::vector<LawSpring> springs = {}, const Threads& threads = {});
 
   static constexpr bool is_linear = true;
 

@@ -14,15 +14,32 @@ namespace rubato::domain {
 
 using Eigen::VectorXd;
 
-NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs)
+NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
+                               const Threads& threads)
     : components_(dofs.components) {
   add_cells(mesh, bulk, dofs, [&](std::size_t cell) { return !bulk.is_constant(cell); });
+  deal_out(mesh, threads);
 }
 
 NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
                                std::span<const std::size_t> cells)
     : components_(dofs.components) {
   add_cells(mesh, bulk, dofs, [&](std::size_t cell) { return std::ranges::binary_search(cells, cell); });
+  deal_out(mesh, {});
+}
+
+void NonlinearCells::deal_out(const mesh::Mesh& mesh, const Threads& threads) {
+  std::vector<mesh::CellIndex> indices;
+  indices.reserve(cells_.size());
+  for (const auto& cell : cells_)
+    indices.push_back(cell.index);
+  shares_ = WorkShares(mesh, indices, threads);
+  if (shares_.count() == 1)
+    return;
+  at_shared_node_.reserve(dofs_.size());
+  for (const auto index : indices)
+    for (const auto node : mesh.nodes_of(index))
+      at_shared_node_.push_back(shares_.is_shared(node) ? 1 : 0);
 }
 
 void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
@@ -128,56 +145,6 @@ bool NonlinearCells::has_finite_strain() const {
       groups_, [](const Group& group) { return group.kind.strain != element::StrainKind::small; });
 }
 
-Failed NonlinearCells::add(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                           const Wanted& wanted, const Heat* heat) const {
-  if (own_states_ < old.values.size()) // of constant cells they stay
-    now.values = old.values;
-  else
-    now.values.resize(old.values.size());
-  now.mode_force = 0;
-  if (wanted.records)
-    now.records.resize(record_count_);
-  else
-    now.records.clear();
-  if (wanted.path == nullptr)
-    return add_each(step, old, now, wanted, heat);
-  auto& path = *wanted.path;
-  path.points.resize(followed_count_);
-  path.forces.setZero(step.u1.size());
-  path.taken = {};
-  path.stored = 0;
-  path.law_work = -std::exchange(path.elsewhere, 0);
-  auto by_cells = wanted;
-  by_cells.forces = &path.forces;
-  const auto failed = add_each(step, old, now, by_cells, heat);
-  path.law_work += path.elsewhere;
-  if (wanted.forces != nullptr)
-    *wanted.forces += path.forces;
-  return failed;
-}
-
-Failed NonlinearCells::add_each(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
-                                const Wanted& wanted, const Heat* heat) const {
-  Scratch scratch;
-  if (heat != nullptr)
-    scratch.temperatures = heat->temperatures(step.t1);
-  for (const auto& cell : cells_) {
-    if (heat != nullptr)
-      heat->put_free_strains(cell.place, scratch.temperatures, group_of(cell).expansion, scratch.free);
-    const auto result = step.of == ForcesOf::step ? evaluate_between(cell, step, old, now, wanted, scratch)
-                                                  : evaluate(cell, step, old, now, wanted, scratch);
-    if (!result) {
-      if (wanted.forces != nullptr)
-        wanted.forces->setConstant(std::numeric_limits<double>::quiet_NaN());
-      return CellFailure{result.failure, cell.index, result.point};
-    }
-    now.mode_force = std::max(now.mode_force, result.mode_force);
-    if (wanted.path != nullptr)
-      go_along(cell, old, now, result, scratch, *wanted.path);
-  }
-  return {};
-}
-
 void NonlinearCells::gather(const Cell& cell, const VectorXd& u, std::vector<double>& values) const {
   const auto nodes = static_cast<std::size_t>(group_of(cell).nodes);
   const auto d = static_cast<std::size_t>(components_);
@@ -211,10 +178,7 @@ element::CellResult NonlinearCells::evaluate(const Cell& cell, const StepSpan& s
                                  {step.t1 - step.t0},
                                  {.force = old.mode_force},
                                  scratch.free};
-  const auto result = element::evaluate(group.kind, element::PointLaws(group.law), input, output);
-  if (result)
-    add_answers(cell, wanted, scratch);
-  return result;
+  return element::evaluate(group.kind, element::PointLaws(group.law), input, output);
 }
 
 element::CellResult NonlinearCells::evaluate_between(const Cell& cell, const StepSpan& step,
@@ -243,43 +207,7 @@ element::CellResult NonlinearCells::evaluate_between(const Cell& cell, const Ste
   const auto result = element::evaluate_between(group.kind, element::PointLaws(group.law), input, output);
   for (double& entry : scratch.tangent)
     entry *= 2;
-  if (result)
-    add_answers(cell, wanted, scratch);
   return result.after;
-}
-
-void NonlinearCells::add_answers(const Cell& cell, const Wanted& wanted, const Scratch& scratch) const {
-  if (wanted.forces != nullptr)
-    scatter(cell, scratch.force, *wanted.forces);
-  if (wanted.tangent != nullptr)
-    add_tangent(cell, scratch.tangent, *wanted.tangent);
-}
-
-void NonlinearCells::scatter(const Cell& cell, const std::vector<double>& values, VectorXd& sum) const {
-  const auto nodes = static_cast<std::size_t>(group_of(cell).nodes);
-  const auto d = static_cast<std::size_t>(components_);
-  const int* first = dofs_.data() + cell.first_node;
-  for (std::size_t n = 0; n < nodes; ++n)
-    for (std::size_t a = 0; a < d; ++a)
-      sum[first[n] + static_cast<int>(a)] += values[n * d + a];
-}
-
-void NonlinearCells::go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now,
-                              const element::CellResult& result, const Scratch& scratch,
-                              LawPath& path) const {
-  path.stored += result.stored + result.hourglass;
-  path.elsewhere += result.hourglass;
-  const auto& group = group_of(cell);
-  if (!group.followed || !group.stress_is_linear)
-    path.elsewhere += result.stored;
-  if (!group.followed)
-    return;
-  const auto points = static_cast<std::size_t>(group.points);
-  auto end = end_of(cell, now);
-  if (now.records.empty())
-    end.records = scratch.records;
-  domain::go_along(group.law, end, std::span(old.values).subspan(cell.first_state, group.state_size),
-                   std::span(path.points).subspan(cell.first_follow, points), path);
 }
 
 PlasticStep NonlinearCells::plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
@@ -301,11 +229,15 @@ PlasticStep NonlinearCells::plastic_step(const QuadratureStates& old, const Quad
 Balance NonlinearCells::balance(const QuadratureStates& old, const QuadratureStates& now) const {
   require_records(old);
   require_records(now);
-  Balance sum;
-  for (const auto& cell : cells_) {
+  std::vector<Balance> parts(cells_.size());
+  shares_.each([&](int, std::size_t i) {
+    const auto& cell = cells_[i];
     const auto& group = group_of(cell);
-    add_balance(group.law, group.kind.strain, end_of(cell, old), end_of(cell, now), sum);
-  }
+    add_balance(group.law, group.kind.strain, end_of(cell, old), end_of(cell, now), parts[i]);
+  });
+  Balance sum;
+  for (const auto& part : parts)
+    domain::add(part, sum);
   return sum;
 }
 
@@ -329,23 +261,6 @@ CellEnd NonlinearCells::end_of(const Cell& cell, const QuadratureStates& states)
 void NonlinearCells::require_records(const QuadratureStates& states) const {
   if (states.records.size() != record_count_)
     throw std::invalid_argument("the balance of energy needs the records of both ends of a step");
-}
-
-void NonlinearCells::add_tangent(const Cell& cell, const std::vector<double>& tangent,
-                                 SparseMatrix& matrix) const {
-  const auto nodes = static_cast<std::size_t>(group_of(cell).nodes);
-  const auto d = static_cast<std::size_t>(components_);
-  const auto* place = places_.data() + cell.first_place;
-  for (std::size_t j = 0; j < nodes; ++j, place += nodes) {
-    const int* outer = matrix.outerIndexPtr() + dofs_[cell.first_node + j];
-    for (std::size_t b = 0; b < d; ++b) {
-      double* const column = matrix.valuePtr() + outer[b];
-      const double* source = tangent.data() + (j * d + b) * nodes * d;
-      for (std::size_t i = 0; i < nodes; ++i, source += d)
-        for (std::size_t a = 0; a < d; ++a)
-          column[place[i] + static_cast<std::int32_t>(a)] += source[a];
-    }
-  }
 }
 
 } // namespace rubato::domain

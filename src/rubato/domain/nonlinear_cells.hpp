@@ -9,6 +9,7 @@
 #include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/heat.hpp"
 #include "rubato/domain/quadrature_states.hpp"
+#include "rubato/domain/work_shares.hpp"
 
 #include <Eigen/Core>
 
@@ -22,8 +23,8 @@ namespace rubato::domain {
 class NonlinearCells {
 public:
   NonlinearCells() = default;
-  /// Those of the bulk that are not constant.
-  NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs);
+  /// Those of the bulk that are not constant. What they give does not depend on the number of threads.
+  NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, const Threads& threads = {});
   /// Some of them, by their places in the bulk, ascending. States are those of the whole bulk, records those
   /// of these cells.
   NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
@@ -112,24 +113,44 @@ private:
   int group_of(const Bulk& bulk, std::size_t cell, CellType type);
   void add_cell(const mesh::Mesh& mesh, const DofMap& dofs, Cell cell);
   const Group& group_of(const Cell& cell) const { return groups_[static_cast<std::size_t>(cell.group)]; }
+  struct Share;
+  struct Kept;
+  /// Of a border cell, those inside its share or those of several shares.
+  enum class Nodes { all, own, shared };
+
+  void deal_out(const mesh::Mesh& mesh, const Threads& threads);
   Failed add_each(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                   const Wanted& wanted, const Heat* heat) const;
+  Kept room_for_kept(const Wanted& wanted) const;
+  static Failed first_failure(std::span<const Share> shares);
+  void add_cell(std::size_t i, const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
+                const Wanted& wanted, const Heat* heat, Share& share, Kept& kept) const;
   element::CellResult evaluate(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
                                QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
   element::CellResult evaluate_between(const Cell& cell, const StepSpan& step, const QuadratureStates& old,
                                        QuadratureStates& now, const Wanted& wanted, Scratch& scratch) const;
-  void add_answers(const Cell& cell, const Wanted& wanted, const Scratch& scratch) const;
-  void go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now,
-                const element::CellResult& result, const Scratch& scratch, LawPath& path) const;
+  void add_answers(std::size_t i, const Wanted& wanted, const Scratch& scratch, Kept& kept) const;
+  void add_kept(const Kept& kept, const Wanted& wanted) const;
+  PathPart go_along(const Cell& cell, const QuadratureStates& old, const QuadratureStates& now,
+                    const element::CellResult& result, const Scratch& scratch, LawPath& path) const;
+  struct Motion {
+    const Eigen::VectorXd& u;
+    const QuadratureStates& states;
+    const LawPath& path;
+    const Heat* heat;
+  };
+  double growth_of_cell(std::size_t i, const Motion& motion, double rate, Scratch& scratch) const;
   double growth_of_shape(const Cell& cell, const Eigen::VectorXd& u, const LawPath& path,
                          Scratch& scratch) const;
   double growth_of_tangent(std::size_t cell, const Eigen::VectorXd& u, const QuadratureStates& states,
                            Scratch& scratch) const;
   void gather(const Cell& cell, const Eigen::VectorXd& u, std::vector<double>& values) const;
-  void scatter(const Cell& cell, const std::vector<double>& values, Eigen::VectorXd& sum) const;
+  bool takes_part(std::size_t node, Nodes nodes) const;
+  void scatter(const Cell& cell, const std::vector<double>& values, Nodes which, Eigen::VectorXd& sum) const;
   CellEnd end_of(const Cell& cell, const QuadratureStates& states) const;
   void require_records(const QuadratureStates& states) const;
-  void add_tangent(const Cell& cell, const std::vector<double>& tangent, SparseMatrix& matrix) const;
+  void add_tangent(const Cell& cell, const std::vector<double>& tangent, Nodes which,
+                   SparseMatrix& matrix) const;
 
   int components_ = 0;
   std::vector<Group> groups_;
@@ -140,6 +161,8 @@ private:
   std::vector<std::int32_t>
       places_;              ///< node by node: where the row block of one begins in the columns of another
   std::vector<Rate> rates_; ///< one a cell, when found
+  WorkShares shares_;
+  std::vector<char> at_shared_node_; ///< beside dofs_; empty with one share
   std::size_t record_count_ = 0;
   std::size_t followed_count_ = 0;
   std::size_t own_states_ = 0; ///< of these cells, in QuadratureStates::values

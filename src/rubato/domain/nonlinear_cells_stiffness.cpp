@@ -13,21 +13,6 @@ namespace rubato::domain {
 
 using Eigen::VectorXd;
 
-void NonlinearCells::add_initial_product(const VectorXd& x, VectorXd& y) const {
-  Scratch scratch;
-  for (const auto& cell : cells_) {
-    const auto& group = group_of(cell);
-    gather(cell, x, scratch.displacement);
-    scratch.force.resize(scratch.displacement.size());
-    const element::CellInput input{
-        std::span(points_).subspan(cell.first_node, static_cast<std::size_t>(group.nodes)),
-        scratch.displacement,
-        {}};
-    element::evaluate(group.undeformed, element::PointLaws(group.first), input, {{}, scratch.force, {}});
-    scatter(cell, scratch.force, y);
-  }
-}
-
 namespace {
 
 /// The largest one of the waves, each with one direction of displacement; without waves ‖K_e‖.
@@ -69,28 +54,37 @@ void NonlinearCells::find_rates(const mesh::Mesh& mesh, const Bulk& bulk,
   }
 }
 
+double NonlinearCells::growth_of_cell(std::size_t i, const Motion& motion, double rate,
+                                      Scratch& scratch) const {
+  const auto& cell = cells_[i];
+  const auto kind = group_of(cell).kind.strain;
+  if (kind == element::StrainKind::small) // no law is stiffer than at first
+    return 0;
+  const bool by_shape = kind == element::StrainKind::logarithmic;
+  if (motion.heat != nullptr && !by_shape)
+    motion.heat->put_free_strains(cell.place, scratch.temperatures, group_of(cell).expansion, scratch.free);
+  const double own = by_shape ? growth_of_shape(cell, motion.u, motion.path, scratch)
+                              : growth_of_tangent(i, motion.u, motion.states, scratch);
+  const double part = rates_[i].lambda / rate;
+  const bool bounded = !by_shape && group_of(cell).waves.cols() == 0;
+  return own * (bounded ? part : std::min(1.0, part));
+}
+
 /// Cells that are turned inside out, or nearly so, are left to their next evaluation, which fails: steps do
 /// not become so short that they never come there.
 double NonlinearCells::growth(const VectorXd& u, const QuadratureStates& states, const LawPath& path,
                               double rate, const Heat* heat, double t) const {
-  Scratch scratch;
+  const Motion motion{u, states, path, heat};
+  Scratch first;
   if (heat != nullptr)
-    scratch.temperatures = heat->temperatures(t);
-  double growth = 0;
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const auto& cell = cells_[i];
-    const auto kind = group_of(cell).kind.strain;
-    if (kind == element::StrainKind::small) // no law is stiffer than at first
-      continue;
-    const bool by_shape = kind == element::StrainKind::logarithmic;
-    if (heat != nullptr && !by_shape)
-      heat->put_free_strains(cell.place, scratch.temperatures, group_of(cell).expansion, scratch.free);
-    const double own =
-        by_shape ? growth_of_shape(cell, u, path, scratch) : growth_of_tangent(i, u, states, scratch);
-    const double part = rates_[i].lambda / rate;
-    const bool bounded = !by_shape && group_of(cell).waves.cols() == 0;
-    growth = std::max(growth, own * (bounded ? part : std::min(1.0, part)));
-  }
+    first.temperatures = heat->temperatures(t);
+  std::vector<Scratch> scratches(static_cast<std::size_t>(shares_.count()), first);
+  std::vector<double> growths(scratches.size(), 0.0);
+  shares_.each([&](int s, std::size_t i) {
+    const auto share = static_cast<std::size_t>(s);
+    growths[share] = std::max(growths[share], growth_of_cell(i, motion, rate, scratches[share]));
+  });
+  const double growth = std::ranges::max(growths);
   constexpr double most = 1e6; // steps a thousandth as long
   return std::min(growth, most);
 }

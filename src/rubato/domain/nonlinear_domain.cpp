@@ -23,8 +23,9 @@ std::shared_ptr<const SparseMatrix> shared(std::optional<SparseMatrix>&& matrix)
 
 NonlinearDomain::NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                                  std::shared_ptr<const NonlinearCells> cells, int components,
-                                 std::shared_ptr<const Heat> heat, std::vector<LawSpring> springs)
-    : constant_(std::move(constant), components, std::move(heat), std::move(springs)),
+                                 std::shared_ptr<const Heat> heat, std::vector<LawSpring> springs,
+                                 const Threads& threads)
+    : constant_(std::move(constant), components, std::move(heat), std::move(springs), threads),
       initial_(shared(std::move(initial))), cells_(std::move(cells)) {}
 
 Failed NonlinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,

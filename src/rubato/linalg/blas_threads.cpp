@@ -5,6 +5,7 @@
 #include <mutex>
 
 extern "C" void openblas_set_num_threads(int count);
+extern "C" int openblas_get_num_threads();
 // What OpenBLAS itself calls before a fork; its builds without threads lack it.
 extern "C" [[gnu::weak]] int blas_thread_shutdown_();
 // Of the OpenMP that CHOLMOD may be built with.
@@ -32,6 +33,19 @@ void start_with_one_blas_thread_by_default() {
   use_one_blas_thread_by_default();
   if (!environment_decides() && blas_thread_shutdown_ != nullptr)
     blas_thread_shutdown_();
+}
+
+BlasThreads::BlasThreads(int count) {
+  use_one_blas_thread_by_default();
+  if (environment_decides())
+    return;
+  count_before_ = openblas_get_num_threads();
+  openblas_set_num_threads(count);
+}
+
+BlasThreads::~BlasThreads() {
+  if (count_before_ > 0)
+    openblas_set_num_threads(count_before_);
 }
 
 OneOpenMpThread::OneOpenMpThread() {

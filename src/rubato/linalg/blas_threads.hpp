@@ -15,6 +15,19 @@ void use_one_blas_thread_by_default();
 /// of threads be raised later.
 void start_with_one_blas_thread_by_default();
 
+/// While it lives, OpenBLAS works with so many threads, unless the environment says otherwise. The number is
+/// one of the whole process: nobody else may be in BLAS meanwhile who must not be given threads.
+class BlasThreads {
+public:
+  explicit BlasThreads(int count);
+  ~BlasThreads();
+  BlasThreads(const BlasThreads&) = delete;
+  BlasThreads& operator=(const BlasThreads&) = delete;
+
+private:
+  int count_before_ = 0; // 0: was not changed
+};
+
 /// While it lives, OpenMP (which CHOLMOD may be built with, for four threads) starts no threads for the
 /// calling thread, unless the environment says otherwise. OpenMP keeps this setting for each thread by
 /// itself.

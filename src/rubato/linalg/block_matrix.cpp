@@ -39,16 +39,25 @@ struct Blocks {
   const double* upper;
 };
 
+/// Block rows that one thread multiplies. What they add to rows behind them goes to `behind`, in the place of
+/// y's entries from row `last` on; null: there are none.
+struct Rows {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+  double* behind = nullptr;
+};
+
 /// y_i += A_ij x_j and y_j += A_ijᵀ x_i over the stored blocks, row after row. In numbers, not in expressions
 /// of small matrices: what one row has put into y the next rows soon read again, and a processor waits when
 /// it reads in one piece what it is still writing in two.
-template <int Size>
-[[gnu::always_inline]] inline void multiply_rows(const Blocks& blocks, const double* x, double* y) {
+template <int Size, bool HasBehind>
+[[gnu::always_inline]] inline void multiply_rows(const Blocks& blocks, const Rows& rows, const double* x,
+                                                 double* y) {
   const auto [start, column, diagonal, upper] = blocks;
+  const auto [first, last, behind] = rows;
   constexpr int area = Size * Size;
-  const auto rows = static_cast<std::int64_t>(start.size()) - 1;
-  std::fill_n(y, rows * Size, 0.0);
-  for (std::int64_t i = 0; i < rows; ++i) {
+  std::fill(y + first * Size, y + last * Size, 0.0);
+  for (std::int64_t i = first; i < last; ++i) {
     const double* own = diagonal + i * area;
     double here[Size];
     double sum[Size] = {};
@@ -61,6 +70,9 @@ template <int Size>
       const double* block = upper + k * area;
       const double* there = x + std::int64_t{column[k]} * Size;
       double* result = y + std::int64_t{column[k]} * Size;
+      if constexpr (HasBehind)
+        if (column[k] >= last)
+          result = behind + (column[k] - last) * Size;
       double part[Size];
       __builtin_prefetch(block + look_ahead);
       for (int c = 0; c < Size; ++c)
@@ -78,18 +90,28 @@ template <int Size>
   }
 }
 
-template <int Size> void multiply_plain(const Blocks& blocks, const double* x, double* y) {
-  multiply_rows<Size>(blocks, x, y);
+template <int Size>
+[[gnu::always_inline]] inline void multiply_some(const Blocks& blocks, const Rows& rows, const double* x,
+                                                 double* y) {
+  if (rows.behind == nullptr)
+    multiply_rows<Size, false>(blocks, rows, x, y);
+  else
+    multiply_rows<Size, true>(blocks, rows, x, y);
+}
+
+template <int Size> void multiply_plain(const Blocks& blocks, const Rows& rows, const double* x, double* y) {
+  multiply_some<Size>(blocks, rows, x, y);
 }
 
 #ifdef __x86_64__
 template <int Size>
-[[gnu::target("avx2,fma")]] void multiply_fused(const Blocks& blocks, const double* x, double* y) {
-  multiply_rows<Size>(blocks, x, y);
+[[gnu::target("avx2,fma")]] void multiply_fused(const Blocks& blocks, const Rows& rows, const double* x,
+                                                double* y) {
+  multiply_some<Size>(blocks, rows, x, y);
 }
 #else
-template <int Size> void multiply_fused(const Blocks& blocks, const double* x, double* y) {
-  multiply_rows<Size>(blocks, x, y);
+template <int Size> void multiply_fused(const Blocks& blocks, const Rows& rows, const double* x, double* y) {
+  multiply_some<Size>(blocks, rows, x, y);
 }
 #endif
 
@@ -108,8 +130,8 @@ Instructions best_instructions() {
   return best;
 }
 
-SymmetricBlockMatrix::SymmetricBlockMatrix(const SparseMatrix& matrix, int block_size)
-    : block_size_(block_size) {
+SymmetricBlockMatrix::SymmetricBlockMatrix(const SparseMatrix& matrix, int block_size, const Threads& threads)
+    : block_size_(block_size), threads_(threads) {
   if (block_size != 2 && block_size != 3)
     throw std::invalid_argument("a symmetric block matrix has blocks of size 2 or 3");
   if (matrix.rows() != matrix.cols() || matrix.rows() % block_size != 0)
@@ -136,16 +158,55 @@ SymmetricBlockMatrix::SymmetricBlockMatrix(const SparseMatrix& matrix, int block
       const auto place = std::lower_bound(first, column_.begin() + start_[at(i) + 1], j) - column_.begin();
       upper_[at(place) * area + inside] = entry.value();
     }
+  deal_out_rows();
+}
+
+/// By their entries: a product takes as long as it reads.
+void SymmetricBlockMatrix::deal_out_rows() {
+  constexpr std::size_t smallest = 100'000; // blocks
+  const auto rows = static_cast<std::int64_t>(diagonal_count());
+  const auto parts = threads_.parts_of(column_.size(), smallest);
+  const auto work_before = [&](std::int64_t row) { return start_[at(row)] + row; };
+  std::int64_t row = 0, reach = 0;
+  for (int part = 0; part < parts; ++part) {
+    part_starts_.push_back(row);
+    const auto end = work_before(rows) * (part + 1) / parts;
+    for (; row < rows && (work_before(row + 1) <= end || part + 1 == parts); ++row)
+      if (start_[at(row) + 1] > start_[at(row)])
+        reach = std::max(reach, std::int64_t{column_[at(start_[at(row) + 1]) - 1]} + 1);
+    reach_.push_back(std::max(reach, row));
+  }
+  part_starts_.push_back(rows);
 }
 
 void SymmetricBlockMatrix::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y,
                                     Instructions instructions) const {
   const Blocks blocks{start_, column_.data(), diagonal_.data(), upper_.data()};
   const bool fused = instructions == Instructions::fused;
-  if (block_size_ == 2)
-    (fused ? multiply_fused<2> : multiply_plain<2>)(blocks, x.data(), y.data());
-  else
-    (fused ? multiply_fused<3> : multiply_plain<3>)(blocks, x.data(), y.data());
+  const auto work = block_size_ == 2 ? (fused ? multiply_fused<2> : multiply_plain<2>)
+                                     : (fused ? multiply_fused<3> : multiply_plain<3>);
+  const auto parts = static_cast<int>(reach_.size());
+  if (parts == 1)
+    return work(blocks, {0, static_cast<std::int64_t>(diagonal_count()), nullptr}, x.data(), y.data());
+  std::vector<std::vector<double>> behind(reach_.size());
+  threads_.each(parts, [&](int part) {
+    const auto p = at(part);
+    behind[p].assign(at((reach_[p] - part_starts_[p + 1]) * block_size_), 0.0);
+    work(blocks, {part_starts_[p], part_starts_[p + 1], behind[p].data()}, x.data(), y.data());
+  });
+  threads_.each(parts, [&](int part) { add_from_before(behind, at(part), y); });
+}
+
+/// Adds to the rows of a part what those before it have for them.
+void SymmetricBlockMatrix::add_from_before(std::span<const std::vector<double>> behind, std::size_t part,
+                                           Eigen::VectorXd& y) const {
+  const auto first = part_starts_[part], last = part_starts_[part + 1];
+  for (std::size_t before = 0; before < part; ++before) {
+    const auto start = part_starts_[before + 1];
+    const auto end = std::min(last, reach_[before]);
+    for (auto i = first * block_size_; i < end * block_size_; ++i)
+      y[i] += behind[before][at(i - start * block_size_)];
+  }
 }
 
 std::size_t SymmetricBlockMatrix::bytes() const {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <stdexcept>
@@ -90,6 +91,13 @@ bool has_negligible_pivot(const cholmod_factor& factor, std::span<const double> 
       return true;
   }
   return false;
+}
+
+/// METIS draws from the C library's random numbers, which it seeds: its orderings are those of one caller at
+/// a time.
+std::mutex& turn_of_metis() {
+  static std::mutex turn;
+  return turn;
 }
 
 [[noreturn]] void refuse_status(int status) {
@@ -215,6 +223,7 @@ void CholmodEngine::analyse(LowerTriangle& lower, int supernodal) {
   common_.postorder = 1;
   common_.supernodal = supernodal;
   auto matrix = lower.view();
+  const std::scoped_lock turn(turn_of_metis());
   take_analysed(cholmod_l_analyze(&matrix, &common_));
 }
 
@@ -246,6 +255,7 @@ std::vector<Index> CholmodEngine::interior_ordering(LowerTriangle& lower, Index 
     return order;
   auto part = leading_part(lower, interior);
   auto matrix = part.view();
+  const std::scoped_lock turn(turn_of_metis());
   // METIS says no more than that it failed, which on a graph it only does for want of memory.
   if (!cholmod_l_metis(&matrix, nullptr, 0, 1, order.data(), &common_))
     throw std::bad_alloc();

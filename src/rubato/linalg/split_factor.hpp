@@ -2,6 +2,7 @@
 /// A Cholesky factor that shows what happens at chosen unknowns, the surface, half way through a solve.
 #pragma once
 
+#include "rubato/core/threads.hpp"
 #include "rubato/linalg/direct_solver.hpp"
 
 #include <Eigen/Core>
@@ -31,6 +32,9 @@ struct LowerTriangle;
 ///
 /// Surface unknowns are counted body after body, in their order of elimination: their positions.
 ///
+/// Threads factor and solve bodies side by side. A body that is most of the whole is factored by all threads
+/// of OpenBLAS instead; its factor then depends on their number by rounding.
+///
 /// Bodies, positions and the order of elimination follow from the pattern of the matrix alone. They serve
 /// every matrix of that pattern: `refactor`.
 class SplitFactor {
@@ -44,13 +48,13 @@ public:
   static std::optional<SplitFactor> of(
       const SparseMatrix& matrix, std::span<const int> surface, std::size_t memory,
       const std::function<void(std::size_t)>& tell = [](std::size_t) {},
-      Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max());
+      Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max(), const Threads& threads = {});
   /// The same without values, which `refactor` gives: only the pattern of the matrix counts, and it need not
   /// be positive definite. Throws as `of` does.
   static SplitFactor analysed(
       const SparseMatrix& matrix, std::span<const int> surface, std::size_t memory,
       const std::function<void(std::size_t)>& tell = [](std::size_t) {},
-      Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max());
+      Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max(), const Threads& threads = {});
   SplitFactor(SplitFactor&&) noexcept;
   SplitFactor& operator=(SplitFactor&&) noexcept;
   ~SplitFactor();
@@ -91,6 +95,8 @@ public:
   /// column each. All columns take three times as long by this.
   Eigen::MatrixXd compliance(std::size_t body, Eigen::Index first, Eigen::Index count) const;
 
+  const Threads& threads() const { return threads_; }
+
   /// Memory the factor holds.
   std::size_t factor_bytes() const;
   /// Entries of L on and below the diagonal. A solve multiplies by each twice.
@@ -102,12 +108,17 @@ public:
 
 private:
   struct Body;
-  SplitFactor(const SparseMatrix& matrix, std::span<const int> surface);
+  SplitFactor(const SparseMatrix& matrix, std::span<const int> surface, const Threads& threads);
   std::vector<LowerTriangle> triangles_of(const SparseMatrix& matrix) const;
   void analyse(std::vector<LowerTriangle>& triangles, std::size_t memory,
                const std::function<void(std::size_t)>& tell, Eigen::Index largest_last);
+  bool factorise(const std::function<LowerTriangle(std::size_t)>& triangle_of);
+  bool factorise_by_blas(const std::function<LowerTriangle(std::size_t)>& triangle_of);
+  bool pays_side_by_side() const;
+  void each_body(const std::function<void(const Body&, Eigen::Index)>& work) const;
   void must_have_values() const;
 
+  Threads threads_;
   std::vector<Body> bodies_;
   std::vector<int> surface_;
   std::vector<int> body_starts_;

@@ -84,7 +84,7 @@ domain::Domain make_explicit_domain(const Model& model, std::span<const double> 
   for (std::size_t i = 0; i < bulk.cells.size(); ++i)
     if (bulk.is_constant(i))
       constant_cells.push_back(bulk.cells[i]);
-  const domain::BlockPattern pattern(model.mesh, constant_cells, model.dofs);
+  const domain::BlockPattern pattern(model.mesh, constant_cells, model.dofs, model.threads);
   auto constant = domain::assemble_constant_stiffness(model.mesh, bulk, pattern);
   VectorXd springs = VectorXd::Zero(constant.rows());
   for (const auto& spring : model.springs)
@@ -92,10 +92,10 @@ domain::Domain make_explicit_domain(const Model& model, std::span<const double> 
   if (!model.springs.empty())
     linalg::add_scaled(1, diagonal_matrix(springs), constant);
   add_connectors(model, constant);
-  const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, bulk, model.dofs);
+  const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, bulk, model.dofs, model.threads);
   cells->find_rates(model.mesh, bulk, mass_factors);
   return {domain::NonlinearDomain(std::move(constant), std::nullopt, cells, model.dofs.components, model.heat,
-                                  law_springs(model)),
+                                  law_springs(model), model.threads),
           domain::initial_states(model.mesh, bulk)};
 }
 
@@ -112,14 +112,16 @@ domain::Domain make_domain(const Model& model, const domain::BlockPattern& patte
   auto states = domain::initial_states(model.mesh, model.bulk);
   const int components = model.dofs.components;
   if (domain::is_linear(model.bulk))
-    return {domain::LinearDomain(std::move(stiffness), components, model.heat, law_springs(model)),
-            std::move(states)};
+    return {
+        domain::LinearDomain(std::move(stiffness), components, model.heat, law_springs(model), model.threads),
+        std::move(states)};
   auto constant = domain::assemble_constant_stiffness(model.mesh, model.bulk, pattern);
   add_springs(model, constant);
-  const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, model.bulk, model.dofs);
+  const auto cells =
+      std::make_shared<domain::NonlinearCells>(model.mesh, model.bulk, model.dofs, model.threads);
   cells->find_places(constant);
   return {domain::NonlinearDomain(std::move(constant), std::move(stiffness), cells, components, model.heat,
-                                  law_springs(model)),
+                                  law_springs(model), model.threads),
           std::move(states)};
 }
 
@@ -162,7 +164,7 @@ Rayleigh rayleigh_of(const std::vector<study::Material>& materials) {
 
 void assemble_implicit(Model& model) {
   const auto& bulk = model.bulk;
-  const domain::BlockPattern pattern(model.mesh, bulk.cells, model.dofs);
+  const domain::BlockPattern pattern(model.mesh, bulk.cells, model.dofs, model.threads);
   model.domain = make_domain(model, pattern);
   if (model.study.time.scheme == study::SchemeKind::static_steps)
     return;
@@ -186,7 +188,7 @@ void assemble_explicit(Model& model) {
   const bool by_stiffness = Rayleigh::any(rayleigh.stiffness);
   std::optional<domain::BlockPattern> pattern;
   if (linear || by_stiffness)
-    pattern.emplace(model.mesh, bulk.cells, model.dofs);
+    pattern.emplace(model.mesh, bulk.cells, model.dofs, model.threads);
   const auto scaling = model.study.time.mass_scaling ? scaled_masses(model) : MassScaling{};
   model.domain = linear ? make_domain(model, *pattern) : make_explicit_domain(model, scaling.factors);
   model.lumped_mass = domain::lumped_mass(model.mesh, bulk, model.dofs);
@@ -361,7 +363,8 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   return model;
 }
 
-Model assembled(Model model) {
+Model assembled(Model model, const Threads& threads) {
+  model.threads = threads;
   assemble_matrices(model);
   move_ground(model);
   add_base_inertia(model);
@@ -400,16 +403,16 @@ std::vector<std::vector<Fault>> faults_of(std::span<const study::Study> studies)
   return faults;
 }
 
-Model build_model(const study::Study& study) {
-  return build_model(study, load_mesh(study.mesh));
+Model build_model(const study::Study& study, const Threads& threads) {
+  return build_model(study, load_mesh(study.mesh), threads);
 }
 
-Model build_model(const study::Study& study, mesh::Mesh mesh) {
-  return assembled(lay_out(study, std::move(mesh)));
+Model build_model(const study::Study& study, mesh::Mesh mesh, const Threads& threads) {
+  return assembled(lay_out(study, std::move(mesh)), threads);
 }
 
 Model build_stage(const Model& first, double release, const VectorXd& shortening) {
-  return assembled(lay_out(first.study, first.mesh, first.preloads, {release, shortening}));
+  return assembled(lay_out(first.study, first.mesh, first.preloads, {release, shortening}), first.threads);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include "rubato/constraint/reduction.hpp"
 #include "rubato/contact/shared_nodes.hpp"
 #include "rubato/contact/zone.hpp"
+#include "rubato/core/threads.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/cut.hpp"
 #include "rubato/domain/dof_map.hpp"
@@ -97,6 +98,7 @@ struct ProbedCells {
 
 struct Model {
   study::Study study;
+  Threads threads; ///< that the run may use
   mesh::Mesh mesh;
   domain::Bulk bulk; ///< the cells that deform and their materials
   domain::DofMap dofs;
@@ -146,10 +148,10 @@ struct Model {
 
 /// Builds the discrete problem. Throws InputError with every rule that the study breaks, else with every
 /// fault that shows against the mesh; faults have the path of the value in the study.
-Model build_model(const study::Study& study);
+Model build_model(const study::Study& study, const Threads& threads = {});
 
 /// The same on a mesh that is already there.
-Model build_model(const study::Study& study, mesh::Mesh mesh);
+Model build_model(const study::Study& study, mesh::Mesh mesh, const Threads& threads = {});
 
 /// The discrete problem from one of the releases on: the supports that end by then are gone, preloads that
 /// are locked by then have their shortening. Its dofs and contact points are those of `first`, the model at

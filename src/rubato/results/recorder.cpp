@@ -264,6 +264,8 @@ private:
                       {"cuts", ending.cuts},
                       {"setup_seconds", ending.setup_seconds},
                       {"loop_seconds", ending.loop_seconds},
+                      {"elapsed_seconds", ending.elapsed_seconds},
+                      {"threads", model_.threads.count()},
                       {"nodes", model_.mesh.node_count()},
                       {"unknowns", model_.reduction.unknown_count()},
                       {"factor_bytes", factor_bytes_},

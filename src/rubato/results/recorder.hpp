@@ -39,6 +39,7 @@ struct Ending {
   std::string reason = {}; ///< why it is not complete, in a sentence
   double setup_seconds = 0;
   double loop_seconds = 0;
+  double elapsed_seconds = 0; ///< of the process that ended it, by the clock
   int steps = 0;
   int iterations = 0;
   int cuts = 0;

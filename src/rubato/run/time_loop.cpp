@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -50,11 +51,18 @@ bool is_damped_by_stiffness(const study::Study& study) {
          });
 }
 
+/// When a run was asked for.
+struct Asked {
+  double processor = processor_seconds();
+  std::chrono::steady_clock::time_point clock = std::chrono::steady_clock::now();
+};
+
 /// A simulation that is recorded.
 class Run {
 public:
-  Run(const model::Model& model, RunContext& course, const Watch& watch, const step::State* previous)
-      : model_(model), course_(course), watch_(with_records(watch)),
+  Run(const model::Model& model, RunContext& course, const Watch& watch, const step::State* previous,
+      const Asked& asked)
+      : model_(model), course_(course), asked_(asked), watch_(with_records(watch)),
         simulation_(model, {.previous = previous,
                             .memento = course.from ? &course.from->memento : nullptr,
                             .tell_memory = [this](std::size_t bytes) { tell_memory(bytes); }}),
@@ -70,10 +78,10 @@ public:
   Run(const Run&) = delete; // the simulation tells this one
   Run& operator=(const Run&) = delete;
 
-  RunResult go(double setup_start) {
+  RunResult go() {
     tell_method();
     start_recording();
-    result_.setup_seconds += processor_seconds() - setup_start;
+    result_.setup_seconds += processor_seconds() - asked_.processor;
     loop_start_ = processor_seconds();
     while (!simulation_.finished() && result_.status == Status::complete) {
       if (watch_.stop())
@@ -318,11 +326,13 @@ private:
 
   /// Of a run that was broken off because it could not write, the summary may be lost too.
   void finish() {
+    result_.elapsed_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - asked_.clock).count();
     try {
-      result_.checks =
-          recorder_->finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
-                             result_.steps, result_.iterations, result_.cuts, failure_},
-                            simulation_.state());
+      result_.checks = recorder_->finish({result_.status, result_.message, result_.setup_seconds,
+                                          result_.loop_seconds, result_.elapsed_seconds, result_.steps,
+                                          result_.iterations, result_.cuts, failure_},
+                                         simulation_.state());
     } catch (const WriteError&) {
       if (!broken_off_)
         throw;
@@ -331,6 +341,7 @@ private:
 
   const model::Model& model_;
   RunContext& course_;
+  Asked asked_;
   std::vector<std::string> early_warnings_; ///< from before anything is recorded
   Watch watch_;
   std::size_t factor_bytes_ = 0; ///< what the factor of the matrix needs; 0: nothing was factored
@@ -372,10 +383,9 @@ bool RunResult::checks_hold() const {
 
 namespace {
 
-/// `start`: processor time when the run was asked for.
-RunResult run_on(mesh::Mesh mesh, double start, const study::Study& study,
+RunResult run_on(mesh::Mesh mesh, const Asked& asked, const study::Study& study,
                  const std::filesystem::path& folder, const Watch& watch, const step::State* previous,
-                 Begin begin) {
+                 Begin begin, const Threads& threads) {
   RunContext course{folder,
                     results::fingerprint(mesh),
                     previous != nullptr ? results::fingerprint(*previous) : 0,
@@ -397,22 +407,22 @@ RunResult run_on(mesh::Mesh mesh, double start, const study::Study& study,
                           : fmt::format("{}: no checkpoint in {}, starts at its beginning", study.name,
                                         folder.string()));
   }
-  const auto model = model::build_model(study, std::move(mesh));
+  const auto model = model::build_model(study, std::move(mesh), threads);
   tell_model(model, watch);
-  return Run(model, course, watch, previous).go(start);
+  return Run(model, course, watch, previous, asked).go();
 }
 
 } // namespace
 
 RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
-                    const step::State* previous, Begin begin) {
-  const double start = processor_seconds();
-  return run_on(model::load_mesh(study.mesh), start, study, folder, watch, previous, begin);
+                    const step::State* previous, Begin begin, const Threads& threads) {
+  const Asked now;
+  return run_on(model::load_mesh(study.mesh), now, study, folder, watch, previous, begin, threads);
 }
 
 RunResult run_study(const study::Study& study, mesh::Mesh mesh, const std::filesystem::path& folder,
-                    const Watch& watch, const step::State* previous, Begin begin) {
-  return run_on(std::move(mesh), processor_seconds(), study, folder, watch, previous, begin);
+                    const Watch& watch, const step::State* previous, Begin begin, const Threads& threads) {
+  return run_on(std::move(mesh), {}, study, folder, watch, previous, begin, threads);
 }
 
 } // namespace rubato::run

@@ -2,6 +2,7 @@
 /// The whole story of a run: build the model, step through time, record, check.
 #pragma once
 
+#include "rubato/core/threads.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/checks.hpp"
@@ -56,6 +57,7 @@ struct RunResult {
   bool kept = false;        ///< there is a checkpoint to go on from
   double setup_seconds = 0; ///< processor time
   double loop_seconds = 0;
+  double elapsed_seconds = 0; ///< of this process on the run, by the clock
   std::vector<results::CheckResult> checks;
   step::EnergyRecord energy; ///< how well its ledger closes, and what it gained
   step::State end;           ///< the last accepted state
@@ -72,9 +74,11 @@ enum class Begin { anew, resumed, unless_done };
 /// does not fit it, and for a checkpoint it cannot go on from. A run that came to its end is not run again
 /// when it is resumed, nor `unless_done` when deck, mesh and the end it starts from are those it had.
 RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
-                    const step::State* previous = nullptr, Begin begin = Begin::anew);
+                    const step::State* previous = nullptr, Begin begin = Begin::anew,
+                    const Threads& threads = {});
 /// The same on a mesh that is already there. A run is resumed on an equal one.
 RunResult run_study(const study::Study& study, mesh::Mesh mesh, const std::filesystem::path& folder,
-                    const Watch& watch, const step::State* previous = nullptr, Begin begin = Begin::anew);
+                    const Watch& watch, const step::State* previous = nullptr, Begin begin = Begin::anew,
+                    const Threads& threads = {});
 
 } // namespace rubato::run

@@ -2,6 +2,7 @@
 /// Where a simulation begins.
 #pragma once
 
+#include "rubato/core/threads.hpp"
 #include "rubato/simulation/memento.hpp"
 #include "rubato/step/state.hpp"
 
@@ -19,6 +20,8 @@ struct Start {
   /// Hears what each factor of an effective matrix needs [bytes] before it is computed, the first one while
   /// the simulation is built.
   std::function<void(std::size_t)> tell_memory = [](std::size_t) {};
+  /// Of a model that is built from a study; others have theirs.
+  Threads threads = {};
 };
 
 } // namespace rubato::simulation

@@ -38,7 +38,7 @@ std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatr
                                             const std::function<void(std::size_t)>& tell_memory) {
   try {
     return linalg::SplitFactor::of(matrix, ordered_surface(model), linalg::available_memory(), tell_memory,
-                                   Compliance::usual_largest_whole);
+                                   Compliance::usual_largest_whole, model.threads);
   } catch (const linalg::TooLargeForMemory& error) {
     throw InputError(
         fmt::format("the model is too large for this machine: with its {} unknowns {}; expected a "

@@ -90,7 +90,7 @@ ExplicitMotion::ExplicitMotion(const Model& model)
       bulk_points_(model.domain.initial_states()), unbalance_(VectorXd::Zero(inverse_mass_.size())),
       contact_force_(unbalance_) {
   if (model.damping.nonZeros() > 0) {
-    damping_.emplace(model.damping, model.dofs.components);
+    damping_.emplace(model.damping, model.dofs.components, model.threads);
     damping_force_ = unbalance_;
   }
   find_spectrum();

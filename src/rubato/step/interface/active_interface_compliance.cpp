@@ -3,6 +3,7 @@
 
 #include "rubato/linalg/column_sum.hpp"
 #include "rubato/linalg/symmetric_product.hpp"
+#include "rubato/step/interface/body_threads.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -91,26 +92,29 @@ void ActiveInterfaceCompliance::touch_added() {
   for (std::size_t active_dof = 0; active_dof < interface_dofs_.size(); ++active_dof)
     active_dof_of_[static_cast<std::size_t>(interface_dofs_[active_dof])] = static_cast<int>(active_dof);
   body_of_.clear();
-  std::size_t count = 0;
+  std::vector<std::span<const int>> parts;
   const auto& starts = compliance_->body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
     const auto begin = std::ranges::lower_bound(interface_dofs_, starts[b]);
     const auto end = std::ranges::lower_bound(interface_dofs_, starts[b + 1]);
     if (begin == end)
       continue;
-    body_of_.insert(body_of_.end(), static_cast<std::size_t>(end - begin), static_cast<int>(count));
-    if (count == bodies_.size())
+    body_of_.insert(body_of_.end(), static_cast<std::size_t>(end - begin), static_cast<int>(parts.size()));
+    if (parts.size() == bodies_.size())
       bodies_.emplace_back();
-    auto& body = bodies_[count++];
-    body.first = begin - interface_dofs_.begin();
-    compliance_->within_body({begin, end}, body.s);
+    bodies_[parts.size()].first = begin - interface_dofs_.begin();
+    parts.emplace_back(begin, end);
   }
+  for_each_body(compliance_->threads(), parts.size(), interface_dofs_.size(),
+                [&](std::size_t part) { compliance_->within_body(parts[part], bodies_[part].s); });
 }
 
 void ActiveInterfaceCompliance::multiply(const VectorXd& force, VectorXd& moved) const {
   moved.setZero(size());
-  for (const auto& body : bodies_)
+  for_each_body(compliance_->threads(), bodies_.size(), interface_dofs_.size(), [&](std::size_t b) {
+    const auto& body = bodies_[b];
     linalg::add_symmetric_product(1, body.s, force.data() + body.first, moved.data() + body.first);
+  });
 }
 
 void ActiveInterfaceCompliance::add_motion(

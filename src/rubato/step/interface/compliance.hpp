@@ -64,6 +64,9 @@ public:
     return related_ ? related_->starts : unknowns_.factor().body_starts();
   }
 
+  /// What is asked of one body may be asked of others at the same time.
+  const Threads& threads() const { return unknowns_.factor().threads(); }
+
   /// S for these interface dofs.
   Eigen::MatrixXd between(std::span<const int> interface_dofs);
   /// The same for interface dofs that all lie on the body of the first, of which there is one; into `s`.

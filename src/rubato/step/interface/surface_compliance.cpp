@@ -3,6 +3,7 @@
 
 #include "rubato/linalg/column_sum.hpp"
 #include "rubato/linalg/symmetric_product.hpp"
+#include "rubato/step/interface/body_threads.hpp"
 
 #include <algorithm>
 
@@ -110,26 +111,30 @@ Eigen::MatrixXd SurfaceCompliance::between_forces(const linalg::SparseMatrix& fo
 }
 
 void SurfaceCompliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
+  for_each_body(factor_.threads(), s_.size(), static_cast<std::size_t>(force.size()),
+                [&](std::size_t b) { add_of_body(b, factor, force, d); });
+}
+
+void SurfaceCompliance::add_of_body(std::size_t b, double factor, const Eigen::VectorXd& force,
+                                    Eigen::VectorXd& d) {
   const auto& starts = factor_.body_starts();
-  for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
-    const Index size = starts[b + 1] - starts[b];
-    const auto of_body = force.segment(starts[b], size);
-    if (in_blocks(static_cast<int>(b))) {
-      blocks_[b]->add(factor, of_body, d.segment(starts[b], size));
-      continue;
-    }
-    const bool may_be_dense = size >= smallest_dense && size <= largest_whole_;
-    if (may_be_dense &&
-        static_cast<double>((of_body.array() != 0).count()) > dense * static_cast<double>(size)) {
-      linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
-      continue;
-    }
-    linalg::ColumnSum sum(d.data() + starts[b], size);
-    for (int i = starts[b]; i < starts[b + 1]; ++i)
-      if (force[i] != 0)
-        sum.add(factor * force[i], column(i));
-    sum.add_rest();
+  const Index size = starts[b + 1] - starts[b];
+  const auto of_body = force.segment(starts[b], size);
+  if (in_blocks(static_cast<int>(b))) {
+    blocks_[b]->add(factor, of_body, d.segment(starts[b], size));
+    return;
   }
+  const bool may_be_dense = size >= smallest_dense && size <= largest_whole_;
+  if (may_be_dense &&
+      static_cast<double>((of_body.array() != 0).count()) > dense * static_cast<double>(size)) {
+    linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
+    return;
+  }
+  linalg::ColumnSum sum(d.data() + starts[b], size);
+  for (int i = starts[b]; i < starts[b + 1]; ++i)
+    if (force[i] != 0)
+      sum.add(factor * force[i], column(i));
+  sum.add_rest();
 }
 
 /// What a unit force at a position moves of its body, computed when first asked for.

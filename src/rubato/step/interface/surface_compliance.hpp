@@ -63,6 +63,7 @@ public:
   }
 
 private:
+  void add_of_body(std::size_t body, double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
   int body_of(int position) const { return body_of_[static_cast<std::size_t>(position)]; }
   int first_of_body(int body) const { return factor_.body_starts()[static_cast<std::size_t>(body)]; }
   bool in_blocks(int body) const {

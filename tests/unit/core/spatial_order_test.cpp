@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/step/common/spatial_order.hpp"
+#include "rubato/core/spatial_order.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-namespace rubato::step {
+namespace rubato {
 namespace {
 
 using Eigen::Vector3d;
@@ -64,4 +64,4 @@ TEST(SpatialOrder, KeepsTheOrderOfPointsAtOnePlace) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato
