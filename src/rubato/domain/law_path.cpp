@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/domain/law_part.hpp"
+#include "rubato/domain/law_path.hpp"
 
 namespace rubato::domain {
 

@@ -317,19 +317,25 @@ VectorXd SplitFactor::solve(const VectorXd& right_side) const {
 
 /// Calls work(body, place of its first unknown in a vector that has body after body), side by side where
 /// threads wake up sooner than one of them is done.
-void SplitFactor::each_body(const std::function<void(const Body&, Index)>& work) const {
+template <class Work> void SplitFactor::each_body(const Work& work) const {
   constexpr std::size_t smallest = 200'000; // entries of a factor, read in a tenth of a millisecond
-  std::vector<Index> first{0};
-  for (const auto& body : bodies_)
-    first.push_back(first.back() + body.size());
-  const auto count = static_cast<int>(bodies_.size());
-  const auto one = [&](int body) {
-    work(bodies_[static_cast<std::size_t>(body)], first[static_cast<std::size_t>(body)]);
-  };
-  if (threads_.count() > 1 && factor_nonzeros() >= smallest)
-    return threads_.each(count, one);
-  for (int body = 0; body < count; ++body)
-    one(body);
+  Index first = 0;
+  if (threads_.count() == 1 || bodies_.size() == 1 || factor_nonzeros() < smallest) {
+    for (const auto& body : bodies_) {
+      work(body, first);
+      first += body.size();
+    }
+    return;
+  }
+  std::vector<Index> firsts;
+  for (const auto& body : bodies_) {
+    firsts.push_back(first);
+    first += body.size();
+  }
+  threads_.each(static_cast<int>(bodies_.size()), [&](int body) {
+    const auto b = static_cast<std::size_t>(body);
+    work(bodies_[b], firsts[b]);
+  });
 }
 
 VectorXd SplitFactor::forward(const VectorXd& right_side) const {

@@ -115,7 +115,7 @@ private:
   bool factorise(const std::function<LowerTriangle(std::size_t)>& triangle_of);
   bool factorise_by_blas(const std::function<LowerTriangle(std::size_t)>& triangle_of);
   bool pays_side_by_side() const;
-  void each_body(const std::function<void(const Body&, Eigen::Index)>& work) const;
+  template <class Work> void each_body(const Work& work) const;
   void must_have_values() const;
 
   Threads threads_;

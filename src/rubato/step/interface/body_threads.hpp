@@ -5,18 +5,16 @@
 #include "rubato/core/threads.hpp"
 
 #include <cstddef>
-#include <functional>
 
 namespace rubato::step {
 
 /// Calls work(body) for each, side by side where there are so many `dofs` on them that threads wake up sooner
 /// than one of them would be done with all.
-inline void for_each_body(const Threads& threads, std::size_t bodies, std::size_t dofs,
-                          const std::function<void(std::size_t)>& work) {
+template <class Work>
+void for_each_body(const Threads& threads, std::size_t bodies, std::size_t dofs, const Work& work) {
   constexpr std::size_t fewest = 1000;
-  const auto one = [&](int body) { work(static_cast<std::size_t>(body)); };
   if (dofs >= fewest)
-    return threads.each(static_cast<int>(bodies), one);
+    return threads.each(static_cast<int>(bodies), [&](int body) { work(static_cast<std::size_t>(body)); });
   for (std::size_t body = 0; body < bodies; ++body)
     work(body);
 }
