@@ -44,7 +44,7 @@ function(rubato_test_parts program entry filter count)
     endif()
     add_test(NAME ${entry_name} COMMAND ${program} "--gtest_filter=${filter}" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     set_tests_properties(${entry_name} PROPERTIES TIMEOUT 1800 ENVIRONMENT
-                         "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${index}")
+                         "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${index};RUBATO_THREADS=1")
     list(APPEND names ${entry_name})
   endforeach()
   set(parts ${names} PARENT_SCOPE)

@@ -7,11 +7,11 @@ namespace rubato::contact {
 
 using Eigen::VectorXd;
 
-Discretisation make_discretisation(const Zone& zone) {
+Discretisation make_discretisation(const Zone& zone, const Threads& threads) {
   if (zone.holds_geometry())
     return Discretisation(std::in_place_type<FrozenPoints>, zone);
   if (zone.mortar)
-    return Discretisation(std::in_place_type<mortar::Points>, zone);
+    return Discretisation(std::in_place_type<mortar::Points>, zone, threads);
   return Discretisation(std::in_place_type<NeighbourList>, zone);
 }
 

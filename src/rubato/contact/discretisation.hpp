@@ -19,8 +19,8 @@ namespace rubato::contact {
 /// With what it keeps from one configuration to the next.
 using Discretisation = std::variant<NeighbourList, mortar::Points, FrozenPoints>;
 
-/// Of a zone that outlives it.
-Discretisation make_discretisation(const Zone& zone);
+/// Of a zone that outlives it. `threads`: that integrals between its surfaces may use.
+Discretisation make_discretisation(const Zone& zone, const Threads& threads = {});
 
 const Zone& zone_of(const Discretisation& discretisation);
 

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <tbb/info.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 namespace rubato {
 
 struct Threads::Arena {
-  explicit Arena(int count) : arena(count) {}
+  explicit Arena(int count)
+      : allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count)), arena(count) {
+  }
+  tbb::global_control allowed; ///< else there are no more than processors
   tbb::task_arena arena;
 };
 

@@ -26,11 +26,11 @@ void set_masters(const Surface& master, std::span<const Vector3d> x, Workspace::
 }
 
 void find_candidates(int slave_face, const SlaveFace& placed, const Options& options, const Reach& reach,
-                     Workspace::Impl& work) {
+                     const FaceSearch& search, Covering& work) {
   auto box = box_of(placed.type, placed.x);
   box.min() -= Vector3d::Constant(reach.most());
   box.max() += Vector3d::Constant(reach.most());
-  work.search.find(box, work.candidates);
+  search.find(box, work.candidates);
   if (options.may_pair)
     std::erase_if(work.candidates, [&](int face) { return !options.may_pair(slave_face, face); });
 }
@@ -48,8 +48,9 @@ void add_weighted(std::span<const Point> points, std::span<const Eigen::Vector4d
 class FacetIntegral {
 public:
   FacetIntegral(const Surface& slave, const SlaveReference& reference, const Surface& master,
-                const Options& options, Workspace::Impl& work)
-      : slave_(slave), reference_(reference), master_(master), options_(options), work_(work) {}
+                const Options& options, std::span<const MasterFace> masters, Covering& work)
+      : slave_(slave), reference_(reference), master_(master), options_(options), masters_(masters),
+        work_(work) {}
 
   void add(int face, int facet, const SlaveFace& placed, const Reach& reach) {
     part_ = {};
@@ -61,13 +62,13 @@ public:
         append_line_overlap(placed, of, reference_.measure, master, reach, work_.overlap);
       });
       choose(placed, [&](int master, const Eigen::Vector2d& xi) {
-        return distance_along_normal(placed, work_.masters[at(master)], xi);
+        return distance_along_normal(placed, masters_[at(master)], xi);
       });
     } else {
       const PlaneOverlaps overlaps(placed, of, reference_.measure, reach);
       collect([&](const MasterFace& master) { overlaps.append(master, work_.overlap); });
       choose(placed, [&](int master, const Eigen::Vector2d& xi) {
-        return overlaps.distance_before(work_.masters[at(master)], xi);
+        return overlaps.distance_before(masters_[at(master)], xi);
       });
     }
     integrate(placed);
@@ -82,7 +83,7 @@ private:
     work_.ranges.clear();
     for (const int candidate : work_.candidates) {
       const auto first = points.size(), first_corner = work_.overlap.corners.size();
-      append(work_.masters[at(candidate)]);
+      append(masters_[at(candidate)]);
       if (points.size() > first)
         work_.ranges.push_back({candidate, first, points.size(), first_corner, work_.overlap.corners.size()});
     }
@@ -153,7 +154,8 @@ private:
   const SlaveReference& reference_;
   const Surface& master_;
   const Options& options_;
-  Workspace::Impl& work_;
+  std::span<const MasterFace> masters_; ///< of the master, where they are
+  Covering& work_;
   Part part_;
 };
 
@@ -169,6 +171,22 @@ void measure_gaps(const Surface& slave, const Surface& master, std::span<const V
     }
     node.gap = node.normal.dot(apart) + node.lift;
   }
+}
+
+/// Calls integrate(first face, face after the last, where to) for parts that follow one another.
+template <class Integrate>
+void integrate_faces(std::size_t faces, const Threads& threads, Workspace::Impl& work,
+                     const Integrate& integrate) {
+  constexpr std::size_t fewest = 64; // faces that are worth a thread
+  const int parts = threads.parts_of(faces, fewest);
+  work.others.resize(at(parts) - 1);
+  threads.each(parts, [&](int part) {
+    Covering& own = part == 0 ? work : work.others[at(part) - 1];
+    own.clear_parts();
+    integrate(faces * at(part) / at(parts), faces * (at(part) + 1) / at(parts), own);
+  });
+  for (const auto& next : work.others)
+    work.append(next);
 }
 
 } // namespace
@@ -189,18 +207,21 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Surf
   set_normals(slave, reference, slave_x, options, work.normals);
   if (options.mean_normals)
     take_mean_normals(slave, slave_x, options, common_reach, work);
-  work.clear_parts();
-  FacetIntegral integral(slave, reference, master, options, work);
-  for (std::size_t f = 0; f < slave.faces.size(); ++f) {
-    auto placed = slave_face(slave.faces[f], reference, slave_x, work.normals);
-    placed.along_normals = options.mean_normals;
-    const Reach reach = options.reaches.empty() ? Reach{common_reach, common_reach} : options.reaches[f];
-    find_candidates(static_cast<int>(f), placed, options, reach, work);
-    if (work.candidates.empty())
-      continue;
-    for (std::size_t facet = 0; facet < subfacets(placed.type).size(); ++facet)
-      integral.add(static_cast<int>(f), static_cast<int>(facet), placed, reach);
-  }
+  integrate_faces(slave.faces.size(), options.threads, work,
+                  [&](std::size_t first, std::size_t last, Covering& own) {
+                    FacetIntegral integral(slave, reference, master, options, work.masters, own);
+                    for (std::size_t f = first; f < last; ++f) {
+                      auto placed = slave_face(slave.faces[f], reference, slave_x, work.normals);
+                      placed.along_normals = options.mean_normals;
+                      const Reach reach =
+                          options.reaches.empty() ? Reach{common_reach, common_reach} : options.reaches[f];
+                      find_candidates(static_cast<int>(f), placed, options, reach, work.search, own);
+                      if (own.candidates.empty())
+                        continue;
+                      for (std::size_t facet = 0; facet < subfacets(placed.type).size(); ++facet)
+                        integral.add(static_cast<int>(f), static_cast<int>(facet), placed, reach);
+                    }
+                  });
   share_functions(slave, reference, slave_x, options, work, into);
   fill_stencils(slave, &master, reference.dimension, work, into);
   measure_gaps(slave, master, slave_x, master_x, into);

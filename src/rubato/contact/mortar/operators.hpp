@@ -14,6 +14,7 @@
 #include "rubato/contact/mortar/slave_reference.hpp"
 #include "rubato/contact/stencil.hpp"
 #include "rubato/contact/surface.hpp"
+#include "rubato/core/threads.hpp"
 
 #include <Eigen/Core>
 
@@ -51,6 +52,9 @@ struct Options {
   bool mean_normals = false;
   /// Whether all of the master within reach counts, not only what is nearest (nearest.hpp).
   bool all_layers = false;
+  /// That work on slave faces between two meshes; may_pair is asked by several at a time. Operators do not
+  /// depend on their number.
+  Threads threads = {};
 };
 
 enum class Cover : std::uint8_t {

@@ -71,10 +71,8 @@ struct NodeSums {
   void add(int node, double weight, double gap_weight);
 };
 
-struct Workspace::Impl {
-  std::vector<Eigen::Vector3d> normals; ///< m_j
-  std::vector<MasterFace> masters;
-  FaceSearch search;
+/// Covered parts of some of the slave faces, and storage of one sub-facet after the other.
+struct Covering {
   std::vector<int> candidates;
   OverlapPoints overlap;                 ///< of one sub-facet
   std::vector<PointRange> ranges;        ///< of its points
@@ -85,6 +83,22 @@ struct Workspace::Impl {
   std::vector<Overlap> overlaps;
   std::vector<SeenProducts> seen;
 
+  void clear_parts() {
+    parts.clear();
+    overlaps.clear();
+    seen.clear();
+  }
+  /// Takes over the parts of faces that follow, seen before no obstacle.
+  void append(const Covering& next);
+};
+
+/// The covering is that of all slave faces.
+struct Workspace::Impl : Covering {
+  std::vector<Eigen::Vector3d> normals; ///< m_j
+  std::vector<MasterFace> masters;
+  FaceSearch search;
+  std::vector<Covering> others; ///< of the faces of other threads than the first
+
   std::vector<double> covered; ///< w_j⁰
   std::vector<std::uint8_t> kept;
   std::vector<Share> shares;
@@ -93,20 +107,13 @@ struct Workspace::Impl {
   std::vector<int> takers;
 
   NodeSums slave_sums, master_sums;
-
-  void clear_parts() {
-    parts.clear();
-    overlaps.clear();
-    seen.clear();
-  }
 };
 
 /// ∫1 over the whole sub-facet of a part.
 double full_area(const SlaveReference& reference, const Part& part);
 
 /// Sets the dual functions of a part whose integrals are there, and its least gaps from those seen.
-void make_dual(const SlaveFace& placed, const SlaveReference& reference, const Workspace::Impl& work,
-               Part& part);
+void make_dual(const SlaveFace& placed, const SlaveReference& reference, const Covering& work, Part& part);
 
 /// Which face a complaint is about.
 void require_finite(const Surface& surface, std::span<const Eigen::Vector3d> x, const char* which);

@@ -80,7 +80,8 @@ std::optional<SelfPairs> self_of(const Zone& zone) {
 
 } // namespace
 
-Points::Points(const Zone& zone) : zone_(&zone), keep_(keep_of(zone)), self_(self_of(zone)) {}
+Points::Points(const Zone& zone, const Threads& threads)
+    : zone_(&zone), threads_(threads), keep_(keep_of(zone)), self_(self_of(zone)) {}
 
 void Points::update(const Configuration& configuration) {
   const auto position = [&](mesh::NodeIndex node) { return configuration.position(node); };
@@ -168,7 +169,7 @@ void Points::integrate_at(const Positions& slave, const Positions& master, doubl
 }
 
 Options Points::options_at(const Positions& slave, const Positions& master) {
-  Options options{.held = zone_->held, .keep = keep_, .least_shares = least_shares_};
+  Options options{.held = zone_->held, .keep = keep_, .least_shares = least_shares_, .threads = threads_};
   if (!zone_->obstacle && !self_)
     options.reaches = reach_.at(slave, master);
   if (!self_)

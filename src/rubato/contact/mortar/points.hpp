@@ -27,7 +27,7 @@ namespace rubato::contact::mortar {
 class Points {
 public:
   /// Of a zone with `mortar`, which must outlive it.
-  explicit Points(const Zone& zone);
+  explicit Points(const Zone& zone, const Threads& threads = {});
 
   /// A step begins from an end at which points had these lifts, PointEvaluation::lift: one a slave node, or
   /// none before the first step. They are taken from where the step begins then.
@@ -56,6 +56,7 @@ private:
   Eigen::Vector3d anchor_motion(const Node& node, const Configuration& configuration) const;
 
   const Zone* zone_;
+  Threads threads_;
   std::vector<Keep> keep_;
   std::optional<SelfPairs> self_; ///< of a surface that touches itself: as it is where the step begins
   ReachInStep reach_;             ///< between two meshes

@@ -267,8 +267,17 @@ double full_area(const SlaveReference& reference, const Part& part) {
   return reference.facet_area[reference.first_facet[at(part.face)] + at(part.facet)];
 }
 
-void make_dual(const SlaveFace& placed, const SlaveReference& reference, const Workspace::Impl& work,
-               Part& part) {
+void Covering::append(const Covering& next) {
+  const auto first = overlaps.size();
+  overlaps.insert(overlaps.end(), next.overlaps.begin(), next.overlaps.end());
+  for (auto part : next.parts) {
+    part.first_overlap += first;
+    part.last_overlap += first;
+    parts.push_back(part);
+  }
+}
+
+void make_dual(const SlaveFace& placed, const SlaveReference& reference, const Covering& work, Part& part) {
   const auto& facet = subfacets(placed.type)[at(part.facet)];
   part.dual = dual_coefficients(facet.node_count, part.covered, full_area(reference, part), all_kept);
   LeastGaps least(facet.node_count, part.covered, part.dual, part.gaps);

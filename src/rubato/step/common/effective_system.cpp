@@ -223,7 +223,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   const auto usual = model.zones.empty() ? Eigen::VectorXd() : usual_diagonal(model, scheme);
   for (const auto& zone : model.zones) {
     system.zones.push_back(coefficients_of(zone, model, system.diagonal, usual, weak));
-    system.discretisations.push_back(contact::make_discretisation(zone));
+    system.discretisations.push_back(contact::make_discretisation(zone, model.threads));
   }
   if (model.study.solver != study::Solver::full)
     if (auto factor = factored(model, system.matrix, tell_memory))
