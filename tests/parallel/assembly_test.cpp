@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Matrices and forces of bodies do not depend on the number of threads, to the last bit.
 #include "rubato/domain/assembly.hpp"
+#include "rubato/domain/recovery.hpp"
 #include "rubato/linalg/block_matrix.hpp"
 
 #include <fmt/format.h>
@@ -59,6 +60,24 @@ TEST_P(AssemblyByThreads, GivesTheMatricesOfOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, AssemblyByThreads, testing::Values("hexa8", "hexa20", "tetra4", "penta6"));
+
+TEST(StressesByThreads, AreThoseOfOne) {
+  const auto model = shaken_box("hexa8", 12);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> any(-1e-3, 1e-3);
+  Eigen::VectorXd u(model.dofs.dof_count);
+  for (auto& value : u)
+    value = any(random);
+  const auto by = [&](int threads) {
+    return nodal_stress(model.mesh, model.bulk, model.dofs, u, {}, nullptr, Threads(threads));
+  };
+  const auto one = by(1);
+  EXPECT_GT(one.von_mises.maxCoeff(), 1e8);
+  for (const int threads : more_threads) {
+    EXPECT_EQ(by(threads).stress, one.stress);
+    EXPECT_EQ(by(threads).von_mises, one.von_mises);
+  }
+}
 
 TEST(ProductByThreads, DiffersFromThatOfOneByRounding) {
   const auto model = shaken_box("hexa8", 24);

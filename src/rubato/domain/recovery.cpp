@@ -207,18 +207,29 @@ MatrixXd CellTensors::at_nodes(Tensor what, std::size_t cell) {
 
 namespace {
 
-/// What `of_cell` gives at the nodes of each cell, averaged at each node over its cells.
+/// What `of_cell(tensors, cell)` gives at the nodes of each cell, averaged at each node over its cells.
+/// Threads compute some cells at a time, which are then summed in their order.
 template <class OfCell>
-MatrixXd averaged(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, Index rows,
-                  const OfCell& of_cell) {
+MatrixXd averaged(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, const CellTensors& tensors,
+                  const Threads& threads, Index rows, const OfCell& of_cell) {
+  constexpr std::size_t at_once = 4096, fewest = 256;
   MatrixXd result = MatrixXd::Zero(rows, mesh.node_count());
   std::vector<int> cells_at(mesh.points.size(), 0);
-  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    const auto nodes = mesh.nodes_of(bulk.cells[i]);
-    const MatrixXd at_nodes = of_cell(i);
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      result.col(nodes[n]) += at_nodes.col(static_cast<Index>(n));
-      ++cells_at[slot(nodes[n])];
+  std::vector<CellTensors> own(slot(threads.parts_of(bulk.cells.size(), fewest)), tensors);
+  std::vector<MatrixXd> at_nodes(std::min(at_once, bulk.cells.size()));
+  for (std::size_t first = 0; first < bulk.cells.size(); first += at_once) {
+    const auto count = std::min(at_once, bulk.cells.size() - first);
+    threads.each(static_cast<int>(own.size()), [&](int part) {
+      const auto p = slot(part);
+      for (auto i = count * p / own.size(); i < count * (p + 1) / own.size(); ++i)
+        at_nodes[i] = of_cell(own[p], first + i);
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto nodes = mesh.nodes_of(bulk.cells[first + i]);
+      for (std::size_t n = 0; n < nodes.size(); ++n) {
+        result.col(nodes[n]) += at_nodes[i].col(static_cast<Index>(n));
+        ++cells_at[slot(nodes[n])];
+      }
     }
   }
   for (const auto node : dofs.nodes)
@@ -230,23 +241,27 @@ MatrixXd averaged(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, 
 } // namespace
 
 NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                           const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states) {
-  CellTensors tensors(mesh, bulk, dofs, u, heat, states);
-  return averaged(mesh, bulk, dofs, 6, [&](std::size_t i) { return tensors.at_nodes(what, i); });
+                           const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states,
+                           const Threads& threads) {
+  const CellTensors tensors(mesh, bulk, dofs, u, heat, states);
+  return averaged(mesh, bulk, dofs, tensors, threads, 6,
+                  [&](CellTensors& own, std::size_t i) { return own.at_nodes(what, i); });
 }
 
 Eigen::VectorXd nodal_plastic_strain(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                                     const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states) {
-  CellTensors tensors(mesh, bulk, dofs, u, heat, states);
-  const auto of_cell = [&](std::size_t i) -> MatrixXd {
-    return tensors.cumulated_plastic_strain(i) * extrapolation(mesh.type_of(bulk.cells[i])).transpose();
+                                     const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states,
+                                     const Threads& threads) {
+  const CellTensors tensors(mesh, bulk, dofs, u, heat, states);
+  const auto of_cell = [&](CellTensors& own, std::size_t i) -> MatrixXd {
+    return own.cumulated_plastic_strain(i) * extrapolation(mesh.type_of(bulk.cells[i])).transpose();
   };
-  return averaged(mesh, bulk, dofs, 1, of_cell).transpose();
+  return averaged(mesh, bulk, dofs, tensors, threads, 1, of_cell).transpose();
 }
 
 NodalStress nodal_stress(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                         const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states) {
-  NodalStress result{nodal_tensors(Tensor::stress, mesh, bulk, dofs, u, heat, states),
+                         const Eigen::VectorXd& u, HeatAt heat, const QuadratureStates* states,
+                         const Threads& threads) {
+  NodalStress result{nodal_tensors(Tensor::stress, mesh, bulk, dofs, u, heat, states, threads),
                      Eigen::VectorXd::Zero(mesh.node_count())};
   for (const auto node : dofs.nodes)
     result.von_mises[node] = material::von_mises(result.stress.col(node));

@@ -2,6 +2,7 @@
 /// Stresses and strains for people to look at: at quadrature points, and from there to nodes.
 #pragma once
 
+#include "rubato/core/threads.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/heat.hpp"
@@ -71,14 +72,14 @@ private:
 /// of one material to see it.
 NodalTensors nodal_tensors(Tensor what, const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
                            const Eigen::VectorXd& u, HeatAt heat = {},
-                           const QuadratureStates* states = nullptr);
+                           const QuadratureStates* states = nullptr, const Threads& threads = {});
 /// The same of the cumulated plastic strain, one a mesh node.
 Eigen::VectorXd nodal_plastic_strain(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
                                      const Eigen::VectorXd& u, HeatAt heat = {},
-                                     const QuadratureStates* states = nullptr);
+                                     const QuadratureStates* states = nullptr, const Threads& threads = {});
 /// Of stress, with von Mises'.
 NodalStress nodal_stress(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                         const Eigen::VectorXd& u, HeatAt heat = {},
-                         const QuadratureStates* states = nullptr);
+                         const Eigen::VectorXd& u, HeatAt heat = {}, const QuadratureStates* states = nullptr,
+                         const Threads& threads = {});
 
 } // namespace rubato::domain

@@ -101,7 +101,7 @@ std::vector<OwnedField> contact_fields(const Model& model, const step::State& no
 
 std::vector<OwnedField> stress_fields(const Model& model, const step::State& now) {
   const auto recovered = domain::nodal_stress(model.mesh, model.bulk, model.dofs, now.motion.u,
-                                              {model.domain.heat(), now.t}, &now.bulk_points);
+                                              {model.domain.heat(), now.t}, &now.bulk_points, model.threads);
   const auto& stress = recovered.stress;
   return {{"stress", 6, {stress.data(), stress.data() + stress.size()}, tensor_components},
           {"von_mises", 1, {recovered.von_mises.begin(), recovered.von_mises.end()}, {}}};
@@ -126,7 +126,7 @@ namespace {
 
 OwnedField tensor_field(const Model& model, const step::State& now, domain::Tensor what, std::string name) {
   const auto tensors = domain::nodal_tensors(what, model.mesh, model.bulk, model.dofs, now.motion.u,
-                                             {model.domain.heat(), now.t}, &now.bulk_points);
+                                             {model.domain.heat(), now.t}, &now.bulk_points, model.threads);
   return {std::move(name), 6, {tensors.data(), tensors.data() + tensors.size()}, tensor_components};
 }
 
@@ -141,8 +141,9 @@ OwnedField plastic_strain_field(const Model& model, const step::State& now) {
 }
 
 OwnedField cumulated_plastic_strain_field(const Model& model, const step::State& now) {
-  const auto values = domain::nodal_plastic_strain(model.mesh, model.bulk, model.dofs, now.motion.u,
-                                                   {model.domain.heat(), now.t}, &now.bulk_points);
+  const auto values =
+      domain::nodal_plastic_strain(model.mesh, model.bulk, model.dofs, now.motion.u,
+                                   {model.domain.heat(), now.t}, &now.bulk_points, model.threads);
   return {"cumulated_plastic_strain", 1, {values.begin(), values.end()}, {}};
 }
 

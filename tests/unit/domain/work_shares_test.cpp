@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/work_shares.hpp"
 #include "rubato/mesh/generate.hpp"
+#include "rubato/study/mesh_source.hpp"
 
 #include <gtest/gtest.h>
 
