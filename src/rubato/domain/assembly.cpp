@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/domain/cell_matrices.hpp"
+#include "rubato/element/hexa8_stiffness.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
@@ -52,13 +54,32 @@ CellsOfNodes cells_around_nodes(const mesh::Mesh& mesh, std::span<const CellInde
   return around;
 }
 
-/// Adds blocks of C rows under each other to those that begin at places in a column.
-template <int C> void add_blocks(const double* blocks, std::span<const std::int32_t> places, double* column) {
+/// The C columns of a node in a matrix.
+template <int C> using NodeColumns = std::array<double*, static_cast<std::size_t>(C)>;
+
+template <int C> NodeColumns<C> columns_of_node(SparseMatrix& matrix, int first) {
+  NodeColumns<C> columns;
+  for (std::size_t b = 0; b < C; ++b)
+    columns[b] = matrix.valuePtr() + matrix.outerIndexPtr()[static_cast<std::size_t>(first) + b];
+  return columns;
+}
+
+template <int C> void add_column(const double* from, double* into) {
+  Eigen::Map<Eigen::Array2d>{into} += Eigen::Map<const Eigen::Array2d>{from};
+  if constexpr (C == 3)
+    into[2] += from[2];
+}
+
+/// Adds blocks of C × C numbers, their columns `stride` apart, to those that begin at places in the columns
+/// of a node.
+template <int C>
+void add_blocks(const double* blocks, Eigen::Index stride, std::span<const std::int32_t> places,
+                const NodeColumns<C>& columns) {
   for (const auto place : places) {
-    std::array<double, C> sum;
-    for (std::size_t a = 0; a < C; ++a)
-      sum[a] = column[place + static_cast<std::int32_t>(a)] + blocks[a];
-    std::ranges::copy(sum, column + place);
+    add_column<C>(blocks, columns[0] + place);
+    add_column<C>(blocks + stride, columns[1] + place);
+    if constexpr (C == 3)
+      add_column<C>(blocks + 2 * stride, columns[2] + place);
     blocks += C;
   }
 }
@@ -153,13 +174,17 @@ SparseMatrix BlockPattern::matrix_without_values() const {
   int* outer = matrix.outerIndexPtr();
   int* inner = matrix.innerIndexPtr();
   *outer++ = 0;
-  for (std::int64_t node = 0; node < nodes; ++node)
-    for (int b = 0; b < components_; ++b) {
-      for (auto k = start_[at(node)]; k < start_[at(node) + 1]; ++k)
-        for (int a = 0; a < components_; ++a)
-          *inner++ = neighbours_[at(k)] * components_ + a;
-      *outer++ = static_cast<int>(inner - matrix.innerIndexPtr());
-    }
+  for (std::int64_t node = 0; node < nodes; ++node) {
+    const int* const first = inner;
+    for (auto k = start_[at(node)]; k < start_[at(node) + 1]; ++k)
+      for (int a = 0; a < components_; ++a)
+        *inner++ = neighbours_[at(k)] * components_ + a;
+    const auto rows = inner - first;
+    for (int b = 1; b < components_; ++b)
+      inner = std::copy_n(first, rows, inner);
+    for (int b = 1; b <= components_; ++b, ++outer)
+      *outer = outer[-1] + static_cast<int>(rows);
+  }
   return matrix;
 }
 
@@ -188,10 +213,12 @@ void BlockPattern::visit_columns(CellIndex cell, std::span<const NodeIndex> node
 
 void BlockPattern::add(CellIndex cell, std::span<const NodeIndex> nodes, const Eigen::MatrixXd& element,
                        SparseMatrix& matrix) const {
+  const auto places = std::span(places_).subspan(at(first_place_[at(cell)]), nodes.size() * nodes.size());
   const auto add = [&]<int C>(std::integral_constant<int, C>) {
-    visit_columns(cell, nodes, matrix, [&](Eigen::Index j, int b, auto places, double* column) {
-      add_blocks<C>(element.col(j * C + b).data(), places, column);
-    });
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      add_blocks<C>(element.col(static_cast<Eigen::Index>(C * j)).data(), element.outerStride(),
+                    places.subspan(j * nodes.size(), nodes.size()),
+                    columns_of_node<C>(matrix, first_dof_[at(nodes[j])]));
   };
   if (components_ == 3)
     add(std::integral_constant<int, 3>{});
@@ -248,32 +275,65 @@ bool has_stiffness_of_edges(const Bulk& bulk, std::size_t cell) {
          bulk.behaviour(cell) == nullptr;
 }
 
+/// The nodes of a cell seen from its first one.
+class Edges {
+public:
+  Edges() = default;
+  explicit Edges(std::span<const Eigen::Vector3d> points) : count_(points.size()) {
+    for (std::size_t n = 0; n < count_; ++n)
+      from_first_[n] = points[n] - points[0];
+  }
+  Edges(const Edges& other) : count_(other.count_) { copy(other); }
+  Edges& operator=(const Edges& other) {
+    count_ = other.count_;
+    copy(other);
+    return *this;
+  }
+  std::span<const Eigen::Vector3d> points() const { return {from_first_.data(), count_}; }
+  bool operator==(const Edges& other) const { return std::ranges::equal(points(), other.points()); }
+
+private:
+  void copy(const Edges& other) { std::ranges::copy(other.points(), from_first_.begin()); }
+
+  std::array<Eigen::Vector3d, 27> from_first_; ///< the first `count_`
+  std::size_t count_ = 0;
+};
+
+/// What the stiffness of a linear cell depends on.
+struct LinearShape {
+  std::int32_t law = -1; ///< −1: of no cell
+  CellType type = CellType::point1;
+  Edges edges;
+  bool operator==(const LinearShape&) const = default;
+};
+
 /// Stiffnesses of cells one after the other. Where edges are all that counts, the nodes are seen from the
 /// first one: cells of one law with the same edges have the same stiffness then, to the last digit, and those
-/// that follow each other, as in generated boxes, have it computed once.
+/// that follow each other, as in generated boxes, have it computed once. That of another HEXA8 is computed
+/// together with that of the cell after it, which takes no longer.
 class Stiffnesses {
 public:
   Stiffnesses(const mesh::Mesh& mesh, const Bulk& bulk) : mesh_(mesh), bulk_(bulk) {}
 
   /// `i`: the place of the cell in the bulk. Times the factor of its law.
   const Eigen::MatrixXd& of(std::size_t i, const Cell& cell) {
-    const std::span<const Eigen::Vector3d> points = cell.points;
-    if (!has_stiffness_of_edges(bulk_, i)) {
-      last_law_ = -1;
-      compute(i, cell, points);
-      return element_;
+    if (i == place_ahead_) {
+      shape_ = shape_ahead_;
+      element_.swap(element_ahead_);
+    } else if (!has_stiffness_of_edges(bulk_, i)) {
+      shape_ = {};
+      compute(i, cell, cell.points);
+    } else {
+      const LinearShape shape{bulk_.law_of_cell[i], cell.type, Edges(cell.points)};
+      if (shape == shape_)
+        return element_;
+      shape_ = shape;
+      if (!compute_with_next(i, cell))
+        compute(i, cell, shape_.edges.points());
     }
-    std::array<Eigen::Vector3d, 27> from_first;
-    for (std::size_t n = 0; n < points.size(); ++n)
-      from_first[n] = points[n] - points[0];
-    const auto edges = std::span<const Eigen::Vector3d>(from_first).first(points.size());
-    if (last_law_ == bulk_.law_of_cell[i] && last_type_ == cell.type &&
-        std::ranges::equal(edges, std::span(last_edges_).first(edges.size())))
-      return element_;
-    compute(i, cell, edges);
-    std::ranges::copy(edges, last_edges_.begin());
-    last_law_ = bulk_.law_of_cell[i];
-    last_type_ = cell.type;
+    if (cell.factor != 1)
+      element_ *= cell.factor;
+    require_finite(element_.diagonal(), cell, mesh_, "stiffness");
     return element_;
   }
 
@@ -282,17 +342,40 @@ private:
     const auto size = cell.node_count() * element::component_count(bulk_.section.physics);
     element_.resize(size, size);
     cell_stiffness(bulk_, i, cell.type, points, element_);
-    if (cell.factor != 1)
-      element_ *= cell.factor;
-    require_finite(element_.diagonal(), cell, mesh_, "stiffness");
+  }
+
+  std::optional<material::Lame> hexa8_lame(const Cell& cell) const {
+    if (cell.type != CellType::hexa8)
+      return {};
+    return material::isotropic(cell.law, bulk_.section.physics);
+  }
+
+  /// Of `shape_`. False where the next cell has no stiffness that this can be computed with, or the same one.
+  bool compute_with_next(std::size_t i, const Cell& cell) {
+    const auto next = i + 1;
+    if (next == bulk_.cells.size() || !has_stiffness_of_edges(bulk_, next))
+      return false;
+    const Cell other(mesh_, bulk_, {}, next);
+    const auto lame = hexa8_lame(cell), lame_ahead = hexa8_lame(other);
+    if (!lame || !lame_ahead)
+      return false;
+    shape_ahead_ = {bulk_.law_of_cell[next], other.type, Edges(other.points)};
+    if (shape_ahead_ == shape_)
+      return false;
+    element::set_hexa8_stiffness(
+        {element::Hexa8Stiffness{shape_.edges.points(), *lame, element_},
+         element::Hexa8Stiffness{shape_ahead_.edges.points(), *lame_ahead, element_ahead_}});
+    place_ahead_ = next;
+    return true;
   }
 
   const mesh::Mesh& mesh_;
   const Bulk& bulk_;
   Eigen::MatrixXd element_;
-  std::array<Eigen::Vector3d, 27> last_edges_;
-  std::int32_t last_law_ = -1; ///< −1: there is none to compare with
-  CellType last_type_ = CellType::point1;
+  LinearShape shape_; ///< that `element_` is of
+  std::size_t place_ahead_ = std::numeric_limits<std::size_t>::max();
+  Eigen::MatrixXd element_ahead_; ///< of the cell there, without the factor
+  LinearShape shape_ahead_;
 };
 
 /// Of the cells that `is_wanted` says, by their places in the bulk.
