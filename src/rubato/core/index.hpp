@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace rubato {
 
-/// A place that is stored as int, as the standard containers index; not negative.
-constexpr std::size_t at(int index) {
+/// A place that is stored as int or std::int64_t, as the standard containers index; not negative.
+constexpr std::size_t at(std::int64_t index) {
   return static_cast<std::size_t>(index);
 }
 

@@ -2,7 +2,9 @@
 #include "rubato/domain/assembly.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/core/index.hpp"
 #include "rubato/domain/cell_matrices.hpp"
+#include "rubato/element/hexa8_stiffness.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
@@ -21,81 +24,34 @@ namespace {
 using mesh::CellIndex;
 using mesh::NodeIndex;
 
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
+/// The C columns of a node in a matrix.
+template <int C> using NodeColumns = std::array<double*, static_cast<std::size_t>(C)>;
+
+template <int C> NodeColumns<C> columns_of_node(SparseMatrix& matrix, int first) {
+  NodeColumns<C> columns;
+  for (std::size_t b = 0; b < C; ++b)
+    columns[b] = matrix.valuePtr() + matrix.outerIndexPtr()[static_cast<std::size_t>(first) + b];
+  return columns;
 }
 
-/// The cells around each numbered node, in compressed rows, and which of the nodes of such a cell it is.
-struct CellsOfNodes {
-  std::vector<std::int64_t> start;
-  std::vector<CellIndex> cells;
-  std::vector<std::int32_t> own;
-};
-
-CellsOfNodes cells_around_nodes(const mesh::Mesh& mesh, std::span<const CellIndex> cells,
-                                const DofMap& dofs) {
-  const auto number = [&](NodeIndex node) { return at(dofs.first_dof[at(node)] / dofs.components); };
-  CellsOfNodes around{std::vector<std::int64_t>(dofs.nodes.size() + 1, 0), {}, {}};
-  for (const auto cell : cells)
-    for (const auto node : mesh.nodes_of(cell))
-      ++around.start[number(node) + 1];
-  std::partial_sum(around.start.begin(), around.start.end(), around.start.begin());
-  around.cells.resize(at(around.start.back()));
-  around.own.resize(around.cells.size());
-  auto next = around.start;
-  for (const auto cell : cells)
-    for (std::int32_t own = 0; const auto node : mesh.nodes_of(cell)) {
-      const auto place = at(next[number(node)]++);
-      around.cells[place] = cell;
-      around.own[place] = own++;
-    }
-  return around;
+template <int C> void add_column(const double* from, double* into) {
+  Eigen::Map<Eigen::Array2d>{into} += Eigen::Map<const Eigen::Array2d>{from};
+  if constexpr (C == 3)
+    into[2] += from[2];
 }
 
-/// Numbered nodes in parts that follow one another, one a thread.
-class NodesInParts {
-public:
-  NodesInParts(std::size_t nodes, const Threads& threads)
-      : nodes_(static_cast<std::int64_t>(nodes)), count_(threads.parts_of(nodes, 1000)) {}
-  int count() const { return count_; }
-  std::int32_t first(int part) const { return static_cast<std::int32_t>(nodes_ * part / count_); }
-
-private:
-  std::int64_t nodes_;
-  int count_;
-};
-
-std::vector<std::int32_t> joined(std::vector<std::vector<std::int32_t>>&& parts) {
-  auto whole = std::move(parts.front());
-  std::size_t size = whole.size();
-  for (std::size_t part = 1; part < parts.size(); ++part)
-    size += parts[part].size();
-  whole.reserve(size);
-  for (std::size_t part = 1; part < parts.size(); ++part)
-    whole.insert(whole.end(), parts[part].begin(), parts[part].end());
-  return whole;
-}
-
-/// Adds blocks of C rows under each other to those that begin at places in a column.
-template <int C> void add_blocks(const double* blocks, std::span<const std::int32_t> places, double* column) {
+/// Adds blocks of C × C numbers, their columns `stride` apart, to those that begin at places in the columns
+/// of a node.
+template <int C>
+void add_blocks(const double* blocks, Eigen::Index stride, std::span<const std::int32_t> places,
+                const NodeColumns<C>& columns) {
   for (const auto place : places) {
-    std::array<double, C> sum;
-    for (std::size_t a = 0; a < C; ++a)
-      sum[a] = column[place + static_cast<std::int32_t>(a)] + blocks[a];
-    std::ranges::copy(sum, column + place);
+    add_column<C>(blocks, columns[0] + place);
+    add_column<C>(blocks + stride, columns[1] + place);
+    if constexpr (C == 3)
+      add_column<C>(blocks + 2 * stride, columns[2] + place);
     blocks += C;
   }
-}
-
-/// Where the square of places of each cell of the mesh begins, nodes × nodes of those in `cells`.
-std::vector<std::int64_t> first_places(const mesh::Mesh& mesh, std::span<const CellIndex> cells) {
-  std::vector<std::int64_t> first(at(mesh.cell_count()) + 1, 0);
-  for (const auto cell : cells) {
-    const auto nodes = static_cast<std::int64_t>(mesh.nodes_of(cell).size());
-    first[at(cell) + 1] = nodes * nodes;
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  return first;
 }
 
 /// One cell of the bulk with all that its matrices are made of.
@@ -123,91 +79,6 @@ void require_finite(const Values& element, const Cell& cell, const mesh::Mesh& m
   throw InputError(fmt::format("{}: its {} is not finite ({})", cell_label(mesh, cell.index), what,
                                material::described(cell.law)));
 }
-
-} // namespace
-
-BlockPattern::BlockPattern(const mesh::Mesh& mesh, std::span<const CellIndex> cells, const DofMap& dofs,
-                           const Threads& threads)
-    : components_(dofs.components), cells_(cells.begin(), cells.end()), shares_(mesh, cells, threads),
-      first_dof_(dofs.first_dof), start_(dofs.nodes.size() + 1, 0), first_place_(first_places(mesh, cells)),
-      places_(at(first_place_.back())) {
-  const NodesInParts parts(dofs.nodes.size(), threads);
-  const auto around = cells_around_nodes(mesh, cells, dofs);
-  std::vector<std::vector<std::int32_t>> found(at(parts.count()));
-  threads.each(parts.count(), [&](int part) {
-    auto& neighbours = found[at(part)];
-    std::vector<std::int32_t> last_seen_by(dofs.nodes.size(), -1);
-    std::vector<std::int32_t> place_of(dofs.nodes.size());
-    for (auto node = parts.first(part); node < parts.first(part + 1); ++node) {
-      const auto first = neighbours.size();
-      const auto each_cell = [&](const auto& work) {
-        for (auto c = at(around.start[at(node)]); c < at(around.start[at(node) + 1]); ++c)
-          work(around.cells[c], around.own[c]);
-      };
-      each_cell([&](CellIndex cell, std::int32_t) {
-        for (const auto other : mesh.nodes_of(cell)) {
-          const auto neighbour = number_of(other);
-          if (std::exchange(last_seen_by[at(neighbour)], node) != node)
-            neighbours.push_back(neighbour);
-        }
-      });
-      const auto own = std::span(neighbours).subspan(first);
-      start_[at(node) + 1] = static_cast<std::int64_t>(own.size());
-      std::ranges::sort(own);
-      for (std::int32_t place = 0; const auto neighbour : own)
-        place_of[at(neighbour)] = components_ * place++;
-      each_cell([&](CellIndex cell, std::int32_t i) { put_places(cell, i, mesh, place_of); });
-    }
-  });
-  std::partial_sum(start_.begin(), start_.end(), start_.begin());
-  if (start_.back() * components_ * components_ > std::numeric_limits<int>::max())
-    throw std::length_error("the matrix of this mesh has more entries than a 32-bit index can count");
-  neighbours_ = joined(std::move(found));
-}
-
-void BlockPattern::put_places(CellIndex cell, std::int32_t own, const mesh::Mesh& mesh,
-                              std::span<const std::int32_t> place_of) {
-  const auto nodes = mesh.nodes_of(cell);
-  const auto first = first_place_[at(cell)] + own * static_cast<std::int64_t>(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    places_[at(first) + i] = place_of[at(number_of(nodes[i]))];
-}
-
-SparseMatrix BlockPattern::zero_matrix() const {
-  auto matrix = matrix_without_values();
-  matrix.coeffs().setZero();
-  return matrix;
-}
-
-SparseMatrix BlockPattern::matrix_without_values() const {
-  const auto nodes = start_.size() - 1;
-  const auto size = static_cast<Eigen::Index>(nodes) * components_;
-  const auto area = components_ * components_;
-  SparseMatrix matrix(size, size);
-  matrix.resizeNonZeros(static_cast<Eigen::Index>(start_.back() * area));
-  const NodesInParts parts(nodes, shares_.threads());
-  shares_.threads().each(parts.count(), [&](int part) {
-    for (auto node = parts.first(part); node < parts.first(part + 1); ++node) {
-      const auto neighbours =
-          std::span(neighbours_).subspan(at(start_[at(node)]), at(start_[at(node) + 1] - start_[at(node)]));
-      int entry = static_cast<int>(start_[at(node)] * area);
-      for (int b = 0; b < components_; ++b) {
-        matrix.outerIndexPtr()[node * components_ + b] = entry;
-        for (const auto neighbour : neighbours)
-          for (int a = 0; a < components_; ++a)
-            matrix.innerIndexPtr()[entry++] = neighbour * components_ + a;
-      }
-    }
-  });
-  matrix.outerIndexPtr()[size] = static_cast<int>(start_.back() * area);
-  return matrix;
-}
-
-std::int32_t BlockPattern::number_of(NodeIndex node) const {
-  return first_dof_[at(node)] / components_;
-}
-
-namespace {
 
 enum class Entries {
   blocks,   ///< of matrices of nodes · components
@@ -266,10 +137,8 @@ private:
   template <int C>
   void add_all_blocks(const Eigen::MatrixXd& element, int dof, std::size_t j,
                       std::span<const std::int32_t> places) {
-    const int* outer = matrix_.outerIndexPtr() + dof;
-    for (int b = 0; b < C; ++b)
-      add_blocks<C>(element.col(static_cast<Eigen::Index>(j) * C + b).data(), places,
-                    matrix_.valuePtr() + outer[b]);
+    add_blocks<C>(element.col(static_cast<Eigen::Index>(C * j)).data(), element.outerStride(), places,
+                  columns_of_node<C>(matrix_, dof));
   }
 
   void add_diagonals(const double* values, int dof, std::span<const std::int32_t> places) {
@@ -297,8 +166,9 @@ std::vector<std::size_t> places_in_bulk(const BlockPattern& pattern, const Bulk&
   return places;
 }
 
-/// The sum of what `matrix_of` gives for each cell of the pattern, called with the share and the place in the
-/// bulk; null where a cell adds nothing.
+/// The sum of what `matrix_of` gives for each cell of the pattern, called with the share, the place in the
+/// bulk and that of the cell which comes next, WorkShares::none after the last; null where a cell adds
+/// nothing.
 template <Entries E, class MatrixOf>
 SparseMatrix sum_of_cells(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                           const MatrixOf& matrix_of) {
@@ -306,8 +176,9 @@ SparseMatrix sum_of_cells(const mesh::Mesh& mesh, const Bulk& bulk, const BlockP
   const auto& shares = pattern.shares();
   const auto places = places_in_bulk(pattern, bulk);
   std::vector<Eigen::MatrixXd> kept(shares.border().size());
-  shares.each([&](int share, std::size_t i) {
-    const Eigen::MatrixXd* element = matrix_of(share, places[i]);
+  shares.each_with_next([&](int share, std::size_t i, std::size_t next) {
+    const Eigen::MatrixXd* element =
+        matrix_of(share, places[i], next == WorkShares::none ? next : places[next]);
     if (element == nullptr)
       return;
     const auto cell = pattern.cells()[i];
@@ -331,32 +202,65 @@ bool has_stiffness_of_edges(const Bulk& bulk, std::size_t cell) {
          bulk.behaviour(cell) == nullptr;
 }
 
+/// The nodes of a cell seen from its first one.
+class Edges {
+public:
+  Edges() = default;
+  explicit Edges(std::span<const Eigen::Vector3d> points) : count_(points.size()) {
+    for (std::size_t n = 0; n < count_; ++n)
+      from_first_[n] = points[n] - points[0];
+  }
+  Edges(const Edges& other) : count_(other.count_) { copy(other); }
+  Edges& operator=(const Edges& other) {
+    count_ = other.count_;
+    copy(other);
+    return *this;
+  }
+  std::span<const Eigen::Vector3d> points() const { return {from_first_.data(), count_}; }
+  bool operator==(const Edges& other) const { return std::ranges::equal(points(), other.points()); }
+
+private:
+  void copy(const Edges& other) { std::ranges::copy(other.points(), from_first_.begin()); }
+
+  std::array<Eigen::Vector3d, 27> from_first_; ///< the first `count_`
+  std::size_t count_ = 0;
+};
+
+/// What the stiffness of a linear cell depends on.
+struct LinearShape {
+  std::int32_t law = -1; ///< −1: of no cell
+  CellType type = CellType::point1;
+  Edges edges;
+  bool operator==(const LinearShape&) const = default;
+};
+
 /// Stiffnesses of cells one after the other. Where edges are all that counts, the nodes are seen from the
 /// first one: cells of one law with the same edges have the same stiffness then, to the last digit, and those
-/// that follow each other, as in generated boxes, have it computed once.
+/// that follow each other, as in generated boxes, have it computed once. That of another HEXA8 is computed
+/// together with that of the cell after it, which takes no longer.
 class Stiffnesses {
 public:
   Stiffnesses(const mesh::Mesh& mesh, const Bulk& bulk) : mesh_(mesh), bulk_(bulk) {}
 
-  /// `i`: the place of the cell in the bulk. Times the factor of its law.
-  const Eigen::MatrixXd& of(std::size_t i, const Cell& cell) {
-    const std::span<const Eigen::Vector3d> points = cell.points;
-    if (!has_stiffness_of_edges(bulk_, i)) {
-      last_law_ = -1;
-      compute(i, cell, points);
-      return element_;
+  /// `i`: the place of the cell in the bulk, `next`: of the one that comes next. Times the factor of its law.
+  const Eigen::MatrixXd& of(std::size_t i, std::size_t next, const Cell& cell) {
+    if (i == place_ahead_) {
+      shape_ = shape_ahead_;
+      element_.swap(element_ahead_);
+    } else if (!has_stiffness_of_edges(bulk_, i)) {
+      shape_ = {};
+      compute(i, cell, cell.points);
+    } else {
+      const LinearShape shape{bulk_.law_of_cell[i], cell.type, Edges(cell.points)};
+      if (shape == shape_)
+        return element_;
+      shape_ = shape;
+      if (!compute_with(next, cell))
+        compute(i, cell, shape_.edges.points());
     }
-    std::array<Eigen::Vector3d, 27> from_first;
-    for (std::size_t n = 0; n < points.size(); ++n)
-      from_first[n] = points[n] - points[0];
-    const auto edges = std::span<const Eigen::Vector3d>(from_first).first(points.size());
-    if (last_law_ == bulk_.law_of_cell[i] && last_type_ == cell.type &&
-        std::ranges::equal(edges, std::span(last_edges_).first(edges.size())))
-      return element_;
-    compute(i, cell, edges);
-    std::ranges::copy(edges, last_edges_.begin());
-    last_law_ = bulk_.law_of_cell[i];
-    last_type_ = cell.type;
+    if (cell.factor != 1)
+      element_ *= cell.factor;
+    require_finite(element_.diagonal(), cell, mesh_, "stiffness");
     return element_;
   }
 
@@ -365,17 +269,39 @@ private:
     const auto size = cell.node_count() * element::component_count(bulk_.section.physics);
     element_.resize(size, size);
     cell_stiffness(bulk_, i, cell.type, points, element_);
-    if (cell.factor != 1)
-      element_ *= cell.factor;
-    require_finite(element_.diagonal(), cell, mesh_, "stiffness");
+  }
+
+  std::optional<material::Lame> hexa8_lame(const Cell& cell) const {
+    if (cell.type != CellType::hexa8)
+      return {};
+    return material::isotropic(cell.law, bulk_.section.physics);
+  }
+
+  /// Of `shape_`. False where the next cell has no stiffness that this can be computed with, or the same one.
+  bool compute_with(std::size_t next, const Cell& cell) {
+    if (next == WorkShares::none || !has_stiffness_of_edges(bulk_, next))
+      return false;
+    const Cell other(mesh_, bulk_, {}, next);
+    const auto lame = hexa8_lame(cell), lame_ahead = hexa8_lame(other);
+    if (!lame || !lame_ahead)
+      return false;
+    shape_ahead_ = {bulk_.law_of_cell[next], other.type, Edges(other.points)};
+    if (shape_ahead_ == shape_)
+      return false;
+    element::set_hexa8_stiffness(
+        {element::Hexa8Stiffness{shape_.edges.points(), *lame, element_},
+         element::Hexa8Stiffness{shape_ahead_.edges.points(), *lame_ahead, element_ahead_}});
+    place_ahead_ = next;
+    return true;
   }
 
   const mesh::Mesh& mesh_;
   const Bulk& bulk_;
   Eigen::MatrixXd element_;
-  std::array<Eigen::Vector3d, 27> last_edges_;
-  std::int32_t last_law_ = -1; ///< −1: there is none to compare with
-  CellType last_type_ = CellType::point1;
+  LinearShape shape_; ///< that `element_` is of
+  std::size_t place_ahead_ = std::numeric_limits<std::size_t>::max();
+  Eigen::MatrixXd element_ahead_; ///< of the cell there, without the factor
+  LinearShape shape_ahead_;
 };
 
 /// Of the cells that `is_wanted` says, by their places in the bulk.
@@ -384,8 +310,8 @@ SparseMatrix assemble_stiffness_of(const mesh::Mesh& mesh, const Bulk& bulk, con
                                    std::span<const double> factors, const Wanted& is_wanted) {
   std::vector<Stiffnesses> stiffnesses(at(pattern.shares().count()), Stiffnesses(mesh, bulk));
   return sum_of_cells<Entries::blocks>(
-      mesh, bulk, pattern, [&](int share, std::size_t i) -> const Eigen::MatrixXd* {
-        return is_wanted(i) ? &stiffnesses[at(share)].of(i, Cell(mesh, bulk, factors, i)) : nullptr;
+      mesh, bulk, pattern, [&](int share, std::size_t i, std::size_t next) -> const Eigen::MatrixXd* {
+        return is_wanted(i) ? &stiffnesses[at(share)].of(i, next, Cell(mesh, bulk, factors, i)) : nullptr;
       });
 }
 
@@ -404,7 +330,7 @@ SparseMatrix assemble_constant_stiffness(const mesh::Mesh& mesh, const Bulk& bul
 SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                            std::span<const double> factors) {
   std::vector<Eigen::MatrixXd> elements(at(pattern.shares().count()));
-  return sum_of_cells<Entries::diagonals>(mesh, bulk, pattern, [&](int share, std::size_t i) {
+  return sum_of_cells<Entries::diagonals>(mesh, bulk, pattern, [&](int share, std::size_t i, std::size_t) {
     const Cell cell(mesh, bulk, factors, i);
     auto& element = elements[at(share)];
     element.resize(cell.node_count(), cell.node_count());

@@ -26,7 +26,8 @@ public:
   /// that `cells` have places in.
   NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                   std::shared_ptr<const NonlinearCells> cells, int components,
-                  std::shared_ptr<const Heat> heat = nullptr, std::vector<LawSpring> springs = {}, const Threads& threads = {});
+                  std::shared_ptr<const Heat> heat = nullptr, std::vector<LawSpring> springs = {},
+                  const Threads& threads = {});
 
   static constexpr bool is_linear = false;
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ class WorkShares {
 public:
   /// Fewer cells are not worth a thread.
   static constexpr std::size_t smallest = 512;
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   /// Of no cells.
   WorkShares() = default;
@@ -46,16 +48,19 @@ public:
   /// Calls work(share, cell) for every cell, shares at the same time, and throws what the first of the cells
   /// that throw has thrown.
   template <class Work> void each(const Work& work) const {
+    each_with_next([&](int share, std::size_t cell, std::size_t) { work(share, cell); });
+  }
+  /// The same with the cell that comes next in the share, `none` after the last.
+  template <class Work> void each_with_next(const Work& work) const {
     std::vector<Thrown> thrown(static_cast<std::size_t>(count()));
     threads_.each(count(), [&](int share) {
-      std::uint32_t current = 0;
+      const auto cells = of(share);
+      std::size_t i = 0;
       try {
-        for (const auto cell : of(share)) {
-          current = cell;
-          work(share, std::size_t{cell});
-        }
+        for (; i < cells.size(); ++i)
+          work(share, std::size_t{cells[i]}, i + 1 < cells.size() ? std::size_t{cells[i + 1]} : none);
       } catch (...) {
-        thrown[static_cast<std::size_t>(share)] = {current, std::current_exception()};
+        thrown[static_cast<std::size_t>(share)] = {cells[i], std::current_exception()};
       }
     });
     rethrow_first(thrown);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/element/isotropic_stiffness.hpp"
 
+#include "rubato/element/hexa8_stiffness.hpp"
 #include "rubato/element/nonlinear/block_sums.hpp"
 #include "rubato/element/nonlinear/shapes.hpp"
 
@@ -81,8 +82,24 @@ private:
 
 } // namespace
 
+namespace {
+
+void put_hexa8(std::span<const Eigen::Vector3d> points, const material::Lame& lame,
+               Eigen::Ref<Eigen::MatrixXd> k) {
+  Eigen::MatrixXd own;
+  const Hexa8Stiffness cell{points, lame, own};
+  set_hexa8_stiffness({cell, cell});
+  k = own;
+}
+
+} // namespace
+
 bool isotropic_stiffness(CellType type, std::span<const Eigen::Vector3d> points, const material::Lame& lame,
                          const Section& section, Eigen::Ref<Eigen::MatrixXd> k) {
+  if (type == CellType::hexa8 && section.physics == study::Physics::solid) {
+    put_hexa8(points, lame, k);
+    return true;
+  }
   const auto put_as = [&]<class S>(ShapeTag<S>) {
     const CellGradients<S> gradients(reference_gradients(type), points, section);
     IsotropicStiffness<S>(gradients, lame).put(k);

@@ -130,6 +130,53 @@ TEST(CongruentCells, AssembleToTheSumOfTheirCells) {
   EXPECT_LT((MatrixXd(assemble_stiffness(mesh, bulk, pattern)) - expected).norm(), 1e-15 * expected.norm());
 }
 
+/// HEXA8 of isotropic laws are computed two by two, others each by itself.
+class DistinctCells : public testing::Test {
+protected:
+  DistinctCells() {
+    for (mesh::CellIndex cell = 0; cell < 27; ++cell) {
+      bulk_.cells.push_back(cell);
+      bulk_.law_of_cell.push_back(cell % 5 == 4 ? 1 : cell % 7 == 3 ? 2 : 0);
+    }
+    dofs_ = number_dofs(mesh_, bulk_.cells, 3);
+  }
+
+  static material::Orthotropic wood() {
+    material::Orthotropic law;
+    law.stiffness = Vector3d(1, 2, 3).replicate(2, 1).asDiagonal();
+    return law;
+  }
+
+  mesh::Mesh mesh_ = test::patch_mesh(CellType::hexa8, 3, test::shaken(3, 3, 0.2));
+  Bulk bulk_{{Physics::solid, 1.}, {}, {soft, hard, wood()}, {}};
+  DofMap dofs_;
+};
+
+TEST_F(DistinctCells, AssembleToTheSumOfTheirCells) {
+  const BlockPattern pattern(mesh_, bulk_.cells, dofs_);
+  const MatrixXd expected = dense_stiffness(mesh_, bulk_, dofs_);
+  EXPECT_LT((MatrixXd(assemble_stiffness(mesh_, bulk_, pattern)) - expected).norm(), 1e-15 * expected.norm());
+}
+
+TEST_F(DistinctCells, AreScaledEachByItsOwnFactor) {
+  const BlockPattern pattern(mesh_, bulk_.cells, dofs_);
+  const MatrixXd k = assemble_stiffness(mesh_, bulk_, pattern, std::array{0.25, 4., 1.});
+  std::get<material::LinearElastic>(bulk_.laws[0]).young *= 0.25;
+  std::get<material::LinearElastic>(bulk_.laws[1]).young *= 4;
+  EXPECT_LT((k - MatrixXd(assemble_stiffness(mesh_, bulk_, pattern))).norm(), 1e-15 * k.norm());
+}
+
+TEST_F(DistinctCells, AreToldByTheirNumberWhenTheirStiffnessIsNotFinite) {
+  const BlockPattern pattern(mesh_, bulk_.cells, dofs_);
+  bulk_.laws.push_back(material::LinearElastic{std::numeric_limits<double>::infinity(), 0.2, 3.});
+  for (const std::size_t wrong : {0, 1, 2, 26}) {
+    auto bulk = bulk_;
+    bulk.law_of_cell[wrong] = 3;
+    const auto fault = test::fault_of([&] { assemble_stiffness(mesh_, bulk, pattern); });
+    EXPECT_TRUE(fault.starts_with("cell " + std::to_string(wrong + 1) + " (HEXA8)")) << fault;
+  }
+}
+
 TEST(CellFaults, NameEveryCellThatCannotBeComputedWith) {
   auto mesh = test::patch_mesh(CellType::quad4, 2, test::shaken(2, 2, 0.1));
   auto& block = mesh.blocks.front();
