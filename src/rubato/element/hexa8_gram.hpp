@@ -45,7 +45,7 @@ constexpr std::size_t with_axis_free(std::size_t two_bits, std::size_t k) {
   return (two_bits & (only(k) - 1)) | ((two_bits >> k) << (k + 1));
 }
 
-/// a², a³ …
+/// a and its powers.
 inline constexpr double gauss = std::numbers::inv_sqrt3;
 inline constexpr std::array<double, 5> gauss_power{1, gauss, gauss* gauss, gauss* gauss* gauss,
                                                    gauss* gauss* gauss* gauss};

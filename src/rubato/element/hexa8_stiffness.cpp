@@ -9,11 +9,12 @@
 ///   ∂φ_m/∂x = Σ_{k in m} a^(|m|−1) φ_{m+k} g_k,
 ///   A(m,n) = ∫ ∂φ_m ⊗ ∂φ_n dV = a^(|m|+|n|−2) Σ_{k in m, l in n} F_kl(m+n+k+l),
 ///   F_kl(s) = Σ_q φ_s(q) det J g_k ⊗ g_l:
-/// transforms over the points. Of modes the stiffness is M = λ A + μ Aᵀ + μ tr A 1 with A = A(m,n), of
+/// transforms over the points. With A = A(m,n) the stiffness of modes is M = λ A + μ Aᵀ + μ tr A 1, that of
 /// corners
 ///   K(i,i+t) = 1/64 Σ_p φ_p(i) Σ_n φ_n(t) M(n+p,n).
-/// n and n + p together give M + Mᵀ = (λ+μ)(A + Aᵀ) + 2 μ tr A 1 where φ_p(t) = 1, else M − Mᵀ = (λ−μ)(A −
-/// Aᵀ): of all tensors the symmetric and the skew part are held. Products with mode 0 are zero.
+/// n and n + p together give M + Mᵀ = (λ+μ)(A + Aᵀ) + 2 μ tr A 1 where φ_p(t) = 1, otherwise
+/// M − Mᵀ = (λ−μ)(A − Aᵀ): of all tensors the symmetric and the skew part are held. Products with mode 0 are
+/// zero.
 #include "rubato/element/hexa8_stiffness.hpp"
 
 #include "rubato/element/hexa8_gram.hpp"
@@ -66,7 +67,7 @@ void put_sums(const ThreeTwins& of, const std::array<std::size_t, 4>& targets, s
   half[targets[3]][component] = reverse - of[0];
 }
 
-/// `parts` gives of component c of TensorTwins what A(n+p,n) has for the three n, without its power of a.
+/// `symmetric` and `skew` give component c of A(n+p,n), without its power of a, for the three n.
 template <class SymmetricParts, class SkewParts>
 void put_modes(const ModesOfSum& modes, const std::array<const LameTwins*, 3>& lame,
                const SymmetricParts& symmetric, const SkewParts& skew, HalfTwins& half) {

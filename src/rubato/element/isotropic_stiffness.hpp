@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Inside the module only: the stiffness of an isotropic law for the cells that most meshes are made of, with
-/// sizes known at compile time, blocks i ≤ j only and two nodes i at once (formulas: element.cpp).
+/// sizes known at compile time, blocks i ≤ j only and two nodes i at once (formulas: element.cpp). That of
+/// HEXA8 in space is made of its modes (hexa8_stiffness.cpp).
 #pragma once
 
 #include "rubato/element/element.hpp"
