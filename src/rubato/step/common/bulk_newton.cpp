@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/bulk_newton.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace rubato::step {
@@ -12,6 +14,8 @@ using Eigen::VectorXd;
 constexpr int most_halvings = 6;
 /// Residuals that grow from tangent to tangent do not come back.
 constexpr int most_growing = 4;
+/// So many iterates that do not halve the least residual before them are slower than a search.
+constexpr std::ptrdiff_t most_stagnating = 8;
 
 } // namespace
 
@@ -56,6 +60,8 @@ std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced, d
   renewed_ = goes_back_ = false;
   if (iterations_ >= model_.study.newton.max_iterations)
     return Outcome::too_many_iterations;
+  if (is_searched_next_ && stagnates())
+    return Outcome::too_many_iterations;
   if (!is_fresh_ && !(unbalanced < last_))
     go_back_with_new_tangent();
   if (goes_back_)
@@ -72,6 +78,13 @@ std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced, d
   at_start_ = false;
   last_ = unbalanced;
   return std::nullopt;
+}
+
+bool BulkNewton::stagnates() const {
+  if (std::ssize(residuals_) <= most_stagnating)
+    return false;
+  const auto last = residuals_.end() - most_stagnating;
+  return *std::min_element(last, residuals_.end()) > 0.5 * *std::min_element(residuals_.begin(), last);
 }
 
 void BulkNewton::go_back_with_new_tangent() {

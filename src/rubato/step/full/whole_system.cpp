@@ -19,8 +19,11 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
     : model_(model), scheme_(scheme), system_(system), side_(side),
       equilibrium_(model, scheme, system, committed, t), path_(ArcLength::of(model, committed, system.step)),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {
-  if (!model.domain.is_linear())
-    bulk_.emplace(model, scheme, system, committed, t, is_factored() ? Factored::yes : Factored::no);
+  if (model.domain.is_linear())
+    return;
+  bulk_.emplace(model, scheme, system, committed, t, is_factored() ? Factored::yes : Factored::no);
+  if (is_factored() && !side_.variant().searches)
+    bulk_->expect_search();
 }
 
 /// Without contact zones the factored matrix is that of the whole system.

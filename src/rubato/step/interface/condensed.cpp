@@ -99,11 +99,14 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
       scratch_(scratch_of(model, system, scheme)), scale_(committed.force_scale),
       reach_(reach_of(model, system)), force_at_base_(committed.motion.u.size()),
       surface_(model, scheme, system) {
-  if (!model.domain.is_linear())
-    bulk_.emplace(model, scheme, system, committed, t, Factored::yes, [this](Held held) {
-      return springs_of_contact(model_, started_ ? now() : side_.at(committed_, Frozen(model_.zones.size())),
-                                system_.diagonal, held);
-    });
+  if (model.domain.is_linear())
+    return;
+  bulk_.emplace(model, scheme, system, committed, t, Factored::yes, [this](Held held) {
+    return springs_of_contact(model_, started_ ? now() : side_.at(committed_, Frozen(model_.zones.size())),
+                              system_.diagonal, held);
+  });
+  if (!side_.variant().searches)
+    bulk_->expect_search();
 }
 
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
