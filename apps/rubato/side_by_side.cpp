@@ -276,13 +276,19 @@ private:
   }
 
   void print_killed(const Job& job, int signal) {
-    const auto folder = settings_.output / job.name();
+    stream_.print(fmt::format("error: {}: its process was ended by signal {} ({}){}; {}\n", job.name(),
+                              signal, strsignal(signal),
+                              signal == SIGKILL ? ", as the system does when memory runs out" : "",
+                              left_in(settings_.output / job.name())));
+  }
+
+  /// What a run that was killed has left.
+  static std::string left_in(const fs::path& folder) {
+    if (!results::holds_run(folder))
+      return "nothing was written";
     const bool kept = fs::exists(folder / results::checkpoint_file);
-    stream_.print(fmt::format(
-        "error: {}: its process was ended by signal {} ({}){}; the results up to there are in {}{}\n",
-        job.name(), signal, strsignal(signal),
-        signal == SIGKILL ? ", as the system does when memory runs out" : "", folder.string(),
-        kept ? ", --resume goes on from the last checkpoint" : ""));
+    return fmt::format("the results up to there are in {}{}", folder.string(),
+                       kept ? ", --resume goes on from the last checkpoint" : "");
   }
 
   void show() {
