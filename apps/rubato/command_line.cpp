@@ -8,10 +8,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <charconv>
 #include <string>
+#include <system_error>
 
 namespace rubato::app {
 namespace {
+
+/// Says what is wrong with a text that is no whole number from 1 on; nothing otherwise.
+std::string a_count(const std::string& text) {
+  int number = 0;
+  const auto* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc() && stop == end && number > 0)
+    return {};
+  return fmt::format("found '{}', expected a whole number from 1 on", text);
+}
 
 void add_run(CLI::App& program, Arguments& arguments) {
   auto* command = program.add_subcommand("run", "run a study");
@@ -36,14 +48,17 @@ void add_run(CLI::App& program, Arguments& arguments) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name(kind::runs);
+  command->add_option("--jobs", run.jobs, "as many runs of the deck at once (default: 1)")
+      ->check(a_count)
+      ->type_name(kind::number);
   command->add_flag("--resume", run.resume,
                     "go on from the checkpoints in the folder of results; runs at their end are left alone");
   command->add_flag("--dry-run", run.dry, "say what would be run and where, with its size; write nothing");
   command
       ->add_option("--threads", run.threads,
-                   "threads that a run may use, at least 1 (default: one a core, or RUBATO_THREADS)")
+                   "threads that each run may use (default: one a core, or RUBATO_THREADS)")
       ->type_name(kind::number)
-      ->check(CLI::PositiveNumber)
+      ->check(a_count)
       ->envname("RUBATO_THREADS");
   command->add_flag("-q,--quiet", run.quiet, "print checks and errors only");
   command->callback([&arguments] { arguments.work = [&] { return app::run(arguments.run); }; });

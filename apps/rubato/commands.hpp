@@ -17,6 +17,7 @@ struct RunArguments {
   std::filesystem::path output;
   std::vector<std::string> settings; ///< "path.to.key=value"
   std::vector<std::string> only;     ///< names of runs
+  int jobs = 1;                      ///< runs at once
   bool resume = false;
   bool dry = false; ///< say what would be run
   bool quiet = false;

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "child_process.hpp"
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <future>
 
@@ -14,6 +14,21 @@ namespace {
 /// How often the waiting thread looks whether the work is done.
 constexpr timespec patience{.tv_sec = 0, .tv_nsec = 10'000'000};
 
+/// Does the work in another thread; `heard` gets each signal that comes meanwhile.
+int run_listening(const std::function<int(const std::stop_token&)>& work,
+                  const std::function<void(int, std::stop_source&)>& heard) {
+  const auto signals = interrupting_signals();
+  const BlockedSignals blocked(signals);
+  std::stop_source stop;
+  auto result = std::async(std::launch::async, [&] { return work(stop.get_token()); });
+  while (result.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    if (const int signal = sigtimedwait(&signals, nullptr, &patience); signal > 0)
+      heard(signal, stop);
+  return result.get();
+}
+
+} // namespace
+
 sigset_t interrupting_signals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -22,19 +37,11 @@ sigset_t interrupting_signals() {
   return signals;
 }
 
-/// Blocks signals in this thread, and in those it starts, as long as it lives.
-class Blocked {
-public:
-  explicit Blocked(const sigset_t& signals) { pthread_sigmask(SIG_BLOCK, &signals, &before_); }
-  ~Blocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  Blocked(const Blocked&) = delete;
-  Blocked& operator=(const Blocked&) = delete;
+void print_stopping(int signal) {
+  if (signal == SIGINT)
+    fmt::print(stderr, "\nstopping; a factorisation at hand comes to its end, Ctrl-C again stops at once\n");
+}
 
-private:
-  sigset_t before_{};
-};
-
-/// Ends the program as the signal does when nobody cares for it.
 void die_of(int signal) {
   std::signal(signal, SIG_DFL);
   sigset_t only;
@@ -44,24 +51,21 @@ void die_of(int signal) {
   std::raise(signal);
 }
 
-} // namespace
-
 int run_interruptibly(const std::function<int(const std::stop_token&)>& work) {
-  const auto signals = interrupting_signals();
-  const Blocked blocked(signals);
-  std::stop_source stop;
-  auto result = std::async(std::launch::async, [&] { return work(stop.get_token()); });
-  while (result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-    const int signal = sigtimedwait(&signals, nullptr, &patience);
-    if (signal <= 0)
-      continue;
+  return run_listening(work, [](int signal, std::stop_source& stop) {
     if (!stop.request_stop())
       die_of(signal);
-    if (signal == SIGINT)
-      fmt::print(stderr,
-                 "\nstopping; a factorisation at hand comes to its end, Ctrl-C again stops at once\n");
-  }
-  return result.get();
+    print_stopping(signal);
+  });
+}
+
+int run_interruptibly(const std::function<int(const std::stop_token&)>& work, pid_t starter) {
+  return run_listening(work, [starter](int signal, std::stop_source& stop) {
+    if (signal != SIGTERM)
+      return;
+    is_left_alone(starter);
+    stop.request_stop();
+  });
 }
 
 } // namespace rubato::app

@@ -2,17 +2,14 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/linalg/blas_threads.hpp"
-#include "rubato/linalg/memory.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "command_line.hpp"
+#include "failures.hpp"
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <new>
-#include <sys/resource.h>
 
 namespace {
 
@@ -50,50 +47,13 @@ int parse_and_work(int argc, char** argv) {
   return arguments.work();
 }
 
-/// What the memory was, and what else could be done. By now what the run had is given back.
-std::string out_of_memory() {
-  constexpr double gigabyte = 1e9;
-  constexpr double kibibyte = 1024;
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return fmt::format(
-      "the memory does not suffice: {:.2g} GB were taken, {:.2g} GB can be had now; a coarser mesh, "
-      "cells of lower order or a machine with more memory may help (ulimit -v limits it too)",
-      static_cast<double>(usage.ru_maxrss) * kibibyte / gigabyte,
-      static_cast<double>(linalg::available_memory()) / gigabyte);
-}
-
-int report(const InputError& error) {
-  for (const auto& fault : error.faults()) {
-    const auto place = place_of(fault);
-    fmt::print(stderr, "error: {}{}{}\n", place, place.empty() ? "" : ": ", fault.text);
-  }
-  return app::bad_input;
-}
-
-/// Ends the program without asking the libraries: one that could not write a file may break down over it.
-[[noreturn]] void leave(int code) {
-  std::fflush(nullptr);
-  std::_Exit(code);
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is told of, as a full disk is
   rubato::linalg::start_with_one_blas_thread_by_default();
-  try {
-    const int code = parse_and_work(argc, argv);
-    if (code == app::other_failure)
-      leave(code);
-    return code;
-  } catch (const InputError& error) {
-    return report(error);
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: {}\n", out_of_memory());
-    leave(app::other_failure);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    leave(app::other_failure);
-  }
+  const int code = rubato::app::reported([&] { return parse_and_work(argc, argv); });
+  if (code == rubato::app::other_failure)
+    rubato::app::leave(code);
+  return code;
 }

@@ -10,15 +10,11 @@
 #include <unistd.h>
 
 namespace rubato::app {
-namespace {
 
-/// Columns of the terminal; a longer line would wrap and could not be rewritten.
-std::size_t columns() {
+std::size_t terminal_columns() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
-
-} // namespace
 
 ProgressLine::ProgressLine(bool quiet)
     : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0), pace_(terminal_) {}
@@ -29,7 +25,7 @@ void ProgressLine::update(const run::Progress& progress) {
     return;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   if (terminal_)
-    fmt::print(stderr, "\r\033[K{}", run::terminal_line(progress, seconds, columns()));
+    fmt::print(stderr, "\r\033[K{}", run::terminal_line(progress, seconds, terminal_columns()));
   else
     fmt::print(stderr, "{}\n", run::plain_line(progress, seconds));
   std::fflush(stderr);

@@ -5,9 +5,13 @@
 #include "rubato/run/progress_text.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 namespace rubato::app {
+
+/// Columns of the terminal; a longer line would wrap and could not be rewritten.
+std::size_t terminal_columns();
 
 /// On a terminal one line that is rewritten; elsewhere a plain line now and then. Everything goes to standard
 /// error, so that standard output keeps the results.

@@ -6,14 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "child_process.hpp"
 #include "commands.hpp"
 #include "dry_run.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "read_deck.hpp"
+#include "run_one.hpp"
+#include "side_by_side.hpp"
 #include <algorithm>
 #include <map>
-#include <span>
+#include <stdexcept>
 #include <stop_token>
 
 namespace rubato::app {
@@ -45,101 +48,82 @@ void require_compared_runs(const deck::Deck& deck, const std::filesystem::path& 
   deck::throw_if_any(faults, deck.places);
 }
 
-int exit_code_of(const run::RunResult& result) {
-  switch (result.status) {
-  case run::Status::not_converged:
-    return no_convergence;
-  case run::Status::interrupted:
-  case run::Status::running:
-    return other_failure;
-  case run::Status::complete:
-    break;
-  }
-  return result.checks_hold() ? done : check_failed;
-}
-
-void print_summary(const study::Study& study, const run::RunResult& result,
-                   const std::filesystem::path& folder) {
-  fmt::print("{}: {} steps, {} iterations, {} cuts; set-up {:.3f} s, loop {:.3f} s; results in {}\n",
-             study.name, result.steps, result.iterations, result.cuts, result.setup_seconds,
-             result.loop_seconds, folder.string());
-  if (!result.checks.empty())
-    fmt::print("{}", results::to_text(result.checks));
-}
-
-/// The runs of a deck one after another, each in its own folder.
+/// The runs of a deck one after another.
 class Series {
 public:
-  Series(const RunArguments& arguments, std::filesystem::path output, std::stop_token stop)
-      : output_(std::move(output)), begin_(arguments.resume ? run::Begin::resumed : run::Begin::anew),
-        only_(arguments.only), quiet_(arguments.quiet),
-        threads_(arguments.threads > 0 ? arguments.threads : physical_cores()), stop_(std::move(stop)),
-        line_(arguments.quiet) {
-    watch_.progress = [this](const run::Progress& progress) { line_.update(progress); };
-    watch_.within = watch_.progress;
-    watch_.say = [this](const std::string& text) { line_.say(text); };
-    watch_.warn = [this](const std::string& text) { line_.warn(text); };
-    watch_.stop = [this] { return stop_.stop_requested(); };
+  Series(const deck::Deck& deck, const RunSettings& settings, const std::stop_token& stop)
+      : deck_(deck), settings_(settings), line_(settings.quiet), watch_(watch_of(line_)) {
+    watch_.stop = [stop] { return stop.stop_requested(); };
   }
 
-  int run(const deck::Deck& deck) {
+  int run() {
     int worst = done;
-    for (std::size_t i = 0; i < deck.runs.size(); ++i) {
-      const auto& study = deck.runs[i];
+    for (std::size_t i = 0; i < deck_.runs.size(); ++i) {
+      const auto& study = deck_.runs[i];
       const auto& source = study.time.start_run;
       if (!source.empty() && !ends_.contains(source)) {
-        fmt::print(stderr, "error: {}: not run, because {} did not come to its end\n", study.name, source);
+        print_not_run(study);
         continue;
       }
       try {
         worst = std::max(worst, run(study, source.empty() ? nullptr : &ends_.at(source)));
       } catch (const InputError& error) {
-        throw deck.places[i].located(error);
+        throw deck_.places[i].located(error);
       }
-      if (stop_.stop_requested())
+      if (watch_.stop())
         break;
     }
     return worst;
   }
 
 private:
-  /// Runs that others start from are not computed again for them alone.
-  run::Begin begin_of(const std::string& run) const {
-    const bool asked = only_.empty() || std::ranges::find(only_, run) != only_.end();
-    return asked || begin_ == run::Begin::resumed ? begin_ : run::Begin::unless_done;
-  }
-
   int run(const study::Study& study, const step::State* previous) {
-    const auto folder = output_ / study.name;
-    auto result = run::run_study(study, folder, watch_, previous, begin_of(study.name), threads_);
-    line_.close();
-    if (!quiet_ || !result.checks.empty())
-      print_summary(study, result, folder);
-    if (result.status == run::Status::complete)
-      ends_.emplace(study.name, std::move(result.end));
-    else
-      fmt::print(stderr, "error: {}: {}; the results up to there are in {}{}\n", study.name, result.message,
-                 folder.string(), result.kept ? ", --resume goes on from there" : "");
-    return exit_code_of(result);
+    auto end = run_one(study, settings_, watch_, line_, previous);
+    if (end.complete)
+      ends_.emplace(study.name, std::move(end.state));
+    return end.code;
   }
 
-  std::filesystem::path output_;
-  run::Begin begin_;
-  std::vector<std::string> only_;
-  bool quiet_;
-  Threads threads_;
-  std::stop_token stop_;
+  const deck::Deck& deck_;
+  const RunSettings& settings_;
   ProgressLine line_;
   run::Watch watch_;
   std::map<std::string, step::State> ends_;
 };
 
+/// Whether runs are computed at once.
+bool several_at_once(const deck::Deck& deck, const RunArguments& arguments) {
+  return arguments.jobs > 1 && deck.runs.size() > 1 && !arguments.dry;
+}
+
+/// Without a wish the cores are shared out among the runs that are computed at once.
+int threads_of_each(const RunArguments& arguments, bool at_once) {
+  return arguments.threads > 0 ? arguments.threads
+                               : std::max(1, physical_cores() / (at_once ? arguments.jobs : 1));
+}
+
+int check_models(const deck::Deck& deck) {
+  if (deck.runs.size() > 1)
+    deck::throw_if_any(model::faults_of(deck.runs), deck.places);
+  return done;
+}
+
+/// Keeps this program without threads, and what models take out of it.
+int check_models_apart(const deck::Deck& deck) {
+  const auto end = in_a_process([&] { return check_models(deck); });
+  if (end.signal != 0)
+    throw std::runtime_error(
+        fmt::format("the process that looked for faults in the models was ended by signal {}", end.signal));
+  return end.code;
+}
+
 } // namespace
 
 int run(const RunArguments& arguments) {
   const auto deck = read_deck(arguments.deck, arguments.settings, arguments.only);
-  if (deck.runs.size() > 1)
-    deck::throw_if_any(model::faults_of(deck.runs), deck.places);
+  const bool at_once = several_at_once(deck, arguments);
+  if (const int code = at_once ? check_models_apart(deck) : check_models(deck); code != done)
+    return code;
   const auto output = output_of(arguments);
   require_compared_runs(deck, output);
   if (!arguments.quiet)
@@ -147,8 +131,11 @@ int run(const RunArguments& arguments) {
       fmt::print(stderr, "{}\n", note);
   if (arguments.dry)
     return show_plans(deck, output, arguments.resume);
-  return run_interruptibly(
-      [&](const std::stop_token& stop) { return Series(arguments, output, stop).run(deck); });
+  const RunSettings settings{output, arguments.resume ? run::Begin::resumed : run::Begin::anew,
+                             arguments.only, arguments.quiet, threads_of_each(arguments, at_once)};
+  if (at_once)
+    return run_side_by_side(deck, settings, arguments.jobs);
+  return run_interruptibly([&](const std::stop_token& stop) { return Series(deck, settings, stop).run(); });
 }
 
 } // namespace rubato::app

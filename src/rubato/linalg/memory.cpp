@@ -45,14 +45,14 @@ std::size_t left_to_the_group() {
   return limit == unlimited || used == unlimited ? unlimited : left_of(limit, used);
 }
 
+std::size_t page_size() {
+  return static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
 std::size_t left_to_the_process() {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
-    return unlimited;
-  const auto pages = number_in("/proc/self/statm");
-  return pages == unlimited
-             ? unlimited
-             : left_of(limit.rlim_cur, pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
+  const auto limit = memory_limit();
+  const auto pages = limit == unlimited ? unlimited : number_in("/proc/self/statm");
+  return pages == unlimited ? unlimited : left_of(limit, pages * page_size());
 }
 
 double in_gigabytes(std::size_t bytes) {
@@ -66,7 +66,23 @@ std::string two_digits(double number, const char* unit) {
 } // namespace
 
 std::size_t available_memory() {
-  return std::min({left_to_the_system(), left_to_the_group(), left_to_the_process()});
+  return std::min(free_memory(), left_to_the_process());
+}
+
+std::size_t free_memory() {
+  return std::min(left_to_the_system(), left_to_the_group());
+}
+
+std::size_t memory_limit() {
+  rlimit limit{};
+  return getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY ? unlimited : limit.rlim_cur;
+}
+
+ProcessMemory memory_of_process(int process) {
+  std::ifstream file(fmt::format("/proc/{}/statm", process));
+  std::size_t all = 0;
+  std::size_t resident = 0;
+  return file >> all >> resident ? ProcessMemory{resident * page_size(), all * page_size()} : ProcessMemory();
 }
 
 std::string memory_text(std::size_t bytes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/plan.hpp"
 
+#include "rubato/linalg/memory.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/simulation.hpp"
 #include "rubato/time/step_control.hpp"
@@ -16,6 +17,8 @@ void look_ahead(const model::Model& model, Plan& plan) {
   if (model.study.time.start == study::StartKind::from_run)
     return;
   const auto tell_memory = [&](std::size_t bytes) {
+    if (bytes > linalg::available_memory())
+      return; // it is refused, then
     plan.factor_bytes = bytes;
     throw MemoryIsKnown{};
   };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,12 +15,6 @@ namespace {
 
 constexpr std::size_t widest_bar = 24;
 constexpr std::size_t narrowest_bar = 6;
-
-/// The part of the run that is done.
-double part_of(const Progress& p) {
-  const double reached = p.accepted ? p.t : p.t - p.step;
-  return std::clamp((reached - p.begin) / (p.end - p.begin), 0.0, 1.0);
-}
 
 std::string bar(double part, std::size_t width) {
   const auto full = std::min(width, static_cast<std::size_t>(part * static_cast<double>(width)));
@@ -51,7 +46,30 @@ Pieces pieces_of(const Progress& p) {
   return pieces;
 }
 
+std::string text_of(const RunPart& run, std::size_t longest_name, bool with_time) {
+  const auto name = std::string_view(run.name).substr(0, longest_name);
+  if (!run.begun)
+    return fmt::format("{} set-up", name);
+  return fmt::format("{} {:.0f} %{}", name, 100 * run.part,
+                     with_time ? left_text(run.part, run.seconds) : "");
+}
+
+std::string text_of(std::span<const RunPart> runs, std::size_t waiting, std::size_t longest_name,
+                    bool with_time) {
+  std::vector<std::string> texts;
+  for (const auto& run : runs)
+    texts.push_back(text_of(run, longest_name, with_time));
+  if (waiting > 0)
+    texts.push_back(fmt::format("{} to come", waiting));
+  return fmt::format("{}", fmt::join(texts, " | "));
+}
+
 } // namespace
+
+double part_done(const Progress& p) {
+  const double reached = p.accepted ? p.t : p.t - p.step;
+  return std::clamp((reached - p.begin) / (p.end - p.begin), 0.0, 1.0);
+}
 
 bool Pace::is_due(const Progress& progress, Clock::time_point now) {
   using std::chrono::milliseconds;
@@ -83,7 +101,7 @@ std::string duration_text(double seconds) {
 std::string terminal_line(const Progress& progress, double seconds, std::size_t columns) {
   constexpr std::size_t around_bar = 3;
   const std::size_t room = std::max<std::size_t>(columns, 1) - 1;
-  const double part = part_of(progress);
+  const double part = part_done(progress);
   const auto left = left_text(part, seconds);
   auto pieces = pieces_of(progress);
   std::string name(progress.run);
@@ -98,8 +116,19 @@ std::string terminal_line(const Progress& progress, double seconds, std::size_t 
   return (name + (width > 0 ? bar(part, width) : "") + pieces.joined() + left).substr(0, room);
 }
 
+std::string terminal_line(std::span<const RunPart> runs, std::size_t waiting, std::size_t columns) {
+  const std::size_t room = std::max<std::size_t>(columns, 1) - 1;
+  std::size_t longest = 0;
+  for (const auto& run : runs)
+    longest = std::max(longest, run.name.size());
+  auto text = text_of(runs, waiting, longest, true);
+  for (; text.size() > room && longest > 0; --longest)
+    text = text_of(runs, waiting, longest, false);
+  return text.substr(0, room);
+}
+
 std::string plain_line(const Progress& progress, double seconds) {
-  const double part = part_of(progress);
+  const double part = part_done(progress);
   return fmt::format("{} {:3.0f} %{}{}", progress.run, 100 * part, pieces_of(progress).joined(),
                      left_text(part, seconds));
 }

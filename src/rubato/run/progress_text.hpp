@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <span>
 #include <string>
 
 namespace rubato::run {
@@ -42,7 +43,22 @@ std::string duration_text(double seconds);
 /// and the iterations go, and at last the name of the run is cut. `seconds`: time since the first step began.
 std::string terminal_line(const Progress& progress, double seconds, std::size_t columns);
 
-/// The same for a file: a percentage instead of the bar, and everything whatever its length.
+/// The part of the run that is done, in 0…1.
+double part_done(const Progress& progress);
+
+/// One of the runs that are computed at once.
+struct RunPart {
+  std::string name;
+  bool begun = false; ///< the first step has
+  double part = 0;    ///< that is done
+  double seconds = 0; ///< since the first step began
+};
+
+/// A line for all of them, and for `waiting` others that have not started, shorter than `columns`. The times
+/// left go first, then names are cut.
+std::string terminal_line(std::span<const RunPart> runs, std::size_t waiting, std::size_t columns);
+
+/// The line of one run for a file: a percentage instead of the bar, and everything whatever its length.
 std::string plain_line(const Progress& progress, double seconds);
 
 } // namespace rubato::run

@@ -82,6 +82,7 @@ public:
     tell_method();
     start_recording();
     result_.setup_seconds += processor_seconds() - asked_.processor;
+    watch_.room(0);
     loop_start_ = processor_seconds();
     while (!simulation_.finished() && result_.status == Status::complete) {
       if (watch_.stop())
@@ -171,6 +172,8 @@ private:
 
   /// Factors of other step lengths need the same.
   void tell_memory(std::size_t bytes) {
+    if (bytes > 0)
+      watch_.room(bytes);
     if (factor_bytes_ == 0 && bytes > 0)
       watch_.say(fmt::format("{}: factoring the matrix takes {} of memory ({} are free)", name(),
                              linalg::memory_text(bytes), linalg::memory_text(linalg::available_memory())));
@@ -244,6 +247,8 @@ private:
       else if (result.verdict == Verdict::not_converged)
         fail();
       tell_progress(result);
+    } catch (const StoppedWhileWaiting&) {
+      interrupt();
     } catch (const WriteError& error) {
       break_off(error);
     } catch (const InputError& error) {

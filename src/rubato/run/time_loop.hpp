@@ -12,6 +12,8 @@
 #include "rubato/step/state.hpp"
 #include "rubato/study/study.hpp"
 
+#include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -44,6 +46,15 @@ struct Watch {
   std::function<void(const std::string&)> say = [](const std::string&) {};
   std::function<void(const std::string&)> warn = [](const std::string&) {};
   std::function<bool()> stop = [] { return false; };
+  /// Before memory is taken for a factor [bytes]: may wait until there is some. With 0 once steps begin, when
+  /// all that is known of has been taken. Throws StoppedWhileWaiting.
+  std::function<void(std::size_t)> room = [](std::size_t) {};
+};
+
+/// A run is to stop, and waited for memory.
+class StoppedWhileWaiting : public std::exception {
+public:
+  const char* what() const noexcept override { return "the run was stopped while it waited for memory"; }
 };
 
 using Status = results::RunStatus;
@@ -71,8 +82,9 @@ enum class Begin { anew, resumed, unless_done };
 
 /// Runs one study into a folder of its own. `previous`: the end of the run it starts from, when it does.
 /// Throws InputError, before the folder is made or touched, for a study that cannot be run, for an end that
-/// does not fit it, and for a checkpoint it cannot go on from. A run that came to its end is not run again
-/// when it is resumed, nor `unless_done` when deck, mesh and the end it starts from are those it had.
+/// does not fit it, and for a checkpoint it cannot go on from; StoppedWhileWaiting, when the watch does
+/// before the first step. A run that came to its end is not run again when it is resumed, nor `unless_done`
+/// when deck, mesh and the end it starts from are those it had.
 RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous = nullptr, Begin begin = Begin::anew,
                     const Threads& threads = {});

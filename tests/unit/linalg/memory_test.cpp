@@ -95,5 +95,24 @@ TEST(AFactorTooLarge, TellsWhatItNeedsAndWhatThereIs) {
   EXPECT_STREQ(error.what(), "the factor of the matrix needs 2.6 GB of memory, of which 0.038 GB are left");
 }
 
+TEST(MemoryOfAProcess, IsPartOfItsAddressSpace) {
+  const auto own = memory_of_process(getpid());
+  EXPECT_GT(own.resident, mebibyte);
+  EXPECT_GT(own.address_space, own.resident);
+  EXPECT_EQ(memory_of_process(-1).resident, 0);
+}
+
+TEST(FreeMemory, DoesNotKnowTheLimitOfThisProcess) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the sanitizer reserves more address space than there is to limit";
+#endif
+  const AddressSpace few(64 * mebibyte);
+  ASSERT_TRUE(few.limited());
+  EXPECT_LE(available_memory(), 64 * mebibyte);
+  EXPECT_GT(free_memory(), 64 * mebibyte);
+  EXPECT_GT(memory_limit(), 64 * mebibyte);
+  EXPECT_LT(memory_limit(), memory_of_process(getpid()).address_space + 128 * mebibyte);
+}
+
 } // namespace
 } // namespace rubato::linalg

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace rubato::run {
 namespace {
@@ -141,6 +142,24 @@ TEST(DurationText, IsInSecondsMinutesAndHours) {
   EXPECT_EQ(duration_text(42.9), "42 s");
   EXPECT_EQ(duration_text(187), "3:07 min");
   EXPECT_EQ(duration_text(3723), "1:02:03 h");
+}
+
+TEST(LineOfRunsAtOnce, ShowsThePartsDoneTheTimesLeftAndHowManyAreToCome) {
+  const std::vector<RunPart> runs{{"evol1", true, 0.25, 20}, {"evol2", false, 0, 0}};
+  EXPECT_EQ(terminal_line(runs, 3, usual), "evol1 25 %  left 1:00 min | evol2 set-up | 3 to come");
+  EXPECT_EQ(terminal_line(runs, 0, usual), "evol1 25 %  left 1:00 min | evol2 set-up");
+}
+
+TEST(LineOfRunsAtOnce, LosesTheTimesBeforeTheNamesAreCut) {
+  const std::vector<RunPart> runs{{"evol1", true, 0.25, 20}, {"evolution", true, 0.5, 20}};
+  EXPECT_EQ(terminal_line(runs, 0, 40), "evol1 25 % | evolution 50 %");
+  EXPECT_EQ(terminal_line(runs, 0, 25), "evol1 25 % | evolut 50 %");
+}
+
+TEST(LineOfRunsAtOnce, NeverWraps) {
+  const std::vector<RunPart> many(12, {"evolution", true, 0.5, 20});
+  for (std::size_t columns = 0; columns < 200; ++columns)
+    EXPECT_LE(terminal_line(many, 7, columns).size(), columns == 0 ? 0 : columns - 1);
 }
 
 } // namespace

@@ -24,6 +24,9 @@ using model::SparseMatrix;
 
 namespace {
 
+/// Of the memory, where whoever is told of it judges.
+constexpr auto no_limit = std::numeric_limits<std::size_t>::max();
+
 /// Surfaces whose compliance may be computed by columns follow space: columns of neighbours are computed
 /// together.
 std::vector<int> ordered_surface(const Model& model) {
@@ -36,8 +39,13 @@ std::vector<int> ordered_surface(const Model& model) {
 
 std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix,
                                             const std::function<void(std::size_t)>& tell_memory) {
+  const auto take = [&](std::size_t needed) {
+    tell_memory(needed); // and waits for it beside other runs
+    if (const auto left = linalg::available_memory(); needed > left)
+      throw linalg::TooLargeForMemory(needed, left);
+  };
   try {
-    return linalg::SplitFactor::of(matrix, ordered_surface(model), linalg::available_memory(), tell_memory,
+    return linalg::SplitFactor::of(matrix, ordered_surface(model), no_limit, take,
                                    Compliance::usual_largest_whole, model.threads);
   } catch (const linalg::TooLargeForMemory& error) {
     throw InputError(

@@ -52,9 +52,9 @@ struct EffectiveSystem {
 };
 
 /// Factors the matrix unless the study's solver is full or the matrix is not positive definite, as when only
-/// contact holds a body. Throws InputError before the factorisation when the factor would not fit into the
-/// memory that is left; otherwise `tell_memory` hears then what the factor needs [bytes]. Of a nonlinear
-/// domain the matrix is that of its initial tangent.
+/// contact holds a body. Before the factorisation `tell_memory` hears what the factor needs [bytes], and may
+/// wait until others have given memory back; throws InputError when it does not fit into what is left then.
+/// Of a nonlinear domain the matrix is that of its initial tangent.
 EffectiveSystem make_effective_system(
     const model::Model& model, const time::Scheme& scheme, double step,
     const std::function<void(std::size_t)>& tell_memory = [](std::size_t) {});
