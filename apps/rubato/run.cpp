@@ -97,9 +97,8 @@ bool several_at_once(const deck::Deck& deck, const RunArguments& arguments) {
 }
 
 /// Without a wish the cores are shared out among the runs that are computed at once.
-int threads_of_each(const RunArguments& arguments, bool at_once) {
-  return arguments.threads > 0 ? arguments.threads
-                               : std::max(1, physical_cores() / (at_once ? arguments.jobs : 1));
+int threads_of_each(const RunArguments& arguments, int at_once) {
+  return arguments.threads > 0 ? arguments.threads : std::max(1, physical_cores() / at_once);
 }
 
 int check_models(const deck::Deck& deck) {
@@ -131,8 +130,10 @@ int run(const RunArguments& arguments) {
       fmt::print(stderr, "{}\n", note);
   if (arguments.dry)
     return show_plans(deck, output, arguments.resume);
+  const auto runs_at_once = std::min(arguments.jobs, static_cast<int>(deck.runs.size()));
   const RunSettings settings{output, arguments.resume ? run::Begin::resumed : run::Begin::anew,
-                             arguments.only, arguments.quiet, threads_of_each(arguments, at_once)};
+                             arguments.only, arguments.quiet,
+                             threads_of_each(arguments, at_once ? runs_at_once : 1)};
   if (at_once)
     return run_side_by_side(deck, settings, arguments.jobs);
   return run_interruptibly([&](const std::stop_token& stop) { return Series(deck, settings, stop).run(); });
