@@ -61,7 +61,7 @@ def place(tmp_path):
 
 def rubato(place, *arguments, **options):
     return subprocess.run(
-        [corpus.PROGRAM, *arguments], capture_output=True, text=True, check=False, cwd=place, **options
+        [corpus.PROGRAM, *arguments], capture_output=True, text=True, check=False, cwd=place, timeout=600, **options
     )
 
 
@@ -332,11 +332,13 @@ def test_runs_stop_with_a_checkpoint_when_the_program_is_killed(place):
 # ---- memory ---------------------------------------------------------------------------------------------------
 
 
-def limited(megabytes):
-    def limit():
-        resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
+def limited(mebibytes):
+    """Options of a program whose address space, of about 250 MiB for a small run, is limited."""
 
-    return limit
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20, mebibytes << 20))
+
+    return {"preexec_fn": limit, "env": os.environ | {"OPENBLAS_NUM_THREADS": "1"}}
 
 
 def is_sanitized():
@@ -351,12 +353,12 @@ without_limit = pytest.mark.skipif(
 @without_limit
 def test_runs_that_do_not_fit_beside_others_wait(place):
     one = run(place, CUBE, "-o", "one", "-q")
-    beside = run(place, CUBE, "-o", "beside", "--jobs", "3", preexec_fn=limited(600))
+    beside = run(place, CUBE, "-o", "beside", "--jobs", "3", **limited(400))
     assert one.returncode == beside.returncode == 0, beside.stderr
     waits = [line for line in beside.stderr.splitlines() if " waits for memory: " in line]
     assert [line.split(":")[0] for line in waits] == ["two", "three"]
     assert re.fullmatch(
-        r"two: waits for memory: it needs \d+ MB, as runs like it do, and [\d.]+ kB are left beside one", waits[0]
+        r"two: waits for memory: it needs \d+ MB, as runs like it do, and [\d.]+ [kM]B are left beside one", waits[0]
     ), waits
     assert_same(place / "one", place / "beside")
 
@@ -364,10 +366,10 @@ def test_runs_that_do_not_fit_beside_others_wait(place):
 @without_limit
 def test_a_run_unlike_the_others_waits_before_it_factors_its_matrix(place):
     deck = CUBE.replace("one: {}, two: {", "one: {time: {end: 0.05}}, two: {solver: condensed, ")
-    beside = run(place, deck, "-o", "beside", "--jobs", "2", "--only", "one,two", preexec_fn=limited(600))
+    beside = run(place, deck, "-o", "beside", "--jobs", "2", "--only", "one,two", **limited(400))
     assert beside.returncode == 0, beside.stderr
     assert re.search(
-        r"^two: waits for memory: the factor of its matrix needs .* MB, and .* kB are left beside one$",
+        r"^two: waits for memory: the factor of its matrix needs .* MB, and .* [kM]B are left beside one$",
         beside.stderr,
         re.MULTILINE,
     ), beside.stderr
@@ -378,7 +380,7 @@ def test_a_run_unlike_the_others_waits_before_it_factors_its_matrix(place):
 @without_limit
 def test_a_run_that_waits_for_memory_stops_at_once(place):
     deck = CUBE.replace("two: {", "two: {solver: condensed, ").replace("end: 3e-4", "end: 10")
-    process = started(place, deck, preexec_fn=limited(600))
+    process = started(place, deck, **limited(400))
     err = ""
     while "two: waits" not in err:
         err += process.stderr.readline()
@@ -390,6 +392,17 @@ def test_a_run_that_waits_for_memory_stops_at_once(place):
     assert "error: two: interrupted before its first step, nothing was written\n" in err
     assert re.search("^error: one: interrupted at t = .*--resume goes on from there$", err, re.MULTILINE), err
     assert not (place / "deck/two").exists() and not (place / "deck/three").exists()
+
+
+@without_limit
+def test_a_run_that_does_not_fit_alone_is_refused_as_ever(place):
+    deck = CUBE.replace("[8, 8, 8]", "[22, 22, 22]")
+    one = run(place, deck, "-q", **limited(500))
+    beside = run(place, deck, "-q", "--jobs", "2", **limited(500))
+    assert (one.returncode, beside.returncode) == (2, 2)
+    for done in [one, beside]:
+        assert re.fullmatch(r"error: the model is too large for this machine: with its 34914 unknowns .*\n", done.stderr)
+    assert not (place / "deck").exists()
 
 
 # ---- what is shown --------------------------------------------------------------------------------------------
