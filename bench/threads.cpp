@@ -4,6 +4,7 @@
 ///   AssemblyByThreads       stiffness and mass of a box of 48³ HEXA8 that all differ, with their pattern
 ///   TangentByThreads        forces and tangents of 24³ HEXA8 of J2, added to the matrix
 ///   ExplicitPlasticByThreads  explicit steps of a box of 32³ HEXA8 of J2
+///   ReadByThreads           what an explicit step of a linear body is limited by: 1 GB is read
 ///   ExplicitByThreads       explicit steps of a linear box of 48³ HEXA8
 ///   FactorByThreads         of C refined 8 (two bodies)
 ///   FactorOfOneByThreads    of a box of 28³ HEXA8 (one body)
@@ -111,6 +112,23 @@ void TangentByThreads(benchmark::State& state) {
   compare(state, by(one), by(all));
 }
 
+void ReadByThreads(benchmark::State& state) {
+  const std::vector<double> memory(std::size_t{1} << 27, 1.0);
+  const auto by = [&](const Threads& threads) {
+    return [&memory, threads] {
+      const int parts = 2 * threads.count();
+      std::vector<double> sums(static_cast<std::size_t>(parts));
+      threads.each(parts, [&](int part) {
+        const auto size = static_cast<Eigen::Index>(memory.size()) / parts;
+        sums[static_cast<std::size_t>(part)] =
+            Eigen::Map<const Eigen::ArrayXd>(memory.data() + part * size, size).sum();
+      });
+      benchmark::DoNotOptimize(sums.data());
+    };
+  };
+  compare(state, by({}), by(threads_of(state)));
+}
+
 void steps_by_threads(benchmark::State& state, const study::Study& study) {
   simulation::Start start;
   start.threads = threads_of(state);
@@ -167,6 +185,7 @@ void SolveByThreads(benchmark::State& state) {
 
 BENCHMARK(AssemblyByThreads)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(TangentByThreads)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(ReadByThreads)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(ExplicitByThreads)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(ExplicitPlasticByThreads)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(FactorByThreads)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);

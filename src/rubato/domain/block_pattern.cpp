@@ -83,7 +83,7 @@ BlockPattern::BlockPattern(const mesh::Mesh& mesh, std::span<const CellIndex> ce
                            const Threads& threads)
     : components_(dofs.components), cells_(cells.begin(), cells.end()), shares_(mesh, cells, threads),
       first_dof_(dofs.first_dof), start_(dofs.nodes.size() + 1, 0), first_place_(first_places(mesh, cells)),
-      places_(at(first_place_.back())) {
+      places_(first_place_.back()) {
   const NodesInParts parts(dofs.nodes.size(), threads);
   const auto around = cells_around_nodes(mesh, cells, dofs);
   std::vector<std::vector<std::int32_t>> found(at(parts.count()));
@@ -123,7 +123,7 @@ void BlockPattern::put_places(CellIndex cell, std::int32_t own, const mesh::Mesh
   const auto nodes = mesh.nodes_of(cell);
   const auto first = first_place_[at(cell)] + own * static_cast<std::int64_t>(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    places_[at(first) + i] = place_of[at(number_of(nodes[i]))];
+    places_[first + static_cast<Eigen::Index>(i)] = place_of[at(number_of(nodes[i]))];
 }
 
 SparseMatrix BlockPattern::zero_matrix() const {

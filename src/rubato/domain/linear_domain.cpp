@@ -3,6 +3,7 @@
 
 #include "rubato/linalg/lanczos.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace rubato::domain {
@@ -11,7 +12,7 @@ using Eigen::VectorXd;
 
 LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat,
                            std::vector<LawSpring> springs, const Threads& threads)
-    : heat_(std::move(heat)), springs_(std::move(springs)) {
+    : heat_(std::move(heat)), springs_(std::move(springs)), threads_(threads) {
   if (stiffness.nonZeros() > 0)
     product_.emplace(stiffness, components, threads);
   const auto own = std::make_shared<SparseMatrix>();
@@ -23,7 +24,7 @@ Failed LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old,
                               const Wanted& wanted) const {
   now = old;
   if (wanted.tangent != nullptr)
-    *wanted.tangent = *stiffness_;
+    copy_stiffness(*wanted.tangent);
   if (wanted.forces == nullptr)
     return {};
   if (step.forces0 != nullptr && !heat_ && step.u1 == step.u0) {
@@ -37,6 +38,22 @@ Failed LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old,
   forces_at(step.u0, step.t0, at_start);
   *wanted.forces = 0.5 * (at_start + *wanted.forces);
   return {};
+}
+
+/// The pattern is there already, but for the first time.
+void LinearDomain::copy_stiffness(SparseMatrix& tangent) const {
+  if (tangent.cols() != stiffness_->cols() || tangent.nonZeros() != stiffness_->nonZeros()) {
+    tangent = *stiffness_;
+    return;
+  }
+  constexpr std::size_t fewest = 500'000; // numbers that are worth a thread
+  const auto size = static_cast<std::size_t>(tangent.nonZeros());
+  const int parts = threads_.parts_of(size, fewest);
+  threads_.each(parts, [&](int part) {
+    const auto first = size * static_cast<std::size_t>(part) / static_cast<std::size_t>(parts);
+    const auto last = size * static_cast<std::size_t>(part + 1) / static_cast<std::size_t>(parts);
+    std::copy(stiffness_->valuePtr() + first, stiffness_->valuePtr() + last, tangent.valuePtr() + first);
+  });
 }
 
 void LinearDomain::forces_at(const VectorXd& u, double t, VectorXd& forces) const {

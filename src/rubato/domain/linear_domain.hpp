@@ -54,10 +54,13 @@ public:
   }
 
 private:
+  void copy_stiffness(SparseMatrix& tangent) const;
+
   /// Shared by copies, which only read it.
   std::shared_ptr<const SparseMatrix> stiffness_ = std::make_shared<const SparseMatrix>();
   std::shared_ptr<const Heat> heat_;
   std::vector<LawSpring> springs_;
+  Threads threads_;
   /// The same K: its product reads least memory. Nothing where K is 0.
   std::optional<linalg::SymmetricBlockMatrix> product_;
 };

@@ -38,6 +38,9 @@ public:
         has_augmentation_(std::ranges::any_of(model.zones, contact::has_augmentation)) {}
 
   StepReport plainly(State& trial) { return afresh({}, trial); }
+  /// A search along moves takes fewer iterations than those that come no nearer for long, but may fail where
+  /// these come to an end after all.
+  StepReport hurriedly(State& trial) { return afresh({.hurries = true}, trial); }
 
   /// Contact stands in the matrix of every iteration, from here on: what it holds is stable then. Where no
   /// contact is, the matrix may have negative eigenvalues from here on.
@@ -224,13 +227,16 @@ State predict(const Model& model, const time::Scheme& scheme, const EffectiveSys
 StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
                    const State& committed, double t, State& trial, const GoesOn& goes_on) {
   Attempts attempts(model, scheme, system, committed, t, goes_on);
-  auto report = attempts.plainly(trial);
+  auto report = attempts.hurriedly(trial);
+  const bool was_given_up = report.stagnates;
   if (report.outcome == Outcome::indefinite)
     report = attempts.whole(trial);
   if (report.outcome == Outcome::too_many_iterations && attempts.has_exact_tangent())
     report = attempts.exactly(trial);
   if (report.failed() && attempts.can_search(report))
     report = attempts.search(trial);
+  if (report.failed() && was_given_up)
+    report = attempts.plainly(trial);
   if (report.failed() && attempts.has_other_start())
     report = attempts.from_other_start(trial);
   if (report.failed() && attempts.has_augmentation())

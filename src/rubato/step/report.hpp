@@ -104,6 +104,7 @@ struct StepReport {
   /// Of nonlinear bodies, of the last attempt: the largest unbalanced force at the start and at every motion
   /// that contact was solved from, contact included [force].
   std::vector<double> bulk_residuals;
+  bool stagnates = false;  ///< whether motions that came no nearer were given up before there were too many
   bool indefinite = false; ///< whether an effective matrix without contact was not positive definite
   /// Negative eigenvalues of the last matrix, where nothing touches bodies whose matrix was not positive
   /// definite: as many directions in which the state is not stable.

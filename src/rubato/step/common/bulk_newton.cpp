@@ -60,7 +60,8 @@ std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced, d
   renewed_ = goes_back_ = false;
   if (iterations_ >= model_.study.newton.max_iterations)
     return Outcome::too_many_iterations;
-  if (is_searched_next_ && stagnates())
+  given_up_ = hurries_ && stagnates();
+  if (given_up_)
     return Outcome::too_many_iterations;
   if (!is_fresh_ && !(unbalanced < last_))
     go_back_with_new_tangent();
@@ -104,6 +105,7 @@ void BulkNewton::fill(StepReport& report, const Equilibrium& equilibrium) const 
   if (report.converged())
     report.bulk_residuals.push_back(report.unbalanced_force);
   report.indefinite = tangent_.is_indefinite();
+  report.stagnates = given_up_;
   report.failed_cell = equilibrium.failed();
   if (report.failed() && report.failed_cell)
     report.unmet.push_back({Criterion::cell, -1, model_.mesh.nodes_of(report.failed_cell->cell).front()});

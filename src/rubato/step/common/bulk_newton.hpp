@@ -33,9 +33,8 @@ public:
   /// How much of the move is left, else.
   std::optional<double> shorten(const time::Motion& from, time::Motion& to, Equilibrium& equilibrium) const;
 
-  /// Iterates that come no nearer are given up soon: an attempt that searches along its moves comes after
-  /// this one, and needs fewer.
-  void expect_search() { is_searched_next_ = true; }
+  /// Iterates that come no nearer are given up soon.
+  void hurry() { hurries_ = true; }
 
   /// BulkTangent::set_load_factor
   void set_load_factor(double factor) { tangent_.set_load_factor(factor); }
@@ -78,7 +77,8 @@ private:
   int growing_ = 0; ///< iterates one after the other that had a tangent of their own and made it worse
   bool renewed_ = false;
   bool goes_back_ = false;
-  bool is_searched_next_ = false;
+  bool hurries_ = false;
+  bool given_up_ = false;
 };
 
 } // namespace rubato::step

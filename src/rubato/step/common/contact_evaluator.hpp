@@ -36,6 +36,7 @@ struct RetrySettings {
   /// symmetric.
   bool exact_tangent = false;
   bool searches = false; ///< nonlinear bodies go only as far along a move as that brings them into balance
+  bool hurries = false;  ///< iterates of nonlinear bodies that come no nearer are given up soon
 };
 
 /// What outer loops hold of one zone while Newton iterates; empty: nothing.

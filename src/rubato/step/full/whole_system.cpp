@@ -22,8 +22,8 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
   if (model.domain.is_linear())
     return;
   bulk_.emplace(model, scheme, system, committed, t, is_factored() ? Factored::yes : Factored::no);
-  if (is_factored() && !side_.variant().searches)
-    bulk_->expect_search();
+  if (is_factored() && side_.variant().hurries)
+    bulk_->hurry();
 }
 
 /// Without contact zones the factored matrix is that of the whole system.

@@ -105,8 +105,8 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
     return springs_of_contact(model_, started_ ? now() : side_.at(committed_, Frozen(model_.zones.size())),
                               system_.diagonal, held);
   });
-  if (!side_.variant().searches)
-    bulk_->expect_search();
+  if (side_.variant().hurries)
+    bulk_->hurry();
 }
 
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
