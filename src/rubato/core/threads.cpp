@@ -2,6 +2,8 @@
 #include "rubato/core/threads.hpp"
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -9,12 +11,23 @@
 
 namespace rubato {
 
+/// Made when it is first needed: oneTBB takes milliseconds to look at the machine, as long as a small study.
 struct Threads::Arena {
-  explicit Arena(int count)
-      : allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count)), arena(count) {
+  explicit Arena(int count) : count_(count) {}
+
+  tbb::task_arena& get() {
+    std::call_once(once_, [this] {
+      allowed_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count_));
+      arena_.emplace(count_);
+    });
+    return *arena_;
   }
-  tbb::global_control allowed; ///< else there are no more than processors
-  tbb::task_arena arena;
+
+private:
+  int count_;
+  std::once_flag once_;
+  std::optional<tbb::global_control> allowed_; ///< else there are no more than processors
+  std::optional<tbb::task_arena> arena_;
 };
 
 Threads::Threads(int count) : count_(count) {
@@ -34,7 +47,7 @@ void Threads::each(int parts, const std::function<void(int)>& work) const {
       work(part);
     return;
   }
-  arena_->arena.execute([&] { tbb::parallel_for(0, parts, work, tbb::simple_partitioner()); });
+  arena_->get().execute([&] { tbb::parallel_for(0, parts, work, tbb::simple_partitioner()); });
 }
 
 } // namespace rubato

@@ -80,7 +80,7 @@ void require_finite(const Values& element, const Cell& cell, const mesh::Mesh& m
                                material::described(cell.law)));
 }
 
-enum class Entries {
+enum class ElementEntries {
   blocks,   ///< of matrices of nodes · components
   diagonals ///< of m ⊗ 1, m a matrix of nodes
 };
@@ -94,7 +94,7 @@ public:
         is_clear_(at(matrix_.cols() / pattern.components()), 0) {}
 
   /// Adds those columns of an element matrix, node-major, whose nodes take part.
-  template <Entries E, class TakesPart>
+  template <ElementEntries E, class TakesPart>
   void add(CellIndex cell, std::span<const NodeIndex> nodes, const Eigen::MatrixXd& element,
            const TakesPart& takes_part) {
     const auto places = pattern_.places(cell, nodes.size());
@@ -122,11 +122,11 @@ private:
   }
 
   /// Those of node j of the element, which has that first dof.
-  template <Entries E>
+  template <ElementEntries E>
   void add_column(int dof, std::size_t j, std::span<const std::int32_t> places,
                   const Eigen::MatrixXd& element) {
     clear(dof);
-    if constexpr (E == Entries::diagonals)
+    if constexpr (E == ElementEntries::diagonals)
       add_diagonals(element.col(static_cast<Eigen::Index>(j)).data(), dof, places);
     else if (pattern_.components() == 3)
       add_all_blocks<3>(element, dof, j, places);
@@ -169,7 +169,7 @@ std::vector<std::size_t> places_in_bulk(const BlockPattern& pattern, const Bulk&
 /// The sum of what `matrix_of` gives for each cell of the pattern, called with the share, the place in the
 /// bulk and that of the cell which comes next, WorkShares::none after the last; null where a cell adds
 /// nothing.
-template <Entries E, class MatrixOf>
+template <ElementEntries E, class MatrixOf>
 SparseMatrix sum_of_cells(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                           const MatrixOf& matrix_of) {
   Sum sum(pattern);
@@ -309,7 +309,7 @@ template <class Wanted>
 SparseMatrix assemble_stiffness_of(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                                    std::span<const double> factors, const Wanted& is_wanted) {
   std::vector<Stiffnesses> stiffnesses(at(pattern.shares().count()), Stiffnesses(mesh, bulk));
-  return sum_of_cells<Entries::blocks>(
+  return sum_of_cells<ElementEntries::blocks>(
       mesh, bulk, pattern, [&](int share, std::size_t i, std::size_t next) -> const Eigen::MatrixXd* {
         return is_wanted(i) ? &stiffnesses[at(share)].of(i, next, Cell(mesh, bulk, factors, i)) : nullptr;
       });
@@ -330,15 +330,16 @@ SparseMatrix assemble_constant_stiffness(const mesh::Mesh& mesh, const Bulk& bul
 SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                            std::span<const double> factors) {
   std::vector<Eigen::MatrixXd> elements(at(pattern.shares().count()));
-  return sum_of_cells<Entries::diagonals>(mesh, bulk, pattern, [&](int share, std::size_t i, std::size_t) {
-    const Cell cell(mesh, bulk, factors, i);
-    auto& element = elements[at(share)];
-    element.resize(cell.node_count(), cell.node_count());
-    cell_mass(bulk, i, cell.type, cell.points, element);
-    element *= cell.factor;
-    require_finite(element.diagonal(), cell, mesh, "mass");
-    return &element;
-  });
+  return sum_of_cells<ElementEntries::diagonals>(mesh, bulk, pattern,
+                                                 [&](int share, std::size_t i, std::size_t) {
+                                                   const Cell cell(mesh, bulk, factors, i);
+                                                   auto& element = elements[at(share)];
+                                                   element.resize(cell.node_count(), cell.node_count());
+                                                   cell_mass(bulk, i, cell.type, cell.points, element);
+                                                   element *= cell.factor;
+                                                   require_finite(element.diagonal(), cell, mesh, "mass");
+                                                   return &element;
+                                                 });
 }
 
 Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,

@@ -208,7 +208,12 @@ std::vector<LowerTriangle> SplitFactor::triangles_of(const SparseMatrix& matrix)
 
 void SplitFactor::analyse(std::vector<LowerTriangle>& triangles, std::size_t memory,
                           const std::function<void(std::size_t)>& tell, Index largest_last) {
-  threads_.each(static_cast<int>(bodies_.size()), [&](int body) {
+  constexpr std::size_t fewest = 100'000; // entries, analysed in some ten milliseconds
+  std::size_t entries = 0;
+  for (const auto& triangle : triangles)
+    entries += triangle.rows.size();
+  const Threads threads = entries >= fewest ? threads_ : Threads();
+  threads.each(static_cast<int>(bodies_.size()), [&](int body) {
     const auto b = static_cast<std::size_t>(body);
     bodies_[b].analyse(triangles[b], largest_last);
   });
@@ -277,10 +282,13 @@ bool SplitFactor::pays_side_by_side() const {
 
 /// False when a body's matrix is not positive definite.
 bool SplitFactor::factorise(const std::function<LowerTriangle(std::size_t)>& triangle_of) {
-  if (threads_.count() > 1 && !pays_side_by_side())
+  constexpr double fewest = 1e7; // multiplications and additions, some milliseconds
+  const bool is_small = factor_flops() < fewest;
+  if (threads_.count() > 1 && !is_small && !pays_side_by_side())
     return factorise_by_blas(triangle_of);
   std::atomic<bool> failed = false;
-  threads_.each(static_cast<int>(bodies_.size()), [&](int body) {
+  const Threads threads = is_small ? Threads() : threads_;
+  threads.each(static_cast<int>(bodies_.size()), [&](int body) {
     if (failed)
       return;
     const auto b = static_cast<std::size_t>(body);
