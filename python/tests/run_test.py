@@ -14,7 +14,7 @@ import rubato
 import studies
 
 DECK = studies.SOURCES / "cases/sdnl140/f.yaml"
-CLOCKS = re.compile(r'"(setup_seconds|loop_seconds|seconds)":\s*[0-9.e+-]+')
+CLOCKS = re.compile(r'"(setup_seconds|loop_seconds|elapsed_seconds|seconds)":\s*[0-9.e+-]+')
 
 
 @pytest.fixture(scope="module")

@@ -48,6 +48,7 @@ inline std::vector<nlohmann::json> attempts_in(const std::filesystem::path& file
 inline nlohmann::json summary_in(const std::filesystem::path& file) {
   auto summary = nlohmann::json::parse(text_of(file));
   summary.erase("setup_seconds");
+  summary.erase("elapsed_seconds");
   summary.erase("loop_seconds");
   summary.erase("factor_bytes"); // a run that was killed after its last step factors nothing when it goes on
   summary.erase("warnings");     // they tell how the run was stopped, too

@@ -90,7 +90,7 @@ def content(path):
     if path.name == "steps.jsonl":
         return [json.loads(line) | {"seconds": 0} for line in path.read_text().splitlines()]
     if path.name == "run.json":
-        return json.loads(path.read_text()) | {"setup_seconds": 0, "loop_seconds": 0}
+        return json.loads(path.read_text()) | {"setup_seconds": 0, "loop_seconds": 0, "elapsed_seconds": 0}
     return path.read_bytes()
 
 
