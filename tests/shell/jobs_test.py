@@ -177,6 +177,25 @@ def test_what_is_no_number_of_runs_is_refused(place, value):
     assert done.stderr == f"error: --jobs: found '{value}', expected a whole number from 1 on (rubato --help tells more)\n"
 
 
+@pytest.mark.parametrize("value", ["0", "-1", "two", "1.5"])
+def test_what_is_no_number_of_threads_is_refused(place, value):
+    done = run(place, BLOCKS, f"--threads={value}")
+    assert done.returncode == 2
+    assert done.stderr == f"error: --threads: found '{value}', expected a whole number from 1 on (rubato --help tells more)\n"
+
+
+def test_threads_of_each_run_are_in_its_summary(place):
+    """Without a wish the cores are shared out among runs that are computed at once."""
+    environment = {name: value for name, value in os.environ.items() if name != "RUBATO_THREADS"}
+    deck = runs("a: {}", "b: {}")
+    cores = len(os.sched_getaffinity(0))
+    for arguments, threads in ((["--threads", "3"], 3), (["--threads", "2", "--jobs", "2"], 2), (["--jobs", "2"], None)):
+        assert run(place, deck, *arguments, env=environment).returncode == 0
+        for name in "ab":
+            told = summary(place / "deck" / name)["threads"]
+            assert told == threads or (threads is None and 1 <= told <= max(1, cores // 2))
+
+
 def test_faults_of_the_models_are_told_with_their_places_before_anything_runs(place):
     deck = runs("a: {}", "b: {supports: [{on: nowhere, fix: [x]}]}")
     one = run(place, deck)
