@@ -10,12 +10,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 namespace rubato::domain {
@@ -299,7 +296,7 @@ private:
   const Bulk& bulk_;
   Eigen::MatrixXd element_;
   LinearShape shape_; ///< that `element_` is of
-  std::size_t place_ahead_ = std::numeric_limits<std::size_t>::max();
+  std::size_t place_ahead_ = WorkShares::none;
   Eigen::MatrixXd element_ahead_; ///< of the cell there, without the factor
   LinearShape shape_ahead_;
 };

@@ -31,8 +31,10 @@ public:
 
   /// The same before anything is written to the values.
   SparseMatrix matrix_without_values() const;
-  /// The cells, dealt out to threads.
+
+  /// In the order they were given in.
   std::span<const mesh::CellIndex> cells() const { return cells_; }
+  /// These, dealt out to threads.
   const WorkShares& shares() const { return shares_; }
 
   int components() const { return components_; }
