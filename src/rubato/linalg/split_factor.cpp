@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
@@ -22,7 +23,11 @@ using Eigen::VectorXd;
 
 /// Of thicker bodies, with more unknowns for each on the surface, L_ss is not worth comparing with the
 /// factor.
-constexpr Index thickest = 10;
+constexpr Index thickest = 100;
+
+/// Positions of a surface within its body that S is formed of at once: of more points S is used by its
+/// products only (step/interface/interface_newton_system.hpp).
+constexpr Index most_formed = 10'000;
 
 enum class Side : char { lower = 'N', transposed = 'T' };
 
@@ -107,7 +112,7 @@ struct SplitFactor::Body {
     engine = std::make_unique<CholmodEngine>();
     if (surface_size > largest_last && size() <= thickest * surface_size) {
       engine->analyse_supernodes(lower);
-      if (engine->bytes() < bytes_of_triangle()) {
+      if (engine->bytes() < bytes_of_triangle() || engine->flops() < flops_of_triangle()) {
         within.emplace(*engine, size() - surface_size);
         return;
       }
@@ -120,8 +125,10 @@ struct SplitFactor::Body {
     return static_cast<std::size_t>(surface_size * (surface_size + 1) / 2) * sizeof(double);
   }
 
+  double flops_of_triangle() const { return std::pow(static_cast<double>(surface_size), 3) / 3; }
+
   std::size_t bytes_of_compliance() const {
-    return within ? within->bytes_of_compliance()
+    return within ? within->bytes_of_compliance(most_formed)
                   : static_cast<std::size_t>(surface_size * surface_size) * sizeof(double);
   }
 
@@ -346,6 +353,10 @@ template <class Work> void SplitFactor::each_body(const Work& work) const {
   });
 }
 
+Index SplitFactor::first_position(const Body& body) const {
+  return body_starts_[static_cast<std::size_t>(&body - bodies_.data())];
+}
+
 VectorXd SplitFactor::forward(const VectorXd& right_side) const {
   must_have_values();
   if (right_side.size() != size_)
@@ -373,37 +384,31 @@ VectorXd SplitFactor::backward(const VectorXd& half_way) const {
 VectorXd SplitFactor::surface_of(const VectorXd& half_way) const {
   must_have_values();
   VectorXd values(static_cast<Index>(surface_.size()));
-  Index end = 0;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const auto& body = bodies_[b];
-    end += body.size();
-    auto part = values.segment(body_starts_[b], body.surface_size);
+  each_body([&](const Body& body, Index first) {
+    auto part = values.segment(first_position(body), body.surface_size);
     if (body.within) {
-      part = body.within->values(half_way.segment(end - body.size(), body.size()));
-      continue;
+      part = body.within->values(half_way.segment(first, body.size()));
+      return;
     }
-    part = half_way.segment(end - body.surface_size, body.surface_size);
+    part = half_way.segment(first + body.size() - body.surface_size, body.surface_size);
     solve_in_place(body.triangle, Side::transposed, part);
-  }
+  });
   return values;
 }
 
 void SplitFactor::load_surface(const VectorXd& force, VectorXd& half_way) const {
   must_have_values();
-  Index end = 0;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const auto& body = bodies_[b];
-    end += body.size();
-    VectorXd part = force.segment(body_starts_[b], body.surface_size);
+  each_body([&](const Body& body, Index first) {
+    VectorXd part = force.segment(first_position(body), body.surface_size);
     if (part.isZero(0))
-      continue;
+      return;
     if (body.within) {
-      body.within->load(part, half_way.segment(end - body.size(), body.size()));
-      continue;
+      body.within->load(part, half_way.segment(first, body.size()));
+      return;
     }
     solve_in_place(body.triangle, Side::lower, part);
-    half_way.segment(end - body.surface_size, body.surface_size) += part;
-  }
+    half_way.segment(first + body.size() - body.surface_size, body.surface_size) += part;
+  });
 }
 
 const SurfaceInFactor* SplitFactor::surface_within(std::size_t body) const {
@@ -435,6 +440,16 @@ MatrixXd SplitFactor::compliance(std::size_t body, Index first, Index count) con
   solve_in_place(triangle, Side::lower, columns, first);
   solve_in_place(triangle, Side::transposed, columns, 0);
   return columns;
+}
+
+VectorXd SplitFactor::moved_by(std::size_t body, const VectorXd& force) const {
+  must_have_values();
+  if (bodies_[body].within)
+    return bodies_[body].within->moved_by(force);
+  VectorXd moved = force;
+  solve_in_place(bodies_[body].triangle, Side::lower, moved);
+  solve_in_place(bodies_[body].triangle, Side::transposed, moved);
+  return moved;
 }
 
 std::size_t SplitFactor::factor_bytes() const {

@@ -27,8 +27,9 @@ struct LowerTriangle;
 /// the surface once L y = b is solved: x_s = L_ss⁻ᵀ y_s. A force added there then changes y_s alone. Bodies
 /// that A does not couple are factored each for itself.
 ///
-/// L_ss is dense. Of a thin body, whose surface are most of its unknowns, it has more entries than the whole
-/// factor in an order of its own: there the surface may be eliminated within the body (SurfaceInFactor).
+/// L_ss is dense. Of a thin or slender body, whose surface has many of its unknowns, it has more entries than
+/// the whole factor in an order of its own, or takes more arithmetic: there the surface may be eliminated
+/// within the body (SurfaceInFactor).
 ///
 /// Surface unknowns are counted body after body, in their order of elimination: their positions.
 ///
@@ -43,8 +44,8 @@ public:
   /// not finite. A surface that is eliminated last keeps the order of `surface`. `tell` hears what the factor
   /// and its compliance need [bytes] as soon as their entries are counted, before the first value is
   /// computed. Surfaces of more than `largest_last` unknowns are eliminated within their body where its whole
-  /// factor is then smaller than L_ss alone. Throws TooLargeForMemory when they would not fit into `memory`
-  /// [bytes], std::invalid_argument when the matrix is not square.
+  /// factor is then smaller than L_ss alone, or takes fewer multiplications. Throws TooLargeForMemory when
+  /// they would not fit into `memory` [bytes], std::invalid_argument when the matrix is not square.
   static std::optional<SplitFactor> of(
       const SparseMatrix& matrix, std::span<const int> surface, std::size_t memory,
       const std::function<void(std::size_t)>& tell = [](std::size_t) {},
@@ -95,6 +96,9 @@ public:
   /// column each. All columns take three times as long by this.
   Eigen::MatrixXd compliance(std::size_t body, Eigen::Index first, Eigen::Index count) const;
 
+  /// S force, one a position of the body each, without forming S.
+  Eigen::VectorXd moved_by(std::size_t body, const Eigen::VectorXd& force) const;
+
   const Threads& threads() const { return threads_; }
 
   /// Memory the factor holds.
@@ -116,6 +120,7 @@ private:
   bool factorise_by_blas(const std::function<LowerTriangle(std::size_t)>& triangle_of);
   bool pays_side_by_side() const;
   template <class Work> void each_body(const Work& work) const;
+  Eigen::Index first_position(const Body& body) const;
   void must_have_values() const;
 
   Threads threads_;

@@ -303,9 +303,9 @@ void SurfaceInFactor::carry_up(std::size_t node, std::vector<Part>& parts) const
   }
 }
 
-std::size_t SurfaceInFactor::bytes_of_compliance() const {
+std::size_t SurfaceInFactor::bytes_of_compliance(Index most) const {
   std::size_t numbers = 0;
-  for (std::size_t block = 0; block < node_of_block_.size(); ++block) {
+  for (std::size_t block = 0; block < node_of_block_.size() && block_starts_[block] < most; ++block) {
     const auto count = static_cast<std::size_t>(block_starts_[block + 1] - block_starts_[block]);
     const auto path = static_cast<std::size_t>(path_[static_cast<std::size_t>(node_of_block_[block])]);
     numbers += count * (path + static_cast<std::size_t>(block_starts_[block + 1]));

@@ -48,8 +48,9 @@ public:
   /// Fᵀ S F, one row and one column a column of `forces`, whose rows from `first` on are the positions: by
   /// L⁻¹ Bᵀ F, each column of it on the paths of its own entries only.
   Eigen::MatrixXd between(const SparseMatrix& forces, Eigen::Index first) const;
-  /// Memory [bytes] of half_way_of all blocks and of S between all of them, each pair once.
-  std::size_t bytes_of_compliance() const;
+  /// Memory [bytes] of half_way_of all blocks and of S between all of them, each pair once; of the first
+  /// `most` positions where there are more.
+  std::size_t bytes_of_compliance(Eigen::Index most) const;
 
 private:
   /// Of a supernode: the columns of F whose paths it is on, and its rows of L⁻¹ Bᵀ F in these.

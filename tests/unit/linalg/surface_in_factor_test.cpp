@@ -187,6 +187,44 @@ TEST(SplitFactor, EliminatesTheSurfaceLastUnlessItIsLargerThanAllowed) {
   EXPECT_FALSE(factor->surface_within(1)) << "300 unknowns";
 }
 
+// A block of five layers, its upper surface more than the bandwidth of the block: its dense factor has fewer
+// entries than the whole, and takes more multiplications.
+TEST(SplitFactor, EliminatesTheSurfaceWithinWhereThatTakesFewerMultiplications) {
+  const auto block = test::elastic_block(60, 4, 4);
+  std::vector<int> surface;
+  for (int i = 0; i < block.rows(); ++i)
+    if (i / 3 / 61 % 5 == 4)
+      surface.push_back(i);
+  const auto factor = SplitFactor::of(block, surface, plenty, never, 100);
+  ASSERT_TRUE(factor);
+  const auto size = static_cast<double>(surface.size());
+  EXPECT_GT(static_cast<double>(factor->factor_nonzeros()), size * (size + 1) / 2);
+  EXPECT_LT(factor->factor_flops(), std::pow(size, 3) / 3);
+  EXPECT_TRUE(factor->surface_within(0));
+}
+
+TEST(SplitFactor, MovesTheSurfaceByForcesWhereverItIsEliminated) {
+  const auto matrix = strip_and_block();
+  const auto surface = surface_of(matrix, false);
+  for (const Index largest_last : {Index{0}, std::numeric_limits<Index>::max()}) {
+    const auto factor = SplitFactor::of(matrix, surface, plenty, never, largest_last);
+    ASSERT_TRUE(factor);
+    for (std::size_t body = 0; body < 2; ++body) {
+      const int first = factor->body_starts()[body];
+      const int count = factor->body_starts()[body + 1] - first;
+      const VectorXd force = random_vector(count, 5);
+      VectorXd of_all = VectorXd::Zero(matrix.rows());
+      for (int i = 0; i < count; ++i)
+        of_all[factor->surface()[static_cast<std::size_t>(first + i)]] = force[i];
+      const VectorXd moved = factor->solve(of_all);
+      const VectorXd found = factor->moved_by(body, force);
+      for (int i = 0; i < count; ++i)
+        EXPECT_NEAR(found[i], moved[factor->surface()[static_cast<std::size_t>(first + i)]],
+                    1e-11 * moved.lpNorm<Eigen::Infinity>());
+    }
+  }
+}
+
 TEST(SplitFactor, EliminatesTheSurfaceOfAThickBodyLast) {
   const std::vector<int> surface{0, 1, 2, 30, 31, 32};
   const auto factor = SplitFactor::of(test::elastic_block(6, 6, 6), surface, plenty, never, 0);

@@ -71,6 +71,7 @@ void ActiveInterfaceCompliance::forget() {
     active_dof_of_[static_cast<std::size_t>(interface_dof)] = -1;
   interface_dofs_.clear();
   numbered_ = 0;
+  formed_ = false;
   body_of_.clear();
   bodies_.clear();
 }
@@ -84,13 +85,21 @@ void ActiveInterfaceCompliance::add(std::span<const int> interface_dofs) {
     }
 }
 
-void ActiveInterfaceCompliance::touch_added() {
+void ActiveInterfaceCompliance::number_added() {
   if (interface_dofs_.size() == numbered_)
     return;
   numbered_ = interface_dofs_.size();
+  formed_ = false;
   std::ranges::sort(interface_dofs_);
   for (std::size_t active_dof = 0; active_dof < interface_dofs_.size(); ++active_dof)
     active_dof_of_[static_cast<std::size_t>(interface_dofs_[active_dof])] = static_cast<int>(active_dof);
+}
+
+void ActiveInterfaceCompliance::touch_added() {
+  number_added();
+  if (formed_)
+    return;
+  formed_ = true;
   body_of_.clear();
   std::vector<std::span<const int>> parts;
   const auto& starts = compliance_->body_starts();
@@ -110,11 +119,21 @@ void ActiveInterfaceCompliance::touch_added() {
 }
 
 void ActiveInterfaceCompliance::multiply(const VectorXd& force, VectorXd& moved) const {
+  if (!formed_)
+    return multiply_by_surface(force, moved);
   moved.setZero(size());
   for_each_body(compliance_->threads(), bodies_.size(), interface_dofs_.size(), [&](std::size_t b) {
     const auto& body = bodies_[b];
     linalg::add_symmetric_product(1, body.s, force.data() + body.first, moved.data() + body.first);
   });
+}
+
+void ActiveInterfaceCompliance::multiply_by_surface(const VectorXd& force, VectorXd& moved) const {
+  VectorXd on_surface = VectorXd::Zero(compliance_->size());
+  on_surface(interface_dofs_) = force;
+  VectorXd of_surface = VectorXd::Zero(compliance_->size());
+  compliance_->add(1, on_surface, of_surface);
+  moved = of_surface(interface_dofs_);
 }
 
 void ActiveInterfaceCompliance::add_motion(

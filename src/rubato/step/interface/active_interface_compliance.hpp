@@ -20,8 +20,11 @@ public:
   void forget();
   /// Takes these interface dofs too, each of which may occur several times; touch_added makes them active.
   void add(std::span<const int> interface_dofs);
-  /// Numbers every interface dof added; the numbers of active dofs change when there are new ones.
+  /// Numbers every interface dof added; the numbers of active dofs change when there are new ones. S between
+  /// them is formed.
   void touch_added();
+  /// The same without S: `multiply` then asks the whole surface, and `add_motion` is not there.
+  void number_added();
   Eigen::Index size() const { return static_cast<Eigen::Index>(interface_dofs_.size()); }
   /// The interface dof of every active dof.
   const std::vector<int>& interface_dofs() const { return interface_dofs_; }
@@ -37,6 +40,8 @@ public:
                   double* moved) const;
 
 private:
+  void multiply_by_surface(const Eigen::VectorXd& force, Eigen::VectorXd& moved) const;
+
   struct Body {
     Eigen::Index first = 0; ///< of its active dofs
     Eigen::MatrixXd s;
@@ -44,6 +49,7 @@ private:
   Compliance* compliance_;
   std::vector<int> interface_dofs_;
   std::size_t numbered_ = 0;       ///< how many are numbered
+  bool formed_ = false;            ///< whether S between these is there
   std::vector<int> active_dof_of_; ///< by interface dof, −1 where nothing touches
   std::vector<int> body_of_;       ///< by active dof
   std::vector<Body> bodies_;       ///< those with active dofs

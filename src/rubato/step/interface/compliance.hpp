@@ -64,6 +64,15 @@ public:
     return related_ ? related_->starts : unknowns_.factor().body_starts();
   }
 
+  /// Calls take(unknown, coefficient) for each unknown of the factored matrix that moves an interface dof.
+  template <class Take> void for_each_unknown(int interface_dof, const Take& take) const {
+    const auto& surface = unknowns_.factor().surface();
+    if (!related_)
+      return take(surface[static_cast<std::size_t>(interface_dof)], 1.0);
+    for (Rows::InnerIterator entry(related_->rows, interface_dof); entry; ++entry)
+      take(surface[static_cast<std::size_t>(entry.col())], entry.value());
+  }
+
   /// What is asked of one body may be asked of others at the same time.
   const Threads& threads() const { return unknowns_.factor().threads(); }
 

@@ -43,13 +43,17 @@ void add_force(std::span<const PredictorPoint> points, int first, int last, Vect
 }
 
 ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int components,
-                                   NormalSolution how_far, std::size_t least_watched, std::size_t many)
+                                   NormalSolution how_far, std::size_t least_watched, std::size_t many,
+                                   std::size_t most_formed)
     : compliance_(compliance), factor_(factor), components_(components), how_far_(how_far),
-      least_watched_(least_watched), many_(many), watched_(compliance) {}
+      least_watched_(least_watched), many_(many), most_formed_(most_formed), watched_(compliance) {}
 
 void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
-                               Progress& progress) {
+                               const linalg::SparseMatrix& matrix, Progress& progress) {
   forget_points();
+  formed_ = is_formed(points, d);
+  if (!formed_)
+    return improve_by_products(points, free, matrix, progress);
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
   const int rounds = how_far_ == NormalSolution::projected_cg ? unlimited : most_rounds;
@@ -159,6 +163,8 @@ double ContactPredictor::misfit_by_point_compliance(std::span<const PredictorPoi
 }
 
 double ContactPredictor::misfit(std::span<const PredictorPoint> points, const VectorXd& d) const {
+  if (!formed_)
+    return 0;
   double change = 0;
   double largest = 0;
   for (std::size_t k = 0; k < chosen_.size(); ++k) {

@@ -57,6 +57,11 @@ public:
   /// offers that: results are the same to rounding.
   static constexpr std::size_t usual_many = 500;
 
+  /// Points that press or penetrate up to which what they do to one another is computed. More of them are
+  /// solved for by products with S where a start `near` the solution is enough, without friction beyond what
+  /// they bring: the iterations find that.
+  static constexpr std::size_t usual_most_formed = 1500;
+
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
   /// dimensions as `components`. How far pressing forces are solved for: `near` is enough for a start;
   /// `active_set` is for bodies that only contact holds, each of whose points moves all others by more than
@@ -64,7 +69,8 @@ public:
   /// until none penetrates. `compliance` must outlive this.
   ContactPredictor(Compliance& compliance, double factor, int components,
                    NormalSolution how_far = NormalSolution::near,
-                   std::size_t least_watched = usual_least_watched, std::size_t many = usual_many);
+                   std::size_t least_watched = usual_least_watched, std::size_t many = usual_many,
+                   std::size_t most_formed = usual_most_formed);
 
   /// Improves the forces of the points, which have been measured with the surface at d: first the pressing
   /// ones, so that no gap is negative, then those along the slips for the pressing ones found, so that none
@@ -72,12 +78,13 @@ public:
   /// penetrate get none. What points do to one
   /// another is computed when they press or penetrate first in a call: kept for the next one, it leads to
   /// other points that stick.
-  /// Nothing that comes of it counts when the progress has stopped.
+  /// Nothing that comes of it counts when the progress has stopped. `matrix`: A, or one near it.
   void improve(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Eigen::VectorXd d,
-               Progress& progress);
+               const linalg::SparseMatrix& matrix, Progress& progress);
 
   /// How much a sweep would change the forces now that the points have been measured anew and the surface
-  /// is at d, in parts of the largest one. The points must be those of the last call.
+  /// is at d, in parts of the largest one; 0 where they were solved for by products. The points must be those
+  /// of the last call.
   double misfit(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
   /// The parts of the surface that points stand on, which calls keep for the next one: of large surfaces as
   /// large as the compliance itself where everything touches.
@@ -87,6 +94,9 @@ public:
 
 private:
   void forget_points();
+  bool is_formed(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
+  void improve_by_products(std::span<PredictorPoint> points, const Eigen::VectorXd& free,
+                           const linalg::SparseMatrix& matrix, Progress& progress);
   void add_motion(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& d);
   bool choose_more(std::span<PredictorPoint> points, const Eigen::VectorXd& d);
   void watch(std::span<PredictorPoint* const> points);
@@ -112,9 +122,11 @@ private:
   NormalSolution how_far_;
   std::size_t least_watched_;
   std::size_t many_;
-  std::vector<PredictorPoint*> chosen_;   ///< those that may touch
-  std::vector<std::size_t> sliding_;      ///< of those chosen
-  Eigen::MatrixXd normal_compliance_;     ///< gaps of chosen points for unit pressing forces on each
+  std::size_t most_formed_;
+  bool formed_ = true;                  ///< whether the last call has computed what points do to one another
+  std::vector<PredictorPoint*> chosen_; ///< those that may touch
+  std::vector<std::size_t> sliding_;    ///< of those chosen
+  Eigen::MatrixXd normal_compliance_;   ///< gaps of chosen points for unit pressing forces on each
   Eigen::MatrixXd tangential_compliance_; ///< slips of sliding ones for unit friction on each
   Eigen::VectorXd force_;                 ///< storage of add_motion
   ActiveInterfaceCompliance watched_;     ///< parts of the surface whose motion push tells

@@ -62,8 +62,9 @@ std::pair<std::size_t, std::size_t> id_of(const ActivePoint& point) {
 } // namespace
 
 InterfaceNewtonSystem::InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface,
-                                             double force_weight)
-    : compliance_(compliance), force_weight_(force_weight), surface_(surface) {
+                                             double force_weight, Index largest_formed)
+    : compliance_(compliance), force_weight_(force_weight), largest_formed_(largest_formed),
+      surface_(surface) {
   clear();
 }
 
@@ -119,8 +120,8 @@ void InterfaceNewtonSystem::number_dofs(ActivePoint& point) {
   xi_count_ += point.n_xi();
 }
 
-std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solve(const VectorXd& d0,
-                                                                          const VectorXd& force) {
+std::optional<InterfaceNewtonSystem::Change>
+InterfaceNewtonSystem::solve(const VectorXd& d0, const VectorXd& force, const linalg::SparseMatrix& matrix) {
   for (auto& point : active()) {
     number_dofs(point);
     if (point.shares.empty())
@@ -136,6 +137,8 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::solve(const 
   VectorXd c;
   surface_.multiply(at_active_dofs(force), c);
   c = at_active_dofs(d0) - force_weight_ * c;
+  if (!forms_compliance())
+    return solved_by_products(c, matrix);
   if (forces_ + xi_count_ + shared_.size() > small)
     if (auto change = solved_for_forces(c))
       return change;
@@ -187,10 +190,17 @@ bool InterfaceNewtonSystem::has_factors_of_these() const {
          std::ranges::equal(factored_points_, points(), {}, {}, &id_of);
 }
 
+bool InterfaceNewtonSystem::forms_compliance() const {
+  return sharing_ || forces_ + xi_count_ <= largest_formed_;
+}
+
 void InterfaceNewtonSystem::touch_surface() {
   for (const auto& point : points())
     surface_.add(point.interface_dofs);
-  surface_.touch_added();
+  if (forms_compliance())
+    surface_.touch_added();
+  else
+    surface_.number_added();
   for (auto& point : active()) {
     point.rows.active_dofs.resize(point.interface_dofs.size());
     std::ranges::transform(point.interface_dofs, point.rows.active_dofs.begin(),

@@ -11,6 +11,10 @@
 /// Of few points the whole dense matrix is factored, of many that of the forces alone: the moving places
 /// change little beside the forces, and the whole is refined with it; where that does not converge, it is
 /// factored. The same points are refined with the factors that an iteration before has left.
+///
+/// Where S between the points is too large to be formed, the equations are solved by GMRES: a product with S,
+/// two halves of a solve, for each of its iterations, preconditioned by the equations of the points with the
+/// bulk next to them (near_surface.hpp). So far not where multipliers are shared.
 #pragma once
 
 #include "rubato/linalg/dense_lu.hpp"
@@ -28,8 +32,12 @@ namespace rubato::step {
 
 class InterfaceNewtonSystem {
 public:
+  /// Unknowns of the points, δz and δξ, up to which S between them is formed.
+  static constexpr Eigen::Index usual_largest_formed = 5000;
+
   /// Both must outlive this.
-  InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface, double force_weight);
+  InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface, double force_weight,
+                        Eigen::Index largest_formed = usual_largest_formed);
 
   /// Begins another iteration with no points; factors are kept for the same ones.
   void clear();
@@ -51,9 +59,10 @@ public:
     Eigen::VectorXd xi;     ///< δξ, point after point
     Eigen::VectorXd shared; ///< δm of the shared multipliers that are unknowns
   };
-  /// Once for the points added, with d₀ and f_c one an interface dof. Nothing comes back when the system is
-  /// singular.
-  std::optional<Change> solve(const Eigen::VectorXd& d0, const Eigen::VectorXd& force);
+  /// Once for the points added, with d₀ and f_c one an interface dof. `matrix`: A, or one near it. Nothing
+  /// comes back when the system is singular.
+  std::optional<Change> solve(const Eigen::VectorXd& d0, const Eigen::VectorXd& force,
+                              const linalg::SparseMatrix& matrix);
   /// f_c += Cᵀ (δz, δξ)
   void add_force(const Change& change, Eigen::VectorXd& force) const;
   /// Calls `take(multiplier, δm)` for every shared multiplier of the points added; `multiplier` counts those
@@ -69,6 +78,7 @@ private:
   std::span<ActivePoint> active() { return {points_.data(), count_}; }
   void number_dofs(ActivePoint& point);
   bool collect_shared();
+  bool forms_compliance() const;
   void touch_surface();
   Eigen::VectorXd at_active_dofs(const Eigen::VectorXd& values) const;
   Eigen::Index rows_of_whole() const;
@@ -86,6 +96,10 @@ private:
   std::optional<Change> solved_for_forces(const Eigen::VectorXd& c);
   std::optional<Change> refined(const Eigen::VectorXd& c, int rounds);
   std::optional<Change> solved_whole(const Eigen::VectorXd& c);
+  std::optional<Change> solved_by_products(const Eigen::VectorXd& c,
+                                           const linalg::SparseMatrix& matrix) const;
+  Change applied_to(const Change& change) const;
+  Eigen::VectorXd equation_weights(const Change& left, double compliance) const;
   static void add_xi(const ActivePoint& point, const Eigen::VectorXd& d, double* xi);
   Eigen::VectorXd motion(const Change& change) const;
   Change residual(const Eigen::VectorXd& c, const Change& change) const;
@@ -94,6 +108,7 @@ private:
 
   Compliance& compliance_;
   double force_weight_;
+  Eigen::Index largest_formed_;
   std::vector<ActivePoint> points_; ///< the first count_ of them; others are storage
   std::size_t count_ = 0;
   Eigen::Index forces_ = 0;   ///< how many δz

@@ -156,8 +156,9 @@ struct Gradients {
 /// MPRGP with Γ = 1.
 class Minimisation {
 public:
-  Minimisation(const MatrixXd& matrix, const VectorXd& values, VectorXd start)
-      : matrix_(matrix), values_(values), x_(std::move(start)), gradient_(matrix * x_ + values) {
+  Minimisation(const NormalProducts& products, const VectorXd& values, VectorXd start)
+      : products_(products), values_(values), x_(std::move(start)) {
+    gradient_ = x_.isZero(0) ? values : VectorXd(product(x_) + values);
     length_ = 1 / operator_norm();
   }
 
@@ -183,9 +184,9 @@ private:
   double operator_norm() const {
     VectorXd v = VectorXd::LinSpaced(x_.size(), 1, 2);
     double norm = 0;
-    for (int i = 0; i < norm_products; ++i) {
+    for (int i = 0; i < products_.norm_products; ++i) {
       v.normalize();
-      v = matrix_ * v;
+      v = product(v);
       norm = v.norm();
     }
     return std::max(norm, std::numeric_limits<double>::min());
@@ -193,7 +194,7 @@ private:
 
   VectorXd preconditioned() const {
     const Gradients gradients(x_, gradient_);
-    VectorXd z = gradients.free.cwiseQuotient(matrix_.diagonal());
+    VectorXd z = products_.precondition(gradients.free);
     for (Index i = 0; i < z.size(); ++i)
       if (!(x_[i] > 0))
         z[i] = 0;
@@ -203,21 +204,21 @@ private:
   void restart() { direction_ = preconditioned(); }
 
   void conjugate_step() {
-    const VectorXd product = matrix_ * direction_;
-    const double curvature = direction_.dot(product);
+    const VectorXd moved = product(direction_);
+    const double curvature = direction_.dot(moved);
     const double wanted = gradient_.dot(direction_) / curvature;
     const double feasible = largest_feasible_step();
     if (wanted <= feasible) {
       x_ = (x_ - wanted * direction_).cwiseMax(0.0);
-      gradient_ -= wanted * product;
+      gradient_ -= wanted * moved;
       const VectorXd z = preconditioned();
-      direction_ = z - z.dot(product) / curvature * direction_;
+      direction_ = z - z.dot(moved) / curvature * direction_;
       return;
     }
     x_ = (x_ - feasible * direction_).cwiseMax(0.0);
-    gradient_ -= feasible * product;
+    gradient_ -= feasible * moved;
     x_ = (x_ - length_ * Gradients(x_, gradient_).free).cwiseMax(0.0);
-    gradient_ = matrix_ * x_ + values_;
+    gradient_ = product(x_) + values_;
     restart();
   }
 
@@ -230,14 +231,16 @@ private:
   }
 
   void proportion(const VectorXd& chopped) {
-    const VectorXd product = matrix_ * chopped;
-    const double step = gradient_.dot(chopped) / chopped.dot(product);
+    const VectorXd moved = product(chopped);
+    const double step = gradient_.dot(chopped) / chopped.dot(moved);
     x_ = (x_ - step * chopped).cwiseMax(0.0);
-    gradient_ -= step * product;
+    gradient_ -= step * moved;
     restart();
   }
 
-  const MatrixXd& matrix_;
+  VectorXd product(const VectorXd& x) const { return products_.matrix(x); }
+
+  const NormalProducts& products_;
   const VectorXd& values_;
   VectorXd x_;
   VectorXd gradient_;
@@ -311,10 +314,19 @@ bool solve_complementarity(const MatrixXd& matrix, const VectorXd& values, Vecto
   return ActiveSet(matrix, values, forces).run(progress);
 }
 
+std::optional<VectorXd> minimise_over_nonnegative(const NormalProducts& products, const VectorXd& values,
+                                                  VectorXd start, const CgLimits& limits,
+                                                  Progress& progress) {
+  return Minimisation(products, values, std::move(start)).run(limits, progress);
+}
+
 std::optional<VectorXd> minimise_over_nonnegative(const MatrixXd& matrix, const VectorXd& values,
                                                   VectorXd start, const CgLimits& limits,
                                                   Progress& progress) {
-  return Minimisation(matrix, values, std::move(start)).run(limits, progress);
+  const NormalProducts products{
+      [&](const VectorXd& forces) { return VectorXd(matrix * forces); },
+      [&](const VectorXd& gaps) { return VectorXd(gaps.cwiseQuotient(matrix.diagonal())); }, norm_products};
+  return minimise_over_nonnegative(products, values, std::move(start), limits, progress);
 }
 
 } // namespace rubato::step

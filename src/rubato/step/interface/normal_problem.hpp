@@ -5,6 +5,7 @@
 /// (points between parts that are held) keep the force 0.
 #pragma once
 
+#include "rubato/linalg/product.hpp"
 #include "rubato/step/progress.hpp"
 
 #include <Eigen/Core>
@@ -42,10 +43,22 @@ struct CgLimits {
   int max_iterations = 0; ///< products with the matrix, nearly
 };
 
+/// A normal problem whose matrix is known by its products.
+struct NormalProducts {
+  linalg::Product matrix;       ///< gaps by forces
+  linalg::Product precondition; ///< forces by gaps, near the inverse of the matrix; symmetric and positive
+  int norm_products = 0;        ///< of the power method that bounds ‖matrix‖ from below
+};
+
 /// Modified proportioning with reduced gradient projections (MPRGP), preconditioned in the face (Dostál and
 /// Schöberl, Comput. Optim. Appl. 30, 2005; Domorádová and Dostál, Numer. Linear Algebra Appl. 14, 2007),
 /// from `start` ≥ 0. The diagonal of the matrix is positive; the matrix may be singular. Nothing comes back
 /// when the iterations do not suffice or the progress has stopped.
+std::optional<Eigen::VectorXd> minimise_over_nonnegative(const NormalProducts& products,
+                                                         const Eigen::VectorXd& values, Eigen::VectorXd start,
+                                                         const CgLimits& limits, Progress& progress);
+
+/// The same with the matrix, preconditioned by its diagonal.
 std::optional<Eigen::VectorXd> minimise_over_nonnegative(const Eigen::MatrixXd& matrix,
                                                          const Eigen::VectorXd& values, Eigen::VectorXd start,
                                                          const CgLimits& limits, Progress& progress);

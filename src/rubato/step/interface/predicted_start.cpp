@@ -46,7 +46,7 @@ public:
     const int rounds = takes_bases_ ? most_predictions_of_free_bodies : most_predictions;
     for (int round = 0; round < rounds; ++round) {
       predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved,
-                         site_.progress);
+                         site_.system.matrix, site_.progress);
       if (site_.progress.stopped())
         return;
       take_prediction(site_.model, points_, trial_);

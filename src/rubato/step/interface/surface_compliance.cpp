@@ -124,10 +124,12 @@ void SurfaceCompliance::add_of_body(std::size_t b, double factor, const Eigen::V
     blocks_[b]->add(factor, of_body, d.segment(starts[b], size));
     return;
   }
-  const bool may_be_dense = size >= smallest_dense && size <= largest_whole_;
-  if (may_be_dense &&
+  if (size >= smallest_dense &&
       static_cast<double>((of_body.array() != 0).count()) > dense * static_cast<double>(size)) {
-    linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
+    if (size <= largest_whole_)
+      linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
+    else
+      d.segment(starts[b], size) += factor * factor_.moved_by(b, of_body);
     return;
   }
   linalg::ColumnSum sum(d.data() + starts[b], size);

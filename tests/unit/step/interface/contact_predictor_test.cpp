@@ -132,8 +132,8 @@ TEST_F(PushedBlock, HasTheSameForcesWhateverPartOfTheSurfaceIsLookedAt) {
     auto whole = points_;
     auto watched = points_;
     const VectorXd free = VectorXd::Zero(matrix_.rows());
-    ContactPredictor(compliance_, 0.7, 3, how_far).improve(whole, free, free, progress_);
-    ContactPredictor(compliance_, 0.7, 3, how_far, 0).improve(watched, free, free, progress_);
+    ContactPredictor(compliance_, 0.7, 3, how_far).improve(whole, free, free, matrix_, progress_);
+    ContactPredictor(compliance_, 0.7, 3, how_far, 0).improve(watched, free, free, matrix_, progress_);
     double largest = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       EXPECT_EQ(watched[i].force, whole[i].force) << i;
@@ -153,7 +153,7 @@ TEST_F(PushedBlock, HasTheSameForcesWherePointsAreTakenTogether) {
   const VectorXd free = VectorXd::Zero(matrix_.rows());
   for (const auto how_far : {NormalSolution::near, NormalSolution::active_set}) {
     auto expected = points_;
-    ContactPredictor(compliance_, 0.7, 3, how_far).improve(expected, free, free, progress_);
+    ContactPredictor(compliance_, 0.7, 3, how_far).improve(expected, free, free, matrix_, progress_);
     const auto pressing = [](const PredictorPoint& point) { return point.force[0]; };
     const double largest = pressing(*std::ranges::max_element(expected, {}, pressing));
     EXPECT_GT(largest, 0);
@@ -161,17 +161,41 @@ TEST_F(PushedBlock, HasTheSameForcesWherePointsAreTakenTogether) {
       auto points = points_;
       for (std::size_t i = 0; i < points.size(); ++i)
         points[i].stencil.nodes.front().at = {at[9 * i], at[9 * i + 1], at[9 * i + 2]};
-      ContactPredictor(within, 0.7, 3, how_far, 0, many).improve(points, free, free, progress_);
+      ContactPredictor(within, 0.7, 3, how_far, 0, many).improve(points, free, free, matrix_, progress_);
       for (std::size_t i = 0; i < points.size(); ++i)
         EXPECT_LE((points[i].force - expected[i].force).norm(), 1e-10 * largest) << i;
     }
   }
 }
 
+// Pressing forces alone: friction stays what the points bring, within its limit.
+TEST_F(PushedBlock, IsPressedNearlyAsFarByProductsWithTheCompliance) {
+  for (auto& point : points_)
+    point.friction = 0;
+  const VectorXd free = VectorXd::Zero(matrix_.rows());
+  auto expected = points_;
+  ContactPredictor(compliance_, 0.7, 3).improve(expected, free, free, matrix_, progress_);
+  ContactPredictor by_products(compliance_, 0.7, 3, NormalSolution::near, 0, 1000, 0);
+  for (auto& point : points_)
+    point.force = {0, 1, 0};
+  by_products.improve(points_, free, free, matrix_, progress_);
+  EXPECT_EQ(by_products.misfit(points_, free), 0);
+  double largest = 0;
+  int pressed = 0;
+  for (const auto& point : expected)
+    largest = std::max(largest, point.force[0]);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    EXPECT_NEAR(points_[i].force[0], expected[i].force[0], 0.05 * largest) << i;
+    EXPECT_EQ(points_[i].force.tail<2>().norm(), 0) << i;
+    pressed += points_[i].force[0] > 0 ? 1 : 0;
+  }
+  EXPECT_GT(pressed, 2);
+}
+
 TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
   ContactPredictor guess(compliance_, 1, 3);
   for (int round = 0; round < 20; ++round)
-    guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), progress_);
+    guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), matrix_, progress_);
   const VectorXd d = moved();
   double largest = 0;
   for (const auto& point : points_)
@@ -193,12 +217,12 @@ TEST_F(PushedBlock, IsPressedWhereItPenetratesAndRubbedNoMoreThanItMay) {
 
 TEST_F(PushedBlock, FindsTheSameForcesAgain) {
   ContactPredictor guess(compliance_, 1, 3);
-  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), progress_);
+  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), matrix_, progress_);
   const auto first = points_;
   for (auto& point : points_)
     point.force.setZero();
   guess.forget();
-  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), progress_);
+  guess.improve(points_, VectorXd::Zero(matrix_.rows()), moved(), matrix_, progress_);
   for (std::size_t i = 0; i < points_.size(); ++i)
     EXPECT_EQ(points_[i].force, first[i].force);
 }

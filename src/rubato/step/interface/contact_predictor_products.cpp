@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// How the pressing forces of many points are predicted, by products with S.
+#include "rubato/step/interface/contact_predictor.hpp"
+
+#include <algorithm>
+
+namespace rubato::step {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Gaps that are left, in parts of the largest one without forces.
+constexpr double gaps_left = 3e-2;
+constexpr int most_products = 60;
+/// Of the power method, from a motion that goes one way: S answers to these most.
+constexpr int norm_products = 2;
+
+/// Between the pressing forces of points and what they put on the surface, one an interface dof.
+class PressedSurface {
+public:
+  PressedSurface(std::span<PredictorPoint* const> points, const Compliance& compliance)
+      : points_(points), compliance_(compliance) {}
+
+  VectorXd spread(const VectorXd& forces) const {
+    VectorXd spread = VectorXd::Zero(compliance_.size());
+    for (std::size_t k = 0; k < points_.size(); ++k)
+      if (const double force = forces[static_cast<Index>(k)]; force != 0)
+        points_[k]->stencil.scatter(force * points_[k]->frame.col(0), spread);
+    return spread;
+  }
+
+  VectorXd gaps(const VectorXd& d) const {
+    VectorXd gaps(static_cast<Index>(points_.size()));
+    for (std::size_t k = 0; k < points_.size(); ++k)
+      gaps[static_cast<Index>(k)] = points_[k]->frame.col(0).dot(points_[k]->stencil.gather(d));
+    return gaps;
+  }
+
+private:
+  std::span<PredictorPoint* const> points_;
+  const Compliance& compliance_;
+};
+
+/// A between interface dofs: the stiffness of the surface with the bulk held.
+VectorXd held_stiffness(const linalg::SparseMatrix& matrix, const Compliance& compliance,
+                        const VectorXd& moved) {
+  VectorXd of_unknowns = VectorXd::Zero(matrix.cols());
+  for (Index i = 0; i < moved.size(); ++i)
+    compliance.for_each_unknown(static_cast<int>(i), [&](int unknown, double coefficient) {
+      of_unknowns[unknown] += coefficient * moved[i];
+    });
+  const VectorXd forces = matrix * of_unknowns;
+  VectorXd on_surface = VectorXd::Zero(moved.size());
+  for (Index i = 0; i < moved.size(); ++i)
+    compliance.for_each_unknown(static_cast<int>(i), [&](int unknown, double coefficient) {
+      on_surface[i] += coefficient * forces[unknown];
+    });
+  return on_surface;
+}
+
+} // namespace
+
+bool ContactPredictor::is_formed(std::span<const PredictorPoint> points, const VectorXd& d) const {
+  if (how_far_ != NormalSolution::near || points.size() <= most_formed_)
+    return true;
+  const auto counts = [&](const PredictorPoint& point) {
+    return point.force[0] > 0 || measures_of(point, d)[0] < 0;
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(points, counts)) <= most_formed_;
+}
+
+/// All points at once: MPRGP joins and releases them. Friction stays what it was, within its limit.
+void ContactPredictor::improve_by_products(std::span<PredictorPoint> points, const VectorXd& free,
+                                           const linalg::SparseMatrix& matrix, Progress& progress) {
+  VectorXd unpressed = free;
+  add_motion(points, 1, 2, unpressed);
+  for (auto& point : points)
+    if (!point.stencil.nodes.empty())
+      chosen_.push_back(&point);
+  const PressedSurface surface(chosen_, compliance_);
+  const auto count = static_cast<Index>(chosen_.size());
+  VectorXd values(count), forces(count), springs(count);
+  for (Index k = 0; k < count; ++k) {
+    const auto& point = *chosen_[static_cast<std::size_t>(k)];
+    values[k] = measures_of(point, unpressed)[0];
+    forces[k] = point.force[0];
+    springs[k] = point.penalty_compliance;
+  }
+  const NormalProducts products{[&](const VectorXd& by) {
+                                  VectorXd moved = VectorXd::Zero(compliance_.size());
+                                  compliance_.add(factor_, surface.spread(by), moved);
+                                  return VectorXd(surface.gaps(moved) + springs.cwiseProduct(by));
+                                },
+                                [&](const VectorXd& by) {
+                                  return surface.gaps(
+                                      held_stiffness(matrix, compliance_, surface.spread(by)));
+                                },
+                                norm_products};
+  const double deepest = -std::min(0.0, values.minCoeff());
+  const auto found =
+      minimise_over_nonnegative(products, values, forces, {gaps_left * deepest, most_products}, progress);
+  if (found)
+    forces = *found;
+  for (Index k = 0; k < count; ++k) {
+    auto& point = *chosen_[static_cast<std::size_t>(k)];
+    point.force[0] = forces[k];
+    const double limit = point.friction * point.force[0];
+    if (const double length = point.force.tail<2>().norm(); length > limit)
+      point.force.tail<2>() *= limit / length;
+  }
+}
+
+} // namespace rubato::step

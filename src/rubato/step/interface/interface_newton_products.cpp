@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// How the points' linear system is solved where S between them is not formed.
+#include "rubato/linalg/gmres.hpp"
+#include "rubato/step/interface/interface_newton_system.hpp"
+#include "rubato/step/interface/near_surface.hpp"
+
+#include <algorithm>
+
+namespace rubato::step {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Part of the first residual that GMRES leaves: Newton's next iteration takes the rest.
+constexpr double solved_enough = 1e-4;
+constexpr int most_products = 100;
+
+} // namespace
+
+std::optional<InterfaceNewtonSystem::Change>
+InterfaceNewtonSystem::solved_by_products(const VectorXd& c, const linalg::SparseMatrix& matrix) const {
+  const auto near = NearSurface::of(matrix, compliance_, points(), force_weight_);
+  if (!near)
+    return std::nullopt;
+  const auto left = residual(c, no_change());
+  const VectorXd by_row = equation_weights(left, force_weight_ / matrix.diagonal().mean());
+  const auto change_of = [&](const VectorXd& sides) {
+    const VectorXd x = near->solve(sides.cwiseQuotient(by_row));
+    return Change{x.head(forces_), x.tail(xi_count_), VectorXd()};
+  };
+  const auto weighted = [&](const Change& sides) {
+    VectorXd all(forces_ + xi_count_);
+    all << sides.force, sides.xi;
+    return VectorXd(by_row.cwiseProduct(all));
+  };
+  const auto solution =
+      linalg::gmres([&](const VectorXd& sides) { return weighted(applied_to(change_of(sides))); },
+                    weighted(left), solved_enough, most_products);
+  return solution ? std::optional(change_of(*solution)) : std::nullopt;
+}
+
+/// What is left of the equations of forces counts in parts of the largest one at the start, each with its
+/// largest coefficient as one; displacements count by what a force moves, `compliance`.
+VectorXd InterfaceNewtonSystem::equation_weights(const Change& left, double compliance) const {
+  VectorXd weights = VectorXd::Ones(forces_ + xi_count_);
+  for (const auto& point : points())
+    for (Index a = 0; a < point.components(); ++a) {
+      double size = point.by_force.row(a).lpNorm<Eigen::Infinity>();
+      if (point.rows.left.cols() > 0)
+        size = std::max(size, compliance * point.rows.left.row(a).lpNorm<Eigen::Infinity>());
+      if (size > 0)
+        weights[point.first + a] = 1 / size;
+    }
+  const double largest = weights.head(forces_).cwiseProduct(left.force).lpNorm<Eigen::Infinity>();
+  if (largest > 0)
+    weights.head(forces_) /= largest;
+  return weights;
+}
+
+/// The left sides of the equations.
+InterfaceNewtonSystem::Change InterfaceNewtonSystem::applied_to(const Change& change) const {
+  const VectorXd d = -force_weight_ * motion(change);
+  Change sides{VectorXd::Zero(forces_), change.xi, VectorXd()};
+  for (const auto& point : points()) {
+    auto force = sides.force.segment(point.first, point.components());
+    force = point.by_force * change.force.segment(point.first, point.components());
+    for (std::size_t q = 0; q < point.rows.active_dofs.size(); ++q)
+      force +=
+          d[point.rows.active_dofs[q]] * point.rows.left.col(static_cast<Index>(q)).head(point.components());
+    VectorXd moves = VectorXd::Zero(point.n_xi());
+    add_xi(point, d, moves.data());
+    sides.xi.segment(point.first_slope, point.n_xi()) -= moves;
+  }
+  return sides;
+}
+
+} // namespace rubato::step
