@@ -14,6 +14,7 @@
 #include "rubato/step/full/arc_length.hpp"
 #include "rubato/step/full/linear_step.hpp"
 #include "rubato/step/full/symmetric_system.hpp"
+#include "rubato/step/interface/bulk_history.hpp"
 #include "rubato/step/progress.hpp"
 
 #include <optional>
@@ -47,7 +48,10 @@ private:
   void add_zone(std::size_t zone, const Frozen& frozen);
   std::optional<LinearSolution> solution(const time::Motion& motion);
   bool is_factored() const;
-  void search(State& trial);
+  ContactForce force_at(const State& trial, const Frozen& frozen);
+  void search(State& trial, const Frozen& frozen);
+  void go_on_faster(State& trial);
+  void forget_moves();
   void take_load_factor(State& trial, double factor);
   bool follow_path(const State& trial, LinearSolution& found, double& factor_change) const;
   bool touches() const;
@@ -73,6 +77,14 @@ private:
   ContactForce force_;
   SymmetricSystem symmetric_; ///< of bodies that nothing touches, without a factor
   ContactIterate now_, previous_;
+  ContactIterate searched_; ///< at the point of a move that was tried last
+  BulkHistory history_;
+  /// An iterate that was left for one by history.
+  struct Left {
+    BulkIterate iterate;
+    double moved = 0; ///< of its move
+  };
+  std::optional<Left> left_;
   StepReport report_;
   StallWatch stall_;
 };
