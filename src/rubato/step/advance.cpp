@@ -244,7 +244,7 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
   Attempts attempts(model, scheme, system, committed, t, goes_on);
   auto report = attempts.hurriedly(trial);
   const bool was_given_up = report.stagnates;
-  if (was_given_up && report.indefinite && attempts.has_contact())
+  if (report.failed() && was_given_up && report.indefinite && attempts.has_contact())
     report = attempts.whole_once(trial);
   if (report.outcome == Outcome::indefinite)
     report = attempts.whole(trial);

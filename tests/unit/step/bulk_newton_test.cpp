@@ -214,6 +214,8 @@ TEST(BulkNewton, IsSearchedAlongItsMovesWhereNothingTouches) {
   while (!walk.finished())
     ASSERT_TRUE(walk.advance());
   EXPECT_EQ(walk.simulation.counters().cuts, 0);
+  for (const auto& report : walk.reports)
+    EXPECT_LE(report.iterations, report.bulk_iterations + 1) << "one attempt, which goes on with the search";
   EXPECT_LE(std::abs(walk.simulation.energy().balance()), 1e-10 * walk.simulation.energy().largest());
 }
 

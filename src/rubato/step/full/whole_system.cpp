@@ -12,6 +12,10 @@ namespace {
 using Eigen::VectorXd;
 using model::Model;
 
+/// Iterates of bodies that nothing touches that may come no nearer before they are searched for along their
+/// moves: few, since that goes on from the best of them.
+constexpr int search_patience = 4;
+
 } // namespace
 
 WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
@@ -22,8 +26,9 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
   if (model.domain.is_linear())
     return;
   bulk_.emplace(model, scheme, system, committed, t, is_factored() ? Factored::yes : Factored::no);
+  searches_ = side_.variant().searches;
   if (is_factored() && side_.variant().hurries)
-    bulk_->hurry();
+    bulk_->hurry(search_patience);
 }
 
 /// Without contact zones the factored matrix is that of the whole system.
@@ -189,6 +194,20 @@ void WholeSystem::take_load_factor(State& trial, double factor) {
   bulk_->set_load_factor(factor);
 }
 
+void WholeSystem::keep_best(const State& trial) {
+  if (is_factored() && (!best_ || report_.unbalanced_force < best_->unbalanced))
+    best_ = {trial.motion, report_.unbalanced_force};
+}
+
+/// The iterates have come no nearer for long.
+std::optional<Outcome> WholeSystem::search_from_best(State& trial) {
+  searches_ = counts_anew_ = true;
+  trial.motion = best_->motion;
+  bulk_->go_on_from(trial.motion.u, best_->unbalanced);
+  equilibrium_.evaluate(trial.motion, force_);
+  return std::nullopt;
+}
+
 /// An outcome ends the step.
 std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& frozen) {
   if (start_) {
@@ -198,8 +217,9 @@ std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& froze
     return std::nullopt;
   }
   const double allowed = report_.tolerance * equilibrium_.scale();
+  keep_best(trial);
   if (const auto outcome = bulk_->go_on(trial.motion.u, report_.unbalanced_force, allowed))
-    return outcome;
+    return bulk_->is_given_up() ? search_from_best(trial) : outcome;
   if (!bulk_->goes_back())
     return std::nullopt;
   trial.motion = before_.motion;
@@ -317,7 +337,7 @@ std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, 
         part * found->multipliers.segment(model_.multiplier_offsets[z], model_.zones[z].multiplier_count());
   if (!bulk_ || path_)
     return std::nullopt;
-  if (side_.variant().searches && bulk_->is_fresh())
+  if (searches_ && bulk_->is_fresh())
     search(trial, frozen);
   else if (part != 1)
     forget_moves();

@@ -18,6 +18,7 @@
 #include "rubato/step/progress.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rubato::step {
@@ -39,7 +40,7 @@ public:
   int points_in_contact() const;
   double force_norm() const { return force_.all.norm(); }
   StepReport& report() { return report_; }
-  bool counts_anew() const { return false; }
+  bool counts_anew() { return std::exchange(counts_anew_, false); }
   StepReport ended(Outcome outcome, const Frozen& frozen);
 
 private:
@@ -50,6 +51,8 @@ private:
   bool is_factored() const;
   ContactForce force_at(const State& trial, const Frozen& frozen);
   void search(State& trial, const Frozen& frozen);
+  void keep_best(const State& trial);
+  std::optional<Outcome> search_from_best(State& trial);
   void go_on_faster(State& trial);
   void forget_moves();
   void take_load_factor(State& trial, double factor);
@@ -77,7 +80,15 @@ private:
   ContactForce force_;
   SymmetricSystem symmetric_; ///< of bodies that nothing touches, without a factor
   ContactIterate now_, previous_;
-  ContactIterate searched_; ///< at the point of a move that was tried last
+  ContactIterate searched_;  ///< at the point of a move that was tried last
+  bool searches_ = false;    ///< along moves
+  bool counts_anew_ = false; ///< iterations: those from where it searches
+  /// The iterate that left least out of balance [force].
+  struct Best {
+    time::Motion motion;
+    double unbalanced = 0;
+  };
+  std::optional<Best> best_; ///< of bodies that nothing touches
   BulkHistory history_;
   /// An iterate that was left for one by history.
   struct Left {
