@@ -92,6 +92,8 @@ bool BulkNewton::stagnates() const {
   if (std::ssize(residuals_) <= patience_)
     return false;
   const auto last = residuals_.end() - patience_;
+  if (lets_fall_ && residuals_.back() < 0.5 * *std::max_element(last, residuals_.end()))
+    return false;
   return *std::min_element(last, residuals_.end()) > 0.5 * *std::min_element(residuals_.begin(), last);
 }
 

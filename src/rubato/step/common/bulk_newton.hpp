@@ -33,10 +33,12 @@ public:
   /// How much of the move is left, else.
   std::optional<double> shorten(const time::Motion& from, time::Motion& to, Equilibrium& equilibrium) const;
 
-  /// Iterates are given up when so many do not halve the least residual before them.
-  void hurry(int patience) {
+  /// Iterates are given up when so many do not halve the least residual before them; `lets_fall`: unless the
+  /// last is below half of the largest of these, as where slender bodies bend.
+  void hurry(int patience, bool lets_fall) {
     hurries_ = true;
     patience_ = patience;
+    lets_fall_ = lets_fall;
   }
   bool is_given_up() const { return given_up_; }
   /// Goes on after that from an iterate that left so much out of balance, with a tangent of its own, and as
@@ -87,6 +89,7 @@ private:
   bool goes_back_ = false;
   bool hurries_ = false;
   std::ptrdiff_t patience_ = 0;
+  bool lets_fall_ = false;
   bool given_up_ = false;
 };
 

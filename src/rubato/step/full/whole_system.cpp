@@ -28,7 +28,7 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
   bulk_.emplace(model, scheme, system, committed, t, is_factored() ? Factored::yes : Factored::no);
   searches_ = side_.variant().searches;
   if (is_factored() && side_.variant().hurries)
-    bulk_->hurry(search_patience);
+    bulk_->hurry(search_patience, true);
 }
 
 /// Without contact zones the factored matrix is that of the whole system.

@@ -108,7 +108,7 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
                               system_.diagonal, held);
   });
   if (side_.variant().hurries)
-    bulk_->hurry(bulk_patience);
+    bulk_->hurry(bulk_patience, false);
 }
 
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {
