@@ -45,9 +45,22 @@ public:
   /// Contact stands in the matrix of every iteration, from here on: what it holds is stable then. Where no
   /// contact is, the matrix may have negative eigenvalues from here on.
   StepReport whole(State& trial) {
-    whole_ = true;
-    return plainly(trial);
+    whole_ = was_whole_ = true;
+    auto report = plainly(trial);
+    if (report.failed() && knows_search(report))
+      report = search(trial);
+    return report;
   }
+
+  /// The same for once. Where springs of contact make a matrix positive definite, they are in the way of
+  /// bodies that flow or slip: iterates come nearer slowly. With contact itself in it they do so in few.
+  StepReport whole_once(State& trial) {
+    auto report = whole(trial);
+    whole_ = false;
+    return report;
+  }
+
+  bool were_whole() const { return was_whole_; }
 
   /// The exact tangent ends where the symmetric one near it goes round.
   StepReport exactly(State& trial) {
@@ -62,16 +75,10 @@ public:
            !prediction_is_exact(model_);
   }
 
-  bool are_whole() const { return whole_; }
-
   /// Moves of nonlinear bodies that make it worse are cut short.
   StepReport search(State& trial) { return afresh({.searches = true}, trial); }
 
-  bool can_search(const StepReport& report) const {
-    const bool knows =
-        can_condense(model_, system_) || (model_.zones.empty() && !model_.study.time.arc_length);
-    return !whole_ && knows && report.bulk_iterations > 1;
-  }
+  bool can_search(const StepReport& report) const { return !whole_ && knows_search(report); }
 
   StepReport from_other_start(State& trial) { return afresh({.start = *other_start_}, trial); }
 
@@ -132,7 +139,14 @@ public:
     return std::ranges::any_of(model_.zones, [](const auto& zone) { return zone.settings.friction > 0; });
   }
 
+  bool has_contact() const { return !model_.zones.empty(); }
+
 private:
+  /// Of an attempt before.
+  bool knows_search(const StepReport& report) const {
+    return !model_.study.time.arc_length && report.bulk_iterations > 1;
+  }
+
   StepReport afresh(const RetrySettings& variant, State& trial) {
     predict(model_, scheme_, system_, committed_, t_, trial);
     return solve(variant, trial);
@@ -178,6 +192,7 @@ private:
   std::optional<Start> other_start_;
   bool has_augmentation_;
   bool whole_ = false;
+  bool was_whole_ = false;
   int spent_ = 0;
 };
 
@@ -229,6 +244,8 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
   Attempts attempts(model, scheme, system, committed, t, goes_on);
   auto report = attempts.hurriedly(trial);
   const bool was_given_up = report.stagnates;
+  if (report.failed() && was_given_up && report.indefinite && attempts.has_contact())
+    report = attempts.whole_once(trial);
   if (report.outcome == Outcome::indefinite)
     report = attempts.whole(trial);
   if (report.outcome == Outcome::too_many_iterations && attempts.has_exact_tangent())
@@ -247,7 +264,7 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
     report = attempts.free_status(trial);
   if (report.failed() && attempts.has_friction())
     report = attempts.raise_friction(trial);
-  if (report.failed() && report.indefinite && !attempts.are_whole())
+  if (report.failed() && report.indefinite && !attempts.were_whole())
     report = attempts.whole(trial);
   return report;
 }

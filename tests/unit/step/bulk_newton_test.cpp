@@ -78,6 +78,21 @@ functions: {ramp: {ramp: {begin: 0, end: 1}}}
 supports: [{on: held, fix: [x, y]}, {on: top, x: {value: 2, function: ramp}, y: {value: 2, function: ramp}}]
 time: {scheme: static, step: 0.01, end: 0.1}
 )";
+/// A block of metal that flows at a constant stress, between two plates of which the upper one comes down and
+/// then goes aside.
+const std::string slipping = R"(
+mesh: {generate: [{name: block, rectangle: {from: [-10, 0], to: [10, 15]}, divisions: [4, 3], cells: quad8,
+  sides: {bottom: foot, top: head}}]}
+physics: plane_strain
+materials: {metal: {law: plastic, young: 70e3, poisson: 0.3, strain: logarithmic,
+  hardening: {linear: {yield_stress: 207}}}}
+functions: {down: {ramp: {begin: 0, end: 1}}, aside: {ramp: {begin: 1, end: 2}}}
+contact:
+  above: {slave: head, friction: 0.2, method: penalty, obstacle: {plane: {point: [0, 15], normal: [0, -1]},
+    move: {x: {value: 2, function: aside}, y: {value: -2, function: down}}}}
+  below: {slave: foot, friction: 0.2, method: penalty, obstacle: {plane: {point: [0, 0], normal: [0, 1]}}}
+time: {scheme: static, step: 0.1, end: 2}
+)";
 const std::string held_column = R"([{on: foot, fix: [x, y]}, {on: head, fix: x,
   y: {value: -3.6, function: down}}])";
 
@@ -172,11 +187,35 @@ TEST(BulkNewton, FollowsWhatSlidesAndIsNotStableWithoutContact) {
   EXPECT_LE(std::abs(walk.simulation.energy().balance()), 1e-10 * walk.simulation.energy().largest());
 }
 
+/// With contact in the matrix of every iteration nothing is saved by an old tangent.
+TEST(BulkNewton, TakesEachTangentAnewWhereContactStandsInTheMatrix) {
+  std::vector<std::vector<double>> residuals;
+  for (const auto* tangent : {"full", "auto"}) {
+    Walk walk(column, {{"solver", "full"}, {"newton.tangent", tangent}, {"time.end", "0.1"}});
+    ASSERT_TRUE(walk.to_end());
+    residuals.push_back(walk.reports.back().bulk_residuals);
+  }
+  EXPECT_EQ(residuals[0], residuals[1]);
+  EXPECT_LE(residuals[0].size(), 6U);
+}
+
+/// It slips along both plates, wherever it is between them: its matrix is nearly singular, and the springs
+/// that make it positive definite without contact are in the way.
+TEST(BulkNewton, FindsAPlaceForABlockThatSlipsAlongBothOfItsPlates) {
+  Walk walk(slipping);
+  ASSERT_TRUE(walk.to_end());
+  EXPECT_TRUE(was_indefinite(walk));
+  EXPECT_EQ(walk.simulation.counters().cuts, 0);
+  EXPECT_LE(std::abs(walk.simulation.energy().balance()), 1e-10 * walk.simulation.energy().largest());
+}
+
 TEST(BulkNewton, IsSearchedAlongItsMovesWhereNothingTouches) {
   Walk walk(sheared);
   while (!walk.finished())
     ASSERT_TRUE(walk.advance());
   EXPECT_EQ(walk.simulation.counters().cuts, 0);
+  for (const auto& report : walk.reports)
+    EXPECT_LE(report.iterations, report.bulk_iterations + 1) << "one attempt, which goes on with the search";
   EXPECT_LE(std::abs(walk.simulation.energy().balance()), 1e-10 * walk.simulation.energy().largest());
 }
 

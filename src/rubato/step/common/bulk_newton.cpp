@@ -14,8 +14,6 @@ using Eigen::VectorXd;
 constexpr int most_halvings = 6;
 /// Residuals that grow from tangent to tangent do not come back.
 constexpr int most_growing = 4;
-/// So many iterates that do not halve the least residual before them are slower than a search.
-constexpr std::ptrdiff_t most_stagnating = 8;
 
 } // namespace
 
@@ -58,7 +56,7 @@ std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced, d
   ++iterations_;
   residuals_.push_back(unbalanced);
   renewed_ = goes_back_ = false;
-  if (iterations_ >= model_.study.newton.max_iterations)
+  if (iterations_ - before_ >= model_.study.newton.max_iterations)
     return Outcome::too_many_iterations;
   given_up_ = hurries_ && stagnates();
   if (given_up_)
@@ -81,10 +79,21 @@ std::optional<Outcome> BulkNewton::go_on(const VectorXd& u, double unbalanced, d
   return std::nullopt;
 }
 
+void BulkNewton::go_on_from(const VectorXd& u, double unbalanced) {
+  hurries_ = goes_back_ = at_start_ = false;
+  before_ = iterations_;
+  growing_ = 0;
+  base_ = u;
+  last_ = unbalanced;
+  renewed_ = is_fresh_ = tangent_.renew_at(u);
+}
+
 bool BulkNewton::stagnates() const {
-  if (std::ssize(residuals_) <= most_stagnating)
+  if (std::ssize(residuals_) <= patience_)
     return false;
-  const auto last = residuals_.end() - most_stagnating;
+  const auto last = residuals_.end() - patience_;
+  if (lets_fall_ && residuals_.back() < 0.5 * *std::max_element(last, residuals_.end()))
+    return false;
   return *std::min_element(last, residuals_.end()) > 0.5 * *std::min_element(residuals_.begin(), last);
 }
 
@@ -105,7 +114,7 @@ void BulkNewton::fill(StepReport& report, const Equilibrium& equilibrium) const 
   if (report.converged())
     report.bulk_residuals.push_back(report.unbalanced_force);
   report.indefinite = tangent_.is_indefinite();
-  report.stagnates = given_up_;
+  report.stagnates = given_up_ || before_ > 0;
   report.failed_cell = equilibrium.failed();
   if (report.failed() && report.failed_cell)
     report.unmet.push_back({Criterion::cell, -1, model_.mesh.nodes_of(report.failed_cell->cell).front()});

@@ -33,8 +33,17 @@ public:
   /// How much of the move is left, else.
   std::optional<double> shorten(const time::Motion& from, time::Motion& to, Equilibrium& equilibrium) const;
 
-  /// Iterates that come no nearer are given up soon.
-  void hurry() { hurries_ = true; }
+  /// Iterates are given up when so many do not halve the least residual before them; `lets_fall`: unless the
+  /// last is below half of the largest of these, as where slender bodies bend.
+  void hurry(int patience, bool lets_fall) {
+    hurries_ = true;
+    patience_ = patience;
+    lets_fall_ = lets_fall;
+  }
+  bool is_given_up() const { return given_up_; }
+  /// Goes on after that from an iterate that left so much out of balance, with a tangent of its own, and as
+  /// often as if it were the first.
+  void go_on_from(const Eigen::VectorXd& u, double unbalanced);
 
   /// BulkTangent::set_load_factor
   void set_load_factor(double factor) { tangent_.set_load_factor(factor); }
@@ -74,10 +83,13 @@ private:
   double last_ = std::numeric_limits<double>::infinity(); ///< out of balance there [force]
   std::vector<double> residuals_; ///< at the start and at every iterate, those that were left among them
   int iterations_ = 0;
+  int before_ = 0;  ///< those that were given up
   int growing_ = 0; ///< iterates one after the other that had a tangent of their own and made it worse
   bool renewed_ = false;
   bool goes_back_ = false;
   bool hurries_ = false;
+  std::ptrdiff_t patience_ = 0;
+  bool lets_fall_ = false;
   bool given_up_ = false;
 };
 

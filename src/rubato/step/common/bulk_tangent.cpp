@@ -146,6 +146,9 @@ bool BulkTangent::wants_renewal(double before, double now, double allowed) const
   const double progress = now / before;
   if (choice == study::TangentChoice::kept)
     return progress > kept_progress;
+  // With contact in the matrix a kept tangent saves no factor.
+  if (factored_ == Factored::no)
+    return true;
   const double further = std::log(allowed / now) / std::log(progress);
   return further > iterations_by_new_factor + factor_in_iterations();
 }

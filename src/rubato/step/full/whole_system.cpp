@@ -12,6 +12,10 @@ namespace {
 using Eigen::VectorXd;
 using model::Model;
 
+/// Iterates of bodies that nothing touches that may come no nearer before they are searched for along their
+/// moves: few, since that goes on from the best of them.
+constexpr int search_patience = 4;
+
 } // namespace
 
 WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, EffectiveSystem& system,
@@ -22,8 +26,9 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
   if (model.domain.is_linear())
     return;
   bulk_.emplace(model, scheme, system, committed, t, is_factored() ? Factored::yes : Factored::no);
+  searches_ = side_.variant().searches;
   if (is_factored() && side_.variant().hurries)
-    bulk_->hurry();
+    bulk_->hurry(search_patience, true);
 }
 
 /// Without contact zones the factored matrix is that of the whole system.
@@ -41,6 +46,7 @@ std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
   report_ = {};
   report_.tolerance = model_.study.newton.residual;
   side_.start_iterations();
+  forget_moves();
   if (bulk_ && !started_)
     bulk_->start();
   start_ = bulk_ && !started_;
@@ -188,6 +194,20 @@ void WholeSystem::take_load_factor(State& trial, double factor) {
   bulk_->set_load_factor(factor);
 }
 
+void WholeSystem::keep_best(const State& trial) {
+  if (is_factored() && (!best_ || report_.unbalanced_force < best_->unbalanced))
+    best_ = {trial.motion, report_.unbalanced_force};
+}
+
+/// The iterates have come no nearer for long.
+std::optional<Outcome> WholeSystem::search_from_best(State& trial) {
+  searches_ = counts_anew_ = true;
+  trial.motion = best_->motion;
+  bulk_->go_on_from(trial.motion.u, best_->unbalanced);
+  equilibrium_.evaluate(trial.motion, force_);
+  return std::nullopt;
+}
+
 /// An outcome ends the step.
 std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& frozen) {
   if (start_) {
@@ -197,8 +217,9 @@ std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& froze
     return std::nullopt;
   }
   const double allowed = report_.tolerance * equilibrium_.scale();
+  keep_best(trial);
   if (const auto outcome = bulk_->go_on(trial.motion.u, report_.unbalanced_force, allowed))
-    return outcome;
+    return bulk_->is_given_up() ? search_from_best(trial) : outcome;
   if (!bulk_->goes_back())
     return std::nullopt;
   trial.motion = before_.motion;
@@ -213,18 +234,80 @@ std::optional<Outcome> WholeSystem::go_on_from(State& trial, const Frozen& froze
   return std::nullopt;
 }
 
-/// Of bodies that nothing touches.
-void WholeSystem::search(State& trial) {
-  const auto whole = trial.motion;
+/// What contact puts on the dofs at `trial`, with the statuses that it calls for there.
+ContactForce WholeSystem::force_at(const State& trial, const Frozen& frozen) {
+  side_.measure(trial, frozen, searched_);
+  side_.renew_status(frozen, now_, searched_);
+  ContactForce force(trial.motion.u.size());
+  for (std::size_t z = 0; z < model_.zones.size(); ++z) {
+    const auto law = side_.law_of(z, frozen);
+    for (std::size_t i = 0; i < searched_.status[z].size(); ++i) {
+      const auto status = searched_.status[z][i];
+      if (status == contact::Status::open)
+        continue;
+      const auto& point = searched_.points[z][i];
+      const auto of_point = contact::force_of(law, i, point, status);
+      force.for_zone(model_.zones[z],
+                     [&](VectorXd& part) { point.kinematics->stencil.scatter(of_point, model_.dofs, part); });
+    }
+  }
+  return force;
+}
+
+/// Multipliers move along with the bodies.
+void WholeSystem::search(State& trial, const Frozen& frozen) {
+  const State whole = trial;
+  const auto go_to = [&](double part) {
+    trial.motion = part == 1 ? whole.motion : between(before_.motion, whole.motion, part);
+    for (std::size_t z = 0; z < trial.zones.size(); ++z) {
+      const auto& from = before_.zones[z].multipliers;
+      trial.zones[z].multipliers = from + part * (whole.zones[z].multipliers - from);
+    }
+  };
   const auto unbalanced_at = [&](double part) {
-    trial.motion = part == 1 ? whole : between(before_.motion, whole, part);
-    equilibrium_.evaluate(trial.motion, force_);
-    equilibrium_.measure(trial.motion, force_, report_);
+    go_to(part);
+    const auto force = force_at(trial, frozen);
+    equilibrium_.evaluate(trial.motion, force);
+    equilibrium_.measure(trial.motion, force, report_);
     return equilibrium_.failed() ? std::nullopt : std::optional(report_.unbalanced_force);
   };
   const auto [best, tried] = search_along_move(bulk_->unbalanced_at_base(), unbalanced_at(1), unbalanced_at);
   if (tried != best)
-    unbalanced_at(best);
+    go_to(best);
+}
+
+/// Moves that go on and on in one direction are those of a matrix that is nearly singular there: of a body
+/// that slips along both surfaces that press it, wherever it is between them. By their history they come to
+/// an end. What is out of balance says little: it grows on the way along such a direction, and is gone after
+/// the next move. So an iterate by history is kept where the move from there is the shorter one.
+void WholeSystem::go_on_faster(State& trial) {
+  BulkIterate plain{trial.motion, ContactForce(trial.motion.u.size()), {}};
+  for (const auto& zone : trial.zones)
+    plain.multipliers.push_back(zone.multipliers);
+  const auto go_to = [&](const BulkIterate& iterate) {
+    trial.motion = iterate.motion;
+    for (std::size_t z = 0; z < trial.zones.size(); ++z)
+      trial.zones[z].multipliers = iterate.multipliers[z];
+  };
+  const double moved = (trial.motion.u - before_.motion.u).norm();
+  const auto left = std::exchange(left_, std::nullopt);
+  if (left && !(moved < left->moved)) {
+    history_.forget();
+    return go_to(left->iterate);
+  }
+  history_.add(before_.motion, plain, now_.status);
+  if (!history_.is_steadily_slow())
+    return;
+  const auto faster = history_.accelerated();
+  if (!equilibrium_.has_forces_at(faster.motion.u))
+    return;
+  left_ = {std::move(plain), moved};
+  go_to(faster);
+}
+
+void WholeSystem::forget_moves() {
+  history_.forget();
+  left_.reset();
 }
 
 std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, double part) {
@@ -245,14 +328,21 @@ std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, 
     const auto taken = bulk_->shorten(before_.motion, trial.motion, equilibrium_);
     if (!taken)
       return Outcome::cell_failed;
+    part *= *taken;
     if (path_)
-      take_load_factor(trial, trial.load_factor + part * *taken * factor_change);
-    else if (side_.variant().searches && bulk_->is_fresh())
-      search(trial);
+      take_load_factor(trial, trial.load_factor + part * factor_change);
   }
   for (std::size_t z = 0; z < model_.zones.size(); ++z)
     trial.zones[z].multipliers +=
         part * found->multipliers.segment(model_.multiplier_offsets[z], model_.zones[z].multiplier_count());
+  if (!bulk_ || path_)
+    return std::nullopt;
+  if (searches_ && bulk_->is_fresh())
+    search(trial, frozen);
+  else if (part != 1)
+    forget_moves();
+  else if (!model_.zones.empty())
+    go_on_faster(trial);
   return std::nullopt;
 }
 

@@ -14,9 +14,11 @@
 #include "rubato/step/full/arc_length.hpp"
 #include "rubato/step/full/linear_step.hpp"
 #include "rubato/step/full/symmetric_system.hpp"
+#include "rubato/step/interface/bulk_history.hpp"
 #include "rubato/step/progress.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rubato::step {
@@ -38,7 +40,7 @@ public:
   int points_in_contact() const;
   double force_norm() const { return force_.all.norm(); }
   StepReport& report() { return report_; }
-  bool counts_anew() const { return false; }
+  bool counts_anew() { return std::exchange(counts_anew_, false); }
   StepReport ended(Outcome outcome, const Frozen& frozen);
 
 private:
@@ -47,7 +49,12 @@ private:
   void add_zone(std::size_t zone, const Frozen& frozen);
   std::optional<LinearSolution> solution(const time::Motion& motion);
   bool is_factored() const;
-  void search(State& trial);
+  ContactForce force_at(const State& trial, const Frozen& frozen);
+  void search(State& trial, const Frozen& frozen);
+  void keep_best(const State& trial);
+  std::optional<Outcome> search_from_best(State& trial);
+  void go_on_faster(State& trial);
+  void forget_moves();
   void take_load_factor(State& trial, double factor);
   bool follow_path(const State& trial, LinearSolution& found, double& factor_change) const;
   bool touches() const;
@@ -73,6 +80,22 @@ private:
   ContactForce force_;
   SymmetricSystem symmetric_; ///< of bodies that nothing touches, without a factor
   ContactIterate now_, previous_;
+  ContactIterate searched_;  ///< at the point of a move that was tried last
+  bool searches_ = false;    ///< along moves
+  bool counts_anew_ = false; ///< iterations: those from where it searches
+  /// The iterate that left least out of balance [force].
+  struct Best {
+    time::Motion motion;
+    double unbalanced = 0;
+  };
+  std::optional<Best> best_; ///< of bodies that nothing touches
+  BulkHistory history_;
+  /// An iterate that was left for one by history.
+  struct Left {
+    BulkIterate iterate;
+    double moved = 0; ///< of its move
+  };
+  std::optional<Left> left_;
   StepReport report_;
   StallWatch stall_;
 };

@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t most_iterates = 5;
 /// Part of the move before that Newton's iterations stay below.
 constexpr double slow_move = 0.2;
+/// Cosine between moves that go on in one direction.
+constexpr double straight = 0.9;
 
 } // namespace
 
@@ -46,6 +48,18 @@ void BulkHistory::add(const time::Motion& base, BulkIterate reached,
 bool BulkHistory::is_slow() const {
   const auto count = moves_.size();
   return count >= 2 && moves_[count - 1].norm() > slow_move * moves_[count - 2].norm();
+}
+
+bool BulkHistory::is_steadily_slow() const {
+  const auto count = moves_.size();
+  if (!is_slow())
+    return false;
+  const auto& last = moves_[count - 1];
+  const auto& before = moves_[count - 2];
+  if (last.dot(before) > straight * last.norm() * before.norm())
+    return true;
+  return count >= 3 && last.norm() < before.norm() && before.norm() < moves_[count - 3].norm() &&
+         before.norm() > slow_move * moves_[count - 3].norm();
 }
 
 BulkIterate BulkHistory::accelerated() const {

@@ -33,6 +33,9 @@ public:
            const std::vector<std::vector<contact::Status>>& status);
   /// Whether the last move is more than a part of the one before.
   bool is_slow() const;
+  /// Whether it also goes on in the direction of the one before, or that one was slow already and both got
+  /// shorter: Newton's method may well have a long move before it converges.
+  bool is_steadily_slow() const;
   /// The last iterate combined with those before.
   BulkIterate accelerated() const;
 

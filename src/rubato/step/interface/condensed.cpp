@@ -28,6 +28,8 @@ constexpr double nearly_balanced = 1e-6;
 constexpr int plain_iterations = 8;
 constexpr int plain_iterations_of_few = 2;
 constexpr Index few_motions = 3;
+/// Motions of nonlinear bodies that may come no nearer before the attempt is given up for another one.
+constexpr int bulk_patience = 8;
 /// Iterations before the history of others counts.
 constexpr int first_remembered = 1;
 /// Bounds of the shift along a rigid motion, in parts of the reach.
@@ -106,7 +108,7 @@ Condensed::Condensed(const Model& model, const time::Scheme& scheme, EffectiveSy
                               system_.diagonal, held);
   });
   if (side_.variant().hurries)
-    bulk_->hurry();
+    bulk_->hurry(bulk_patience, false);
 }
 
 std::optional<Outcome> Condensed::start(State& trial, const Frozen& frozen) {

@@ -66,5 +66,26 @@ TEST(BulkHistory, KnowsNothingOfIteratesWithOtherStatuses) {
   EXPECT_FALSE(history.is_slow());
 }
 
+/// Two moves in one direction tell, of others it takes three.
+TEST(BulkHistory, KnowsWhetherMovesAreSteadilySlow) {
+  const Statuses stick{{Status::stick}};
+  const auto slow_after = [&](double part) {
+    BulkHistory history;
+    double u = 1;
+    for (int moves = 1; moves < 6; ++moves) {
+      const VectorXd next = VectorXd::Constant(5, part * u);
+      history.add(at(VectorXd::Constant(5, u)), {{next, next, next}, ContactForce(5), {}}, stick);
+      if (history.is_steadily_slow())
+        return moves;
+      u *= part;
+    }
+    return 0;
+  };
+  EXPECT_EQ(slow_after(0.9), 2);
+  EXPECT_EQ(slow_after(-0.6), 3);
+  EXPECT_EQ(slow_after(-1.1), 0) << "grows";
+  EXPECT_EQ(slow_after(0.01), 0) << "converges";
+}
+
 } // namespace
 } // namespace rubato::step
