@@ -48,12 +48,17 @@ using Vector = Handle<Vec, VecDestroy>;
 using Solver = Handle<KSP, KSPDestroy>;
 using Motions = Handle<MatNullSpace, MatNullSpaceDestroy>;
 
+/// The coarsest grid is factored, which fails of no positive definite matrix.
+bool is_indefinite(KSPConvergedReason reason) {
+  return reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC ||
+         reason == KSP_DIVERGED_PC_FAILED;
+}
+
 ConjugateGradients::Ending ending_of(KSPConvergedReason reason) {
   if (reason > 0)
     return ConjugateGradients::Ending::solved;
-  return reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC
-             ? ConjugateGradients::Ending::indefinite
-             : ConjugateGradients::Ending::unfinished;
+  return is_indefinite(reason) ? ConjugateGradients::Ending::indefinite
+                               : ConjugateGradients::Ending::unfinished;
 }
 
 /// The matrix is dealt out by rows to the processes of a communicator.
