@@ -2,6 +2,7 @@
 # What can be done with a clone, a target each. JOBS=4 builds with four jobs.
 JOBS ?= 2
 GMSH ?= 0
+PETSC ?= 0
 SHELLS ?= 0
 READERS ?= 0
 BROWSER ?= 0
@@ -21,8 +22,8 @@ TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 help: ## what there is
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | awk '{name = $$1; sub(/^[^ ]* /, ""); printf "make %-12s %s\n", name, $$0}'
 
-deps: ## install what is missing (GMSH=1: libgmsh too; SHELLS=1: zsh, fish and man, READERS=1: VTK, meshio and h5py, BROWSER=1: Chromium, for tests)
-	@GMSH=$(GMSH) SHELLS=$(SHELLS) READERS=$(READERS) BROWSER=$(BROWSER) cmake/install-dependencies
+deps: ## install what is missing (GMSH=1: libgmsh too; PETSC=1: PETSc for iterative solvers; SHELLS=1: zsh, fish and man, READERS=1: VTK, meshio and h5py, BROWSER=1: Chromium, for tests)
+	@GMSH=$(GMSH) PETSC=$(PETSC) SHELLS=$(SHELLS) READERS=$(READERS) BROWSER=$(BROWSER) cmake/install-dependencies
 
 configure:
 	@cmake --preset release -DRUBATO_UNITY=$(UNITY) $(LAUNCHER)

@@ -54,6 +54,17 @@ install(FILES ${rubato_copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libru
 install(FILES ${PROJECT_BINARY_DIR}/share/zsh/site-functions/_rubato DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
         COMPONENT program EXCLUDE_FROM_ALL)
 
+if(TARGET rubato_petsc)
+  list(APPEND CPACK_COMPONENTS_ALL petsc)
+  list(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS rubato-petsc)
+  list(JOIN CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ", " CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS)
+  set(CPACK_DEBIAN_PETSC_PACKAGE_NAME rubato-petsc)
+  set(CPACK_DEBIAN_PETSC_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_PETSC_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_COMPONENT_PETSC_DESCRIPTION "What rubato solves with where a deck says solver: iterative, by PETSc.")
+  install(FILES ${rubato_copyright} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/rubato-petsc COMPONENT petsc)
+endif()
+
 if(TARGET rubato_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS python3-rubato) # for rubato aster

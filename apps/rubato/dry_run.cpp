@@ -26,7 +26,9 @@ std::string steps_text(const study::TimeStepping& time, const run::Plan& plan) {
 std::string memory_text(const study::Study& study, const run::Plan& plan) {
   const auto free = linalg::memory_text(linalg::available_memory());
   if (plan.factor_bytes)
-    return fmt::format("factoring the matrix takes {} of memory ({} are free)",
+    return fmt::format("{} takes {} of memory ({} are free)",
+                       study.solver == study::Solver::iterative ? "iterating with the matrix"
+                                                                : "factoring the matrix",
                        linalg::memory_text(*plan.factor_bytes), free);
   if (study::is_explicit(study.time.scheme))
     return fmt::format("no matrix is factored ({} of memory are free)", free);

@@ -52,7 +52,8 @@ TEST_F(SmallMemory, IsFoundOutBeforeAFactorIsComputed) {
       outcome.err.starts_with("error: the model is too large for this machine: with its 34914 unknowns the "
                               "factor of the matrix needs "))
       << outcome.err;
-  EXPECT_NE(outcome.err.find("; expected a coarser mesh or cells of lower order, or more memory\n"),
+  EXPECT_NE(outcome.err.find("; expected solver: iterative, a coarser mesh or cells of lower order, or "
+                             "more memory\n"),
             std::string::npos)
       << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));

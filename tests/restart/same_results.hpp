@@ -50,6 +50,7 @@ inline nlohmann::json summary_in(const std::filesystem::path& file) {
   summary.erase("setup_seconds");
   summary.erase("elapsed_seconds");
   summary.erase("loop_seconds");
+  summary.erase("method");
   summary.erase("factor_bytes"); // a run that was killed after its last step factors nothing when it goes on
   summary.erase("warnings");     // they tell how the run was stopped, too
   return summary;

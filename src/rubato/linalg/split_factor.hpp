@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rubato/core/threads.hpp"
-#include "rubato/linalg/direct_solver.hpp"
+#include "rubato/linalg/surface_solver.hpp"
 
 #include <Eigen/Core>
 
@@ -18,7 +18,6 @@
 
 namespace rubato::linalg {
 
-class SurfaceInFactor;
 struct LowerTriangle;
 
 /// The factor of a symmetric positive definite matrix whose surface is eliminated last:
@@ -38,7 +37,7 @@ struct LowerTriangle;
 ///
 /// Bodies, positions and the order of elimination follow from the pattern of the matrix alone. They serve
 /// every matrix of that pattern: `refactor`.
-class SplitFactor {
+class SplitFactor final : public SurfaceSolver {
 public:
   /// Nothing comes back when the matrix is not positive definite to working precision or has a value that is
   /// not finite. A surface that is eliminated last keeps the order of `surface`. `tell` hears what the factor
@@ -58,57 +57,50 @@ public:
       Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max(), const Threads& threads = {});
   SplitFactor(SplitFactor&&) noexcept;
   SplitFactor& operator=(SplitFactor&&) noexcept;
-  ~SplitFactor();
+  ~SplitFactor() override;
 
   /// The factor of another matrix of the same pattern, in the same memory: bit for bit the one that `of`
   /// makes of it. Bodies whose values are the ones they were factored with keep theirs, known by a checksum
   /// of 64 bits. False when the matrix is not positive definite to working precision or has a value that is
   /// not finite: there are no values then, and until a later call succeeds nothing can be solved. Throws
   /// std::invalid_argument when the pattern (entries that are stored, zeros among them) is another one.
-  bool refactor(const SparseMatrix& matrix);
-  /// Whether there are values. All that solves or gives the compliance throws std::logic_error without.
-  bool has_values() const { return has_values_; }
-  /// How often this body's values were computed anew or lost: what was made of them holds as long as this
-  /// number stays.
-  std::size_t renewals(std::size_t body) const;
+  bool refactor(const SparseMatrix& matrix) override;
+  bool has_values() const override { return has_values_; }
+  std::size_t renewals(std::size_t body) const override;
 
-  /// x = A⁻¹ b
-  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const override;
 
   /// y of L y = b, body after body in the order of elimination.
-  Eigen::VectorXd forward(const Eigen::VectorXd& right_side) const;
+  Eigen::VectorXd forward(const Eigen::VectorXd& right_side) const override;
   /// x_s = L_ss⁻ᵀ y_s, one a position.
-  Eigen::VectorXd surface_of(const Eigen::VectorXd& half_way) const;
+  Eigen::VectorXd surface_of(const Eigen::VectorXd& half_way) const override;
   /// y_s += L_ss⁻¹ f_s: what `forward` would have given with these forces on the surface.
-  void load_surface(const Eigen::VectorXd& force, Eigen::VectorXd& half_way) const;
+  void load_surface(const Eigen::VectorXd& force, Eigen::VectorXd& half_way) const override;
   /// x of Lᵀ x = y.
-  Eigen::VectorXd backward(const Eigen::VectorXd& half_way) const;
+  Eigen::VectorXd backward(const Eigen::VectorXd& half_way) const override;
 
-  /// The unknown of every position.
-  const std::vector<int>& surface() const { return surface_; }
-  /// Positions at which one body's end and the next one's begin, 0 first.
-  const std::vector<int>& body_starts() const { return body_starts_; }
-  /// Of a body whose surface is eliminated within it; else nothing.
-  const SurfaceInFactor* surface_within(std::size_t body) const;
+  const std::vector<int>& surface() const override { return surface_; }
+  const std::vector<int>& body_starts() const override { return body_starts_; }
+  const SurfaceInFactor* surface_within(std::size_t body) const override;
   /// S of a body whose surface is eliminated last.
-  Eigen::MatrixXd compliance(std::size_t body) const;
+  Eigen::MatrixXd compliance(std::size_t body) const override;
   /// The same for unit forces at `count` of its positions from `first` on (counted from its first): one
   /// column each. All columns take three times as long by this.
-  Eigen::MatrixXd compliance(std::size_t body, Eigen::Index first, Eigen::Index count) const;
+  Eigen::MatrixXd compliance(std::size_t body, Eigen::Index first, Eigen::Index count) const override;
 
-  /// S force, one a position of the body each, without forming S.
-  Eigen::VectorXd moved_by(std::size_t body, const Eigen::VectorXd& force) const;
+  Eigen::VectorXd moved_by(std::size_t body, const Eigen::VectorXd& force) const override;
+  bool has_dear_columns() const override { return false; }
 
-  const Threads& threads() const { return threads_; }
+  const Threads& threads() const override { return threads_; }
 
   /// Memory the factor holds.
-  std::size_t factor_bytes() const;
+  std::size_t factor_bytes() const override;
   /// Entries of L on and below the diagonal. A solve multiplies by each twice.
   std::size_t factor_nonzeros() const;
   /// Multiplications and additions that the values of L take: Σ c², c the entries of a column. That is m³/3
   /// of a dense surface of m unknowns; its compliance takes 2 m³/3 more. Without the zeros that are stored to
   /// make columns of L alike, as with `factor_nonzeros`.
-  double factor_flops() const;
+  double factor_flops() const override;
 
 private:
   struct Body;

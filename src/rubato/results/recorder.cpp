@@ -92,6 +92,11 @@ public:
     write_summary(running, {});
   }
 
+  void takes_steps_by(const std::string& method) {
+    method_ = method;
+    write_summary(running, {});
+  }
+
   void warn(const std::string& text) {
     if (std::ranges::find(warnings_, text) != warnings_.end())
       return;
@@ -268,6 +273,7 @@ private:
                       {"threads", model_.threads.count()},
                       {"nodes", model_.mesh.node_count()},
                       {"unknowns", model_.reduction.unknown_count()},
+                      {"method", method_},
                       {"factor_bytes", factor_bytes_},
                       {"checks", ordered_json::array()},
                       {"warnings", warnings_},
@@ -394,6 +400,7 @@ private:
   int vtkhdf_instants_ = 0;
   std::optional<Mark> mark_; // before the attempt that was written last
   int steps_done_ = 0;
+  std::string method_;
   std::size_t factor_bytes_ = 0;
   std::vector<std::string> warnings_;
 };
@@ -405,6 +412,10 @@ Recorder::Recorder(const model::Model& model, std::filesystem::path folder, cons
 Recorder::~Recorder() = default;
 Recorder::Recorder(Recorder&&) noexcept = default;
 Recorder& Recorder::operator=(Recorder&&) noexcept = default;
+
+void Recorder::takes_steps_by(const std::string& method) {
+  impl_->takes_steps_by(method);
+}
 
 void Recorder::needs_memory(std::size_t bytes) {
   impl_->needs_memory(bytes);

@@ -78,6 +78,8 @@ public:
 
   /// Of the factor of the effective matrix [bytes]; in run.json from now on. 0: there is none.
   void needs_memory(std::size_t bytes);
+  /// How steps are made; in run.json from now on.
+  void takes_steps_by(const std::string& method);
   /// Keeps a warning in run.json, each sentence once, also those of a run before it was resumed. A disk that
   /// is full at this moment is no failure: the end of the run writes it.
   void warn(const std::string& text);

@@ -265,6 +265,10 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
   }
   if (report.failed_cell)
     on_cell(model, report, advice);
+  if (report.outcome == Outcome::unsolved ||
+      (report.indefinite && model.study.solver == study::Solver::iterative))
+    advice.add("solver: auto, which factors the matrix",
+               [](study::Study& changed) { changed.solver = study::Solver::automatic; });
   if (report.outcome == Outcome::plastic_step)
     advice.add(fmt::format("a larger time.max_plastic_step than {:g}", *model.study.time.max_plastic_step));
   if (report.indefinite && model.study.time.scheme == study::SchemeKind::static_steps)

@@ -158,6 +158,9 @@ std::string sentence(const model::Model& model, const step::StepReport& report, 
     return plastic_step_of(model, unmet);
   case Criterion::cell:
     return cell_of(model, report);
+  case Criterion::linear_solve:
+    return fmt::format("conjugate gradients left {:.1e} of a right side (allowed: {:.0e})", unmet.value,
+                       unmet.allowed);
   }
   return "";
 }

@@ -130,6 +130,8 @@ private:
       recorder_->warn(warning);
     if (factor_bytes_ > 0)
       recorder_->needs_memory(factor_bytes_);
+    if (const auto method = simulation_.method(); !method.empty())
+      recorder_->takes_steps_by(method);
     if (!course_.from) {
       recorder_->start(simulation_.state());
       recorder_->energy(simulation_.state().t, simulation_.energy());
@@ -175,7 +177,9 @@ private:
     if (bytes > 0)
       watch_.room(bytes);
     if (factor_bytes_ == 0 && bytes > 0)
-      watch_.say(fmt::format("{}: factoring the matrix takes {} of memory ({} are free)", name(),
+      watch_.say(fmt::format("{}: {} takes {} of memory ({} are free)", name(),
+                             model_.study.solver == study::Solver::iterative ? "iterating with the matrix"
+                                                                             : "factoring the matrix",
                              linalg::memory_text(bytes), linalg::memory_text(linalg::available_memory())));
     factor_bytes_ = std::max(factor_bytes_, bytes);
   }

@@ -6,6 +6,7 @@
 #include "rubato/step/advance.hpp"
 #include "rubato/step/start.hpp"
 #include "rubato/study/formulation.hpp"
+#include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
 
@@ -70,9 +71,12 @@ ImplicitIntegrator::ImplicitIntegrator(const model::Model& model, const Start& s
 void ImplicitIntegrator::prepare() {
   begin_stage();
   const auto& system = systems_->of(control_.length());
-  if (model().study.solver == study::Solver::condensed && !system.compliance)
-    throw InputError("solver: found condensed, but the effective matrix is not positive definite without "
-                     "contact; expected auto or full");
+  const auto asked = model().study.solver;
+  if ((asked == study::Solver::condensed || asked == study::Solver::iterative) && !system.compliance)
+    throw InputError(
+        fmt::format("solver: found {}, but the effective matrix is not positive definite without "
+                    "contact; expected auto or full",
+                    study::word_of(study::solver_words, asked)));
   method_ = fmt::format("solver {}", step::solver_of(model(), system));
 }
 

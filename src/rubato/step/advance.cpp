@@ -72,8 +72,11 @@ public:
   /// Without a factor every matrix has the exact one already.
   bool has_exact_tangent() const {
     return scheme_.conserving && !model_.domain.is_linear() && system_.compliance && !whole_ &&
-           !prediction_is_exact(model_);
+           !prediction_is_exact(model_) && may_be_whole();
   }
+
+  /// A study that is to be solved by iterations never has its whole system factored: that may not fit.
+  bool may_be_whole() const { return model_.study.solver != study::Solver::iterative; }
 
   /// Moves of nonlinear bodies that make it worse are cut short.
   StepReport search(State& trial) { return afresh({.searches = true}, trial); }
@@ -158,7 +161,7 @@ private:
     ContactEvaluator side(model_, scheme_, system_, committed_, variant);
     const bool whole =
         whole_ || variant.exact_tangent || model_.study.time.arc_length || !can_condense(model_, system_);
-    auto report = whole ? solve_by<WholeSystem>(side, trial) : solve_by<Condensed>(side, trial);
+    auto report = whole ? attempted<WholeSystem>(side, trial) : attempted<Condensed>(side, trial);
     report.iterations = spent_ += report.iterations;
     report.indefinite = report.indefinite || whole_;
     if (report.converged())
@@ -170,6 +173,18 @@ private:
     if (const auto found = pressed_afar(model_, trial)) {
       report.outcome = Outcome::pressed_afar;
       report.unmet = {*found};
+    }
+  }
+
+  /// Solves with the effective matrix that come to no end are how the attempt ends.
+  template <NewtonSystem Solver> StepReport attempted(ContactEvaluator& side, State& trial) {
+    try {
+      return solve_by<Solver>(side, trial);
+    } catch (const linalg::NotSolved& error) {
+      StepReport report;
+      report.outcome = Outcome::unsolved;
+      report.unmet = {{.criterion = Criterion::linear_solve, .value = error.left, .allowed = error.allowed}};
+      return report;
     }
   }
 
@@ -203,6 +218,9 @@ std::string solver_text(const Model& model, const EffectiveSystem& system) {
     return "full: the factor of the loads is unknown";
   if (!system.compliance)
     return "full: the effective matrix is not positive definite without contact";
+  if (model.study.solver == study::Solver::iterative)
+    return fmt::format("iterative{}: conjugate gradients with multigrid in place of a factor of the bulk",
+                       model.zones.empty() ? "" : ", condensed on contact points");
   if (!model.domain.is_linear())
     return fmt::format("{}the bulk is nonlinear, its tangent factored {}",
                        model.zones.empty() ? "" : "condensed on contact points: ",
@@ -244,9 +262,10 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
   Attempts attempts(model, scheme, system, committed, t, goes_on);
   auto report = attempts.hurriedly(trial);
   const bool was_given_up = report.stagnates;
-  if (report.failed() && was_given_up && report.indefinite && attempts.has_contact())
+  if (report.failed() && was_given_up && report.indefinite && attempts.has_contact() &&
+      attempts.may_be_whole())
     report = attempts.whole_once(trial);
-  if (report.outcome == Outcome::indefinite)
+  if (report.outcome == Outcome::indefinite && attempts.may_be_whole())
     report = attempts.whole(trial);
   if (report.outcome == Outcome::too_many_iterations && attempts.has_exact_tangent())
     report = attempts.exactly(trial);
@@ -264,7 +283,7 @@ StepReport advance(const Model& model, const time::Scheme& scheme, EffectiveSyst
     report = attempts.free_status(trial);
   if (report.failed() && attempts.has_friction())
     report = attempts.raise_friction(trial);
-  if (report.failed() && report.indefinite && !attempts.were_whole())
+  if (report.failed() && report.indefinite && !attempts.were_whole() && attempts.may_be_whole())
     report = attempts.whole(trial);
   return report;
 }

@@ -33,6 +33,8 @@ std::string_view to_string(Outcome outcome) {
     return "plastic strain grew too much";
   case Outcome::cell_failed:
     return "a cell has no forces";
+  case Outcome::unsolved:
+    return "the iterative solver did not converge";
   case Outcome::interrupted:
     return "interrupted";
   }
@@ -97,6 +99,8 @@ std::string_view to_string(Criterion criterion) {
     return "plastic step";
   case Criterion::cell:
     return "cell";
+  case Criterion::linear_solve:
+    return "linear solve";
   }
   return "";
 }

@@ -28,6 +28,7 @@ enum class Outcome {
   indefinite,   ///< the effective matrix without contact is not positive definite at the start
   plastic_step, ///< in balance, but plastic strain grew by more than the study allows in a step
   cell_failed,  ///< a cell has no forces, however short the corrections
+  unsolved,     ///< the iterative solver of the effective matrix came to no end
   interrupted   ///< asked to end: neither converged nor failed
 };
 
@@ -63,11 +64,12 @@ enum class Criterion {
   geometry_loop, ///< value: as LoopRound::change, infinite of a loop that had one round
   friction_loop, ///< value: as LoopRound::change
   plastic_step,  ///< value: growth of the cumulated plastic strain; node: one of the cell
-  cell           ///< every cell has forces; node: one of the cell; value 0
+  cell,          ///< every cell has forces; node: one of the cell; value 0
+  linear_solve   ///< the iterative solver reaches its tolerance; value: relative residual it left
 };
 
 /// "residual", "status", "gap", "projection", "point lost", "distance", "singular matrix", "geometry loop",
-/// "friction loop", "plastic step", "cell".
+/// "friction loop", "plastic step", "cell", "linear solve".
 std::string_view to_string(Criterion criterion);
 
 /// A criterion that the last iterate of an attempt does not meet, and the point or node where it is furthest

@@ -336,8 +336,9 @@ struct TimeStepping {
   bool operator==(const TimeStepping&) const = default;
 };
 
-/// How implicit steps are solved: with the bulk factored once a step length, or whole in every iteration.
-enum class Solver { automatic, condensed, full };
+/// How implicit steps are solved: with the bulk factored once a step length, whole in every iteration, or as
+/// the first with conjugate gradients in place of the factor.
+enum class Solver { automatic, condensed, full, iterative };
 
 /// When nonlinear bodies have their effective matrix factored anew.
 enum class TangentChoice {

@@ -111,8 +111,10 @@ inline constexpr std::array<Word<ObstacleSide>, 2> obstacle_side_words{
 inline constexpr std::array<Word<Iteration>, 2> iteration_words{
     {{"newton", Iteration::newton}, {"fixed_point", Iteration::fixed_point}}};
 
-inline constexpr std::array<Word<Solver>, 3> solver_words{
-    {{"auto", Solver::automatic}, {"condensed", Solver::condensed}, {"full", Solver::full}}};
+inline constexpr std::array<Word<Solver>, 4> solver_words{{{"auto", Solver::automatic},
+                                                           {"condensed", Solver::condensed},
+                                                           {"full", Solver::full},
+                                                           {"iterative", Solver::iterative}}};
 
 inline constexpr std::array<Word<TangentChoice>, 3> tangent_words{
     {{"auto", TangentChoice::automatic}, {"full", TangentChoice::full}, {"kept", TangentChoice::kept}}};

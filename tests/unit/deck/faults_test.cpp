@@ -450,8 +450,8 @@ TEST(DeckFaults, ASolverMustSuitTheSchemeAndTheMethod) {
   const auto deck = by_cg + "solver: full\n";
   EXPECT_EQ(faults_of(deck),
             Sentences{place_of(deck, "full") +
-                      ": solver: found full, but nodal_pcg works on the factored bulk, expected auto or "
-                      "condensed"});
+                      ": solver: found full, but nodal_pcg works on the factored bulk, expected auto, "
+                      "condensed or iterative"});
 }
 
 TEST(DeckFaults, MethodsThatDoNotGoTogetherAreToldApart) {

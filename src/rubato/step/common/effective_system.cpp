@@ -4,8 +4,10 @@
 #include "rubato/contact/springs.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/core/tolerances.hpp"
+#include "rubato/linalg/iterative_solver.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
+#include "rubato/step/common/rigid_unknowns.hpp"
 #include "rubato/step/common/spatial_order.hpp"
 #include "rubato/step/full/linear_step.hpp"
 #include "rubato/time/step_control.hpp"
@@ -37,21 +39,56 @@ std::vector<int> ordered_surface(const Model& model) {
   return in_spatial_order(model, unknowns, static_cast<std::size_t>(nodes));
 }
 
-std::optional<linalg::SplitFactor> factored(const Model& model, const SparseMatrix& matrix,
-                                            const std::function<void(std::size_t)>& tell_memory) {
+std::unique_ptr<linalg::SurfaceSolver> factored(const Model& model, const SparseMatrix& matrix,
+                                                const std::function<void(std::size_t)>& take) {
+  auto factor = linalg::SplitFactor::of(matrix, ordered_surface(model), no_limit, take,
+                                        Compliance::usual_largest_whole, model.threads);
+  return factor ? std::make_unique<linalg::SplitFactor>(std::move(*factor)) : nullptr;
+}
+
+/// With weak springs alone against its rigid motions a solution is that motion to nearly all of its digits:
+/// contact, which goes by what is left, then comes to no end.
+void must_be_held(const Model& model) {
+  if (!model.free_body_nodes.empty())
+    throw InputError({fault_at(
+        "solver",
+        fmt::format("found iterative, but only contact holds the body of node {}; expected auto, or "
+                    "supports or springs that hold it",
+                    model::node_label(model.mesh, model.free_body_nodes.front())))});
+}
+
+std::unique_ptr<linalg::SurfaceSolver> iterative(const Model& model, const SparseMatrix& matrix,
+                                                 const std::function<void(std::size_t)>& take) {
+  must_be_held(model);
+  try {
+    return linalg::IterativeSolver::of(matrix, surface_unknowns(model), nodal_unknowns(model), take);
+  } catch (const linalg::NotSolved& error) {
+    throw InputError({fault_at(
+        "solver", fmt::format("found iterative, but {}; expected auto or condensed", error.what()))});
+  }
+}
+
+/// Null where the matrix is not positive definite.
+std::unique_ptr<linalg::SurfaceSolver> solver_of(const Model& model, const SparseMatrix& matrix,
+                                                 const std::function<void(std::size_t)>& tell_memory) {
   const auto take = [&](std::size_t needed) {
     tell_memory(needed); // and waits for it beside other runs
     if (const auto left = linalg::available_memory(); needed > left)
       throw linalg::TooLargeForMemory(needed, left);
   };
+  const bool iterates = model.study.solver == study::Solver::iterative;
+  const bool offers = !iterates && model.free_body_nodes.empty();
   try {
-    return linalg::SplitFactor::of(matrix, ordered_surface(model), no_limit, take,
-                                   Compliance::usual_largest_whole, model.threads);
+    return iterates ? iterative(model, matrix, take) : factored(model, matrix, take);
   } catch (const linalg::TooLargeForMemory& error) {
+    const auto needs =
+        iterates ? fmt::format("conjugate gradients need {} of memory, of which {} are left",
+                               linalg::memory_text(error.needed), linalg::memory_text(error.available))
+                 : std::string(error.what());
     throw InputError(
-        fmt::format("the model is too large for this machine: with its {} unknowns {}; expected a "
+        fmt::format("the model is too large for this machine: with its {} unknowns {}; expected {}a "
                     "coarser mesh or cells of lower order, or more memory",
-                    model.reduction.unknown_count(), error.what()));
+                    model.reduction.unknown_count(), needs, offers ? "solver: iterative, " : ""));
   }
 }
 
@@ -234,9 +271,9 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
     system.discretisations.push_back(contact::make_discretisation(zone, model.threads));
   }
   if (model.study.solver != study::Solver::full)
-    if (auto factor = factored(model, system.matrix, tell_memory))
+    if (auto solver = solver_of(model, system.matrix, tell_memory))
       system.compliance =
-          std::make_unique<Compliance>(std::move(*factor), model.reduction, related_surface_dofs(model));
+          std::make_unique<Compliance>(std::move(solver), model.reduction, related_surface_dofs(model));
   if (system.compliance)
     system.slopes = SlopeChanges(model, *system.compliance, system.coefficients);
   return system;

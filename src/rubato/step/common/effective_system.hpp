@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What all steps of one length share: the effective matrix, factored once, and the contact coefficients that
-/// follow from it.
+/// What all steps of one length share: the effective matrix, factored or set up for iterations once, and the
+/// contact coefficients that follow from it.
 #pragma once
 
 #include "rubato/contact/discretisation.hpp"
@@ -45,15 +45,18 @@ struct EffectiveSystem {
   Eigen::VectorXd diagonal;     ///< of every dof, constrained ones included
   std::vector<contact::ZoneCoefficients> zones;
   std::vector<contact::Discretisation> discretisations; ///< of every zone, kept from one iterate to the next
-  /// The factored matrix; nothing when every iteration solves the whole system.
+  /// The factored matrix, or what solves with it by iterations; nothing when every iteration solves the whole
+  /// system.
   std::unique_ptr<Compliance> compliance;
   SlopeChanges slopes; ///< of springs by tables; empty when every iteration solves the whole system
   std::shared_ptr<CondensedScratch> scratch; ///< of condensed steps with this matrix
 };
 
-/// Factors the matrix unless the study's solver is full or the matrix is not positive definite, as when only
-/// contact holds a body. Before the factorisation `tell_memory` hears what the factor needs [bytes], and may
-/// wait until others have given memory back; throws InputError when it does not fit into what is left then.
+/// Factors the matrix, or sets conjugate gradients up where the study's solver is iterative, unless the
+/// solver is full or the matrix is not positive definite, as when only contact holds a body. Before that
+/// `tell_memory` hears what the factor needs [bytes], and may wait until others have given memory back;
+/// throws InputError when it does not fit into what is left then, and where an iterative solver is missing or
+/// does not converge.
 /// Of a nonlinear domain the matrix is that of its initial tangent.
 EffectiveSystem make_effective_system(
     const model::Model& model, const time::Scheme& scheme, double step,

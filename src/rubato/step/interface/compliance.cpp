@@ -25,8 +25,13 @@ std::vector<int> positions_of_unknowns(const std::vector<int>& surface, Index un
 
 Compliance::Compliance(linalg::SplitFactor factor, const constraint::Reduction& reduction,
                        std::span<const int> related_dofs, Index largest_whole)
-    : unknowns_(std::move(factor), largest_whole) {
-  for (const int unknown : unknowns_.factor().surface())
+    : Compliance(std::make_unique<linalg::SplitFactor>(std::move(factor)), reduction, related_dofs,
+                 largest_whole) {}
+
+Compliance::Compliance(std::unique_ptr<linalg::SurfaceSolver> solver, const constraint::Reduction& reduction,
+                       std::span<const int> related_dofs, Index largest_whole)
+    : unknowns_(std::move(solver), largest_whole) {
+  for (const int unknown : unknowns_.solver().surface())
     dofs_.push_back(reduction.free_dofs()[static_cast<std::size_t>(unknown)]);
   if (!related_dofs.empty())
     relate(reduction, related_dofs);
@@ -42,8 +47,8 @@ void Compliance::number(const constraint::Reduction& reduction) {
 /// By position: the first body of those that relations of the surface tie to its own.
 std::vector<std::size_t> Compliance::bodies_of(const constraint::Reduction& reduction,
                                                std::span<const int> related_dofs) const {
-  const auto& starts = unknowns_.factor().body_starts();
-  const auto positions = positions_of_unknowns(unknowns_.factor().surface(), reduction.unknown_count());
+  const auto& starts = unknowns_.solver().body_starts();
+  const auto positions = positions_of_unknowns(unknowns_.solver().surface(), reduction.unknown_count());
   const auto body_of = [&](int position) {
     return static_cast<std::size_t>(std::ranges::upper_bound(starts, position) - starts.begin() - 1);
   };
@@ -65,7 +70,7 @@ std::vector<std::size_t> Compliance::bodies_of(const constraint::Reduction& redu
 
 void Compliance::relate(const constraint::Reduction& reduction, std::span<const int> related_dofs) {
   const auto bodies = bodies_of(reduction, related_dofs);
-  const auto positions = positions_of_unknowns(unknowns_.factor().surface(), reduction.unknown_count());
+  const auto positions = positions_of_unknowns(unknowns_.solver().surface(), reduction.unknown_count());
   struct Placed {
     std::size_t body;
     int dof;
@@ -99,12 +104,12 @@ void Compliance::relate(const constraint::Reduction& reduction, std::span<const 
 }
 
 VectorXd Compliance::surface_of(const VectorXd& half_way) const {
-  VectorXd moved = unknowns_.factor().surface_of(half_way);
+  VectorXd moved = unknowns_.solver().surface_of(half_way);
   return related_ ? VectorXd(related_->rows * moved) : moved;
 }
 
 void Compliance::load_surface(const VectorXd& force, VectorXd& half_way) const {
-  unknowns_.factor().load_surface(related_ ? VectorXd(related_->rows.transpose() * force) : force, half_way);
+  unknowns_.solver().load_surface(related_ ? VectorXd(related_->rows.transpose() * force) : force, half_way);
 }
 
 MatrixXd Compliance::between(std::span<const int> interface_dofs) {

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What a bulk that keeps its effective matrix A answers to forces on its contact surfaces: A factored once,
-/// and the surface compliance S = B A⁻¹ Bᵀ, B giving the displacements of the surface by the unknowns.
+/// What a bulk that keeps its effective matrix A answers to forces on its contact surfaces: A factored once
+/// or solved with by iterations, and the surface compliance S = B A⁻¹ Bᵀ, B giving the displacements of the
+/// surface by the unknowns.
 #pragma once
 
 #include "rubato/constraint/reduction.hpp"
+#include "rubato/linalg/split_factor.hpp"
 #include "rubato/step/interface/surface_compliance.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,30 +31,36 @@ public:
   /// are all on the factor's surface. A factor without values gets them by `refactor`.
   Compliance(linalg::SplitFactor factor, const constraint::Reduction& reduction,
              std::span<const int> related_dofs = {}, Eigen::Index largest_whole = usual_largest_whole);
+  /// The same with any other solver.
+  Compliance(std::unique_ptr<linalg::SurfaceSolver> solver, const constraint::Reduction& reduction,
+             std::span<const int> related_dofs = {}, Eigen::Index largest_whole = usual_largest_whole);
 
-  /// A is another matrix of the same pattern from here on: SplitFactor::refactor, whose errors this throws.
+  /// A is another matrix of the same pattern from here on: SurfaceSolver::refactor, whose errors this throws.
   /// What is known of S is forgotten, but for bodies whose values are the same. Dofs and relations stay.
   /// False when it could not be factored: nothing but another call of this, or what tells of interface dofs,
   /// is allowed then.
   bool refactor(const linalg::SparseMatrix& matrix) { return unknowns_.refactor(matrix); }
 
   /// A⁻¹ force, an entry an unknown each.
-  Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return unknowns_.factor().solve(force); }
+  Eigen::VectorXd solve(const Eigen::VectorXd& force) const { return unknowns_.solver().solve(force); }
   /// Half way through a solve: L⁻¹ force.
-  Eigen::VectorXd forward(const Eigen::VectorXd& force) const { return unknowns_.factor().forward(force); }
+  Eigen::VectorXd forward(const Eigen::VectorXd& force) const { return unknowns_.solver().forward(force); }
   /// The surface's displacements, one an interface dof.
   Eigen::VectorXd surface_of(const Eigen::VectorXd& half_way) const;
   /// Adds forces on the surface, one an interface dof, to what `forward` gave.
   void load_surface(const Eigen::VectorXd& force, Eigen::VectorXd& half_way) const;
   /// All unknowns from there.
   Eigen::VectorXd backward(const Eigen::VectorXd& half_way) const {
-    return unknowns_.factor().backward(half_way);
+    return unknowns_.solver().backward(half_way);
   }
 
+  /// Whether each column of S costs a whole solve: it is better used by its products then.
+  bool has_dear_columns() const { return unknowns_.solver().has_dear_columns(); }
+
   /// Of the factor.
-  std::size_t factor_entries() const { return unknowns_.factor().factor_bytes() / sizeof(double); }
-  /// SplitFactor::factor_flops.
-  double factor_flops() const { return unknowns_.factor().factor_flops(); }
+  std::size_t factor_entries() const { return unknowns_.solver().factor_bytes() / sizeof(double); }
+  /// SurfaceSolver::factor_flops.
+  double factor_flops() const { return unknowns_.solver().factor_flops(); }
 
   /// How many interface dofs there are.
   Eigen::Index size() const { return static_cast<Eigen::Index>(dofs_.size()); }
@@ -61,12 +70,12 @@ public:
   /// Interface dofs at which one body's end and the next one's begin, 0 first. Bodies that relations tie
   /// count as one.
   const std::vector<int>& body_starts() const {
-    return related_ ? related_->starts : unknowns_.factor().body_starts();
+    return related_ ? related_->starts : unknowns_.solver().body_starts();
   }
 
   /// Calls take(unknown, coefficient) for each unknown of the factored matrix that moves an interface dof.
   template <class Take> void for_each_unknown(int interface_dof, const Take& take) const {
-    const auto& surface = unknowns_.factor().surface();
+    const auto& surface = unknowns_.solver().surface();
     if (!related_)
       return take(surface[static_cast<std::size_t>(interface_dof)], 1.0);
     for (Rows::InnerIterator entry(related_->rows, interface_dof); entry; ++entry)
@@ -74,7 +83,7 @@ public:
   }
 
   /// What is asked of one body may be asked of others at the same time.
-  const Threads& threads() const { return unknowns_.factor().threads(); }
+  const Threads& threads() const { return unknowns_.solver().threads(); }
 
   /// S for these interface dofs.
   Eigen::MatrixXd between(std::span<const int> interface_dofs);

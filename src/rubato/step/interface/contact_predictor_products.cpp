@@ -14,6 +14,8 @@ namespace {
 /// Gaps that are left, in parts of the largest one without forces.
 constexpr double gaps_left = 3e-2;
 constexpr int most_products = 60;
+/// Points that are fewer than products would be, where columns of S cost as much as these.
+constexpr std::size_t few = 15;
 /// Of the power method, from a motion that goes one way: S answers to these most.
 constexpr int norm_products = 2;
 
@@ -63,12 +65,13 @@ VectorXd held_stiffness(const linalg::SparseMatrix& matrix, const Compliance& co
 } // namespace
 
 bool ContactPredictor::is_formed(std::span<const PredictorPoint> points, const VectorXd& d) const {
-  if (how_far_ != NormalSolution::near || points.size() <= most_formed_)
+  const auto most = compliance_.has_dear_columns() ? std::min(few, most_formed_) : most_formed_;
+  if (how_far_ != NormalSolution::near || points.size() <= most)
     return true;
   const auto counts = [&](const PredictorPoint& point) {
     return point.force[0] > 0 || measures_of(point, d)[0] < 0;
   };
-  return static_cast<std::size_t>(std::ranges::count_if(points, counts)) <= most_formed_;
+  return static_cast<std::size_t>(std::ranges::count_if(points, counts)) <= most;
 }
 
 /// All points at once: MPRGP joins and releases them. Friction stays what it was, within its limit.

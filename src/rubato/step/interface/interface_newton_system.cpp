@@ -191,7 +191,8 @@ bool InterfaceNewtonSystem::has_factors_of_these() const {
 }
 
 bool InterfaceNewtonSystem::forms_compliance() const {
-  return sharing_ || forces_ + xi_count_ <= largest_formed_;
+  const Index largest = compliance_.has_dear_columns() ? std::min(small, largest_formed_) : largest_formed_;
+  return sharing_ || forces_ + xi_count_ <= largest;
 }
 
 void InterfaceNewtonSystem::touch_surface() {

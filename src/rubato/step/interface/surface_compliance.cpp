@@ -6,6 +6,7 @@
 #include "rubato/step/interface/body_threads.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rubato::step {
 namespace {
@@ -19,26 +20,27 @@ constexpr Index smallest_dense = 64;
 
 } // namespace
 
-SurfaceCompliance::SurfaceCompliance(linalg::SplitFactor factor, Index largest_whole)
-    : factor_(std::move(factor)), largest_whole_(largest_whole), known_(factor_.surface().size(), 0) {
-  const auto& starts = factor_.body_starts();
+SurfaceCompliance::SurfaceCompliance(std::unique_ptr<linalg::SurfaceSolver> solver, Index largest_whole)
+    : solver_(std::move(solver)), largest_whole_(solver_->has_dear_columns() ? 0 : largest_whole),
+      known_(solver_->surface().size(), 0) {
+  const auto& starts = solver_->body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b)
     body_of_.insert(body_of_.end(), static_cast<std::size_t>(starts[b + 1] - starts[b]), static_cast<int>(b));
   s_.resize(starts.size() - 1);
   for (std::size_t b = 0; b < s_.size(); ++b)
-    renewals_.push_back(factor_.renewals(b));
+    renewals_.push_back(solver_->renewals(b));
   blocks_.resize(starts.size() - 1);
   for (std::size_t b = 0; b + 1 < starts.size(); ++b)
-    if (const auto* surface = factor_.surface_within(b)) {
+    if (const auto* surface = solver_->surface_within(b)) {
       blocks_[b].emplace(*surface);
       has_blocks_ = true;
     }
 }
 
 bool SurfaceCompliance::refactor(const linalg::SparseMatrix& matrix) {
-  const bool factored = factor_.refactor(matrix);
+  const bool factored = solver_->refactor(matrix);
   for (std::size_t b = 0; b < s_.size(); ++b)
-    if (const auto renewals = factor_.renewals(b); renewals_[b] != renewals) {
+    if (const auto renewals = solver_->renewals(b); renewals_[b] != renewals) {
       renewals_[b] = renewals;
       forget(b);
     }
@@ -47,7 +49,7 @@ bool SurfaceCompliance::refactor(const linalg::SparseMatrix& matrix) {
 
 /// With its memory: what is asked for next need not be the same columns.
 void SurfaceCompliance::forget(std::size_t body) {
-  const auto& starts = factor_.body_starts();
+  const auto& starts = solver_->body_starts();
   std::fill(known_.begin() + starts[body], known_.begin() + starts[body + 1], 0);
   s_[body].resize(0, 0);
   if (blocks_[body])
@@ -95,7 +97,7 @@ void SurfaceCompliance::within_body(std::span<const int> positions, Eigen::Matri
 }
 
 bool SurfaceCompliance::takes_forces_together() const {
-  const auto& starts = factor_.body_starts();
+  const auto& starts = solver_->body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b)
     if (starts[b + 1] > starts[b] && !blocks_[b])
       return false;
@@ -106,22 +108,26 @@ Eigen::MatrixXd SurfaceCompliance::between_forces(const linalg::SparseMatrix& fo
   Eigen::MatrixXd s = Eigen::MatrixXd::Zero(forces.cols(), forces.cols());
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     if (blocks_[b])
-      s += factor_.surface_within(b)->between(forces, factor_.body_starts()[b]);
+      s += solver_->surface_within(b)->between(forces, solver_->body_starts()[b]);
   return s;
 }
 
 void SurfaceCompliance::add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d) {
-  for_each_body(factor_.threads(), s_.size(), static_cast<std::size_t>(force.size()),
+  for_each_body(solver_->threads(), s_.size(), static_cast<std::size_t>(force.size()),
                 [&](std::size_t b) { add_of_body(b, factor, force, d); });
 }
 
 void SurfaceCompliance::add_of_body(std::size_t b, double factor, const Eigen::VectorXd& force,
                                     Eigen::VectorXd& d) {
-  const auto& starts = factor_.body_starts();
+  const auto& starts = solver_->body_starts();
   const Index size = starts[b + 1] - starts[b];
   const auto of_body = force.segment(starts[b], size);
   if (in_blocks(static_cast<int>(b))) {
     blocks_[b]->add(factor, of_body, d.segment(starts[b], size));
+    return;
+  }
+  if (is_solved_with(b, (of_body.array() != 0).count())) {
+    d.segment(starts[b], size) += factor * solver_->moved_by(b, of_body);
     return;
   }
   if (size >= smallest_dense &&
@@ -129,7 +135,7 @@ void SurfaceCompliance::add_of_body(std::size_t b, double factor, const Eigen::V
     if (size <= largest_whole_)
       linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
     else
-      d.segment(starts[b], size) += factor * factor_.moved_by(b, of_body);
+      d.segment(starts[b], size) += factor * solver_->moved_by(b, of_body);
     return;
   }
   linalg::ColumnSum sum(d.data() + starts[b], size);
@@ -137,6 +143,11 @@ void SurfaceCompliance::add_of_body(std::size_t b, double factor, const Eigen::V
     if (force[i] != 0)
       sum.add(factor * force[i], column(i));
   sum.add_rest();
+}
+
+/// By the force alone, whatever columns are known: results don't depend on what was asked for before.
+bool SurfaceCompliance::is_solved_with(std::size_t body, Index forces) const {
+  return solver_->has_dear_columns() && !blocks_[body] && forces > most_dear_columns;
 }
 
 /// What a unit force at a position moves of its body, computed when first asked for.
@@ -154,7 +165,7 @@ const Eigen::MatrixXd& SurfaceCompliance::whole(std::size_t body) {
   return s_[body];
 }
 
-/// By the force of all positions: blocks take no single entries.
+/// By the force of all positions: blocks take no single entries, and forces are counted there.
 void SurfaceCompliance::add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {
   Eigen::VectorXd of_all = Eigen::VectorXd::Zero(d.size());
   for (const auto& at : force)
@@ -163,9 +174,9 @@ void SurfaceCompliance::add_gathered(double factor, std::span<const ForceAt> for
 }
 
 void SurfaceCompliance::add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d) {
-  if (has_blocks_)
+  if (has_blocks_ || solver_->has_dear_columns())
     return add_gathered(factor, force, d);
-  const auto& starts = factor_.body_starts();
+  const auto& starts = solver_->body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
     linalg::ColumnSum sum(d.data() + starts[b], starts[b + 1] - starts[b]);
     for (const auto& at : force)
@@ -180,17 +191,18 @@ void SurfaceCompliance::compute(int body, Index place) {
   const auto b = static_cast<std::size_t>(body);
   auto& s = s_[b];
   const auto start = known_.begin() + first_of_body(body);
-  const Index size = factor_.body_starts()[b + 1] - first_of_body(body);
+  const Index size = solver_->body_starts()[b + 1] - first_of_body(body);
   if (size <= largest_whole_) {
-    s = factor_.compliance(b);
+    s = solver_->compliance(b);
     std::fill_n(start, size, 1);
     return;
   }
   if (s.size() == 0)
     s.resize(size, size);
-  const Index first = place / block_size * block_size;
-  const Index count = std::min(block_size, size - first);
-  s.middleCols(first, count) = factor_.compliance(b, first, count);
+  const Index together = solver_->has_dear_columns() ? 1 : block_size;
+  const Index first = place / together * together;
+  const Index count = std::min(together, size - first);
+  s.middleCols(first, count) = solver_->compliance(b, first, count);
   std::fill_n(start + first, count, 1);
 }
 

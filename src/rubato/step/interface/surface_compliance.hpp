@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The compliance S = B A⁻¹ Bᵀ of the surface unknowns of a factored matrix A, B picking them. S of a body is
-/// computed when first asked for: whole, or of large surfaces some columns or blocks only, as few contact
-/// points are ever active. Only this folder's compliance.hpp includes this.
+/// The compliance S = B A⁻¹ Bᵀ of the surface unknowns of a matrix A that is solved with, B picking them. S
+/// of a body is computed when first asked for: whole, or of large surfaces some columns or blocks only, as
+/// few contact points are ever active. Only this folder's compliance.hpp includes this.
 #pragma once
 
-#include "rubato/linalg/split_factor.hpp"
+#include "rubato/linalg/surface_solver.hpp"
 #include "rubato/step/interface/block_compliance.hpp"
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,7 +22,7 @@ struct ForceAt {
   double force = 0;
 };
 
-/// Surface unknowns are counted by their positions in the factor: SplitFactor::surface().
+/// Surface unknowns are counted by their positions in the solver: SurfaceSolver::surface().
 class SurfaceCompliance {
 public:
   /// Surfaces of bodies up to this size have S computed whole: three seconds at most.
@@ -31,15 +32,20 @@ public:
   /// of a column depend on which columns are computed with it; as these are always the same, they don't
   /// depend on what was asked for before, and a resumed run has the same ones.
   static constexpr Eigen::Index block_size = 48;
+  /// Of solvers whose columns cost a solve each: where so many of them would be read for one force, that one
+  /// is solved with instead.
+  static constexpr Eigen::Index most_dear_columns = 600;
 
-  /// Surfaces that the factor eliminates within their bodies are large ones.
-  explicit SurfaceCompliance(linalg::SplitFactor factor, Eigen::Index largest_whole = usual_largest_whole);
+  /// Surfaces that the factor eliminates within their bodies are large ones, and so are all of a solver whose
+  /// columns cost a solve each; these are computed one by one.
+  explicit SurfaceCompliance(std::unique_ptr<linalg::SurfaceSolver> solver,
+                             Eigen::Index largest_whole = usual_largest_whole);
 
-  /// SplitFactor::refactor; S is forgotten of bodies whose values are others or lost.
+  /// SurfaceSolver::refactor; S is forgotten of bodies whose values are others or lost.
   bool refactor(const linalg::SparseMatrix& matrix);
 
-  const linalg::SplitFactor& factor() const { return factor_; }
-  Eigen::Index size() const { return static_cast<Eigen::Index>(factor_.surface().size()); }
+  const linalg::SurfaceSolver& solver() const { return *solver_; }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(solver_->surface().size()); }
 
   /// S for these positions.
   Eigen::MatrixXd between(std::span<const int> positions);
@@ -65,17 +71,18 @@ public:
 private:
   void add_of_body(std::size_t body, double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
   int body_of(int position) const { return body_of_[static_cast<std::size_t>(position)]; }
-  int first_of_body(int body) const { return factor_.body_starts()[static_cast<std::size_t>(body)]; }
+  int first_of_body(int body) const { return solver_->body_starts()[static_cast<std::size_t>(body)]; }
   bool in_blocks(int body) const {
     return has_blocks_ && blocks_[static_cast<std::size_t>(body)].has_value();
   }
   const double* column(int position);
   const Eigen::MatrixXd& whole(std::size_t body);
+  bool is_solved_with(std::size_t body, Eigen::Index forces) const;
   void add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
   void compute(int body, Eigen::Index place);
   void forget(std::size_t body);
 
-  linalg::SplitFactor factor_;
+  std::unique_ptr<linalg::SurfaceSolver> solver_;
   Eigen::Index largest_whole_;
   std::vector<int> body_of_;                           ///< by position
   std::vector<Eigen::MatrixXd> s_;                     ///< by body: empty until used

@@ -179,7 +179,7 @@ void check_arc_length(Rules& rules) {
   else if (std::ranges::none_of(study.loads, [](const Load& load) { return load.function.empty(); }))
     rules.broken({"time.arc_length", "loads"},
                  "has no load to multiply; expected one without a function of time");
-  if (study.solver == Solver::condensed)
+  if (study.solver == Solver::condensed || study.solver == Solver::iterative)
     rules.broken({"time.arc_length", "solver"},
                  "solves the whole system in every iteration, expected solver: auto or full");
 }

@@ -123,8 +123,9 @@ void check_solution(Rules& rules) {
     rules.broken({"solver", "time.scheme"}, fmt::format("the scheme {} solves no system, expected auto",
                                                         word_of(scheme_words, study.time.scheme)));
   if (study.solver == Solver::full && std::ranges::any_of(study.contact, predicts_exactly))
-    rules.broken({"solver"},
-                 "found full, but nodal_pcg works on the factored bulk, expected auto or condensed");
+    rules.broken(
+        {"solver"},
+        "found full, but nodal_pcg works on the factored bulk, expected auto, condensed or iterative");
 }
 
 } // namespace rubato::study

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/linalg/petsc/session.hpp"
+
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace rubato::linalg::petsc {
+namespace {
+
+/// A process that no mpiexec started is alone: Open MPI would start a daemon for others to join it.
+void stay_alone() {
+  constexpr int keep_what_is_there = 0;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_what_is_there);
+}
+
+/// Signals belong to the program, and nothing outside a deck changes its numbers. Errors come back as codes.
+class Session {
+public:
+  Session() {
+    stay_alone();
+    check(PetscOptionsSetValue(nullptr, "-no_signal_handler", nullptr));
+    check(PetscOptionsSetValue(nullptr, "-skip_petscrc", nullptr));
+    check(PetscInitializeNoArguments());
+    check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+  }
+  ~Session() {
+    PetscPopErrorHandler();
+    PetscFinalize();
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+};
+
+} // namespace
+
+void check(PetscErrorCode code) {
+  if (code == 0)
+    return;
+  if (code == PETSC_ERR_MEM)
+    throw std::bad_alloc();
+  const char* text = nullptr;
+  PetscErrorMessage(code, &text, nullptr);
+  throw std::runtime_error("PETSc: " +
+                           (text == nullptr ? "error " + std::to_string(code) : std::string(text)));
+}
+
+void start() {
+  static const Session session;
+}
+
+std::mutex& in_use() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+} // namespace rubato::linalg::petsc
