@@ -322,6 +322,7 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
     check_massless_slaves(model, faults);
   }
   stop_on(faults);
+  std::ranges::move(notes_on_large_contact(model), std::back_inserter(model.notes));
   number_unknowns(model);
   return model;
 }
