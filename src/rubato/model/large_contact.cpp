@@ -7,7 +7,7 @@ namespace rubato::model {
 namespace {
 
 constexpr double gigabyte = 1e9;
-constexpr double most = 2 * gigabyte;
+constexpr double most_bytes = 2 * gigabyte;
 
 /// Of the matrix and its factors [bytes].
 double dense_bytes(const contact::Zone& zone, int components) {
@@ -16,7 +16,7 @@ double dense_bytes(const contact::Zone& zone, int components) {
 }
 
 /// Why it is formed and what to write instead; empty where it is not formed.
-std::string reason(const contact::Zone& zone, const Model& model) {
+std::string why_formed(const contact::Zone& zone, const Model& model) {
   if (zone.shares_multipliers())
     return "since points of this 'integration' share multipliers; 'integration: mortar' does without";
   if (!model.free_body_nodes.empty())
@@ -31,8 +31,8 @@ std::vector<std::string> notes_on_large_contact(const Model& model) {
   if (model.study.time.scheme == study::SchemeKind::central_difference)
     return notes;
   for (const auto& zone : model.zones)
-    if (const double bytes = dense_bytes(zone, model.dofs.components); bytes > most)
-      if (const auto because = reason(zone, model); !because.empty())
+    if (const double bytes = dense_bytes(zone, model.dofs.components); bytes > most_bytes)
+      if (const auto because = why_formed(zone, model); !because.empty())
         notes.push_back(fmt::format(
             "contact zone '{}': if all of its {} points touch at once, a step takes {:.2g} GB for "
             "what they do to one another, {}",

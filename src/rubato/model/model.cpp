@@ -15,6 +15,7 @@
 #include "rubato/model/contact_mass.hpp"
 #include "rubato/model/formulation_notes.hpp"
 #include "rubato/model/gauges.hpp"
+#include "rubato/model/large_contact.hpp"
 #include "rubato/model/mass_scaling.hpp"
 #include "rubato/model/mortar_edges.hpp"
 #include "rubato/model/rigid_motions.hpp"

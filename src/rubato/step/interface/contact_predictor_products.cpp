@@ -13,11 +13,11 @@ namespace {
 
 /// Gaps that are left, in parts of the largest one without forces.
 constexpr double gaps_left = 3e-2;
-constexpr int most_products = 60;
+constexpr int most_mprgp_products = 60;
 /// Points that are fewer than products would be, where columns of S cost as much as these.
-constexpr std::size_t few = 15;
+constexpr std::size_t few_points = 15;
 /// Of the power method, from a motion that goes one way: S answers to these most.
-constexpr int norm_products = 2;
+constexpr int power_products = 2;
 
 /// Between the pressing forces of points and what they put on the surface, one an interface dof.
 class PressedSurface {
@@ -65,7 +65,7 @@ VectorXd held_stiffness(const linalg::SparseMatrix& matrix, const Compliance& co
 } // namespace
 
 bool ContactPredictor::is_formed(std::span<const PredictorPoint> points, const VectorXd& d) const {
-  const auto most = compliance_.has_dear_columns() ? std::min(few, most_formed_) : most_formed_;
+  const auto most = compliance_.has_dear_columns() ? std::min(few_points, most_formed_) : most_formed_;
   if (how_far_ != NormalSolution::near || points.size() <= most)
     return true;
   const auto counts = [&](const PredictorPoint& point) {
@@ -100,10 +100,10 @@ void ContactPredictor::improve_by_products(std::span<PredictorPoint> points, con
                                   return surface.gaps(
                                       held_stiffness(matrix, compliance_, surface.spread(by)));
                                 },
-                                norm_products};
+                                power_products};
   const double deepest = -std::min(0.0, values.minCoeff());
-  const auto found =
-      minimise_over_nonnegative(products, values, forces, {gaps_left * deepest, most_products}, progress);
+  const auto found = minimise_over_nonnegative(products, values, forces,
+                                               {gaps_left * deepest, most_mprgp_products}, progress);
   if (found)
     forces = *found;
   for (Index k = 0; k < count; ++k) {

@@ -15,7 +15,7 @@ namespace {
 
 /// Part of the first residual that GMRES leaves: Newton's next iteration takes the rest.
 constexpr double solved_enough = 1e-4;
-constexpr int most_products = 100;
+constexpr int most_gmres_products = 100;
 
 } // namespace
 
@@ -37,7 +37,7 @@ InterfaceNewtonSystem::solved_by_products(const VectorXd& c, const linalg::Spars
   };
   const auto solution =
       linalg::gmres([&](const VectorXd& sides) { return weighted(applied_to(change_of(sides))); },
-                    weighted(left), solved_enough, most_products);
+                    weighted(left), solved_enough, most_gmres_products);
   return solution ? std::optional(change_of(*solution)) : std::nullopt;
 }
 
