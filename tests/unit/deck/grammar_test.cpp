@@ -42,8 +42,9 @@ TEST(DeckGrammar, JudgesAValueThatEveryRunReplaces) {
   EXPECT_EQ(
       faults_of_replaced("newton: {residual: small}\n", "newton: {residual: 1e-9}"),
       (Sentences{"study.yaml:5:20: newton.residual: found 'small', expected a number between 0 and 1"}));
-  EXPECT_EQ(faults_of_replaced("solver: fast\n", "solver: full"),
-            (Sentences{"study.yaml:5:9: solver: found 'fast', expected one of auto, condensed, full, iterative"}));
+  EXPECT_EQ(
+      faults_of_replaced("solver: fast\n", "solver: full"),
+      (Sentences{"study.yaml:5:9: solver: found 'fast', expected one of auto, condensed, full, iterative"}));
   EXPECT_EQ(faults_of_replaced("supports: [{fix: [x]}]\n", "supports: []"),
             (Sentences{"study.yaml:5:12: supports.0: 'on' is missing"}));
   EXPECT_EQ(
