@@ -27,7 +27,7 @@ public:
   using StorageIndex = int;
   enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
 
-  ProductMatrix(const Product& product, Eigen::Index size) : product_(product), size_(size) {}
+  ProductMatrix(const LinearMap& product, Eigen::Index size) : product_(product), size_(size) {}
   Eigen::Index rows() const { return size_; }
   Eigen::Index cols() const { return size_; }
   Eigen::VectorXd times(const Eigen::VectorXd& x) const { return product_(x); }
@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  const Product& product_;
+  const LinearMap& product_;
   Eigen::Index size_;
 };
 
@@ -59,7 +59,7 @@ struct Eigen::internal::generic_product_impl<rubato::linalg::ProductMatrix, Vect
 
 namespace rubato::linalg {
 
-std::optional<Eigen::VectorXd> gmres(const Product& matrix, const Eigen::VectorXd& right_side,
+std::optional<Eigen::VectorXd> gmres(const LinearMap& matrix, const Eigen::VectorXd& right_side,
                                      double tolerance, int most_products) {
   using Eigen::VectorXd;
   const ProductMatrix products(matrix, right_side.size());

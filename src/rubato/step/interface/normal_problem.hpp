@@ -5,7 +5,7 @@
 /// (points between parts that are held) keep the force 0.
 #pragma once
 
-#include "rubato/linalg/product.hpp"
+#include "rubato/linalg/linear_map.hpp"
 #include "rubato/step/progress.hpp"
 
 #include <Eigen/Core>
@@ -45,9 +45,9 @@ struct CgLimits {
 
 /// A normal problem whose matrix is known by its products.
 struct NormalProducts {
-  linalg::Product matrix;       ///< gaps by forces
-  linalg::Product precondition; ///< forces by gaps, near the inverse of the matrix; symmetric and positive
-  int norm_products = 0;        ///< of the power method that bounds ‖matrix‖ from below
+  linalg::LinearMap matrix;       ///< gaps by forces
+  linalg::LinearMap precondition; ///< forces by gaps, near the inverse of the matrix; symmetric and positive
+  int norm_products = 0;          ///< of the power method that bounds ‖matrix‖ from below
 };
 
 /// Modified proportioning with reduced gradient projections (MPRGP), preconditioned in the face (Dostál and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Matrices that are known by their products only.
+/// Linear maps that are known by what they make of vectors.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace rubato::linalg {
 
-/// y of a linear map of x.
-using Product = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+/// y of x.
+using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
 } // namespace rubato::linalg
