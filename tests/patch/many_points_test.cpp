@@ -14,9 +14,9 @@ namespace {
 
 constexpr const char* plates = R"(mesh:
   generate:
-    - {name: lower, box: {from: [0, 0, 0], to: [1, 0.1, 1]}, divisions: [37, 1, 37], cells: hexa8,
+    - {name: lower, box: {from: [0, 0, 0], to: [1, 0.1, 1]}, divisions: [43, 1, 43], cells: hexa8,
        sides: {bottom: ground, top: lower_face}}
-    - {name: upper, box: {from: [0, 0.1, 0], to: [1, 0.2, 1]}, divisions: [40, 1, 40], cells: hexa8,
+    - {name: upper, box: {from: [0, 0.1, 0], to: [1, 0.2, 1]}, divisions: [46, 1, 46], cells: hexa8,
        sides: {top: roof, bottom: upper_face}}
 physics: solid
 materials: {rubber: {young: 2e6, poisson: 0}}

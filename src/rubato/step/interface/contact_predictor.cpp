@@ -51,13 +51,13 @@ ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int co
 void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
                                const linalg::SparseMatrix& matrix, Progress& progress) {
   forget_points();
-  formed_ = is_formed(points, d);
-  if (!formed_)
-    return improve_by_products(points, free, matrix, progress);
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
   const int rounds = how_far_ == NormalSolution::projected_cg ? unlimited : most_rounds;
   for (int round = 0; round < rounds && progress.report() && choose_more(points, d); ++round) {
+    formed_ = !are_too_many();
+    if (!formed_)
+      return improve_by_products(points, free, matrix, progress);
     find_normal_forces(unpressed, progress);
     d = unpressed;
     add_motion(points, 0, 0, d);

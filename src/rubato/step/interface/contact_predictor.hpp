@@ -57,10 +57,10 @@ public:
   /// offers that: results are the same to rounding.
   static constexpr std::size_t usual_many = 500;
 
-  /// Points that press or penetrate up to which what they do to one another is computed. More of them are
-  /// solved for by products with S where a start `near` the solution is enough, without friction beyond what
-  /// they bring: the iterations find that.
-  static constexpr std::size_t usual_most_formed = 1500;
+  /// Points that are solved for together up to which what they do to one another is computed. More of them
+  /// are solved for by products with S where a start `near` the solution is enough, without friction beyond
+  /// what they bring: the iterations find that.
+  static constexpr std::size_t usual_most_formed = 2000;
 
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
   /// dimensions as `components`. How far pressing forces are solved for: `near` is enough for a start;
@@ -94,7 +94,7 @@ public:
 
 private:
   void forget_points();
-  bool is_formed(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
+  bool are_too_many() const;
   void improve_by_products(std::span<PredictorPoint> points, const Eigen::VectorXd& free,
                            const linalg::SparseMatrix& matrix, Progress& progress);
   void add_motion(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& d);

@@ -14,8 +14,8 @@ namespace {
 /// Gaps that are left, in parts of the largest one without forces.
 constexpr double gaps_left = 3e-2;
 constexpr int most_mprgp_products = 60;
-/// Points that are fewer than products would be, where columns of S cost as much as these.
-constexpr std::size_t few_points = 15;
+/// Points up to which columns of S that cost a solve each are computed, once a step length.
+constexpr std::size_t most_columns = 500;
 /// Of the power method, from a motion that goes one way: S answers to these most.
 constexpr int power_products = 2;
 
@@ -64,14 +64,9 @@ VectorXd held_stiffness(const linalg::SparseMatrix& matrix, const Compliance& co
 
 } // namespace
 
-bool ContactPredictor::is_formed(std::span<const PredictorPoint> points, const VectorXd& d) const {
-  const auto most = compliance_.has_dear_columns() ? std::min(few_points, most_formed_) : most_formed_;
-  if (how_far_ != NormalSolution::near || points.size() <= most)
-    return true;
-  const auto counts = [&](const PredictorPoint& point) {
-    return point.force[0] > 0 || measures_of(point, d)[0] < 0;
-  };
-  return static_cast<std::size_t>(std::ranges::count_if(points, counts)) <= most;
+bool ContactPredictor::are_too_many() const {
+  const auto most = compliance_.has_dear_columns() ? std::min(most_columns, most_formed_) : most_formed_;
+  return how_far_ == NormalSolution::near && chosen_.size() > most;
 }
 
 /// All points at once: MPRGP joins and releases them. Friction stays what it was, within its limit.
@@ -79,6 +74,7 @@ void ContactPredictor::improve_by_products(std::span<PredictorPoint> points, con
                                            const linalg::SparseMatrix& matrix, Progress& progress) {
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
+  forget_points();
   for (auto& point : points)
     if (!point.stencil.nodes.empty())
       chosen_.push_back(&point);

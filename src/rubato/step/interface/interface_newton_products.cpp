@@ -15,7 +15,7 @@ namespace {
 
 /// Part of the first residual that GMRES leaves: Newton's next iteration takes the rest.
 constexpr double solved_enough = 1e-4;
-constexpr int most_gmres_products = 100;
+constexpr int most_gmres_products = 300;
 
 } // namespace
 

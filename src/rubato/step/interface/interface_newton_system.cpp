@@ -27,6 +27,8 @@ constexpr int most_slow_rounds = 3;
 constexpr int most_refinements = 30;
 /// The same by factors of Newton's last iteration: new ones are better than more rounds.
 constexpr int most_refinements_by_last = 6;
+/// Forces up to which columns of S that cost a solve each are computed, once a step length.
+constexpr Index most_columns_of_forces = 1500;
 /// Systems up to this size are solved whole at once.
 constexpr Index small = 60;
 /// Whole systems beyond this size take too long to give up on.
@@ -191,8 +193,9 @@ bool InterfaceNewtonSystem::has_factors_of_these() const {
 }
 
 bool InterfaceNewtonSystem::forms_compliance() const {
-  const Index largest = compliance_.has_dear_columns() ? std::min(small, largest_formed_) : largest_formed_;
-  return sharing_ || forces_ + xi_count_ <= largest;
+  const Index largest =
+      compliance_.has_dear_columns() ? std::min(most_columns_of_forces, largest_formed_) : largest_formed_;
+  return sharing_ || forces_ <= largest;
 }
 
 void InterfaceNewtonSystem::touch_surface() {

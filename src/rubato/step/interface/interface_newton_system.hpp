@@ -32,8 +32,8 @@ namespace rubato::step {
 
 class InterfaceNewtonSystem {
 public:
-  /// Unknowns of the points, δz and δξ, up to which S between them is formed.
-  static constexpr Eigen::Index usual_largest_formed = 5000;
+  /// Forces of the points, δz, up to which S between them is formed: their LU takes some seconds.
+  static constexpr Eigen::Index usual_largest_formed = 6000;
 
   /// Both must outlive this.
   InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface, double force_weight,
