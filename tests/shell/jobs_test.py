@@ -269,18 +269,24 @@ def children_of(process):
 
 
 TWO_LONG = runs(f"a: {{{LONG}}}", f"b: {{{LONG}, contact: {{interface: {{friction: 0.3}}}}}}", "c: {}")
-SHORTER = ["--set", "time.end=0.1"]
+
+
+def shorter(place):
+    """Ends somewhat after both runs were stopped, which depends on how fast the machine is."""
+    steps = max(summary(place / f"deck/{name}")["steps"] for name in ["a", "b"])
+    return ["--set", f"time.end={(steps // 500 + 1) * 500 * 1e-4:.4g}"]
 
 
 def assert_resumed(place):
     """Both at once, to the bits of those that nobody touched."""
-    assert run(place, TWO_LONG, "-o", "whole", "-q", *SHORTER).returncode == 0
-    done = run(place, TWO_LONG, "-o", "deck", "--jobs", "2", "--resume", *SHORTER)
+    to_end = shorter(place)
+    assert run(place, TWO_LONG, "-o", "whole", "-q", *to_end).returncode == 0
+    done = run(place, TWO_LONG, "-o", "deck", "--jobs", "2", "--resume", *to_end)
     assert done.returncode == 0, done.stderr
     for name in ["a", "b", "c"]:
         for file in ["probes.csv", "energy.csv", "resultants_interface.csv"]:
             assert (place / f"deck/{name}/{file}").read_bytes() == (place / f"whole/{name}/{file}").read_bytes()
-    again = run(place, TWO_LONG, "-o", "deck", "--jobs", "2", "--resume", *SHORTER)
+    again = run(place, TWO_LONG, "-o", "deck", "--jobs", "2", "--resume", *to_end)
     assert again.returncode == 0 and again.stderr.count("complete already") == 3, again.stderr
 
 
@@ -301,7 +307,6 @@ def test_ctrl_c_stops_every_run_with_a_checkpoint(place, number, of_all):
         assert summary(place / f"deck/{name}")["status"] == "interrupted"
     assert not (place / "deck/c").exists()
     assert err.count("stopping;") == (number == signal.SIGINT)
-    assert summary(place / "deck/a")["steps"] < 1000
     if of_all and number == signal.SIGINT:
         assert_resumed(place)
 
