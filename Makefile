@@ -15,14 +15,14 @@ SCRATCH := build/installed
 SOURCES = $(shell find src apps python tests bench -name '*.hpp' -o -name '*.cpp' 2>/dev/null)
 TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 
-.PHONY: help deps configure build demo picture test installed-test debug-test verify figures bench deb deb-test site format lint clean
+.PHONY: help deps configure build demo picture test test-mpi installed-test debug-test verify figures bench deb deb-test site format lint clean
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 
 help: ## what there is
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | awk '{name = $$1; sub(/^[^ ]* /, ""); printf "make %-12s %s\n", name, $$0}'
 
-deps: ## install what is missing (GMSH=1: libgmsh too; PETSC=1: PETSc for iterative solvers; SHELLS=1: zsh, fish and man, READERS=1: VTK, meshio and h5py, BROWSER=1: Chromium, for tests)
+deps: ## install what is missing (GMSH=1: libgmsh too; PETSC=1: PETSc for iterative solvers and several processes; SHELLS=1: zsh, fish and man, READERS=1: VTK, meshio and h5py, BROWSER=1: Chromium, for tests)
 	@GMSH=$(GMSH) PETSC=$(PETSC) SHELLS=$(SHELLS) READERS=$(READERS) BROWSER=$(BROWSER) cmake/install-dependencies
 
 configure:
@@ -49,6 +49,10 @@ test: deps build ## every test, and a program built against the installed packag
 	@awk '/^\[  SKIPPED \] .*ms\)$$/ && !seen[$$4]++ {print "not run here: " $$4}' build/release/Testing/Temporary/LastTest.log
 	@awk '/^\[=+\] [0-9]+ tests? from .* ran/ {n += $$2} END {print n " tests ran"}' build/release/Testing/Temporary/LastTest.log
 	@$(MAKE) --no-print-directory installed-test
+
+test-mpi: PETSC := 1
+test-mpi: deps build ## runs by several processes of mpiexec against the same runs by one (PETSc)
+	ctest --preset release -L '^mpi$$'
 
 installed-test:
 	@cmake -E rm -rf $(SCRATCH)

@@ -131,7 +131,7 @@ void ReadByThreads(benchmark::State& state) {
 
 void steps_by_threads(benchmark::State& state, const study::Study& study) {
   simulation::Start start;
-  start.threads = threads_of(state);
+  start.workers = threads_of(state);
   simulation::Simulation one(study), all(study, start);
   compare(
       state, [&] { one.advance(); }, [&] { all.advance(); });

@@ -2,14 +2,17 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/linalg/blas_threads.hpp"
+#include "rubato/linalg/petsc_module.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "command_line.hpp"
 #include "failures.hpp"
+#include "ranks.hpp"
 #include <csignal>
 #include <cstdio>
+#include <string_view>
 
 namespace {
 
@@ -37,6 +40,8 @@ int parse_and_work(int argc, char** argv) {
     return app::bad_input;
   }
   refuse_unknown_command(program, argv[1]);
+  if (linalg::started_index() > 0 && std::string_view(argv[1]) != "run")
+    return app::done; // the first rank does it alone
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -52,6 +57,7 @@ int parse_and_work(int argc, char** argv) {
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is told of, as a full disk is
   rubato::linalg::start_with_one_blas_thread_by_default();
+  rubato::app::hush_other_ranks();
   const int code = rubato::app::reported([&] { return parse_and_work(argc, argv); });
   if (code == rubato::app::other_failure)
     rubato::app::leave(code);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/threads.hpp"
+#include "rubato/linalg/petsc_module.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/run/time_loop.hpp"
@@ -11,6 +12,7 @@
 #include "dry_run.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "ranks.hpp"
 #include "read_deck.hpp"
 #include "run_one.hpp"
 #include "side_by_side.hpp"
@@ -70,7 +72,7 @@ public:
       } catch (const InputError& error) {
         throw deck_.places[i].located(error);
       }
-      if (watch_.stop())
+      if (settings_.ranks.of_first(watch_.stop()))
         break;
     }
     return worst;
@@ -118,7 +120,33 @@ int check_models_apart(const deck::Deck& deck) {
 
 } // namespace
 
+namespace {
+
+/// Several ranks work on one run at a time, and each reads the deck.
+void require_what_ranks_can(const RunArguments& arguments) {
+  const int ranks = linalg::started_ranks();
+  if (ranks > 1 && arguments.jobs > 1)
+    throw InputError(fmt::format("found --jobs {} with {} ranks, expected one of both: ranks work together on "
+                                 "one run at a time",
+                                 arguments.jobs, ranks));
+  if (ranks > 1 && is_standard_input(arguments.deck))
+    throw InputError(fmt::format("found a deck on standard input with {} ranks, expected the name of a file: "
+                                 "each of them reads it",
+                                 ranks));
+}
+
+/// Of the ranks that `mpiexec` started.
+int run_with_all_ranks(const deck::Deck& deck, const RunArguments& arguments, RunSettings settings,
+                       const std::stop_token& stop) {
+  settings.ranks = linalg::join_ranks();
+  settings.threads = threads_of_each(arguments, settings.ranks.count_here());
+  return together(settings.ranks, [&] { return Series(deck, settings, stop).run(); });
+}
+
+} // namespace
+
 int run(const RunArguments& arguments) {
+  require_what_ranks_can(arguments);
   const auto deck = read_deck(arguments.deck, arguments.settings, arguments.only);
   const bool at_once = several_at_once(deck, arguments);
   if (const int code = at_once ? check_models_apart(deck) : check_models(deck); code != done)
@@ -133,10 +161,14 @@ int run(const RunArguments& arguments) {
   const auto runs_at_once = std::min(arguments.jobs, static_cast<int>(deck.runs.size()));
   const RunSettings settings{output, arguments.resume ? run::Begin::resumed : run::Begin::anew,
                              arguments.only, arguments.quiet,
-                             threads_of_each(arguments, at_once ? runs_at_once : 1)};
+                             threads_of_each(arguments, at_once ? runs_at_once : 1),
+                             {}};
   if (at_once)
     return run_side_by_side(deck, settings, arguments.jobs);
-  return run_interruptibly([&](const std::stop_token& stop) { return Series(deck, settings, stop).run(); });
+  return run_interruptibly([&](const std::stop_token& stop) {
+    return linalg::started_ranks() > 1 ? run_with_all_ranks(deck, arguments, settings, stop)
+                                       : Series(deck, settings, stop).run();
+  });
 }
 
 } // namespace rubato::app

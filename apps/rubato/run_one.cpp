@@ -51,7 +51,7 @@ RunEnd run_one(const study::Study& study, const RunSettings& settings, const run
                ProgressLine& line, const step::State* previous) {
   const auto folder = settings.output / study.name;
   auto result = run::run_study(study, folder, watch, previous, begin_of(study.name, settings),
-                               Threads(settings.threads));
+                               {Threads(settings.threads), settings.ranks});
   line.close();
   if (!settings.quiet || !result.checks.empty())
     print_summary(study, result, folder);
@@ -59,7 +59,7 @@ RunEnd run_one(const study::Study& study, const RunSettings& settings, const run
   if (!complete)
     fmt::print(stderr, "error: {}: {}; the results up to there are in {}{}\n", study.name, result.message,
                folder.string(), result.kept ? ", --resume goes on from there" : "");
-  return {exit_code_of(result), complete, result.kept, std::move(result.end)};
+  return {settings.ranks.of_first(exit_code_of(result)), complete, result.kept, std::move(result.end)};
 }
 
 void print_not_run(const study::Study& study) {

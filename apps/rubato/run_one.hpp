@@ -19,7 +19,8 @@ struct RunSettings {
   run::Begin begin = run::Begin::anew;
   std::vector<std::string> only; ///< runs that are asked for; empty: all
   bool quiet = false;
-  int threads = 1; ///< of each run
+  int threads = 1; ///< of each run, on each rank
+  Ranks ranks = {};
 };
 
 struct RunEnd {

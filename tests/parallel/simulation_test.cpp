@@ -33,7 +33,7 @@ contact: {joint: {master: seat, slave: foot, friction: 0.2)" +
 
 Simulation run(const study::Study& study, int threads) {
   Start start;
-  start.threads = Threads(threads);
+  start.workers = Threads(threads);
   Simulation simulation(study, start);
   test::go_to_end(simulation);
   return simulation;

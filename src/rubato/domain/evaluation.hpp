@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 
 namespace rubato::domain {
@@ -53,6 +54,10 @@ struct Wanted {
   /// nothing has happened to a path is empty. A linear domain leaves it alone.
   LawPath* path = nullptr;
 };
+
+/// Makes of what the cells of each rank add to a vector the whole one, on all ranks; none where this one has all
+/// cells.
+using AddUp = std::function<void(Eigen::VectorXd&)>;
 
 /// A cell that has no forces at the end of a step: then nothing that was written has a meaning, and forces
 /// are not finite.

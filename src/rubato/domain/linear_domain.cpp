@@ -83,8 +83,14 @@ void LinearDomain::multiply(const VectorXd& x, VectorXd& y) const {
     y.setZero();
 }
 
-double LinearDomain::largest_eigenvalue(const VectorXd& inverse_mass) const {
-  return linalg::largest_eigenvalue([&](const VectorXd& x, VectorXd& y) { multiply(x, y); }, inverse_mass);
+double LinearDomain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up) const {
+  return linalg::largest_eigenvalue(
+      [&](const VectorXd& x, VectorXd& y) {
+        multiply(x, y);
+        if (add_up)
+          add_up(y);
+      },
+      inverse_mass);
 }
 
 } // namespace rubato::domain

@@ -2,6 +2,7 @@
 #include "rubato/domain/nonlinear_cells.hpp"
 
 #include "rubato/cell/wave_patterns.hpp"
+#include "rubato/domain/followed_points.hpp"
 #include "rubato/domain/undeformed.hpp"
 #include "rubato/element/energy_momentum.hpp"
 
@@ -22,10 +23,10 @@ NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const D
 }
 
 NonlinearCells::NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                               std::span<const std::size_t> cells)
+                               std::span<const std::size_t> cells, const Threads& threads)
     : components_(dofs.components) {
   add_cells(mesh, bulk, dofs, [&](std::size_t cell) { return std::ranges::binary_search(cells, cell); });
-  deal_out(mesh, {});
+  deal_out(mesh, threads);
 }
 
 void NonlinearCells::deal_out(const mesh::Mesh& mesh, const Threads& threads) {
@@ -42,6 +43,25 @@ void NonlinearCells::deal_out(const mesh::Mesh& mesh, const Threads& threads) {
       at_shared_node_.push_back(shares_.is_shared(node) ? 1 : 0);
 }
 
+namespace {
+
+/// Whether a path has its points. What a law without memory takes is stored. Growth of stiffness needs stresses
+/// of logarithmic strain.
+bool is_followed(const Behaviour& behaviour) {
+  return (has_linear_stress(behaviour.law) && (material::state_size(behaviour.law) > 0 ||
+                                               behaviour.strain == element::StrainKind::logarithmic)) ||
+         behaviour.expansion.has_value();
+}
+
+} // namespace
+
+std::size_t followed_points(const Bulk& bulk, std::size_t cell, CellType type) {
+  const auto* behaviour = bulk.behaviour(cell);
+  if (bulk.is_constant(cell) || !is_followed(*behaviour))
+    return 0;
+  return static_cast<std::size_t>(element::point_count(kind_of(bulk, *behaviour, type)));
+}
+
 void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
                                const std::function<bool(std::size_t)>& has) {
   std::size_t state = 0;
@@ -51,20 +71,12 @@ void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const D
                {.index = bulk.cells[i],
                 .place = i,
                 .group = group_of(bulk, i, mesh.type_of(bulk.cells[i])),
-                .first_state = state});
+                .first_state = state,
+                .first_follow = followed_count_});
     state += state_size(mesh, bulk, i);
+    followed_count_ += followed_points(bulk, i, mesh.type_of(bulk.cells[i]));
   }
 }
-
-namespace {
-
-/// What a law without memory takes is stored. Growth of stiffness needs stresses of logarithmic strain.
-bool is_followed(const Behaviour& behaviour) {
-  return has_linear_stress(behaviour.law) &&
-         (material::state_size(behaviour.law) > 0 || behaviour.strain == element::StrainKind::logarithmic);
-}
-
-} // namespace
 
 int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) {
   const auto law = bulk.law_of_cell[cell];
@@ -79,7 +91,7 @@ int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) 
   undeformed.hourglass.limit = 0;
   groups_.push_back(
       {kind, behaviour.law, cell::topology(type).node_count, element::point_count(kind),
-       static_cast<std::size_t>(remembered), is_followed(behaviour) || behaviour.expansion.has_value(),
+       static_cast<std::size_t>(remembered), is_followed(behaviour),
        has_linear_stress(behaviour.law), behaviour.expansion.value_or(material::FullExpansion::Zero()),
        undeformed, first_tangent(behaviour.law), cell::shortest_waves(type)});
   law_of_group_.push_back(law);
@@ -97,8 +109,6 @@ void NonlinearCells::add_cell(const mesh::Mesh& mesh, const DofMap& dofs, Cell c
   const auto& group = group_of(cell);
   cell.first_record = record_count_;
   record_count_ += static_cast<std::size_t>(group.points);
-  cell.first_follow = followed_count_;
-  followed_count_ += group.followed ? static_cast<std::size_t>(group.points) : 0;
   own_states_ += group.state_size;
   for (const auto node : nodes) {
     points_.push_back(mesh.points[static_cast<std::size_t>(node)]);

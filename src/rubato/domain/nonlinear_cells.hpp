@@ -25,10 +25,10 @@ public:
   NonlinearCells() = default;
   /// Those of the bulk that are not constant. What they give does not depend on the number of threads.
   NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, const Threads& threads = {});
-  /// Some of them, by their places in the bulk, ascending. States are those of the whole bulk, records those
-  /// of these cells.
+  /// Some of them, by their places in the bulk, ascending. States and points of paths are those of the whole
+  /// bulk, records those of these cells.
   NonlinearCells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
-                 std::span<const std::size_t> cells);
+                 std::span<const std::size_t> cells, const Threads& threads = {});
 
   /// Tangents may be asked for from now on; `pattern`: where they are added.
   void find_places(const SparseMatrix& pattern);

@@ -40,15 +40,13 @@ double stiffness_of_waves(const Eigen::MatrixXd& waves, const Eigen::Ref<const E
 void NonlinearCells::find_rates(const mesh::Mesh& mesh, const Bulk& bulk,
                                 std::span<const double> mass_factors) {
   rates_.reserve(cells_.size());
-  for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    if (bulk.is_constant(i))
-      continue;
+  for (const auto& cell : cells_) {
     Rate rate;
-    if (group_of(cells_[rates_.size()]).kind.strain != element::StrainKind::small) {
-      const auto vibration = vibration_of(mesh, bulk, i);
-      rate.stiffness = stiffness_of_waves(group_of(cells_[rates_.size()]).waves, vibration.stiffness);
+    if (group_of(cell).kind.strain != element::StrainKind::small) {
+      const auto vibration = vibration_of(mesh, bulk, cell.place);
+      rate.stiffness = stiffness_of_waves(group_of(cell).waves, vibration.stiffness);
       if (vibration.mass.minCoeff() > 0)
-        rate.lambda = vibration.bound() / (mass_factors.empty() ? 1 : mass_factors[i]);
+        rate.lambda = vibration.bound() / (mass_factors.empty() ? 1 : mass_factors[cell.place]);
     }
     rates_.push_back(rate);
   }

@@ -54,11 +54,13 @@ const SparseMatrix& NonlinearDomain::initial_tangent() const {
   return *initial_;
 }
 
-double NonlinearDomain::largest_eigenvalue(const VectorXd& inverse_mass) const {
+double NonlinearDomain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up) const {
   return linalg::largest_eigenvalue(
       [&](const VectorXd& x, VectorXd& y) {
         constant_.multiply(x, y);
         cells_->add_initial_product(x, y);
+        if (add_up)
+          add_up(y);
       },
       inverse_mass);
 }

@@ -49,7 +49,7 @@ public:
   PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
     return cells_->plastic_step(old, now);
   }
-  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass) const;
+  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up) const;
   bool has_finite_strain() const { return cells_->has_finite_strain(); }
   bool has_own_scheme() const { return cells_->has_own_scheme(); }
   double hourglass_energy(const Eigen::VectorXd& u) const { return cells_->hourglass_energy(u); }

@@ -33,6 +33,8 @@ void dgetrs_(const char* transposed, const int* size, const int* right_sides, co
 void dgecon_(const char* norm, const int* size, const double* factors, const int* stride,
              const double* matrix_norm, double* reciprocal_condition, double* work, int* integer_work,
              int* info);
+void dpotrf_(const char* triangle, const int* size, double* matrix, const int* stride, int* info);
+void dpotri_(const char* triangle, const int* size, double* matrix, const int* stride, int* info);
 void dposv_(const char* triangle, const int* size, const int* right_sides, double* matrix, const int* stride,
             double* values, const int* values_stride, int* info);
 }

@@ -41,6 +41,23 @@ Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd 
   return right_side;
 }
 
+std::optional<Eigen::MatrixXd> inverse_of_positive_definite(Eigen::MatrixXd matrix) {
+  const auto size = static_cast<int>(matrix.rows());
+  if (matrix.cols() != size)
+    throw std::invalid_argument("the inverse of a matrix that is not square");
+  if (size == 0)
+    return matrix;
+  use_one_blas_thread_by_default();
+  int info = 0;
+  dpotrf_("U", &size, matrix.data(), &size, &info);
+  if (info == 0)
+    dpotri_("U", &size, matrix.data(), &size, &info);
+  if (info != 0)
+    return std::nullopt;
+  matrix.triangularView<Eigen::StrictlyLower>() = matrix.transpose();
+  return matrix;
+}
+
 Eigen::VectorXd solve_among(std::span<const Eigen::Index> unknowns, const Eigen::MatrixXd& matrix,
                             const Eigen::VectorXd& values) {
   Eigen::MatrixXd among = matrix(unknowns, unknowns);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace rubato::linalg {
 /// x of A x = b; only the lower triangle of A is read. Full of NaN when A is not positive definite. Throws
 /// std::invalid_argument when sizes do not match.
 Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd right_side);
+
+/// A⁻¹, both triangles; only the upper triangle of A is read. Nothing when A is not positive definite.
+std::optional<Eigen::MatrixXd> inverse_of_positive_definite(Eigen::MatrixXd matrix);
 
 /// x of A x + b = 0 for the rows and columns of `unknowns`, in their order; else the same.
 Eigen::VectorXd solve_among(std::span<const Eigen::Index> unknowns, const Eigen::MatrixXd& matrix,

@@ -188,19 +188,13 @@ IterativeSolver::IterativeSolver(const SparseMatrix& matrix, std::span<const int
   number_surface(surface, body_of);
 }
 
-/// Body after body, each in the order that was given.
 void IterativeSolver::number_surface(std::span<const int> surface, const std::vector<int>& body_of) {
-  body_starts_.push_back(0);
-  std::vector<std::vector<int>> of_body(bodies_.size());
-  for (const int unknown : surface)
-    of_body[static_cast<std::size_t>(body_of[static_cast<std::size_t>(unknown)])].push_back(unknown);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    for (const int unknown : of_body[b]) {
-      surface_.push_back(unknown);
-      bodies_[b].surface.push_back(place_[static_cast<std::size_t>(unknown)]);
-    }
-    body_starts_.push_back(static_cast<int>(surface_.size()));
-  }
+  auto found = surface_of_bodies(surface, body_of, static_cast<int>(bodies_.size()));
+  surface_ = std::move(found.unknowns);
+  body_starts_ = std::move(found.starts);
+  for (const int unknown : surface_)
+    bodies_[static_cast<std::size_t>(body_of[static_cast<std::size_t>(unknown)])].surface.push_back(
+        place_[static_cast<std::size_t>(unknown)]);
 }
 
 std::unique_ptr<IterativeSolver> IterativeSolver::of(const SparseMatrix& matrix, std::span<const int> surface,
@@ -211,7 +205,7 @@ std::unique_ptr<IterativeSolver> IterativeSolver::of(const SparseMatrix& matrix,
     throw std::invalid_argument("IterativeSolver::of wants a square matrix.");
   if (static_cast<Index>(unknowns.dofs.size()) != matrix.cols() || unknowns.rigid.rows() != matrix.cols())
     throw std::invalid_argument("IterativeSolver::of wants a dof and rigid motions of every unknown.");
-  make_conjugate_gradients(); // refuses before anything takes memory
+  make_conjugate_gradients(settings.of_all_ranks); // refuses before anything takes memory
   tell(iterative_bytes(matrix));
   std::unique_ptr<IterativeSolver> solver(
       new IterativeSolver(matrix, surface, std::move(unknowns), settings)); // its constructor is private
@@ -251,7 +245,7 @@ bool IterativeSolver::set_up(const SparseMatrix& matrix, std::size_t b) {
       return false;
   } else {
     if (!body.iteration)
-      body.iteration = make_conjugate_gradients();
+      body.iteration = make_conjugate_gradients(settings_.of_all_ranks);
     body.iteration->set(rows);
     VectorXd unused(body.size());
     const auto outcome = body.iteration->solve(any_right_side(body.size()), unused, first_tolerance,

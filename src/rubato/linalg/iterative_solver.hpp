@@ -29,6 +29,8 @@ struct IterativeSettings {
   int most_iterations = 500;
   /// Bodies of up to so many unknowns have a factor of their own: that is less work.
   Eigen::Index largest_factored = 600;
+  /// Whether all ranks work on the others, each with its part of the rows; they make the same calls then.
+  bool of_all_ranks = false;
 };
 
 /// Each body is solved for itself. Unknowns of a node stand together, and those that a node lacks, as where a

@@ -26,4 +26,16 @@ std::vector<int> bodies_of(const SparseMatrix& matrix, int& count) {
   return body;
 }
 
+SurfaceOfBodies surface_of_bodies(std::span<const int> surface, const std::vector<int>& body_of, int bodies) {
+  std::vector<std::vector<int>> of_body(static_cast<std::size_t>(bodies));
+  for (const int unknown : surface)
+    of_body[static_cast<std::size_t>(body_of[static_cast<std::size_t>(unknown)])].push_back(unknown);
+  SurfaceOfBodies found;
+  for (const auto& unknowns : of_body) {
+    found.unknowns.insert(found.unknowns.end(), unknowns.begin(), unknowns.end());
+    found.starts.push_back(static_cast<int>(found.unknowns.size()));
+  }
+  return found;
+}
+
 } // namespace rubato::linalg

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -86,6 +87,13 @@ public:
   double left = 0; ///< of the right side's norm
   double allowed = 0;
 };
+
+/// Surface unknowns body after body, each in the order that was given.
+struct SurfaceOfBodies {
+  std::vector<int> unknowns;
+  std::vector<int> starts = {0}; ///< where one body's end and the next one's begin
+};
+SurfaceOfBodies surface_of_bodies(std::span<const int> surface, const std::vector<int>& body_of, int bodies);
 
 /// Of every unknown the number of its body: unknowns belong together when the matrix couples them.
 std::vector<int> bodies_of(const SparseMatrix& matrix, int& count);

@@ -12,6 +12,7 @@
 #include "rubato/mesh/refine.hpp"
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/explicit_parts.hpp"
 #include "rubato/model/contact_mass.hpp"
 #include "rubato/model/formulation_notes.hpp"
 #include "rubato/model/gauges.hpp"
@@ -31,6 +32,7 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <tuple>
 
 namespace rubato::model {
 namespace {
@@ -81,11 +83,8 @@ void add_springs(const Model& model, SparseMatrix& stiffness) {
 /// The stiffness of nonlinear bodies is not assembled.
 domain::Domain make_explicit_domain(const Model& model, std::span<const double> mass_factors) {
   const auto& bulk = model.bulk;
-  std::vector<mesh::CellIndex> constant_cells;
-  for (std::size_t i = 0; i < bulk.cells.size(); ++i)
-    if (bulk.is_constant(i))
-      constant_cells.push_back(bulk.cells[i]);
-  const domain::BlockPattern pattern(model.mesh, constant_cells, model.dofs, model.threads);
+  const auto own = own_cells(model);
+  const domain::BlockPattern pattern(model.mesh, own.constant, model.dofs, model.threads);
   auto constant = domain::assemble_constant_stiffness(model.mesh, bulk, pattern);
   VectorXd springs = VectorXd::Zero(constant.rows());
   for (const auto& spring : model.springs)
@@ -93,7 +92,8 @@ domain::Domain make_explicit_domain(const Model& model, std::span<const double> 
   if (!model.springs.empty())
     linalg::add_scaled(1, diagonal_matrix(springs), constant);
   add_connectors(model, constant);
-  const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, bulk, model.dofs, model.threads);
+  const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, bulk, model.dofs, own.nonlinear,
+                                                              model.threads);
   cells->find_rates(model.mesh, bulk, mass_factors);
   return {domain::NonlinearDomain(std::move(constant), std::nullopt, cells, model.dofs.components, model.heat,
                                   law_springs(model), model.threads),
@@ -102,7 +102,7 @@ domain::Domain make_explicit_domain(const Model& model, std::span<const double> 
 
 void add_to_damping(const VectorXd& diagonal, Model& model) {
   if (model.damping.nonZeros() > 0)
-    model.damping.diagonal() += diagonal;
+    linalg::add_scaled(1, diagonal_matrix(diagonal), model.damping);
   else
     take(model.damping, diagonal_matrix(diagonal));
 }
@@ -188,8 +188,9 @@ void assemble_explicit(Model& model) {
   const bool linear = domain::is_linear(bulk);
   const bool by_stiffness = Rayleigh::any(rayleigh.stiffness);
   std::optional<domain::BlockPattern> pattern;
+  model.parts = explicit_parts(model);
   if (linear || by_stiffness)
-    pattern.emplace(model.mesh, bulk.cells, model.dofs, model.threads);
+    pattern.emplace(model.mesh, own_cells(model).all, model.dofs, model.threads);
   const auto scaling = model.study.time.mass_scaling ? scaled_masses(model) : MassScaling{};
   model.domain = linear ? make_domain(model, *pattern) : make_explicit_domain(model, scaling.factors);
   model.lumped_mass = domain::lumped_mass(model.mesh, bulk, model.dofs);
@@ -201,7 +202,8 @@ void assemble_explicit(Model& model) {
   if (by_stiffness)
     take(model.damping, domain::assemble_stiffness(model.mesh, bulk, *pattern, rayleigh.stiffness));
   if (Rayleigh::any(rayleigh.mass))
-    add_to_damping(domain::lumped_mass(model.mesh, bulk, model.dofs, rayleigh.mass), model);
+    add_to_damping(
+        counted_once(model, domain::lumped_mass(model.mesh, bulk, model.dofs, rayleigh.mass)), model);
 }
 
 void assemble_matrices(Model& model) {
@@ -365,8 +367,8 @@ Model lay_out(const study::Study& study, mesh::Mesh mesh) {
   return model;
 }
 
-Model assembled(Model model, const Threads& threads) {
-  model.threads = threads;
+Model assembled(Model model, const Workers& workers) {
+  std::tie(model.threads, model.ranks) = std::tie(workers.threads, workers.ranks);
   assemble_matrices(model);
   move_ground(model);
   add_base_inertia(model);
@@ -405,16 +407,12 @@ std::vector<std::vector<Fault>> faults_of(std::span<const study::Study> studies)
   return faults;
 }
 
-Model build_model(const study::Study& study, const Threads& threads) {
-  return build_model(study, load_mesh(study.mesh), threads);
-}
-
-Model build_model(const study::Study& study, mesh::Mesh mesh, const Threads& threads) {
-  return assembled(lay_out(study, std::move(mesh)), threads);
+Model build_model(const study::Study& study, mesh::Mesh mesh, const Workers& workers) {
+  return assembled(lay_out(study, std::move(mesh)), workers);
 }
 
 Model build_stage(const Model& first, double release, const VectorXd& shortening) {
-  return assembled(lay_out(first.study, first.mesh, first.preloads, {release, shortening}), first.threads);
+  return assembled(lay_out(first.study, first.mesh, first.preloads, {release, shortening}), first.workers());
 }
 
 namespace {

@@ -5,7 +5,7 @@
 #include "rubato/constraint/reduction.hpp"
 #include "rubato/contact/shared_nodes.hpp"
 #include "rubato/contact/zone.hpp"
-#include "rubato/core/threads.hpp"
+#include "rubato/core/ranks.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/domain/cut.hpp"
 #include "rubato/domain/dof_map.hpp"
@@ -28,6 +28,10 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace rubato::domain {
+class RankParts;
+} // namespace rubato::domain
 
 namespace rubato::model {
 
@@ -99,6 +103,11 @@ struct ProbedCells {
 struct Model {
   study::Study study;
   Threads threads; ///< that the run may use
+  Ranks ranks;     ///< that work on it
+  Workers workers() const { return {threads, ranks}; }
+  /// Which cells this rank evaluates in explicit steps, whose matrices and domain have no others; null where
+  /// each rank has all of them.
+  std::shared_ptr<const domain::RankParts> parts;
   mesh::Mesh mesh;
   domain::Bulk bulk; ///< the cells that deform and their materials
   domain::DofMap dofs;
@@ -148,10 +157,7 @@ struct Model {
 
 /// Builds the discrete problem. Throws InputError with every rule that the study breaks, else with every
 /// fault that shows against the mesh; faults have the path of the value in the study.
-Model build_model(const study::Study& study, const Threads& threads = {});
-
-/// The same on a mesh that is already there.
-Model build_model(const study::Study& study, mesh::Mesh mesh, const Threads& threads = {});
+Model build_model(const study::Study& study, mesh::Mesh mesh, const Workers& workers = {});
 
 /// The discrete problem from one of the releases on: the supports that end by then are gone, preloads that
 /// are locked by then have their shortening. Its dofs and contact points are those of `first`, the model at
@@ -172,6 +178,11 @@ std::vector<std::vector<Fault>> faults_of(std::span<const study::Study> studies)
 /// The mesh a study names or describes: read or generated, mended, converted and refined. Throws InputError;
 /// what is wrong with a mesh file is told at the path that names it.
 mesh::Mesh load_mesh(const study::MeshSource& source);
+
+/// build_model on that mesh.
+inline Model build_model(const study::Study& study, const Workers& workers = {}) {
+  return build_model(study, load_mesh(study.mesh), workers);
+}
 
 /// Of loads that do not depend on displacements [force], one a dof. `load_factor`: multiplies those without
 /// a function of time where the study follows a path (study::ArcLength), and 1 elsewhere.

@@ -270,6 +270,7 @@ private:
                       {"setup_seconds", ending.setup_seconds},
                       {"loop_seconds", ending.loop_seconds},
                       {"elapsed_seconds", ending.elapsed_seconds},
+                      {"ranks", model_.ranks.count()},
                       {"threads", model_.threads.count()},
                       {"nodes", model_.mesh.node_count()},
                       {"unknowns", model_.reduction.unknown_count()},

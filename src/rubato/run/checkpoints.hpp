@@ -22,7 +22,7 @@ struct RunContext {
   std::uint32_t mesh = 0;                  ///< fingerprint
   std::uint32_t start = 0;                 ///< fingerprint of the other run's end it starts from, or 0
   std::optional<results::Checkpoint> from; ///< where it goes on, when it is resumed
-  results::FolderClaim claim;              ///< of the folder
+  std::optional<results::FolderClaim> claim; ///< of the folder, by the first rank
 };
 
 /// The checkpoint in the run's folder; nothing when there is none. Throws InputError, with the reason, when

@@ -34,7 +34,7 @@ using simulation::Verdict;
 
 /// Makes the folder of a run that begins anew, and says where former results in it go.
 void take_folder(RunContext& course, const std::string& run, const Watch& watch) {
-  course.claim.make();
+  course.claim.value().make();
   if (results::holds_run(course.folder))
     watch.say(fmt::format("{}: the former results in {} move into {}", run, course.folder.string(),
                           (course.folder / results::former_folder).string()));
@@ -85,7 +85,7 @@ public:
     watch_.room(0);
     loop_start_ = processor_seconds();
     while (!simulation_.finished() && result_.status == Status::complete) {
-      if (watch_.stop())
+      if (is_to_stop())
         interrupt();
       else
         try_step();
@@ -103,6 +103,8 @@ public:
 
 private:
   const std::string& name() const { return model_.study.name; }
+  const Ranks& ranks() const { return model_.ranks; }
+  bool is_to_stop() const { return ranks().of_first(watch_.stop()); }
 
   /// Warnings are recorded, too.
   Watch with_records(const Watch& watch) {
@@ -118,6 +120,17 @@ private:
   }
 
   void start_recording() {
+    ranks().first_does([this] { make_recorder(); });
+    simulation_.observe({.accepted = [this](const AcceptedStep& step) { record(step); },
+                         .rejected = [this](const RejectedStep& step) { record(step); },
+                         .take_back =
+                             [this](const step::State&) {
+                               if (recorder_)
+                                 recorder_->take_back();
+                             }});
+  }
+
+  void make_recorder() {
     if (course_.from)
       recorder_.emplace(model_, course_.folder, course_.from->recorder);
     else {
@@ -136,14 +149,13 @@ private:
       recorder_->start(simulation_.state());
       recorder_->energy(simulation_.state().t, simulation_.energy());
     }
-    simulation_.observe({.accepted = [this](const AcceptedStep& step) { record(step); },
-                         .rejected = [this](const RejectedStep& step) { record(step); },
-                         .take_back = [this](const step::State&) { recorder_->take_back(); }});
   }
 
   void record(const AcceptedStep& step) {
-    recorder_->step(step.before, step.now, step.attempt, step.report, step.last);
-    recorder_->energy(step.now.t, step.energy);
+    ranks().first_does([&] {
+      recorder_->step(step.before, step.now, step.attempt, step.report, step.last);
+      recorder_->energy(step.now.t, step.energy);
+    });
     overlaps_.note(step.before, step.now);
     recall_.note(step.before, step.now);
     turns_.note(step.now);
@@ -153,19 +165,25 @@ private:
   void record(const RejectedStep& step) {
     if (step.final && keeper_.keeps_failure())
       result_.kept = keep_checkpoint();
-    recorder_->failed(step.attempt, step.report);
+    ranks().first_does([&] { recorder_->failed(step.attempt, step.report); });
     if (step.final)
       failure_ = failure_of(model_, step);
   }
 
   double loop_seconds() const { return former_loop_seconds_ + processor_seconds() - loop_start_; }
 
+  /// All ranks have a part of the memento.
   bool keep_checkpoint() {
+    auto memento = simulation_.memento();
+    return ranks().of_first(ranks().is_first() && write_checkpoint(std::move(memento)));
+  }
+
+  bool write_checkpoint(simulation::Memento memento) {
     return keeper_.keep([&] {
       results::Checkpoint checkpoint;
       checkpoint.setup_seconds = result_.setup_seconds;
       checkpoint.loop_seconds = loop_seconds();
-      checkpoint.memento = simulation_.memento();
+      checkpoint.memento = std::move(memento);
       checkpoint.record = energy_.record();
       checkpoint.recorder = recorder_->position();
       return checkpoint;
@@ -236,7 +254,7 @@ private:
     progress.residual = moment.progress.residual;
     progress.within = true;
     watch_.within(progress);
-    return !watch_.stop();
+    return !is_to_stop();
   }
 
   void try_step() {
@@ -338,10 +356,12 @@ private:
     result_.elapsed_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - asked_.clock).count();
     try {
-      result_.checks = recorder_->finish({result_.status, result_.message, result_.setup_seconds,
-                                          result_.loop_seconds, result_.elapsed_seconds, result_.steps,
-                                          result_.iterations, result_.cuts, failure_},
-                                         simulation_.state());
+      ranks().first_does([&] {
+        result_.checks = recorder_->finish({result_.status, result_.message, result_.setup_seconds,
+                                            result_.loop_seconds, result_.elapsed_seconds, result_.steps,
+                                            result_.iterations, result_.cuts, failure_},
+                                           simulation_.state());
+      });
     } catch (const WriteError&) {
       if (!broken_off_)
         throw;
@@ -355,7 +375,8 @@ private:
   Watch watch_;
   std::size_t factor_bytes_ = 0; ///< what the factor of the matrix needs; 0: nothing was factored
   simulation::Simulation simulation_;
-  std::optional<results::Recorder> recorder_; // once nothing can be refused any more: that leaves no folder
+  /// Of the first rank, once nothing can be refused any more: that leaves no folder.
+  std::optional<results::Recorder> recorder_;
   CheckpointWriter keeper_;
   EnergyWatch energy_;
   OverlapWatch overlaps_;
@@ -394,12 +415,13 @@ namespace {
 
 RunResult run_on(mesh::Mesh mesh, const Asked& asked, const study::Study& study,
                  const std::filesystem::path& folder, const Watch& watch, const step::State* previous,
-                 Begin begin, const Threads& threads) {
+                 Begin begin, const Workers& workers) {
   RunContext course{folder,
                     results::fingerprint(mesh),
                     previous != nullptr ? results::fingerprint(*previous) : 0,
                     {},
-                    results::FolderClaim(folder)};
+                    {}};
+  workers.ranks.first_does([&] { course.claim.emplace(folder); });
   if (begin == Begin::unless_done)
     if (auto finished = unchanged_run(study, course)) {
       watch.say(
@@ -416,7 +438,8 @@ RunResult run_on(mesh::Mesh mesh, const Asked& asked, const study::Study& study,
                           : fmt::format("{}: no checkpoint in {}, starts at its beginning", study.name,
                                         folder.string()));
   }
-  const auto model = model::build_model(study, std::move(mesh), threads);
+  workers.ranks.meet(); // the folder may change
+  const auto model = model::build_model(study, std::move(mesh), workers);
   tell_model(model, watch);
   return Run(model, course, watch, previous, asked).go();
 }
@@ -424,14 +447,14 @@ RunResult run_on(mesh::Mesh mesh, const Asked& asked, const study::Study& study,
 } // namespace
 
 RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
-                    const step::State* previous, Begin begin, const Threads& threads) {
+                    const step::State* previous, Begin begin, const Workers& workers) {
   const Asked now;
-  return run_on(model::load_mesh(study.mesh), now, study, folder, watch, previous, begin, threads);
+  return run_on(model::load_mesh(study.mesh), now, study, folder, watch, previous, begin, workers);
 }
 
 RunResult run_study(const study::Study& study, mesh::Mesh mesh, const std::filesystem::path& folder,
-                    const Watch& watch, const step::State* previous, Begin begin, const Threads& threads) {
-  return run_on(std::move(mesh), {}, study, folder, watch, previous, begin, threads);
+                    const Watch& watch, const step::State* previous, Begin begin, const Workers& workers) {
+  return run_on(std::move(mesh), {}, study, folder, watch, previous, begin, workers);
 }
 
 } // namespace rubato::run

@@ -2,7 +2,7 @@
 /// The whole story of a run: build the model, step through time, record, check.
 #pragma once
 
-#include "rubato/core/threads.hpp"
+#include "rubato/core/ranks.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/checks.hpp"
@@ -83,14 +83,15 @@ enum class Begin { anew, resumed, unless_done };
 /// Runs one study into a folder of its own. `previous`: the end of the run it starts from, when it does.
 /// Throws InputError, before the folder is made or touched, for a study that cannot be run, for an end that
 /// does not fit it, and for a checkpoint it cannot go on from; StoppedWhileWaiting, when the watch does
-/// before the first step. A run that came to its end is not run again when it is resumed, nor `unless_done`
+/// before the first step. Several ranks call this alike: the first one writes the folder and asks whether to
+/// stop, and it alone has results of checks; others read a folder that it goes on from, too. A run that came to its end is not run again when it is resumed, nor `unless_done`
 /// when deck, mesh and the end it starts from are those it had.
 RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous = nullptr, Begin begin = Begin::anew,
-                    const Threads& threads = {});
+                    const Workers& workers = {});
 /// The same on a mesh that is already there. A run is resumed on an equal one.
 RunResult run_study(const study::Study& study, mesh::Mesh mesh, const std::filesystem::path& folder,
                     const Watch& watch, const step::State* previous = nullptr, Begin begin = Begin::anew,
-                    const Threads& threads = {});
+                    const Workers& workers = {});
 
 } // namespace rubato::run

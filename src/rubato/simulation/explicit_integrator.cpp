@@ -18,7 +18,7 @@ namespace {
 
 /// Quotients this little above a whole number are that number but for rounding.
 constexpr double rounding = 1e-9;
-/// Counting points in contact copies the state.
+/// Counting points in contact copies the state of zones.
 constexpr std::chrono::seconds between_counts(1);
 
 int whole(double quotient) {
@@ -132,7 +132,7 @@ bool ExplicitIntegrator::goes_on_from_here(const Attempt& attempt, const GoesOn&
   const auto now = std::chrono::steady_clock::now();
   if (now - counted_ >= between_counts) {
     counted_ = now;
-    points_in_contact_ = step::points_in_contact(motion_.state());
+    points_in_contact_ = motion_.points_in_contact();
   }
   return goes_on({attempt, {.contact_points = points_in_contact_}});
 }
@@ -158,14 +158,16 @@ void ExplicitIntegrator::take_stage_of(const ExplicitProgress& progress) {
 }
 
 ExplicitProgress ExplicitIntegrator::progress() const {
-  return before_ ? *before_ : ExplicitProgress{motion_.memory(), limit_, energy_};
+  auto progress = before_ ? *before_ : ExplicitProgress{motion_.memory(), limit_, energy_};
+  progress.motion = motion_.whole(std::move(progress.motion));
+  return progress;
 }
 
 void ExplicitIntegrator::restore(const Memento& memento) {
   const auto& progress = std::get<ExplicitProgress>(memento.progress);
   auto state = memento.state;
   take_stage_of(progress);
-  motion_.restore(progress.motion);
+  motion_.restore_whole(progress.motion);
   state_.replace(std::move(state));
   limit_ = progress.limit;
   energy_ = progress.energy ? *progress.energy : motion_.energy();

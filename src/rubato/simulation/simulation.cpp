@@ -154,7 +154,7 @@ private:
 };
 
 Simulation::Simulation(const study::Study& study, const Start& start)
-    : Simulation(model::build_model(study, start.threads), start) {}
+    : Simulation(model::build_model(study, start.workers), start) {}
 Simulation::Simulation(const model::Model& model, const Start& start)
     : impl_(std::make_unique<Impl>(model, start)) {}
 Simulation::Simulation(model::Model&& model, const Start& start)

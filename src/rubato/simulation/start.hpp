@@ -2,7 +2,7 @@
 /// Where a simulation begins.
 #pragma once
 
-#include "rubato/core/threads.hpp"
+#include "rubato/core/ranks.hpp"
 #include "rubato/simulation/memento.hpp"
 #include "rubato/step/state.hpp"
 
@@ -21,7 +21,7 @@ struct Start {
   /// the simulation is built.
   std::function<void(std::size_t)> tell_memory = [](std::size_t) {};
   /// Of a model that is built from a study; others have theirs.
-  Threads threads = {};
+  Workers workers = {};
 };
 
 } // namespace rubato::simulation

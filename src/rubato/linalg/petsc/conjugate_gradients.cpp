@@ -5,6 +5,7 @@
 #include "rubato/linalg/petsc/session.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <petscksp.h>
 #include <utility>
@@ -69,6 +70,7 @@ public:
   void set(const MatrixByRows& matrix) override {
     const std::lock_guard lock(in_use());
     solver_.fresh();
+    deal_out(matrix);
     create(matrix);
     fill(matrix);
     put_motions(matrix);
@@ -78,8 +80,8 @@ public:
   Outcome solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance,
                 int most_iterations) override {
     const std::lock_guard lock(in_use());
-    check(VecPlaceArray(b_.get(), b.data()));
-    check(VecPlaceArray(x_.get(), x.data()));
+    check(VecPlaceArray(b_.get(), b.data() + starts_[rank_]));
+    check(VecPlaceArray(x_.get(), x.data() + starts_[rank_]));
     PetscReal size = 0;
     const auto unmeasured = VecNorm(b_.get(), NORM_2, &size);
     check(KSPSetTolerances(solver_.get(), tolerance, std::numeric_limits<PetscReal>::min(), PETSC_DEFAULT,
@@ -89,18 +91,58 @@ public:
     check(VecResetArray(x_.get()));
     check(unmeasured);
     check(failed);
+    share(x);
     return outcome(size);
   }
 
 private:
+  void deal_out(const MatrixByRows& matrix) {
+    int ranks = 1, own = 0;
+    MPI_Comm_size(communicator_, &ranks);
+    MPI_Comm_rank(communicator_, &own);
+    rank_ = static_cast<std::size_t>(own);
+    const std::int64_t nodes = matrix.size / matrix.block;
+    starts_.clear();
+    for (int rank = 0; rank <= ranks; ++rank)
+      starts_.push_back(static_cast<int>(nodes * rank / ranks) * matrix.block);
+    counts_.resize(static_cast<std::size_t>(ranks));
+    for (std::size_t rank = 0; rank < counts_.size(); ++rank)
+      counts_[rank] = starts_[rank + 1] - starts_[rank];
+  }
+
+  /// Every rank gets the rows of all.
+  void share(Eigen::VectorXd& x) const {
+    if (counts_.size() > 1)
+      MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, x.data(), counts_.data(), starts_.data(), MPI_DOUBLE,
+                     communicator_);
+  }
+
   void create(const MatrixByRows& matrix) {
     check(MatCreate(communicator_, matrix_.fresh()));
-    check(MatSetSizes(matrix_.get(), matrix.size, matrix.size, PETSC_DETERMINE, PETSC_DETERMINE));
+    check(MatSetSizes(matrix_.get(), counts_[rank_], counts_[rank_], matrix.size, matrix.size));
     check(MatSetBlockSize(matrix_.get(), matrix.block));
     check(MatSetType(matrix_.get(), MATAIJ));
-    check(MatSeqAIJSetPreallocation(matrix_.get(), 0, matrix.entries_of_row.data()));
+    make_room(matrix);
     check(MatSetOption(matrix_.get(), MAT_SPD, PETSC_TRUE));
     check(MatCreateVecs(matrix_.get(), x_.fresh(), b_.fresh()));
+  }
+
+  /// Entries in columns of this rank, and in others, are counted apart.
+  void make_room(const MatrixByRows& matrix) {
+    check(MatSeqAIJSetPreallocation(matrix_.get(), 0, matrix.entries_of_row.data()));
+    if (counts_.size() == 1)
+      return;
+    std::vector<PetscInt> own, others;
+    std::vector<int> columns;
+    std::vector<double> values;
+    for (int row = starts_[rank_]; row < starts_[rank_ + 1]; ++row) {
+      matrix.row(row, columns, values);
+      own.push_back(static_cast<PetscInt>(std::ranges::count_if(columns, [&](int column) {
+        return column >= starts_[rank_] && column < starts_[rank_ + 1];
+      })));
+      others.push_back(static_cast<PetscInt>(columns.size()) - own.back());
+    }
+    check(MatMPIAIJSetPreallocation(matrix_.get(), 0, own.data(), 0, others.data()));
   }
 
   void fill(const MatrixByRows& matrix) {
@@ -124,7 +166,8 @@ private:
       check(VecDuplicate(x_.get(), motions[k].fresh()));
       PetscScalar* values = nullptr;
       check(VecGetArray(motions[k].get(), &values));
-      std::ranges::copy(matrix.near_null.col(static_cast<Eigen::Index>(k)), values);
+      std::copy_n(matrix.near_null.col(static_cast<Eigen::Index>(k)).data() + starts_[rank_], counts_[rank_],
+                  values);
       check(VecRestoreArray(motions[k].get(), &values));
       of_petsc.push_back(motions[k].get());
     }
@@ -157,6 +200,9 @@ private:
   }
 
   MPI_Comm communicator_;
+  std::size_t rank_ = 0;
+  std::vector<int> starts_; ///< the first row of each rank, and how many there are
+  std::vector<int> counts_; ///< rows of each
   Matrix matrix_;
   Motions motions_;
   Vector x_, b_; ///< without values of their own while nothing is solved
@@ -167,7 +213,8 @@ private:
 } // namespace rubato::linalg::petsc
 
 extern "C" __attribute__((visibility("default"))) void
-rubato_make_conjugate_gradients_1(std::unique_ptr<rubato::linalg::ConjugateGradients>& made) {
+rubato_make_conjugate_gradients_2(std::unique_ptr<rubato::linalg::ConjugateGradients>& made,
+                                  bool of_all_ranks) {
   rubato::linalg::petsc::start();
-  made = std::make_unique<rubato::linalg::petsc::Rows>(PETSC_COMM_SELF);
+  made = std::make_unique<rubato::linalg::petsc::Rows>(of_all_ranks ? PETSC_COMM_WORLD : PETSC_COMM_SELF);
 }

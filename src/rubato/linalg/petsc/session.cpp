@@ -9,9 +9,12 @@
 namespace rubato::linalg::petsc {
 namespace {
 
-/// A process that no mpiexec started is alone: Open MPI would start a daemon for others to join it.
+/// A process that no mpiexec started is alone: Open MPI would start a daemon for others to join it. One that
+/// mpiexec started would not find the others with this setting.
 void stay_alone() {
   constexpr int keep_what_is_there = 0;
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_RANK") != nullptr)
+    return;
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_what_is_there);
 }
 

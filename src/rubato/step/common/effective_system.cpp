@@ -6,6 +6,7 @@
 #include "rubato/core/tolerances.hpp"
 #include "rubato/linalg/iterative_solver.hpp"
 #include "rubato/linalg/memory.hpp"
+#include "rubato/linalg/ranked_factor.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/step/common/rigid_unknowns.hpp"
 #include "rubato/step/common/spatial_order.hpp"
@@ -41,6 +42,8 @@ std::vector<int> ordered_surface(const Model& model) {
 
 std::unique_ptr<linalg::SurfaceSolver> factored(const Model& model, const SparseMatrix& matrix,
                                                 const std::function<void(std::size_t)>& take) {
+  if (!model.ranks.is_alone())
+    return linalg::RankedFactor::of(matrix, surface_unknowns(model), model.ranks, model.threads, take);
   auto factor = linalg::SplitFactor::of(matrix, ordered_surface(model), no_limit, take,
                                         Compliance::usual_largest_whole, model.threads);
   return factor ? std::make_unique<linalg::SplitFactor>(std::move(*factor)) : nullptr;
@@ -61,7 +64,10 @@ std::unique_ptr<linalg::SurfaceSolver> iterative(const Model& model, const Spars
                                                  const std::function<void(std::size_t)>& take) {
   must_be_held(model);
   try {
-    return linalg::IterativeSolver::of(matrix, surface_unknowns(model), nodal_unknowns(model), take);
+    const auto ranks = static_cast<std::size_t>(model.ranks.count());
+    return linalg::IterativeSolver::of(
+        matrix, surface_unknowns(model), nodal_unknowns(model), [&](std::size_t all) { take(all / ranks); },
+        {.of_all_ranks = ranks > 1});
   } catch (const linalg::NotSolved& error) {
     throw InputError({fault_at(
         "solver", fmt::format("found iterative, but {}; expected auto or condensed", error.what()))});
@@ -71,9 +77,13 @@ std::unique_ptr<linalg::SurfaceSolver> iterative(const Model& model, const Spars
 /// Null where the matrix is not positive definite.
 std::unique_ptr<linalg::SurfaceSolver> solver_of(const Model& model, const SparseMatrix& matrix,
                                                  const std::function<void(std::size_t)>& tell_memory) {
-  const auto take = [&](std::size_t needed) {
-    tell_memory(needed); // and waits for it beside other runs
-    if (const auto left = linalg::available_memory(); needed > left)
+  const auto take = [&](std::size_t own) {
+    const double of_all = model.ranks.sum(static_cast<double>(own));
+    tell_memory(static_cast<std::size_t>(of_all)); // and waits for it beside other runs
+    const auto needed =
+        static_cast<std::size_t>(of_all * model.ranks.count_here() / model.ranks.count()); // on this machine
+    const auto left = linalg::available_memory();
+    if (!model.ranks.all(needed <= left))
       throw linalg::TooLargeForMemory(needed, left);
   };
   const bool iterates = model.study.solver == study::Solver::iterative;

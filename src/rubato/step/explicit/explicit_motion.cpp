@@ -4,11 +4,14 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/function.hpp"
 #include "rubato/linalg/lanczos.hpp"
+#include "rubato/model/explicit_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rubato::step {
@@ -85,7 +88,8 @@ double Spectrum::stable_step() const {
 
 ExplicitMotion::ExplicitMotion(const Model& model)
     : model_(&model), reduction_(std::make_shared<const constraint::Reduction>(model.reduction)),
-      inverse_mass_(inverse_masses(model, model.reduction)), surface_(surface_dofs(model)),
+      inverse_mass_(inverse_masses(model, model.reduction)), counted_mass_(counted_once(model.lumped_mass)),
+      surface_(surface_dofs(model)),
       t_(model.study.time.begin), u_(model.initial.displacement), v_(model.initial.velocity),
       bulk_points_(model.domain.initial_states()), unbalance_(VectorXd::Zero(inverse_mass_.size())),
       contact_force_(unbalance_) {
@@ -107,8 +111,10 @@ ExplicitMotion::ExplicitMotion(const Model& model)
   deform();
   const double back_stress = path_.taken.back_stress;
   require_forces(model, find_forces());
-  energy_ = {.back_stress = back_stress, .impact = energy().contact};
-  energy_.start = energy().stored();
+  const double contact = energy().contact;
+  energy_ = {.back_stress = back_stress, .impact = counts() ? contact : 0};
+  const double start = energy().stored();
+  energy_.start = counts() ? start : 0;
   if (model.domain.has_finite_strain())
     survey_.interval = 1;
 }
@@ -124,7 +130,8 @@ Spectrum ExplicitMotion::spectrum() const {
 void ExplicitMotion::survey() {
   if (!model_->domain.has_finite_strain() || (survey_.growth > 0 && survey_.made == 0))
     return;
-  const double growth = model_->domain.growth(u_, bulk_points_, path_, spectrum_.stiffness, t_);
+  const double growth =
+      model_->ranks.largest(model_->domain.growth(u_, bulk_points_, path_, spectrum_.stiffness, t_));
   const bool follows = survey_.growth > 0 && growth > 0;
   const double a_step = follows ? std::log(growth / survey_.growth) / survey_.made : 0;
   const int most = std::min(2 * survey_.interval, most_between_surveys);
@@ -132,10 +139,60 @@ void ExplicitMotion::survey() {
   survey_ = {growth, std::max(1, static_cast<int>(std::min<double>(wanted, most))), 0};
 }
 
+/// Before this rank forgets the masses that it does not know the motion of.
 void ExplicitMotion::find_spectrum() {
-  spectrum_.stiffness = model_->domain.largest_eigenvalue(inverse_mass_);
+  domain::AddUp add_up;
+  if (model_->parts)
+    add_up = [&](VectorXd& sum) {
+      model_->parts->add_up(sum);
+      model_->parts->make_whole(sum);
+    };
+  spectrum_.stiffness = model_->domain.largest_eigenvalue(inverse_mass_, add_up);
   if (damping_)
-    spectrum_.damping = linalg::largest_eigenvalue(*damping_, inverse_mass_);
+    spectrum_.damping = linalg::largest_eigenvalue(
+        [&](const VectorXd& x, VectorXd& y) {
+          damping_->multiply(x, y);
+          if (add_up)
+            add_up(y);
+        },
+        inverse_mass_);
+  if (model_->parts)
+    for (Index dof = 0; dof < inverse_mass_.size(); ++dof)
+      if (!model_->parts->knows(static_cast<int>(dof)))
+        inverse_mass_[dof] = 0;
+}
+
+/// What is summed over ranks.
+VectorXd ExplicitMotion::counted_once(VectorXd values) const {
+  return model::counted_once(*model_, std::move(values));
+}
+
+bool ExplicitMotion::owns(int dof) const {
+  return !model_->parts || model_->parts->owns(dof);
+}
+
+/// Whether what all ranks compute alike counts here.
+bool ExplicitMotion::counts() const {
+  return !model_->parts || model_->ranks.is_first();
+}
+
+/// The first failure by cells, of any rank.
+domain::Failed ExplicitMotion::agreed(const domain::Failed& failed) const {
+  if (!model_->parts)
+    return failed;
+  const auto none = std::numeric_limits<double>::infinity();
+  std::array<double, 3> own{none, 0, 0};
+  if (failed)
+    own = {static_cast<double>(failed->cell), static_cast<double>(failed->reason),
+           static_cast<double>(failed->point)};
+  const double first = -model_->ranks.largest(-own[0]);
+  if (first == none)
+    return {};
+  if (first != own[0])
+    own = {};
+  model_->ranks.sum(own);
+  return domain::CellFailure{static_cast<element::Failure>(static_cast<int>(own[1])),
+                             static_cast<mesh::CellIndex>(first), static_cast<int>(own[2])};
 }
 
 void ExplicitMotion::collect_supports() {
@@ -168,10 +225,19 @@ void ExplicitMotion::collect_loads() {
       if (force.pattern[dof] != 0) {
         load.dofs.push_back(static_cast<int>(dof));
         load.values.push_back(force.pattern[dof]);
-        load.displacement += force.pattern[dof] * u_[dof];
       }
+    load.displacement = held_by(load);
     loads_.push_back(std::move(load));
   }
+}
+
+/// values · u, as far as this rank counts it.
+double ExplicitMotion::held_by(const Load& load) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < load.dofs.size(); ++i)
+    if (owns(load.dofs[i]))
+      sum += load.values[i] * u_[load.dofs[i]];
+  return sum;
 }
 
 domain::Failed ExplicitMotion::advance(double end, int steps) {
@@ -187,8 +253,7 @@ domain::Failed ExplicitMotion::advance(double end, int steps) {
 
 /// No entry of K is larger than λ_K m.
 double ExplicitMotion::rounding_since(const VectorXd& before) const {
-  const auto& mass = model_->lumped_mass;
-  return spectrum_.stiffness * rounding_of_work(mass, before, u_);
+  return spectrum_.stiffness * rounding_of_work(counted_mass_, before, u_);
 }
 
 /// The velocity half a step before t moves with the length of the step. So does the kinetic energy there,
@@ -237,7 +302,8 @@ domain::Failed ExplicitMotion::step(double end) {
     energy_.external_work += h_ / 2 * (follower_power + follower_force_.dot(v_));
   for (auto& support : supports_) {
     const double reaction = reaction_of(support);
-    energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.prescribed->dof];
+    if (owns(support.prescribed->dof))
+      energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.prescribed->dof];
     support.reaction = reaction;
   }
   return {};
@@ -246,7 +312,7 @@ domain::Failed ExplicitMotion::step(double end) {
 /// The bodies come to the initial displacements from their undeformed shape at once.
 void ExplicitMotion::deform() {
   const auto failed =
-      model_->domain.evaluate({u_, u_, t_, t_}, bulk_points_, bulk_points_next_, {.path = &path_});
+      agreed(model_->domain.evaluate({u_, u_, t_, t_}, bulk_points_, bulk_points_next_, {.path = &path_}));
   require_forces(*model_, failed);
   std::swap(bulk_points_, bulk_points_next_);
 }
@@ -255,14 +321,15 @@ void ExplicitMotion::deform() {
 domain::Failed ExplicitMotion::find_forces() {
   const auto failed = model_->domain.evaluate({u_, u_, t_ - h_, t_}, bulk_points_, bulk_points_next_,
                                               {.forces = &unbalance_, .path = &path_});
-  if (failed)
+  if (failed && !model_->parts)
     return failed;
   std::swap(bulk_points_, bulk_points_next_);
   if (damping_) {
-    damping_->multiply(v_, damping_force_);
-    domain::add_beyond_matrix(model_->dampers, v_, damping_force_);
+    find_damping();
     unbalance_ += damping_force_;
   }
+  if (model_->parts && model_->parts->add_up(unbalance_, failed.has_value()) > 0)
+    return agreed(failed);
   for (const int dof : surface_)
     contact_force_[dof] = 0;
   const contact::Configuration configuration{&model_->mesh, &model_->dofs, &u_, &u_, t_, t_ - h_};
@@ -279,6 +346,12 @@ domain::Failed ExplicitMotion::find_forces() {
   return {};
 }
 
+/// Of several ranks their sum is meant.
+void ExplicitMotion::find_damping() {
+  damping_->multiply(v_, damping_force_);
+  domain::add_beyond_matrix(model_->dampers, v_, damping_force_);
+}
+
 /// What pressures that follow their faces push with where the bodies are.
 void ExplicitMotion::find_followers() {
   follower_force_.setZero();
@@ -288,11 +361,9 @@ void ExplicitMotion::find_followers() {
 /// Adds a load to the residual force, and its work since the last instant.
 void ExplicitMotion::apply(Load& load) {
   const double factor = factor_at(*load.function, t_);
-  double displacement = 0;
-  for (std::size_t i = 0; i < load.dofs.size(); ++i) {
+  for (std::size_t i = 0; i < load.dofs.size(); ++i)
     unbalance_[load.dofs[i]] -= factor * load.values[i];
-    displacement += load.values[i] * u_[load.dofs[i]];
-  }
+  const double displacement = held_by(load);
   energy_.external_work += (load.factor + factor) / 2 * (displacement - load.displacement);
   load.factor = factor;
   load.displacement = displacement;
@@ -311,6 +382,8 @@ void ExplicitMotion::enter_heat(double from, double to) {
 
 /// What half of the contact forces of now do between two instants, on the bodies and by obstacles that move.
 void ExplicitMotion::enter_contact(double from, double to) {
+  if (!counts())
+    return;
   double power = 0;
   for (const int dof : surface_)
     power += contact_force_[dof] * v_[dof];
@@ -352,17 +425,18 @@ EnergyLedger ExplicitMotion::energy() const {
   ledger.strain = strain_energy() - ledger.hourglass;
   if (const auto* heat = model_->domain.heat())
     ledger.held_heat = heat->held_energy(t_);
-  for (const auto& zone : contact_) {
-    ledger.contact += zone.stored();
-    ledger.friction += zone.dissipated();
-  }
+  for (const auto& zone : contact_)
+    if (counts()) {
+      ledger.contact += zone.stored();
+      ledger.friction += zone.dissipated();
+    }
   ledger.impact -= ledger.contact + ledger.friction;
-  return ledger;
+  return summed(ledger);
 }
 
 double ExplicitMotion::kinetic_energy() const {
   const VectorXd after = v_ + h_ * acceleration();
-  return energy_.kinetic + 0.5 * v_.dot(model_->lumped_mass.cwiseProduct(after));
+  return energy_.kinetic + 0.5 * v_.dot(counted_mass_.cwiseProduct(after));
 }
 
 /// Of the present states, which have no records: that of nonlinear cells is the path's, hourglasses with it.
@@ -374,63 +448,6 @@ double ExplicitMotion::strain_energy() const {
   domain::QuadratureStates unchanged;
   domain.evaluate({u_, u_, t_, t_}, bulk_points_, unchanged, {.forces = &internal});
   return domain.energy(u_, internal, t_, bulk_points_);
-}
-
-ExplicitMotion::Memory ExplicitMotion::memory() const {
-  Memory memory{t_, h_, steps_, u_, v_,      unbalance_,   contact_force_, damping_force_,
-                {}, {}, {},     {}, energy_, bulk_points_, path_,          survey_};
-  for (const auto& load : loads_) {
-    memory.load_factors.push_back(load.factor);
-    memory.load_displacements.push_back(load.displacement);
-  }
-  for (const auto& support : supports_)
-    memory.reactions.push_back(support.reaction);
-  for (const auto& zone : contact_)
-    memory.zones.push_back(zone.memory());
-  return memory;
-}
-
-void ExplicitMotion::restore(const Memory& memory) {
-  t_ = memory.t;
-  h_ = memory.step;
-  steps_ = memory.steps;
-  u_ = memory.u;
-  v_ = memory.v;
-  unbalance_ = memory.residual_force;
-  contact_force_ = memory.contact_force;
-  damping_force_ = memory.damping_force;
-  energy_ = memory.energy;
-  if (const auto* heat = model_->domain.heat())
-    heat_force_ = heat->force(t_);
-  if (has_followers())
-    find_followers();
-  bulk_points_ = memory.bulk_points;
-  path_ = memory.path;
-  survey_ = memory.survey;
-  for (std::size_t i = 0; i < loads_.size(); ++i) {
-    loads_[i].factor = memory.load_factors.at(i);
-    loads_[i].displacement = memory.load_displacements.at(i);
-  }
-  for (std::size_t i = 0; i < supports_.size(); ++i)
-    supports_[i].reaction = memory.reactions.at(i);
-  for (std::size_t z = 0; z < contact_.size(); ++z)
-    contact_[z].restore(memory.zones.at(z), {&model_->mesh, &model_->dofs, &u_, &u_, t_, t_});
-}
-
-State ExplicitMotion::state() const {
-  State state;
-  state.t = t_;
-  const VectorXd a = acceleration();
-  state.motion = {u_, v_ + h_ / 2 * a, a};
-  state.bulk_points = bulk_points_;
-  state.residual_force = unbalance_;
-  if (damping_)
-    state.residual_force -= damping_force_;
-  state.contact_force = contact_force_;
-  state.reaction = reduction_->reaction(unbalance_ + model_->lumped_mass.cwiseProduct(a));
-  for (const auto& zone : contact_)
-    state.zones.push_back(zone.state());
-  return state;
 }
 
 } // namespace rubato::step

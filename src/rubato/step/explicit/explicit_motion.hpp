@@ -22,6 +22,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -49,7 +51,8 @@ public:
   double t() const { return t_; }
   std::int64_t steps() const { return steps_; }
   /// Whether its displacements are all numbers.
-  bool is_finite() const { return u_.allFinite(); }
+  bool is_finite() const { return model_->ranks.all(u_.allFinite()); }
+  int points_in_contact() const;
   Spectrum spectrum() const;
 
   /// Looks at what the largest eigenvalues depend on; true to the present instant until the next steps.
@@ -94,6 +97,11 @@ public:
   };
   Memory memory() const;
   void restore(const Memory& memory);
+  /// Of one that is dealt out to ranks (Model::parts), what is right on all of them and on any number of ranks.
+  /// Others are whole.
+  Memory whole(Memory memory) const;
+  /// Takes what `whole` gave, or gave another number of ranks.
+  void restore_whole(const Memory& memory);
 
   /// The present instant as implicit runs keep it, v = (v_{n−1/2} + v_{n+1/2})/2.
   State state() const;
@@ -113,6 +121,11 @@ private:
     double reaction = 0;
   };
 
+  Eigen::VectorXd counted_once(Eigen::VectorXd values) const;
+  bool owns(int dof) const;
+  bool counts() const;
+  domain::Failed agreed(const domain::Failed& failed) const;
+  double held_by(const Load& load) const;
   void collect_loads();
   void collect_supports();
   void find_spectrum();
@@ -123,8 +136,19 @@ private:
   domain::Failed find_forces();
   double kinetic_energy() const;
   double strain_energy() const;
+  /// Of numbers alone, over all ranks.
+  template <class Numbers> Numbers summed(const Numbers& own) const {
+    if (!model_->parts)
+      return own;
+    auto parts = std::bit_cast<std::array<double, sizeof(Numbers) / sizeof(double)>>(own);
+    model_->ranks.sum(parts);
+    return std::bit_cast<Numbers>(parts);
+  }
+  Eigen::VectorXd whole_sum(Eigen::VectorXd sum) const;
+  void make_whole(domain::QuadratureStates& states) const;
   void apply(Load& load);
   bool has_followers() const { return follower_force_.size() > 0; }
+  void find_damping();
   void find_followers();
   void enter_heat(double from, double to);
   void enter_contact(double from, double to);
@@ -136,7 +160,8 @@ private:
   const model::Model* model_;
   std::shared_ptr<const constraint::Reduction> reduction_; ///< that of the model, until supports end
   std::optional<linalg::SymmetricBlockMatrix> damping_;
-  Eigen::VectorXd inverse_mass_; ///< 0 where held
+  Eigen::VectorXd inverse_mass_; ///< 0 where held, and where this rank does not know the motion
+  Eigen::VectorXd counted_mass_; ///< 0 where another rank counts it
   std::vector<Load> loads_;
   std::vector<MovingSupport> supports_;
   std::vector<contact::ExplicitPenalty> contact_;
@@ -158,7 +183,8 @@ private:
   Eigen::VectorXd heat_force_;     ///< at t; empty without temperatures
   Eigen::VectorXd follower_force_; ///< at t; empty without pressures that follow their faces
   /// Works and dissipations so far, the start, and the constant of kinetic energy; `impact` is all that
-  /// contact took, stored and rubbed energy with it.
+  /// contact took, stored and rubbed energy with it. Of several ranks their sum is meant; what all compute is
+  /// with the first.
   EnergyLedger energy_;
 };
 
