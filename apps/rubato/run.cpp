@@ -103,72 +103,96 @@ int threads_of_each(const RunArguments& arguments, int at_once) {
   return arguments.threads > 0 ? arguments.threads : std::max(1, physical_cores() / at_once);
 }
 
-int check_models(const deck::Deck& deck) {
+void check_models(const deck::Deck& deck) {
   if (deck.runs.size() > 1)
     deck::throw_if_any(model::faults_of(deck.runs), deck.places);
-  return done;
 }
 
 /// Keeps this program without threads, and what models take out of it.
 int check_models_apart(const deck::Deck& deck) {
-  const auto end = in_a_process([&] { return check_models(deck); });
+  const auto end = in_a_process([&] {
+    check_models(deck);
+    return static_cast<int>(done);
+  });
   if (end.signal != 0)
     throw std::runtime_error(
         fmt::format("the process that looked for faults in the models was ended by signal {}", end.signal));
   return end.code;
 }
 
-} // namespace
-
-namespace {
-
 /// Several ranks work on one run at a time, and each reads the deck.
 void require_what_ranks_can(const RunArguments& arguments) {
   const int ranks = linalg::started_ranks();
   if (ranks > 1 && arguments.jobs > 1)
-    throw InputError(fmt::format("found --jobs {} with {} ranks, expected one of both: ranks work together on "
-                                 "one run at a time",
-                                 arguments.jobs, ranks));
+    throw InputError(
+        fmt::format("found --jobs {} with {} ranks, expected one of both: ranks work together on "
+                    "one run at a time",
+                    arguments.jobs, ranks));
   if (ranks > 1 && is_standard_input(arguments.deck))
     throw InputError(fmt::format("found a deck on standard input with {} ranks, expected the name of a file: "
                                  "each of them reads it",
                                  ranks));
 }
 
-/// Of the ranks that `mpiexec` started.
-int run_with_all_ranks(const deck::Deck& deck, const RunArguments& arguments, RunSettings settings,
-                       const std::stop_token& stop) {
-  settings.ranks = linalg::join_ranks();
-  settings.threads = threads_of_each(arguments, settings.ranks.count_here());
-  return together(settings.ranks, [&] { return Series(deck, settings, stop).run(); });
+deck::Deck deck_of(const RunArguments& arguments) {
+  return read_deck(arguments.deck, arguments.settings, arguments.only);
+}
+
+/// Refuses checks against runs that are not there, and tells what there is to note.
+void prepare(const deck::Deck& deck, const RunArguments& arguments) {
+  require_compared_runs(deck, output_of(arguments));
+  if (!arguments.quiet)
+    for (const auto& note : deck.notes)
+      fmt::print(stderr, "{}\n", note);
+}
+
+RunSettings settings_of(const RunArguments& arguments, int at_once) {
+  return {output_of(arguments),
+          arguments.resume ? run::Begin::resumed : run::Begin::anew,
+          arguments.only,
+          arguments.quiet,
+          threads_of_each(arguments, at_once),
+          {}};
+}
+
+/// With the others that `mpiexec` started.
+int run_as_rank(const RunArguments& arguments, const std::stop_token& stop) {
+  const auto ranks = linalg::join_ranks();
+  return together(ranks, [&] {
+    const auto deck = deck_of(arguments);
+    check_models(deck);
+    prepare(deck, arguments);
+    if (arguments.dry)
+      return ranks.is_first() ? show_plans(deck, output_of(arguments), arguments.resume) : done;
+    auto settings = settings_of(arguments, ranks.count_here());
+    settings.ranks = ranks;
+    return Series(deck, settings, stop).run();
+  });
+}
+
+int run_several_at_once(const deck::Deck& deck, const RunArguments& arguments) {
+  if (const int code = check_models_apart(deck); code != done)
+    return code;
+  prepare(deck, arguments);
+  const auto at_once = std::min(arguments.jobs, static_cast<int>(deck.runs.size()));
+  return run_side_by_side(deck, settings_of(arguments, at_once), arguments.jobs);
 }
 
 } // namespace
 
 int run(const RunArguments& arguments) {
   require_what_ranks_can(arguments);
-  const auto deck = read_deck(arguments.deck, arguments.settings, arguments.only);
-  const bool at_once = several_at_once(deck, arguments);
-  if (const int code = at_once ? check_models_apart(deck) : check_models(deck); code != done)
-    return code;
-  const auto output = output_of(arguments);
-  require_compared_runs(deck, output);
-  if (!arguments.quiet)
-    for (const auto& note : deck.notes)
-      fmt::print(stderr, "{}\n", note);
+  if (linalg::started_ranks() > 1)
+    return run_interruptibly([&](const std::stop_token& stop) { return run_as_rank(arguments, stop); });
+  const auto deck = deck_of(arguments);
+  if (several_at_once(deck, arguments))
+    return run_several_at_once(deck, arguments);
+  check_models(deck);
+  prepare(deck, arguments);
   if (arguments.dry)
-    return show_plans(deck, output, arguments.resume);
-  const auto runs_at_once = std::min(arguments.jobs, static_cast<int>(deck.runs.size()));
-  const RunSettings settings{output, arguments.resume ? run::Begin::resumed : run::Begin::anew,
-                             arguments.only, arguments.quiet,
-                             threads_of_each(arguments, at_once ? runs_at_once : 1),
-                             {}};
-  if (at_once)
-    return run_side_by_side(deck, settings, arguments.jobs);
-  return run_interruptibly([&](const std::stop_token& stop) {
-    return linalg::started_ranks() > 1 ? run_with_all_ranks(deck, arguments, settings, stop)
-                                       : Series(deck, settings, stop).run();
-  });
+    return show_plans(deck, output_of(arguments), arguments.resume);
+  const auto settings = settings_of(arguments, 1);
+  return run_interruptibly([&](const std::stop_token& stop) { return Series(deck, settings, stop).run(); });
 }
 
 } // namespace rubato::app

@@ -28,7 +28,7 @@ public:
   virtual int index() const = 0;
   virtual int count() const = 0;
   virtual int count_here() const = 0;           ///< of those on this machine
-  virtual std::uint64_t bytes_sent() const = 0; ///< by this rank, so far, as counted by copies to one other rank
+  virtual std::uint64_t bytes_sent() const = 0; ///< by this rank, so far: what goes to all counts once
   /// What the first rank has goes to all.
   virtual void broadcast(std::span<std::byte> data) = 0;
   /// `all`: what each rank gives as `own`, one after the other.

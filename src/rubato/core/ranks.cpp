@@ -114,6 +114,10 @@ double Ranks::largest(double own) const {
   return own;
 }
 
+double Ranks::bytes_sent() const {
+  return channel_ ? sum(static_cast<double>(channel_->bytes_sent())) : 0;
+}
+
 void Ranks::first_does(const std::function<void()>& work) const {
   if (!channel_)
     return work();

@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace rubato {
 
@@ -42,6 +43,9 @@ public:
   double largest(double own) const;
   /// Goes on once all are here.
   void meet() const { all(true); }
+
+  /// By all ranks together to one another, so far (Channel::bytes_sent); what solvers send is not in it.
+  double bytes_sent() const;
 
   /// The first rank does it and the others wait. What it throws is thrown by all: InputError, WriteError and
   /// std::bad_alloc as such, else std::runtime_error.

@@ -55,8 +55,8 @@ struct Wanted {
   LawPath* path = nullptr;
 };
 
-/// Makes of what the cells of each rank add to a vector the whole one, on all ranks; none where this one has all
-/// cells.
+/// Makes of what the cells of each rank add to a vector the whole one, on all ranks; none where this one has
+/// all cells.
 using AddUp = std::function<void(Eigen::VectorXd&)>;
 
 /// A cell that has no forces at the end of a step: then nothing that was written has a meaning, and forces

@@ -45,8 +45,8 @@ void NonlinearCells::deal_out(const mesh::Mesh& mesh, const Threads& threads) {
 
 namespace {
 
-/// Whether a path has its points. What a law without memory takes is stored. Growth of stiffness needs stresses
-/// of logarithmic strain.
+/// Whether a path has its points. What a law without memory takes is stored. Growth of stiffness needs
+/// stresses of logarithmic strain.
 bool is_followed(const Behaviour& behaviour) {
   return (has_linear_stress(behaviour.law) && (material::state_size(behaviour.law) > 0 ||
                                                behaviour.strain == element::StrainKind::logarithmic)) ||
@@ -89,11 +89,11 @@ int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) 
   auto undeformed = kind;
   undeformed.strain = element::StrainKind::small;
   undeformed.hourglass.limit = 0;
-  groups_.push_back(
-      {kind, behaviour.law, cell::topology(type).node_count, element::point_count(kind),
-       static_cast<std::size_t>(remembered), is_followed(behaviour),
-       has_linear_stress(behaviour.law), behaviour.expansion.value_or(material::FullExpansion::Zero()),
-       undeformed, first_tangent(behaviour.law), cell::shortest_waves(type)});
+  groups_.push_back({kind, behaviour.law, cell::topology(type).node_count, element::point_count(kind),
+                     static_cast<std::size_t>(remembered), is_followed(behaviour),
+                     has_linear_stress(behaviour.law),
+                     behaviour.expansion.value_or(material::FullExpansion::Zero()), undeformed,
+                     first_tangent(behaviour.law), cell::shortest_waves(type)});
   law_of_group_.push_back(law);
   return static_cast<int>(groups_.size()) - 1;
 }

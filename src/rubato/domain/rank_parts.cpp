@@ -46,9 +46,9 @@ std::vector<int> by_metis(const mesh::Mesh& mesh, const Bulk& bulk, int ranks) {
   std::vector<idx_t> part_of_cell(bulk.cells.size()), part_of_node(mesh.points.size());
   std::vector<idx_t> options(METIS_NOPTIONS);
   METIS_SetDefaultOptions(options.data());
-  const int status = METIS_PartMeshDual(&cells, &all_nodes, starts.data(), nodes.data(), nullptr, nullptr,
-                                        &nodes_of_face, &parts, nullptr, options.data(), &cut,
-                                        part_of_cell.data(), part_of_node.data());
+  const int status =
+      METIS_PartMeshDual(&cells, &all_nodes, starts.data(), nodes.data(), nullptr, nullptr, &nodes_of_face,
+                         &parts, nullptr, options.data(), &cut, part_of_cell.data(), part_of_node.data());
   if (status != METIS_OK)
     return by_place(bulk.cells.size(), ranks);
   return {part_of_cell.begin(), part_of_cell.end()};

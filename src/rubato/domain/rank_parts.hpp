@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Cells dealt out to ranks, and sums of what they add to nodes.
 ///
-/// Every rank has the whole mesh and vectors with an entry for each dof, but keeps them right only at nodes that
-/// it knows: those of its cells, and some that all know, as those of contact surfaces.
+/// Every rank has the whole mesh and vectors with an entry for each dof, but keeps them right only at nodes
+/// that it knows: those of its cells, and some that all know, as those of contact surfaces.
 #pragma once
 
 #include "rubato/core/channel.hpp"
@@ -65,8 +65,8 @@ private:
   std::size_t cell_count_ = 0; ///< of the bulk
   std::vector<char> knows_;    ///< one a dof
   Eigen::VectorXd owned_;
-  std::vector<int> everywhere_; ///< dofs
-  std::vector<int> halo_;       ///< dofs that cells of other ranks have, too
+  std::vector<int> everywhere_;          ///< dofs
+  std::vector<int> halo_;                ///< dofs that cells of other ranks have, too
   std::vector<std::vector<int>> shared_; ///< dofs of each parcel, ascending
   // Room for what is sent:
   mutable std::vector<Parcel> parcels_; ///< by ascending ranks

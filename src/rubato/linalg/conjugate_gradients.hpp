@@ -54,8 +54,8 @@ public:
 using MakeConjugateGradients = void(std::unique_ptr<ConjugateGradients>& made, bool of_all_ranks);
 inline constexpr const char* make_conjugate_gradients_name = "rubato_make_conjugate_gradients_2";
 
-/// Loads the library where that has not happened yet. `of_all_ranks`: rows are dealt out to all ranks, each of
-/// which makes the same calls with the same numbers; else this process has all of them. Throws InputError
+/// Loads the library where that has not happened yet. `of_all_ranks`: rows are dealt out to all ranks, each
+/// of which makes the same calls with the same numbers; else this process has all of them. Throws InputError
 /// when the library was not built or cannot be loaded.
 std::unique_ptr<ConjugateGradients> make_conjugate_gradients(bool of_all_ranks = false);
 

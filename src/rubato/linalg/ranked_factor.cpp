@@ -71,8 +71,13 @@ RankedFactor::RankedFactor(const SparseMatrix& matrix, std::span<const int> surf
 std::unique_ptr<RankedFactor> RankedFactor::of(const SparseMatrix& matrix, std::span<const int> surface,
                                                Ranks ranks, const Threads& threads,
                                                const std::function<void(std::size_t)>& tell) {
-  if (matrix.rows() != matrix.cols() || !matrix.isCompressed())
-    throw std::invalid_argument("RankedFactor::of wants a square compressed matrix.");
+  if (matrix.rows() != matrix.cols())
+    throw std::invalid_argument("RankedFactor::of wants a square matrix.");
+  if (!matrix.isCompressed()) {
+    SparseMatrix compressed = matrix;
+    compressed.makeCompressed();
+    return of(compressed, surface, std::move(ranks), threads, tell);
+  }
   std::unique_ptr<RankedFactor> solver(
       new RankedFactor(matrix, surface, std::move(ranks), threads)); // its constructor is private
   solver->analyse(matrix, tell);
@@ -100,6 +105,11 @@ void RankedFactor::analyse(const SparseMatrix& matrix, const std::function<void(
 bool RankedFactor::refactor(const SparseMatrix& matrix) {
   if (matrix.rows() != size_ || pattern_of(matrix) != pattern_)
     throw std::invalid_argument("RankedFactor::refactor wants a matrix of the first one's pattern.");
+  if (!matrix.isCompressed()) {
+    SparseMatrix compressed = matrix;
+    compressed.makeCompressed();
+    return refactor(compressed);
+  }
   const std::span all(matrix.valuePtr(), static_cast<std::size_t>(matrix.nonZeros()));
   const auto wanted = fingerprint_of(all);
   if (has_values_ && wanted == values_)

@@ -19,17 +19,17 @@ namespace rubato::linalg {
 /// All ranks make the same calls with the same numbers and get the same answers. Of the matrix each factors
 /// its part; the compliance of the surface, one dense matrix a body, all have.
 ///
-/// "Half way" is the right side itself with what it comes to on the surface: b, then b_s − A_si A_ii⁻¹ b_i with
-/// the forces that were added there, then the number of the solve whose first half the factor remembers. The
-/// second half of another one repeats its first.
+/// "Half way" is the right side itself with what it comes to on the surface: b, then b_s − A_si A_ii⁻¹ b_i
+/// with the forces that were added there, then the number of the solve whose first half the factor remembers.
+/// The second half of another one repeats its first.
 class RankedFactor final : public SurfaceSolver {
 public:
   /// Null when the matrix is not positive definite to working precision or has a value that is not finite.
-  /// `tell` hears what this rank needs [bytes] before the first value is computed. Throws InputError where the
-  /// library is missing, std::invalid_argument when the matrix is not square.
-  static std::unique_ptr<RankedFactor> of(const SparseMatrix& matrix, std::span<const int> surface, Ranks ranks,
-                                          const Threads& threads,
-                                          const std::function<void(std::size_t)>& tell = [](std::size_t) {});
+  /// `tell` hears what this rank needs [bytes] before the first value is computed. Throws InputError where
+  /// the library is missing, std::invalid_argument when the matrix is not square.
+  static std::unique_ptr<RankedFactor> of(
+      const SparseMatrix& matrix, std::span<const int> surface, Ranks ranks, const Threads& threads,
+      const std::function<void(std::size_t)>& tell = [](std::size_t) {});
 
   bool refactor(const SparseMatrix& matrix) override;
   bool has_values() const override { return has_values_; }
@@ -76,7 +76,7 @@ private:
   std::size_t bytes_ = 0;
   double flops_ = 0;
   bool has_values_ = false;
-  mutable std::int64_t solves_ = 0;    ///< first halves so far
+  mutable std::int64_t solves_ = 0;     ///< first halves so far
   mutable std::int64_t remembered_ = 0; ///< the one whose second half can follow
 };
 

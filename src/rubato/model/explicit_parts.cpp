@@ -28,7 +28,8 @@ const char* obstacle_to_parts(const Model& model) {
   return nullptr;
 }
 
-/// All ranks compute contact.
+} // namespace
+
 std::vector<mesh::NodeIndex> contact_nodes(const Model& model) {
   std::vector<mesh::NodeIndex> nodes;
   for (const auto& zone : model.zones)
@@ -38,8 +39,6 @@ std::vector<mesh::NodeIndex> contact_nodes(const Model& model) {
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
 }
-
-} // namespace
 
 std::shared_ptr<const domain::RankParts> explicit_parts(Model& model) {
   if (model.ranks.is_alone())

@@ -17,6 +17,9 @@ namespace rubato::model {
 /// dealt out: then a note of the model says that each rank does all the work.
 std::shared_ptr<const domain::RankParts> explicit_parts(Model& model);
 
+/// Nodes that all ranks know, since each of them computes contact: those of the surfaces, ascending.
+std::vector<mesh::NodeIndex> contact_nodes(const Model& model);
+
 /// Cells that this rank assembles and evaluates: all without Model::parts.
 struct OwnCells {
   std::vector<mesh::CellIndex> all;

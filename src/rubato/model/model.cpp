@@ -12,8 +12,8 @@
 #include "rubato/mesh/refine.hpp"
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/build.hpp"
-#include "rubato/model/explicit_parts.hpp"
 #include "rubato/model/contact_mass.hpp"
+#include "rubato/model/explicit_parts.hpp"
 #include "rubato/model/formulation_notes.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/large_contact.hpp"
@@ -92,8 +92,8 @@ domain::Domain make_explicit_domain(const Model& model, std::span<const double> 
   if (!model.springs.empty())
     linalg::add_scaled(1, diagonal_matrix(springs), constant);
   add_connectors(model, constant);
-  const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, bulk, model.dofs, own.nonlinear,
-                                                              model.threads);
+  const auto cells =
+      std::make_shared<domain::NonlinearCells>(model.mesh, bulk, model.dofs, own.nonlinear, model.threads);
   cells->find_rates(model.mesh, bulk, mass_factors);
   return {domain::NonlinearDomain(std::move(constant), std::nullopt, cells, model.dofs.components, model.heat,
                                   law_springs(model), model.threads),
@@ -202,8 +202,8 @@ void assemble_explicit(Model& model) {
   if (by_stiffness)
     take(model.damping, domain::assemble_stiffness(model.mesh, bulk, *pattern, rayleigh.stiffness));
   if (Rayleigh::any(rayleigh.mass))
-    add_to_damping(
-        counted_once(model, domain::lumped_mass(model.mesh, bulk, model.dofs, rayleigh.mass)), model);
+    add_to_damping(counted_once(model, domain::lumped_mass(model.mesh, bulk, model.dofs, rayleigh.mass)),
+                   model);
 }
 
 void assemble_matrices(Model& model) {

@@ -271,6 +271,7 @@ private:
                       {"loop_seconds", ending.loop_seconds},
                       {"elapsed_seconds", ending.elapsed_seconds},
                       {"ranks", model_.ranks.count()},
+                      {"sent_bytes", static_cast<std::uint64_t>(ending.sent_bytes)},
                       {"threads", model_.threads.count()},
                       {"nodes", model_.mesh.node_count()},
                       {"unknowns", model_.reduction.unknown_count()},

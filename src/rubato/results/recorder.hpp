@@ -44,6 +44,7 @@ struct Ending {
   int iterations = 0;
   int cuts = 0;
   std::optional<Failure> failure = {};
+  double sent_bytes = 0; ///< by ranks to one another in the loop of steps, but for what solvers send
 };
 
 /// How far the files of a run have come.

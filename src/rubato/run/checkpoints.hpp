@@ -19,9 +19,9 @@ namespace rubato::run {
 /// A run and where it is kept.
 struct RunContext {
   std::filesystem::path folder;
-  std::uint32_t mesh = 0;                  ///< fingerprint
-  std::uint32_t start = 0;                 ///< fingerprint of the other run's end it starts from, or 0
-  std::optional<results::Checkpoint> from; ///< where it goes on, when it is resumed
+  std::uint32_t mesh = 0;                    ///< fingerprint
+  std::uint32_t start = 0;                   ///< fingerprint of the other run's end it starts from, or 0
+  std::optional<results::Checkpoint> from;   ///< where it goes on, when it is resumed
   std::optional<results::FolderClaim> claim; ///< of the folder, by the first rank
 };
 

@@ -84,6 +84,7 @@ public:
     result_.setup_seconds += processor_seconds() - asked_.processor;
     watch_.room(0);
     loop_start_ = processor_seconds();
+    sent_before_loop_ = ranks().bytes_sent();
     while (!simulation_.finished() && result_.status == Status::complete) {
       if (is_to_stop())
         interrupt();
@@ -355,11 +356,12 @@ private:
   void finish() {
     result_.elapsed_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - asked_.clock).count();
+    const double sent = ranks().bytes_sent() - sent_before_loop_;
     try {
       ranks().first_does([&] {
         result_.checks = recorder_->finish({result_.status, result_.message, result_.setup_seconds,
                                             result_.loop_seconds, result_.elapsed_seconds, result_.steps,
-                                            result_.iterations, result_.cuts, failure_},
+                                            result_.iterations, result_.cuts, failure_, sent},
                                            simulation_.state());
       });
     } catch (const WriteError&) {
@@ -385,6 +387,7 @@ private:
   int records_ = 0; ///< so far: steps of results
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;
+  double sent_before_loop_ = 0;
   bool broken_off_ = false;
   bool told_rounding_ = false;
   bool told_instability_ = false;
@@ -399,6 +402,9 @@ void tell_model(const model::Model& model, const Watch& watch) {
     points += zone.points.size();
   watch.say(fmt::format("{}: {} nodes, {} unknowns, {} contact points", name, model.mesh.node_count(),
                         model.reduction.unknown_count(), points));
+  if (!model.ranks.is_alone())
+    watch.say(fmt::format("{}: {} ranks of {} thread{} each", name, model.ranks.count(),
+                          model.threads.count(), model.threads.count() == 1 ? "" : "s"));
   for (const auto& choice : model::chosen_sides(model.zones))
     watch.say(fmt::format("{}: {}", name, choice));
   for (const auto& note : model.notes)
@@ -416,11 +422,8 @@ namespace {
 RunResult run_on(mesh::Mesh mesh, const Asked& asked, const study::Study& study,
                  const std::filesystem::path& folder, const Watch& watch, const step::State* previous,
                  Begin begin, const Workers& workers) {
-  RunContext course{folder,
-                    results::fingerprint(mesh),
-                    previous != nullptr ? results::fingerprint(*previous) : 0,
-                    {},
-                    {}};
+  RunContext course{
+      folder, results::fingerprint(mesh), previous != nullptr ? results::fingerprint(*previous) : 0, {}, {}};
   workers.ranks.first_does([&] { course.claim.emplace(folder); });
   if (begin == Begin::unless_done)
     if (auto finished = unchanged_run(study, course)) {

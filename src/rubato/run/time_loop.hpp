@@ -84,8 +84,9 @@ enum class Begin { anew, resumed, unless_done };
 /// Throws InputError, before the folder is made or touched, for a study that cannot be run, for an end that
 /// does not fit it, and for a checkpoint it cannot go on from; StoppedWhileWaiting, when the watch does
 /// before the first step. Several ranks call this alike: the first one writes the folder and asks whether to
-/// stop, and it alone has results of checks; others read a folder that it goes on from, too. A run that came to its end is not run again when it is resumed, nor `unless_done`
-/// when deck, mesh and the end it starts from are those it had.
+/// stop, and it alone has results of checks; others read a folder that it goes on from, too. A run that came
+/// to its end is not run again when it is resumed, nor `unless_done` when deck, mesh and the end it starts
+/// from are those it had.
 RunResult run_study(const study::Study& study, const std::filesystem::path& folder, const Watch& watch,
                     const step::State* previous = nullptr, Begin begin = Begin::anew,
                     const Workers& workers = {});

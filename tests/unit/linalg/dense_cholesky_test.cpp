@@ -37,6 +37,19 @@ TEST(DenseCholesky, KnowsIndefiniteMatrices) {
   }
 }
 
+TEST(DenseCholesky, InvertsByTheUpperTriangle) {
+  for (const Eigen::Index size : {0, 1, 7, 60}) {
+    const Eigen::MatrixXd root = random_matrix(size, size);
+    const Eigen::MatrixXd matrix = root * root.transpose() + Eigen::MatrixXd::Identity(size, size);
+    const auto inverse = inverse_of_positive_definite(matrix.triangularView<Eigen::Upper>());
+    ASSERT_TRUE(inverse);
+    EXPECT_EQ(*inverse, inverse->transpose());
+    EXPECT_TRUE((*inverse * matrix).isIdentity(1e-11)) << size;
+  }
+  EXPECT_FALSE(inverse_of_positive_definite(Eigen::Vector2d(1, -1).asDiagonal()));
+  EXPECT_THROW(inverse_of_positive_definite(Eigen::MatrixXd::Zero(2, 3)), std::invalid_argument);
+}
+
 TEST(DenseCholesky, SolvesAmongSomeUnknownsInTheirOrder) {
   const Eigen::MatrixXd matrix = Eigen::Vector4d(1, 4, 9, 16).asDiagonal();
   const Eigen::VectorXd values = Eigen::Vector4d(3, -8, 5, 32);

@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "unit/linalg/elastic_block.hpp"
+#include "unit/linalg/random_vector.hpp"
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <random>
 #include <stdexcept>
 
 namespace rubato::linalg {
@@ -19,14 +19,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::random_vector;
 
 constexpr auto plenty = std::numeric_limits<std::size_t>::max();
-
-VectorXd random_vector(Index size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(-1, 1);
-  return VectorXd::NullaryExpr(size, [&] { return value(random); });
-}
 
 /// Of a block of nx × ny × nz cubes without the nodes at x = 0.
 NodalUnknowns unknowns_of(int nx, int ny, int nz) {

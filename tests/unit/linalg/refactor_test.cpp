@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "unit/linalg/elastic_block.hpp"
+#include "unit/linalg/random_vector.hpp"
 #include <limits>
 #include <optional>
 #include <random>
@@ -21,6 +22,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::random_vector;
 
 constexpr auto plenty = std::numeric_limits<std::size_t>::max();
 constexpr auto never = [](std::size_t) {};
@@ -69,12 +71,6 @@ SparseMatrix indefinite(SparseMatrix matrix) {
   const auto last = static_cast<int>(matrix.rows()) - 1;
   matrix.coeffRef(last, last) *= -1;
   return matrix;
-}
-
-VectorXd random_vector(Index size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(-1, 1);
-  return VectorXd::NullaryExpr(size, [&] { return value(random); });
 }
 
 std::vector<int> every(int step, const SparseMatrix& matrix) {

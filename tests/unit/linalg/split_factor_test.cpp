@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "unit/linalg/elastic_block.hpp"
+#include "unit/linalg/random_vector.hpp"
 #include <limits>
-#include <random>
 #include <stdexcept>
 
 namespace rubato::linalg {
@@ -15,14 +15,9 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::random_vector;
 
 constexpr auto plenty = std::numeric_limits<std::size_t>::max();
-
-VectorXd random_vector(Eigen::Index size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(-1, 1);
-  return VectorXd::NullaryExpr(size, [&] { return value(random); });
-}
 
 /// Two elastic blocks of different size that don't touch, their unknowns interleaved one for one as far as
 /// both go.

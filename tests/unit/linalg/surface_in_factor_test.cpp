@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "unit/linalg/elastic_block.hpp"
+#include "unit/linalg/random_vector.hpp"
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -18,15 +19,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::random_vector;
 
 constexpr auto plenty = std::numeric_limits<std::size_t>::max();
 constexpr auto never = [](std::size_t) {};
-
-VectorXd random_vector(Index size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(-1, 1);
-  return VectorXd::NullaryExpr(size, [&] { return value(random); });
-}
 
 /// On springs at all nodes, a hundredth as stiff as the cells: a long strip alone is badly conditioned.
 SparseMatrix strip_and_block() {

@@ -31,7 +31,8 @@ protected:
 
   test::ScratchFolder folder_;
   study::Study study_;
-  RunContext course_{folder_.path(), 0, 0, {}, results::FolderClaim(folder_.path())};
+  RunContext course_{
+      folder_.path(), 0, 0, {}, std::optional<results::FolderClaim>(std::in_place, folder_.path())};
   Watch watch_;
   std::vector<std::string> warned_;
 };

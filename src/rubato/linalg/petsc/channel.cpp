@@ -62,8 +62,8 @@ public:
     std::vector<int> counts;
     for (std::size_t rank = 0; rank < static_cast<std::size_t>(count_); ++rank)
       counts.push_back(starts[rank + 1] - starts[rank]);
-    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), starts.data(), MPI_DOUBLE,
-                   all_);
+    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), starts.data(),
+                   MPI_DOUBLE, all_);
     sent_ += sizeof(double) * static_cast<std::size_t>(counts[static_cast<std::size_t>(index_)]);
   }
 

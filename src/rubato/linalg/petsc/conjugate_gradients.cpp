@@ -137,9 +137,8 @@ private:
     std::vector<double> values;
     for (int row = starts_[rank_]; row < starts_[rank_ + 1]; ++row) {
       matrix.row(row, columns, values);
-      own.push_back(static_cast<PetscInt>(std::ranges::count_if(columns, [&](int column) {
-        return column >= starts_[rank_] && column < starts_[rank_ + 1];
-      })));
+      own.push_back(static_cast<PetscInt>(std::ranges::count_if(
+          columns, [&](int column) { return column >= starts_[rank_] && column < starts_[rank_ + 1]; })));
       others.push_back(static_cast<PetscInt>(columns.size()) - own.back());
     }
     check(MatMPIAIJSetPreallocation(matrix_.get(), 0, own.data(), 0, others.data()));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <dmumps_c.h>
+#include <exception>
 #include <limits>
 #include <mpi.h>
 #include <new>
@@ -44,10 +45,11 @@ public:
     control(Control::entries_from) = 3;     // all ranks
     control(Control::kind_of_analysis) = 1; // by one rank, as complements want
   }
+  /// A rank that fails alone must not wait here for the others: what is held goes with the process.
   ~MumpsOfRanks() override {
     int ended = 0;
     MPI_Finalized(&ended);
-    if (ended != 0)
+    if (ended != 0 || std::uncaught_exceptions() > 0)
       return;
     problem_.job = Job::end_job;
     dmumps_c(&problem_);

@@ -65,9 +65,9 @@ std::unique_ptr<linalg::SurfaceSolver> iterative(const Model& model, const Spars
   must_be_held(model);
   try {
     const auto ranks = static_cast<std::size_t>(model.ranks.count());
-    return linalg::IterativeSolver::of(
-        matrix, surface_unknowns(model), nodal_unknowns(model), [&](std::size_t all) { take(all / ranks); },
-        {.of_all_ranks = ranks > 1});
+    return linalg::IterativeSolver::of(matrix, surface_unknowns(model), nodal_unknowns(model),
+                                       [&](std::size_t all) { take(all / ranks); },
+                                       {.of_all_ranks = ranks > 1});
   } catch (const linalg::NotSolved& error) {
     throw InputError({fault_at(
         "solver", fmt::format("found iterative, but {}; expected auto or condensed", error.what()))});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// What explicit motion shows of itself, keeps and takes back: of one that is dealt out to ranks, what all of them
-// know together.
+// What explicit motion shows of itself, keeps and takes back: of one that is dealt out to ranks, what all of
+// them know together.
 #include "rubato/domain/followed_points.hpp"
 #include "rubato/domain/quadrature_states.hpp"
 #include "rubato/model/explicit_parts.hpp"

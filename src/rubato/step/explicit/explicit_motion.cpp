@@ -89,10 +89,9 @@ double Spectrum::stable_step() const {
 ExplicitMotion::ExplicitMotion(const Model& model)
     : model_(&model), reduction_(std::make_shared<const constraint::Reduction>(model.reduction)),
       inverse_mass_(inverse_masses(model, model.reduction)), counted_mass_(counted_once(model.lumped_mass)),
-      surface_(surface_dofs(model)),
-      t_(model.study.time.begin), u_(model.initial.displacement), v_(model.initial.velocity),
-      bulk_points_(model.domain.initial_states()), unbalance_(VectorXd::Zero(inverse_mass_.size())),
-      contact_force_(unbalance_) {
+      surface_(surface_dofs(model)), t_(model.study.time.begin), u_(model.initial.displacement),
+      v_(model.initial.velocity), bulk_points_(model.domain.initial_states()),
+      unbalance_(VectorXd::Zero(inverse_mass_.size())), contact_force_(unbalance_) {
   if (model.damping.nonZeros() > 0) {
     damping_.emplace(model.damping, model.dofs.components, model.threads);
     damping_force_ = unbalance_;

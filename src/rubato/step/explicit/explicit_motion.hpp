@@ -97,8 +97,8 @@ public:
   };
   Memory memory() const;
   void restore(const Memory& memory);
-  /// Of one that is dealt out to ranks (Model::parts), what is right on all of them and on any number of ranks.
-  /// Others are whole.
+  /// Of one that is dealt out to ranks (Model::parts), what is right on all of them and on any number of
+  /// ranks. Others are whole.
   Memory whole(Memory memory) const;
   /// Takes what `whole` gave, or gave another number of ranks.
   void restore_whole(const Memory& memory);

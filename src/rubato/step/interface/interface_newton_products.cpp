@@ -35,9 +35,11 @@ InterfaceNewtonSystem::solved_by_products(const VectorXd& c, const linalg::Spars
     all << sides.force, sides.xi;
     return VectorXd(by_row.cwiseProduct(all));
   };
-  const auto solution =
-      linalg::gmres([&](const VectorXd& sides) { return weighted(applied_to(change_of(sides))); },
-                    weighted(left), solved_enough, most_gmres_products);
+  const VectorXd begun = weighted(left);
+  // What a change takes of what is left: the equations are linear in it.
+  const auto solution = linalg::gmres(
+      [&](const VectorXd& sides) { return VectorXd(begun - weighted(residual(c, change_of(sides)))); }, begun,
+      solved_enough, most_gmres_products);
   return solution ? std::optional(change_of(*solution)) : std::nullopt;
 }
 
@@ -57,23 +59,6 @@ VectorXd InterfaceNewtonSystem::equation_weights(const Change& left, double comp
   if (largest > 0)
     weights.head(forces_) /= largest;
   return weights;
-}
-
-/// The left sides of the equations.
-InterfaceNewtonSystem::Change InterfaceNewtonSystem::applied_to(const Change& change) const {
-  const VectorXd d = -force_weight_ * motion(change);
-  Change sides{VectorXd::Zero(forces_), change.xi, VectorXd()};
-  for (const auto& point : points()) {
-    auto force = sides.force.segment(point.first, point.components());
-    force = point.by_force * change.force.segment(point.first, point.components());
-    for (std::size_t q = 0; q < point.rows.active_dofs.size(); ++q)
-      force +=
-          d[point.rows.active_dofs[q]] * point.rows.left.col(static_cast<Index>(q)).head(point.components());
-    VectorXd moves = VectorXd::Zero(point.n_xi());
-    add_xi(point, d, moves.data());
-    sides.xi.segment(point.first_slope, point.n_xi()) -= moves;
-  }
-  return sides;
 }
 
 } // namespace rubato::step

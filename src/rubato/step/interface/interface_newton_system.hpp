@@ -98,7 +98,6 @@ private:
   std::optional<Change> solved_whole(const Eigen::VectorXd& c);
   std::optional<Change> solved_by_products(const Eigen::VectorXd& c,
                                            const linalg::SparseMatrix& matrix) const;
-  Change applied_to(const Change& change) const;
   Eigen::VectorXd equation_weights(const Change& left, double compliance) const;
   static void add_xi(const ActivePoint& point, const Eigen::VectorXd& d, double* xi);
   Eigen::VectorXd motion(const Change& change) const;
