@@ -26,7 +26,7 @@ std::vector<std::vector<int>> ranks_of_nodes(const mesh::Mesh& mesh, const Bulk&
   return found;
 }
 
-/// METIS leaves the whole to one part of very small meshes.
+/// METIS leaves the whole of very small meshes to one part, and divides by zero for one part alone.
 std::vector<int> by_place(std::size_t cells, int ranks) {
   std::vector<int> rank_of_cell(cells);
   for (std::size_t place = 0; place < cells; ++place)
@@ -60,9 +60,10 @@ std::vector<int> partition(const mesh::Mesh& mesh, const Bulk& bulk, const Ranks
   constexpr std::size_t fewest_a_rank = 8;
   std::vector<int> rank_of_cell(bulk.cells.size());
   if (ranks.is_first())
-    rank_of_cell = bulk.cells.size() < fewest_a_rank * static_cast<std::size_t>(ranks.count())
-                       ? by_place(bulk.cells.size(), ranks.count())
-                       : by_metis(mesh, bulk, ranks.count());
+    rank_of_cell =
+        ranks.is_alone() || bulk.cells.size() < fewest_a_rank * static_cast<std::size_t>(ranks.count())
+            ? by_place(bulk.cells.size(), ranks.count())
+            : by_metis(mesh, bulk, ranks.count());
   if (ranks.channel())
     ranks.channel()->broadcast(std::as_writable_bytes(std::span(rank_of_cell)));
   return rank_of_cell;
