@@ -50,15 +50,7 @@ def test_rank_that_fails_alone_ends_all(tmp_path):
     """The second one does not find its deck, as where a file lies on one machine only."""
     ranks = [[running.PROGRAM, "run", deck, "--only", "evol1"] for deck in (str(F), "missing.yaml")]
     began = time.monotonic()
-    ended = subprocess.run(
-        [running.MPIEXEC, "-n", "1", *ranks[0], ":", "-n", "1", *ranks[1]],
-        capture_output=True,
-        text=True,
-        check=False,
-        cwd=tmp_path,
-        env=running.environment(),
-        timeout=300,
-    )
+    ended = running.called(tmp_path, [running.MPIEXEC, "-n", "1", *ranks[0], ":", "-n", "1", *ranks[1]])
     assert time.monotonic() - began < 60
     assert ended.returncode == 2, ended.stderr
     (line,) = said_by_rubato(ended)
@@ -89,15 +81,7 @@ def test_without_its_module(tmp_path):
     copy = tmp_path / "rubato"
     copy.write_bytes(open(running.PROGRAM, "rb").read())
     copy.chmod(0o755)
-    ended = subprocess.run(
-        [running.MPIEXEC, "-n", "2", copy, "run", F, "--only", "evol1"],
-        capture_output=True,
-        text=True,
-        check=False,
-        cwd=tmp_path,
-        env=running.environment(),
-        timeout=300,
-    )
+    ended = running.called(tmp_path, [running.MPIEXEC, "-n", "2", copy, "run", F, "--only", "evol1"])
     assert ended.returncode == 2, ended.stderr
     (line,) = said_by_rubato(ended)
     assert "2 processes were started for one run, which needs PETSc" in line

@@ -23,9 +23,9 @@ def command(ranks, *arguments):
     return ([MPIEXEC, "-n", str(ranks)] if ranks > 1 else []) + [PROGRAM, *map(str, arguments)]
 
 
-def rubato(place, ranks, *arguments, **options):
+def called(place, words, **options):
     return subprocess.run(
-        command(ranks, *arguments),
+        words,
         capture_output=True,
         text=True,
         check=False,
@@ -34,6 +34,10 @@ def rubato(place, ranks, *arguments, **options):
         timeout=900,
         **options,
     )
+
+
+def rubato(place, ranks, *arguments, **options):
+    return called(place, command(ranks, *arguments), **options)
 
 
 def start(place, ranks, *arguments):
