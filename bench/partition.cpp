@@ -34,7 +34,6 @@ public:
   std::uint64_t bytes_sent() const override { return 0; }
   void broadcast(std::span<std::byte>) override {}
   void gather(std::span<const std::byte>, std::span<std::byte>) override {}
-  void share(std::span<double>, std::span<const int>) override {}
   void combine(std::span<double>) override {}
   void exchange(std::span<Parcel>) override {}
   bool all_leave(double) override { return true; }

@@ -50,15 +50,6 @@ public:
     });
     sent_ += own.size();
   }
-  void share(std::span<double> values, std::span<const int> starts) override {
-    const auto whole = std::vector<double>(values.begin(), values.end());
-    together(std::as_bytes(std::span(whole)), [&] {
-      for (std::size_t rank = 0; rank + 1 < starts.size(); ++rank)
-        for (int i = starts[rank]; i < starts[rank + 1]; ++i)
-          std::memcpy(&values[static_cast<std::size_t>(i)],
-                      hub_.given[rank].data() + sizeof(double) * static_cast<std::size_t>(i), sizeof(double));
-    });
-  }
   void combine(std::span<double> values) override {
     const auto own = std::vector<double>(values.begin(), values.end());
     together(std::as_bytes(std::span(own)), [&] {

@@ -33,8 +33,6 @@ public:
   virtual void broadcast(std::span<std::byte> data) = 0;
   /// `all`: what each rank gives as `own`, one after the other.
   virtual void gather(std::span<const std::byte> own, std::span<std::byte> all) = 0;
-  /// Each rank has the values from its start up to that of the next rank, and gets all others.
-  virtual void share(std::span<double> values, std::span<const int> starts) = 0;
   /// Numbers of which all ranks but one have zero: what that one has goes to all.
   virtual void combine(std::span<double> values) = 0;
   /// Between pairs of ranks; both have a parcel for the other, what one sends as long as the other's room.

@@ -19,7 +19,7 @@ namespace {
 /// What MPI counts in `int`s is sent in pieces of so many bytes.
 constexpr std::size_t largest_piece = std::size_t{1} << 30U;
 
-enum class Call : std::int64_t { broadcast, gather, share, combine };
+enum class Call : std::int64_t { broadcast, gather, combine };
 
 class MpiChannel final : public Channel {
 public:
@@ -55,16 +55,6 @@ public:
     const int size = static_cast<int>(own.size());
     MPI_Allgather(own.data(), size, MPI_BYTE, all.data(), size, MPI_BYTE, all_);
     sent_ += own.size();
-  }
-
-  void share(std::span<double> values, std::span<const int> starts) override {
-    meet(Call::share, values.size());
-    std::vector<int> counts;
-    for (std::size_t rank = 0; rank < static_cast<std::size_t>(count_); ++rank)
-      counts.push_back(starts[rank + 1] - starts[rank]);
-    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), starts.data(),
-                   MPI_DOUBLE, all_);
-    sent_ += sizeof(double) * static_cast<std::size_t>(counts[static_cast<std::size_t>(index_)]);
   }
 
   void combine(std::span<double> values) override {
