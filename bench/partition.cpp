@@ -8,8 +8,8 @@
 #include "rubato/core/channel.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/domain/rank_parts.hpp"
-#include "rubato/model/explicit_parts.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/own_cells.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -50,7 +50,7 @@ public:
     });
     sent_ += own.size();
   }
-  void combine(std::span<double> values) override {
+  void add_up(std::span<double> values) override {
     const auto own = std::vector<double>(values.begin(), values.end());
     together(std::as_bytes(std::span(own)), [&] {
       std::ranges::fill(values, 0.0);

@@ -33,8 +33,8 @@ public:
   virtual void broadcast(std::span<std::byte> data) = 0;
   /// `all`: what each rank gives as `own`, one after the other.
   virtual void gather(std::span<const std::byte> own, std::span<std::byte> all) = 0;
-  /// Numbers of which all ranks but one have zero: what that one has goes to all.
-  virtual void combine(std::span<double> values) = 0;
+  /// Σ of what the ranks have, with the same bits on all.
+  virtual void add_up(std::span<double> values) = 0;
   /// Between pairs of ranks; both have a parcel for the other, what one sends as long as the other's room.
   virtual void exchange(std::span<Parcel> parcels) = 0;
   /// Whether all ranks come here within so many seconds; nothing is shared any more afterwards.

@@ -51,12 +51,6 @@ void follow(Ending ending) {
   }
 }
 
-template <class Number> std::vector<Number> gathered(Channel& channel, Number own) {
-  std::vector<Number> all(static_cast<std::size_t>(channel.count()));
-  channel.gather(std::as_bytes(std::span(&own, 1)), std::as_writable_bytes(std::span(all)));
-  return all;
-}
-
 } // namespace
 
 Ranks::Ranks(std::shared_ptr<Channel> channel)
@@ -78,40 +72,28 @@ void Ranks::share_first(std::span<double> values) const {
 }
 
 bool Ranks::all(bool own) const {
-  if (!channel_)
-    return own;
-  for (const int other : gathered(*channel_, own ? 1 : 0))
-    own = own && other != 0;
-  return own;
+  return std::ranges::all_of(each(own ? 1 : 0), [](int one) { return one != 0; });
 }
 
 double Ranks::sum(double own) const {
-  if (!channel_)
-    return own;
-  double sum = 0;
-  for (const double part : gathered(*channel_, own))
-    sum += part;
-  return sum;
+  sum(std::span(&own, 1));
+  return own;
 }
 
 void Ranks::sum(std::span<double> values) const {
-  if (!channel_)
-    return;
-  std::vector<double> all(values.size() * static_cast<std::size_t>(count_));
-  channel_->gather(std::as_bytes(values), std::as_writable_bytes(std::span(all)));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = 0;
-    for (std::size_t from = i; from < all.size(); from += values.size())
-      values[i] += all[from];
-  }
+  if (channel_)
+    channel_->add_up(values);
 }
 
 double Ranks::largest(double own) const {
-  if (!channel_)
-    return own;
-  for (const double other : gathered(*channel_, own))
-    own = std::max(own, other);
-  return own;
+  return std::ranges::max(each(own));
+}
+
+void Ranks::gather(std::span<const std::byte> own, std::span<std::byte> all) const {
+  if (channel_)
+    channel_->gather(own, all);
+  else
+    std::ranges::copy(own, all.begin());
 }
 
 double Ranks::bytes_sent() const {

@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace rubato {
 
@@ -37,10 +38,19 @@ public:
   void share_first(std::span<double> values) const;
   /// Whether it is so on all ranks.
   bool all(bool own) const;
-  // Σ of the ranks, in their order, the same on all.
+  // Σ of the ranks, with the same bits on all.
   double sum(double own) const;
   void sum(std::span<double> values) const;
   double largest(double own) const;
+  // What each rank has, in their order; all of them have as many numbers.
+  template <class Number> std::vector<Number> each(Number own) const {
+    return each_of(std::span<const Number>(&own, 1));
+  }
+  template <class Number> std::vector<Number> each_of(std::span<const Number> own) const {
+    std::vector<Number> all(own.size() * static_cast<std::size_t>(count_));
+    gather(std::as_bytes(own), std::as_writable_bytes(std::span(all)));
+    return all;
+  }
   /// Goes on once all are here.
   void meet() const { all(true); }
 
@@ -55,6 +65,8 @@ public:
   const std::shared_ptr<Channel>& channel() const { return channel_; }
 
 private:
+  void gather(std::span<const std::byte> own, std::span<std::byte> all) const;
+
   std::shared_ptr<Channel> channel_;
   int index_ = 0;
   int count_ = 1;

@@ -2,6 +2,7 @@
 #include "rubato/domain/linear_domain.hpp"
 
 #include "rubato/linalg/lanczos.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -11,10 +12,10 @@ namespace rubato::domain {
 using Eigen::VectorXd;
 
 LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat,
-                           std::vector<LawSpring> springs, const Threads& threads)
-    : heat_(std::move(heat)), springs_(std::move(springs)), threads_(threads) {
+                           std::vector<LawSpring> springs, const Workers& workers)
+    : heat_(std::move(heat)), springs_(std::move(springs)), threads_(workers.threads), ranks_(workers.ranks) {
   if (stiffness.nonZeros() > 0)
-    product_.emplace(stiffness, components, threads);
+    product_.emplace(stiffness, components, threads_);
   const auto own = std::make_shared<SparseMatrix>();
   own->swap(stiffness);
   stiffness_ = own;
@@ -23,21 +24,28 @@ LinearDomain::LinearDomain(SparseMatrix&& stiffness, int components, std::shared
 Failed LinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                               const Wanted& wanted) const {
   now = old;
-  if (wanted.tangent != nullptr)
-    copy_stiffness(*wanted.tangent);
-  if (wanted.forces == nullptr)
-    return {};
-  if (step.forces0 != nullptr && !heat_ && step.u1 == step.u0) {
+  if (wanted.forces != nullptr && step.forces0 != nullptr && !heat_ && step.u1 == step.u0) {
+    evaluate_own(step, {.tangent = wanted.tangent});
     *wanted.forces = *step.forces0;
     return {};
   }
-  forces_at(step.u1, step.t1, *wanted.forces);
-  if (step.of == ForcesOf::end)
-    return {};
-  VectorXd at_start;
-  forces_at(step.u0, step.t0, at_start);
-  *wanted.forces = 0.5 * (at_start + *wanted.forces);
+  evaluate_own(step, wanted);
+  if (wanted.forces != nullptr)
+    *wanted.forces = linalg::summed(std::move(*wanted.forces), ranks_);
   return {};
+}
+
+void LinearDomain::evaluate_own(const StepSpan& step, const Wanted& wanted) const {
+  if (wanted.tangent != nullptr)
+    copy_stiffness(*wanted.tangent);
+  if (wanted.forces == nullptr)
+    return;
+  own_forces_at(step.u1, step.t1, *wanted.forces);
+  if (step.of == ForcesOf::end)
+    return;
+  VectorXd at_start;
+  own_forces_at(step.u0, step.t0, at_start);
+  *wanted.forces = 0.5 * (at_start + *wanted.forces);
 }
 
 /// The pattern is there already, but for the first time.
@@ -56,9 +64,12 @@ void LinearDomain::copy_stiffness(SparseMatrix& tangent) const {
   });
 }
 
-void LinearDomain::forces_at(const VectorXd& u, double t, VectorXd& forces) const {
+/// What all ranks know counts on the first one.
+void LinearDomain::own_forces_at(const VectorXd& u, double t, VectorXd& forces) const {
   forces.resize(u.size());
   multiply(u, forces);
+  if (!ranks_.is_first())
+    return;
   add_beyond_matrix(springs_, u, forces);
   if (heat_)
     forces -= heat_->force(t);
@@ -72,8 +83,8 @@ double LinearDomain::energy(const VectorXd& u, const VectorXd& forces, double t,
 
 VectorXd LinearDomain::constant_forces(const VectorXd& u, double t) const {
   VectorXd forces;
-  forces_at(u, t, forces);
-  return forces;
+  own_forces_at(u, t, forces);
+  return linalg::summed(std::move(forces), ranks_);
 }
 
 void LinearDomain::multiply(const VectorXd& x, VectorXd& y) const {

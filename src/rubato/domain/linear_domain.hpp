@@ -4,6 +4,7 @@
 /// lacks of them.
 #pragma once
 
+#include "rubato/core/ranks.hpp"
 #include "rubato/domain/balance.hpp"
 #include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/heat.hpp"
@@ -23,9 +24,11 @@ public:
   /// No dofs.
   LinearDomain() = default;
   /// `stiffness`: K of the cells and of all springs, symmetric, in whole blocks of `components` (2 or 3).
-  /// `heat`: null without temperatures. `springs`: those by tables, whose held slopes K has.
+  /// `heat`: null without temperatures. `springs`: those by tables, whose held slopes K has. With several
+  /// ranks in `workers` the stiffness is this one's part (linalg/ranked_matrix.hpp); forces and energies are
+  /// those of all.
   LinearDomain(SparseMatrix&& stiffness, int components, std::shared_ptr<const Heat> heat = nullptr,
-               std::vector<LawSpring> springs = {}, const Threads& threads = {});
+               std::vector<LawSpring> springs = {}, const Workers& workers = {});
 
   static constexpr bool is_linear = true;
 
@@ -41,9 +44,9 @@ public:
   const Heat* heat() const { return heat_.get(); }
   std::span<const LawSpring> law_springs() const { return springs_; }
   const SparseMatrix& initial_tangent() const { return *stiffness_; }
-  /// f_int at an instant.
-  void forces_at(const Eigen::VectorXd& u, double t, Eigen::VectorXd& forces) const;
-  /// y = K x, both with an entry a dof.
+  /// What `evaluate` gives but for forces, which are what this rank adds to those of all.
+  void evaluate_own(const StepSpan& step, const Wanted& wanted) const;
+  /// y = K x, both with an entry a dof, by this rank's part of K.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   PlasticStep plastic_step(const QuadratureStates&, const QuadratureStates&) const { return {}; }
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up) const;
@@ -55,12 +58,14 @@ public:
 
 private:
   void copy_stiffness(SparseMatrix& tangent) const;
+  void own_forces_at(const Eigen::VectorXd& u, double t, Eigen::VectorXd& forces) const;
 
   /// Shared by copies, which only read it.
   std::shared_ptr<const SparseMatrix> stiffness_ = std::make_shared<const SparseMatrix>();
   std::shared_ptr<const Heat> heat_;
   std::vector<LawSpring> springs_;
   Threads threads_;
+  Ranks ranks_;
   /// The same K: its product reads least memory. Nothing where K is 0.
   std::optional<linalg::SymmetricBlockMatrix> product_;
 };

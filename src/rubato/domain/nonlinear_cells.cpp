@@ -66,6 +66,8 @@ void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const D
                                const std::function<bool(std::size_t)>& has) {
   std::size_t state = 0;
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
+    if (!bulk.is_constant(i))
+      note(kind_of(bulk, *bulk.behaviour(i), mesh.type_of(bulk.cells[i])));
     if (has(i))
       add_cell(mesh, dofs,
                {.index = bulk.cells[i],
@@ -76,6 +78,12 @@ void NonlinearCells::add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const D
     state += state_size(mesh, bulk, i);
     followed_count_ += followed_points(bulk, i, mesh.type_of(bulk.cells[i]));
   }
+}
+
+void NonlinearCells::note(const element::CellKind& kind) {
+  const bool is_finite = kind.strain != element::StrainKind::small;
+  has_finite_strain_ = has_finite_strain_ || is_finite;
+  has_own_scheme_ = has_own_scheme_ || is_finite || kind.hourglass.limit > 0;
 }
 
 int NonlinearCells::group_of(const Bulk& bulk, std::size_t cell, CellType type) {
@@ -130,11 +138,6 @@ void NonlinearCells::find_places(const SparseMatrix& pattern) {
   }
 }
 
-bool NonlinearCells::has_own_scheme() const {
-  return has_finite_strain() ||
-         std::ranges::any_of(groups_, [](const Group& group) { return group.kind.hourglass.limit > 0; });
-}
-
 double NonlinearCells::hourglass_energy(const VectorXd& u) const {
   std::vector<double> displacement;
   double sum = 0;
@@ -148,11 +151,6 @@ double NonlinearCells::hourglass_energy(const VectorXd& u) const {
         displacement);
   }
   return sum;
-}
-
-bool NonlinearCells::has_finite_strain() const {
-  return std::ranges::any_of(
-      groups_, [](const Group& group) { return group.kind.strain != element::StrainKind::small; });
 }
 
 void NonlinearCells::gather(const Cell& cell, const VectorXd& u, std::vector<double>& values) const {

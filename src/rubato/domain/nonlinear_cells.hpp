@@ -38,9 +38,11 @@ public:
 
   bool empty() const { return cells_.empty(); }
   std::size_t record_count() const { return record_count_; }
-  bool has_finite_strain() const;
-  /// Whether the work of their forces over a step may be another than what laws and hourglasses take of it.
-  bool has_own_scheme() const;
+  /// Of any cell of the bulk.
+  bool has_finite_strain() const { return has_finite_strain_; }
+  /// Whether the work of the forces of any cell of the bulk over a step may be another than what laws and
+  /// hourglasses take of it.
+  bool has_own_scheme() const { return has_own_scheme_; }
 
   /// Adds forces and tangents at the end of the step to what is wanted, which has its size and pattern.
   /// `heat`: of the bulk; null: nothing is heated.
@@ -110,6 +112,7 @@ private:
 
   void add_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
                  const std::function<bool(std::size_t)>& has);
+  void note(const element::CellKind& kind);
   int group_of(const Bulk& bulk, std::size_t cell, CellType type);
   void add_cell(const mesh::Mesh& mesh, const DofMap& dofs, Cell cell);
   const Group& group_of(const Cell& cell) const { return groups_[static_cast<std::size_t>(cell.group)]; }
@@ -166,6 +169,8 @@ private:
   std::size_t record_count_ = 0;
   std::size_t followed_count_ = 0;
   std::size_t own_states_ = 0; ///< of these cells, in QuadratureStates::values
+  bool has_finite_strain_ = false;
+  bool has_own_scheme_ = false;
 };
 
 } // namespace rubato::domain

@@ -3,7 +3,12 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/linalg/lanczos.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
 #include <utility>
 
 namespace rubato::domain {
@@ -19,28 +24,59 @@ std::shared_ptr<const SparseMatrix> shared(std::optional<SparseMatrix>&& matrix)
   return own;
 }
 
+/// Of the cells of all ranks: the first that failed on the first rank that has one. `mode_force`: the largest
+/// one of this rank, then of all.
+Failed agreed(const Failed& own, double& mode_force, const Ranks& ranks) {
+  struct Answer {
+    double mode_force;
+    bool failed;
+    CellFailure failure;
+  };
+  const auto answers = ranks.each(Answer{mode_force, own.has_value(), own.value_or(CellFailure{})});
+  mode_force = std::ranges::max(answers, {}, &Answer::mode_force).mode_force;
+  const auto first = std::ranges::find(answers, true, &Answer::failed);
+  return first == answers.end() ? Failed() : Failed(first->failure);
+}
+
 } // namespace
 
 NonlinearDomain::NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                                  std::shared_ptr<const NonlinearCells> cells, int components,
                                  std::shared_ptr<const Heat> heat, std::vector<LawSpring> springs,
-                                 const Threads& threads)
-    : constant_(std::move(constant), components, std::move(heat), std::move(springs), threads),
-      initial_(shared(std::move(initial))), cells_(std::move(cells)) {}
+                                 const Workers& workers)
+    : constant_(std::move(constant), components, std::move(heat), std::move(springs), workers),
+      initial_(shared(std::move(initial))), cells_(std::move(cells)), ranks_(workers.ranks) {}
 
 Failed NonlinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                                  const Wanted& wanted) const {
-  QuadratureStates none;
-  constant_.evaluate({step.u0, step.u1, step.t0, step.t1, nullptr, step.of}, {}, none, wanted);
-  return cells_->add(step, old, now, wanted, heat());
+  constant_.evaluate_own(step, wanted);
+  const auto failed = agreed(cells_->add(step, old, now, wanted, heat()), now.mode_force, ranks_);
+  if (wanted.forces == nullptr)
+    return failed;
+  if (failed)
+    wanted.forces->setConstant(std::numeric_limits<double>::quiet_NaN());
+  else
+    *wanted.forces = linalg::summed(std::move(*wanted.forces), ranks_);
+  return failed;
+}
+
+Balance NonlinearDomain::balance(const QuadratureStates& old, const QuadratureStates& now) const {
+  const auto own = cells_->balance(old, now);
+  auto parts = std::bit_cast<std::array<double, sizeof(Balance) / sizeof(double)>>(own);
+  ranks_.sum(parts);
+  return std::bit_cast<Balance>(parts);
+}
+
+PlasticStep NonlinearDomain::plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
+  return std::ranges::max(ranks_.each(cells_->plastic_step(old, now)), {}, &PlasticStep::growth);
 }
 
 double NonlinearDomain::energy(const VectorXd& u, const VectorXd&, double t,
                                const QuadratureStates& states) const {
-  double energy = constant_.energy(u, constant_.constant_forces(u, t), t, {});
+  double stored = 0;
   for (const auto& record : states.records)
-    energy += record.volume * record.stored;
-  return energy;
+    stored += record.volume * record.stored;
+  return constant_.energy(u, constant_.constant_forces(u, t), t, {}) + ranks_.sum(stored);
 }
 
 VectorXd NonlinearDomain::constant_forces(const VectorXd& u, double t) const {

@@ -23,11 +23,12 @@ class NonlinearDomain {
 public:
   /// `constant`: K of the cells that are constant and of springs. `initial`: the same with the tangents of
   /// the other cells where nothing has happened yet; nothing where nobody asks for it. Both have the pattern
-  /// that `cells` have places in.
+  /// that `cells` have places in. With several ranks in `workers` they are this one's parts, and `cells` its
+  /// own.
   NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                   std::shared_ptr<const NonlinearCells> cells, int components,
                   std::shared_ptr<const Heat> heat = nullptr, std::vector<LawSpring> springs = {},
-                  const Threads& threads = {});
+                  const Workers& workers = {});
 
   static constexpr bool is_linear = false;
 
@@ -36,23 +37,19 @@ public:
   double energy(const Eigen::VectorXd& u, const Eigen::VectorXd& forces, double t,
                 const QuadratureStates& states) const;
   Eigen::VectorXd constant_forces(const Eigen::VectorXd& u, double t) const;
-  Balance balance(const QuadratureStates& old, const QuadratureStates& now) const {
-    return cells_->balance(old, now);
-  }
+  Balance balance(const QuadratureStates& old, const QuadratureStates& now) const;
   double back_stress_energy(const QuadratureStates& states) const {
-    return cells_->back_stress_energy(states);
+    return ranks_.sum(cells_->back_stress_energy(states));
   }
   const Heat* heat() const { return constant_.heat(); }
   std::span<const LawSpring> law_springs() const { return constant_.law_springs(); }
   /// Throws InputError where there is none.
   const SparseMatrix& initial_tangent() const;
-  PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const {
-    return cells_->plastic_step(old, now);
-  }
+  PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up) const;
   bool has_finite_strain() const { return cells_->has_finite_strain(); }
   bool has_own_scheme() const { return cells_->has_own_scheme(); }
-  double hourglass_energy(const Eigen::VectorXd& u) const { return cells_->hourglass_energy(u); }
+  double hourglass_energy(const Eigen::VectorXd& u) const { return ranks_.sum(cells_->hourglass_energy(u)); }
   double growth(const Eigen::VectorXd& u, const QuadratureStates& states, const LawPath& path, double rate,
                 double t) const {
     return cells_->growth(u, states, path, rate, heat(), t);
@@ -63,6 +60,7 @@ private:
   /// Shared by copies, which only read them.
   std::shared_ptr<const SparseMatrix> initial_; ///< null where nobody asks for it
   std::shared_ptr<const NonlinearCells> cells_;
+  Ranks ranks_;
 };
 
 } // namespace rubato::domain

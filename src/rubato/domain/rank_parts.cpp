@@ -144,7 +144,7 @@ int RankParts::add_up(VectorXd& sum, bool raised) const {
   for (std::size_t i = 0; i < everywhere_.size(); ++i)
     of_all_[i] = owned_[everywhere_[i]] != 0 ? sum[everywhere_[i]] : 0;
   of_all_.back() = raised ? 1 : 0;
-  ranks_.channel()->combine(of_all_);
+  ranks_.sum(of_all_);
   for (std::size_t i = 0; i < everywhere_.size(); ++i)
     sum[everywhere_[i]] = of_all_[i];
   return static_cast<int>(of_all_.back());
@@ -154,12 +154,7 @@ void RankParts::make_whole(VectorXd& values) const {
   for (Eigen::Index dof = 0; dof < values.size(); ++dof)
     if (owned_[dof] == 0)
       values[dof] = 0;
-  combine({values.data(), static_cast<std::size_t>(values.size())});
-}
-
-void RankParts::combine(std::span<double> values) const {
-  if (ranks_.channel())
-    ranks_.channel()->combine(values);
+  ranks_.sum({values.data(), static_cast<std::size_t>(values.size())});
 }
 
 std::size_t RankParts::halo_size() const {

@@ -46,7 +46,7 @@ public:
   /// The same of what the cells of the bulk have: `size_of(place)` numbers each, one after the other.
   template <class SizeOf> void make_whole(std::span<double> values, const SizeOf& size_of) const {
     clear_others(values, size_of);
-    combine(values);
+    ranks_.sum(values);
   }
   /// Puts 0 where other ranks have the cell.
   template <class SizeOf> void clear_others(std::span<double> values, const SizeOf& size_of) const;
@@ -57,7 +57,6 @@ public:
 
 private:
   void find_halo(const std::vector<std::vector<int>>& ranks_of_node, const DofMap& dofs);
-  void combine(std::span<double> values) const;
 
   Ranks ranks_;
   std::vector<std::size_t> places_;

@@ -3,6 +3,7 @@
 
 #include "rubato/linalg/conjugate_gradients.hpp"
 #include "rubato/linalg/fingerprint.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 
 #include <Eigen/QR>
 #include <fmt/format.h>
@@ -205,24 +206,26 @@ std::unique_ptr<IterativeSolver> IterativeSolver::of(const SparseMatrix& matrix,
     throw std::invalid_argument("IterativeSolver::of wants a square matrix.");
   if (static_cast<Index>(unknowns.dofs.size()) != matrix.cols() || unknowns.rigid.rows() != matrix.cols())
     throw std::invalid_argument("IterativeSolver::of wants a dof and rigid motions of every unknown.");
-  make_conjugate_gradients(settings.of_all_ranks); // refuses before anything takes memory
-  tell(iterative_bytes(matrix));
+  make_conjugate_gradients(!settings.ranks.is_alone()); // refuses before anything takes memory
+  const auto whole = whole_of(matrix, settings.ranks);
+  tell(iterative_bytes(whole));
   std::unique_ptr<IterativeSolver> solver(
-      new IterativeSolver(matrix, surface, std::move(unknowns), settings)); // its constructor is private
-  return solver->refactor(matrix) ? std::move(solver) : nullptr;
+      new IterativeSolver(whole, surface, std::move(unknowns), settings)); // its constructor is private
+  return solver->set_up_all(whole) ? std::move(solver) : nullptr;
 }
 
 bool IterativeSolver::refactor(const SparseMatrix& matrix) {
-  if (matrix.rows() != static_cast<Index>(place_.size()) || pattern_of(matrix) != pattern_)
+  auto whole = whole_of(matrix, settings_.ranks);
+  if (whole.rows() != static_cast<Index>(place_.size()) || pattern_of(whole) != pattern_)
     throw std::invalid_argument("IterativeSolver::refactor wants a matrix of the first one's pattern.");
-  if (!matrix.isCompressed()) {
-    SparseMatrix compressed = matrix;
-    compressed.makeCompressed();
-    return refactor(compressed);
-  }
+  whole.makeCompressed();
+  return set_up_all(whole);
+}
+
+bool IterativeSolver::set_up_all(const SparseMatrix& whole) {
   has_values_ = false;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (!set_up(matrix, b))
+    if (!set_up(whole, b))
       return false;
   has_values_ = true;
   return true;
@@ -245,7 +248,7 @@ bool IterativeSolver::set_up(const SparseMatrix& matrix, std::size_t b) {
       return false;
   } else {
     if (!body.iteration)
-      body.iteration = make_conjugate_gradients(settings_.of_all_ranks);
+      body.iteration = make_conjugate_gradients(!settings_.ranks.is_alone());
     body.iteration->set(rows);
     VectorXd unused(body.size());
     const auto outcome = body.iteration->solve(any_right_side(body.size()), unused, first_tolerance,

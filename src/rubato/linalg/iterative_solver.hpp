@@ -2,6 +2,7 @@
 /// Solves with a symmetric positive definite matrix without a factor of it: conjugate gradients.
 #pragma once
 
+#include "rubato/core/ranks.hpp"
 #include "rubato/linalg/surface_solver.hpp"
 
 #include <Eigen/Core>
@@ -29,8 +30,9 @@ struct IterativeSettings {
   int most_iterations = 500;
   /// Bodies of up to so many unknowns have a factor of their own: that is less work.
   Eigen::Index largest_factored = 600;
-  /// Whether all ranks work on the others, each with its part of the rows; they make the same calls then.
-  bool of_all_ranks = false;
+  /// Those that work on the others, each with its part of the rows. They make the same calls, each with its
+  /// part of the matrix (ranked_matrix.hpp); for the set-up each has the whole for a while.
+  Ranks ranks = {};
 };
 
 /// Each body is solved for itself. Unknowns of a node stand together, and those that a node lacks, as where a
@@ -90,6 +92,7 @@ private:
   IterativeSolver(const SparseMatrix& matrix, std::span<const int> surface, NodalUnknowns unknowns,
                   const IterativeSettings& settings);
   void number_surface(std::span<const int> surface, const std::vector<int>& body_of);
+  bool set_up_all(const SparseMatrix& whole);
   bool set_up(const SparseMatrix& matrix, std::size_t body);
   Eigen::VectorXd solved(std::size_t body, const Eigen::VectorXd& right_side, double tolerance) const;
   Eigen::VectorXd on_surface(std::size_t body, const Eigen::VectorXd& solution) const;

@@ -29,6 +29,6 @@ Ranks join_ranks();
 
 /// What `join_ranks` calls. The number counts changes of Channel.
 using MakeChannel = void(std::shared_ptr<Channel>& made);
-inline constexpr const char* make_channel_name = "rubato_make_channel_1";
+inline constexpr const char* make_channel_name = "rubato_make_channel_2";
 
 } // namespace rubato::linalg

@@ -5,6 +5,7 @@
 #include "rubato/linalg/dense_cholesky.hpp"
 #include "rubato/linalg/fingerprint.hpp"
 #include "rubato/linalg/petsc_module.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 
 #include <fmt/format.h>
 
@@ -38,20 +39,12 @@ std::span<double> numbers_of(MatrixXd& matrix) {
   return {matrix.data(), static_cast<std::size_t>(matrix.size())};
 }
 
-/// Calls take(row, column, value) for the lower triangle in these columns.
-template <class Take>
-void each_lower_entry(const SparseMatrix& matrix, int first, int end, const Take& take) {
-  for (int column = first; column < end; ++column)
+/// Calls take(row, column, value) for the lower triangle.
+template <class Take> void each_lower_entry(const SparseMatrix& matrix, const Take& take) {
+  for (int column = 0; column < matrix.outerSize(); ++column)
     for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
       if (entry.row() >= column)
         take(static_cast<int>(entry.row()), column, entry.value());
-}
-
-/// The first column of each rank: all have about as many entries.
-int first_column_of(const SparseMatrix& matrix, int rank, int ranks) {
-  const auto* starts = matrix.outerIndexPtr();
-  const auto wanted = static_cast<std::int64_t>(matrix.nonZeros()) * rank / ranks;
-  return static_cast<int>(std::lower_bound(starts, starts + matrix.cols(), wanted) - starts);
 }
 
 } // namespace
@@ -59,12 +52,8 @@ int first_column_of(const SparseMatrix& matrix, int rank, int ranks) {
 RankedFactor::RankedFactor(const SparseMatrix& matrix, std::span<const int> surface, Ranks ranks,
                            const Threads& threads)
     : ranks_(std::move(ranks)), threads_(threads), size_(matrix.cols()), pattern_(pattern_of(matrix)) {
-  first_column_ = first_column_of(matrix, ranks_.index(), ranks_.count());
-  end_column_ = ranks_.index() + 1 == ranks_.count()
-                    ? static_cast<int>(size_)
-                    : first_column_of(matrix, ranks_.index() + 1, ranks_.count());
   int bodies = 0;
-  const auto body_of = bodies_of(matrix, bodies);
+  const auto body_of = bodies_of(matrix, ranks_, bodies);
   surface_ = surface_of_bodies(surface, body_of, bodies);
 }
 
@@ -87,7 +76,7 @@ std::unique_ptr<RankedFactor> RankedFactor::of(const SparseMatrix& matrix, std::
 void RankedFactor::analyse(const SparseMatrix& matrix, const std::function<void(std::size_t)>& tell) {
   factor_ = make_factor_of_ranks();
   FactorOfRanks::Entries entries{static_cast<int>(size_), {}, {}, surface_.unknowns};
-  each_lower_entry(matrix, first_column_, end_column_, [&](int row, int column, double) {
+  each_lower_entry(matrix, [&](int row, int column, double) {
     entries.rows.push_back(row);
     entries.columns.push_back(column);
   });
@@ -112,16 +101,15 @@ bool RankedFactor::refactor(const SparseMatrix& matrix) {
   }
   const std::span all(matrix.valuePtr(), static_cast<std::size_t>(matrix.nonZeros()));
   const auto wanted = fingerprint_of(all);
-  if (has_values_ && wanted == values_)
+  if (ranks_.all(has_values_ && wanted == values_))
     return true;
   has_values_ = false;
   remembered_ = 0;
   ++renewals_;
-  if (!std::ranges::all_of(all, [](double value) { return std::isfinite(value); }))
+  if (!ranks_.all(std::ranges::all_of(all, [](double value) { return std::isfinite(value); })))
     return false;
   std::vector<double> values;
-  each_lower_entry(matrix, first_column_, end_column_,
-                   [&](int, int, double value) { values.push_back(value); });
+  each_lower_entry(matrix, [&](int, int, double value) { values.push_back(value); });
   const auto on_first = ranks_.is_first() ? surface_size() : 0;
   MatrixXd complement = MatrixXd::Zero(on_first, on_first);
   if (!factor_->factorise(values, numbers_of(complement)) || !share_compliance(complement))

@@ -16,8 +16,8 @@
 
 namespace rubato::linalg {
 
-/// All ranks make the same calls with the same numbers and get the same answers. Of the matrix each factors
-/// its part; the compliance of the surface, one dense matrix a body, all have.
+/// All ranks make the same calls and get the same answers. Each gives its part of the matrix
+/// (ranked_matrix.hpp); the compliance of the surface, one dense matrix a body, all have.
 ///
 /// "Half way" is the right side itself with what it comes to on the surface: b, then b_s − A_si A_ii⁻¹ b_i
 /// with the forces that were added there, then the number of the solve whose first half the factor remembers.
@@ -27,6 +27,7 @@ public:
   /// Null when the matrix is not positive definite to working precision or has a value that is not finite.
   /// `tell` hears what this rank needs [bytes] before the first value is computed. Throws InputError where
   /// the library is missing, std::invalid_argument when the matrix is not square.
+  /// `matrix`: the part of this rank, of which the lower triangle counts.
   static std::unique_ptr<RankedFactor> of(
       const SparseMatrix& matrix, std::span<const int> surface, Ranks ranks, const Threads& threads,
       const std::function<void(std::size_t)>& tell = [](std::size_t) {});
@@ -65,8 +66,6 @@ private:
   Ranks ranks_;
   Threads threads_;
   Eigen::Index size_ = 0;
-  int first_column_ = 0; ///< of this rank
-  int end_column_ = 0;
   SurfaceOfBodies surface_;
   std::uint64_t pattern_ = 0;
   std::uint64_t values_ = 0; ///< their checksum

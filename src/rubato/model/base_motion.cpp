@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/time_integral.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/words.hpp"
@@ -48,7 +49,7 @@ Eigen::VectorXd inertia_along(const Model& model, int axis) {
   const auto along = along_axis(model, axis);
   if (model.lumped_mass.size() > 0)
     return -model.lumped_mass.cwiseProduct(along);
-  return -(model.mass * along);
+  return -linalg::product_of(model.mass, along, model.sharing());
 }
 
 /// c (c·r) times a coefficient; 0 of connectors between places, which a translation does not stretch.
@@ -77,9 +78,9 @@ Eigen::VectorXd ground_stiffness(const Model& model, const Eigen::VectorXd& alon
 
 /// The same of dashpots and of damping by the mass.
 Eigen::VectorXd ground_damping(const Model& model, const Eigen::VectorXd& along) {
-  if (model.damping.nonZeros() == 0)
+  if (!model.has_damping)
     return {};
-  return model.damping * along;
+  return linalg::product_of(model.damping, along, model.sharing());
 }
 
 /// An expression of t as a function of time.

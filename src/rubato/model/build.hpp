@@ -54,6 +54,10 @@ void move_ground(Model& model);
 /// Adds −M r a(t), of a base that displacements are counted from; the model has its masses.
 void add_base_inertia(Model& model);
 
+/// Stiffness, mass and damping of a model that has everything else: of explicit runs what their steps
+/// multiply with.
+void assemble_matrices(Model& model);
+
 /// Null without temperatures.
 std::shared_ptr<const domain::Heat> make_heat(const study::Study& study, const mesh::Mesh& mesh,
                                               const domain::DofMap& dofs, const domain::Bulk& bulk,

@@ -147,23 +147,11 @@ std::optional<VectorXd> factors_of(const Body& body, Index count) {
   return std::nullopt;
 }
 
-void scale(const Body& body, const VectorXd& factors, const std::vector<char>& massless, int components,
-           SparseMatrix& mass) {
-  std::vector<double> factor(massless.size(), 0);
-  for (std::size_t i = 0; i < body.nodes.size(); ++i)
-    if (const auto node = static_cast<std::size_t>(body.nodes[i]); massless[node] == 0)
-      factor[node] = factors[static_cast<Index>(i)];
-  for (const int node : body.nodes)
-    for (int i = 0; i < components; ++i)
-      for (SparseMatrix::InnerIterator entry(mass, node * components + i); entry; ++entry)
-        entry.valueRef() *= factor[static_cast<std::size_t>(node)] *
-                            factor[static_cast<std::size_t>(entry.row() / components)];
-}
-
 } // namespace
 
-void redistribute_mass(const mesh::Mesh& mesh, const domain::Bulk& bulk, const domain::DofMap& dofs,
-                       std::span<const mesh::NodeIndex> massless, SparseMatrix& mass) {
+VectorXd mass_factors(const mesh::Mesh& mesh, const domain::Bulk& bulk, const domain::DofMap& dofs,
+                      std::span<const mesh::NodeIndex> massless, const SparseMatrix& mass) {
+  VectorXd all = VectorXd::Ones(static_cast<Index>(dofs.nodes.size()));
   const Bodies bodies(mesh, bulk);
   std::vector<char> is_massless(dofs.nodes.size(), 0);
   std::vector<std::vector<int>> nodes_of(static_cast<std::size_t>(bodies.count()));
@@ -190,8 +178,18 @@ void redistribute_mass(const mesh::Mesh& mesh, const domain::Bulk& bulk, const d
           fmt::format("contact_mass: the body around {} has no nodes but on its contact surface, nothing "
                       "could carry their mass; expected more cells or consistent",
                       node_label(mesh, bodies.first_node(static_cast<int>(b)))));
-    scale(body, *factors, is_massless, dofs.components, mass);
+    for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+      const int node = body.nodes[i];
+      all[node] = is_massless[static_cast<std::size_t>(node)] != 0 ? 0 : (*factors)[static_cast<Index>(i)];
+    }
   }
+  return all;
+}
+
+void scale_mass(const VectorXd& factors, int components, SparseMatrix& mass) {
+  for (int column = 0; column < mass.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(mass, column); entry; ++entry)
+      entry.valueRef() *= factors[column / components] * factors[entry.row() / components];
 }
 
 } // namespace rubato::model

@@ -17,13 +17,14 @@
 
 namespace rubato::model {
 
-/// Zeroes the rows and columns of `massless` nodes in a consistent mass matrix m ⊗ 1 and gives what they had
-/// to the rest of the same body: m_ij → d_i m_ij d_j, which stays positive definite, d the values of a
-/// polynomial of second degree at the nodes with which the body keeps its mass, its centre and its moments of
-/// inertia (Σ m_ij p_i q_j, p and q of 1, x, y, z). A body whose inside is too thin for that, so that some d
-/// would be below 1/2 or beyond 2, keeps its mass and d is a constant. Throws InputError for a body without
-/// inside.
-void redistribute_mass(const mesh::Mesh& mesh, const domain::Bulk& bulk, const domain::DofMap& dofs,
-                       std::span<const mesh::NodeIndex> massless, domain::SparseMatrix& mass);
+/// d, one a numbered node, that takes the rows and columns of `massless` nodes out of a consistent mass
+/// matrix m ⊗ 1 and gives what they had to the rest of the same body: m_ij → d_i m_ij d_j, which stays
+/// positive definite, d 1 in other bodies, 0 at massless nodes, and else the values of a polynomial of second
+/// degree at the nodes with which the body keeps its mass, its centre and its moments of inertia (Σ m_ij p_i
+/// q_j, p and q of 1, x, y, z). A body whose inside is too thin for that, so that some d would be below 1/2
+/// or beyond 2, keeps its mass and d is a constant. Throws InputError for a body without inside.
+Eigen::VectorXd mass_factors(const mesh::Mesh& mesh, const domain::Bulk& bulk, const domain::DofMap& dofs,
+                             std::span<const mesh::NodeIndex> massless, const domain::SparseMatrix& mass);
+void scale_mass(const Eigen::VectorXd& factors, int components, domain::SparseMatrix& mass);
 
 } // namespace rubato::model

@@ -2,6 +2,7 @@
 #include "rubato/model/gauges.hpp"
 
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/neutral_motions.hpp"
 
@@ -109,11 +110,11 @@ std::vector<Gauge> gauges_of_body(const Model& model, const RigidMotions& rigid,
   return gauges;
 }
 
-double stiffness_of(const Model& model, const Gauge& gauge, const SparseMatrix& stiffness) {
+double stiffness_of(const Model& model, const Gauge& gauge, const Eigen::VectorXd& diagonal) {
   double sum = 0;
   for (const auto node : gauge.nodes)
     for (int i = 0; i < model.dofs.components; ++i)
-      sum += stiffness.coeff(model.dofs.dof(node, i), model.dofs.dof(node, i));
+      sum += diagonal[model.dofs.dof(node, i)];
   return sum / static_cast<double>(gauge.values.size()) / gauge.values.cwiseAbs2().maxCoeff();
 }
 
@@ -139,10 +140,13 @@ std::vector<Gauge> make_gauges(const Model& model, std::vector<std::string>& not
 void add_gauges(const Model& model, SparseMatrix& stiffness) {
   if (model.gauges.empty())
     return;
+  const auto diagonal = linalg::diagonal_of(stiffness, model.sharing());
+  if (!model.sharing().is_first())
+    return;
   std::vector<Eigen::Triplet<double, int>> entries;
   const int components = model.dofs.components;
   for (const auto& gauge : model.gauges) {
-    const double k = stiffness_of(model, gauge, stiffness);
+    const double k = stiffness_of(model, gauge, diagonal);
     const auto dof = [&](Index i) {
       return model.dofs.dof(gauge.nodes[static_cast<std::size_t>(i / components)],
                             static_cast<int>(i % components));

@@ -2,6 +2,7 @@
 #include "rubato/model/modal_damping.hpp"
 
 #include "rubato/linalg/eigen_modes.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/build.hpp"
 
 #include <fmt/format.h>
@@ -23,9 +24,10 @@ double ratio_of(const study::ModalDamping& asked, Index mode) {
 linalg::EigenModes found_modes(const Model& model, int number) {
   const bool floats = model.reduction.prescribed().empty() && model.springs.empty() &&
                       std::ranges::none_of(model.connectors, [](const auto& c) { return c.stiffness > 0; });
-  auto stiffness = model.domain.initial_tangent();
+  auto stiffness = linalg::whole_of(model.domain.initial_tangent(), model.sharing());
   add_slopes_at_rest(model, stiffness);
-  auto found = linalg::smallest_modes(model.reduction.reduced(stiffness), model.reduction.reduced(model.mass),
+  auto found = linalg::smallest_modes(model.reduction.reduced(stiffness),
+                                      model.reduction.reduced(linalg::whole_of(model.mass, model.sharing())),
                                       SparseMatrix(model.reduction.unknown_count(), 0), number,
                                       floats ? linalg::Support::none : linalg::Support::unknown);
   if (!found || !found->converged)
@@ -52,7 +54,8 @@ ModalDamping make_modal_damping(const Model& model) {
   damping.momenta.resize(model.dofs.dof_count, count);
   damping.factors.resize(count);
   for (Index k = 0; k < count; ++k) {
-    damping.momenta.col(k) = model.mass * model.reduction.scatter(modes.vectors.col(k));
+    damping.momenta.col(k) =
+        linalg::product_of(model.mass, model.reduction.scatter(modes.vectors.col(k)), model.sharing());
     damping.factors[k] = 2 * ratio_of(*asked, k) * std::sqrt(std::max(0.0, modes.values[k]));
   }
   return damping;

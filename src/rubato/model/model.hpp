@@ -105,9 +105,13 @@ struct Model {
   Threads threads; ///< that the run may use
   Ranks ranks;     ///< that work on it
   Workers workers() const { return {threads, ranks}; }
-  /// Which cells this rank evaluates in explicit steps, whose matrices and domain have no others; null where
-  /// each rank has all of them.
+  /// Which cells this rank evaluates; matrices are its part of a sum over ranks then
+  /// (linalg/ranked_matrix.hpp), of those of the domain too. Null where each rank has all of them.
   std::shared_ptr<const domain::RankParts> parts;
+  /// Those that have parts; this one alone without.
+  Ranks sharing() const { return parts ? ranks : Ranks(); }
+  /// Whether what all ranks know of a dof stands in the matrices of this one.
+  bool counts(int dof) const;
   mesh::Mesh mesh;
   domain::Bulk bulk; ///< the cells that deform and their materials
   domain::DofMap dofs;
@@ -118,11 +122,13 @@ struct Model {
   std::vector<mesh::NodeIndex> massless_nodes;
   Eigen::VectorXd lumped_mass; ///< one a dof, in an explicit run; else empty
   SparseMatrix damping;        ///< no entries without Rayleigh coefficients and dashpots
+  bool has_damping = false;    ///< whether that of any rank has entries
   ModalDamping modal_damping;
   std::vector<domain::LawSpring> dampers; ///< by tables
   Products products;                      ///< with the mass, in an implicit run
   std::vector<Force> forces;
   std::vector<load::FollowerPressure> followers;
+  std::vector<load::FollowerPressure> own_followers; ///< with `parts`: the faces whose tangents stand here
   constraint::Reduction reduction; ///< which displacements are unknown, and what supports prescribe
   std::vector<Reference> references;
   std::vector<Spring> springs;

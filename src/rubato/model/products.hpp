@@ -2,6 +2,7 @@
 /// The mass in the form whose products read the least memory.
 #pragma once
 
+#include "rubato/core/ranks.hpp"
 #include "rubato/linalg/nodal_matrix.hpp"
 
 #include <Eigen/Core>
@@ -21,9 +22,9 @@ struct AttachedMass {
 class Products {
 public:
   Products() = default;
-  /// `mass`: without those attached; may be empty.
+  /// `mass`: without those attached; may be empty. Of several ranks it is this one's part.
   Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass, int components,
-           std::vector<AttachedMass> attached = {});
+           std::vector<AttachedMass> attached = {}, Ranks ranks = {});
 
   /// M a [force], or M v; zero in static runs.
   Eigen::VectorXd mass(const Eigen::VectorXd& a) const;
@@ -31,6 +32,7 @@ public:
 private:
   std::optional<linalg::NodalMatrix> mass_;
   std::vector<AttachedMass> attached_;
+  Ranks ranks_;
 };
 
 } // namespace rubato::model

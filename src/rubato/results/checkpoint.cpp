@@ -5,6 +5,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/writing.hpp"
+#include "rubato/domain/point_numbers.hpp"
 #include "rubato/results/hdf5_file.hpp"
 #include "rubato/results/seal.hpp"
 
@@ -64,19 +65,7 @@ template <class Visit> void each_number(time::StepControl::End& end, const Visit
   end.level = static_cast<int>(level);
 }
 
-template <class Visit> void each_number(domain::LawPoint& point, const Visit& visit) {
-  for (auto* six : {&point.strain, &point.free, &point.stress})
-    std::ranges::for_each(*six, visit);
-}
-
-template <class Visit> void each_number(element::PointRecord& record, const Visit& visit) {
-  visit(record.volume);
-  visit(record.stored);
-  for (auto* six : {&record.strain, &record.free, &record.stress, &record.cauchy})
-    std::ranges::for_each(*six, visit);
-  for (auto* tensor : {&record.gradient, &record.piola})
-    std::ranges::for_each(tensor->reshaped(), visit);
-}
+using domain::each_number;
 
 template <class Record> std::size_t numbers_in() {
   Record record{};

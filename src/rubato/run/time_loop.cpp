@@ -13,6 +13,7 @@
 #include "rubato/run/recall_watch.hpp"
 #include "rubato/run/turn_watch.hpp"
 #include "rubato/simulation/simulation.hpp"
+#include "rubato/step/told_state.hpp"
 #include "rubato/study/damping.hpp"
 #include "rubato/study/schemes.hpp"
 
@@ -97,7 +98,7 @@ public:
     take_counters();
     energy_.tell();
     result_.energy = energy_.record();
-    result_.end = simulation_.state();
+    result_.end = *step::ToldState(model_, simulation_.state());
     finish();
     return std::move(result_);
   }
@@ -121,7 +122,8 @@ private:
   }
 
   void start_recording() {
-    ranks().first_does([this] { make_recorder(); });
+    const step::ToldState start(model_, simulation_.state());
+    ranks().first_does([&] { make_recorder(*start); });
     simulation_.observe({.accepted = [this](const AcceptedStep& step) { record(step); },
                          .rejected = [this](const RejectedStep& step) { record(step); },
                          .take_back =
@@ -131,7 +133,7 @@ private:
                              }});
   }
 
-  void make_recorder() {
+  void make_recorder(const step::State& start) {
     if (course_.from)
       recorder_.emplace(model_, course_.folder, course_.from->recorder);
     else {
@@ -147,14 +149,15 @@ private:
     if (const auto method = simulation_.method(); !method.empty())
       recorder_->takes_steps_by(method);
     if (!course_.from) {
-      recorder_->start(simulation_.state());
-      recorder_->energy(simulation_.state().t, simulation_.energy());
+      recorder_->start(start);
+      recorder_->energy(start.t, simulation_.energy());
     }
   }
 
   void record(const AcceptedStep& step) {
+    const step::ToldState now(model_, step.now);
     ranks().first_does([&] {
-      recorder_->step(step.before, step.now, step.attempt, step.report, step.last);
+      recorder_->step(step.before, *now, step.attempt, step.report, step.last);
       recorder_->energy(step.now.t, step.energy);
     });
     overlaps_.note(step.before, step.now);
@@ -357,12 +360,13 @@ private:
     result_.elapsed_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - asked_.clock).count();
     const double sent = ranks().bytes_sent() - sent_before_loop_;
+    const step::ToldState end(model_, simulation_.state());
     try {
       ranks().first_does([&] {
         result_.checks = recorder_->finish({result_.status, result_.message, result_.setup_seconds,
                                             result_.loop_seconds, result_.elapsed_seconds, result_.steps,
                                             result_.iterations, result_.cuts, failure_, sent},
-                                           simulation_.state());
+                                           *end);
       });
     } catch (const WriteError&) {
       if (!broken_off_)

@@ -5,6 +5,7 @@
 #include "rubato/core/processor_time.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/start.hpp"
+#include "rubato/step/told_state.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/words.hpp"
 
@@ -34,7 +35,7 @@ const step::State& checked_end(const model::Model& model, const step::State* pre
 
 step::State first_state(const model::Model& model, const time::Scheme& scheme, const Start& start) {
   if (start.memento != nullptr)
-    return start.memento->state;
+    return step::resumed_state(model, start.memento->state);
   const auto& settings = model.study.time;
   if (settings.start == study::StartKind::from_run)
     return step::continued_state(model, scheme, checked_end(model, start.previous), settings.begin);
@@ -143,7 +144,7 @@ void ImplicitIntegrator::reject(const Trial& trial) {
 
 void ImplicitIntegrator::restore(const Memento& memento) {
   const auto& progress = std::get<ImplicitProgress>(memento.progress);
-  auto state = memento.state;
+  auto state = step::resumed_state(model(), memento.state);
   time::StepControl control(model().study.time, state.t);
   control.go_on(progress.place);
   if (stages_.go_to_end_at(state.t, state.shortening))

@@ -3,6 +3,7 @@
 
 #include "rubato/simulation/explicit_integrator.hpp"
 #include "rubato/simulation/implicit_integrator.hpp"
+#include "rubato/step/told_state.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -91,7 +92,7 @@ public:
 
   Memento memento() const {
     return ask(integrator_, [&](const auto& integrator) {
-      return Memento{integrator.state(), counters_, integrator.progress()};
+      return Memento{step::kept_state(model_, integrator.state()), counters_, integrator.progress()};
     });
   }
 

@@ -4,6 +4,7 @@
 
 #include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 
 #include <utility>
 
@@ -99,7 +100,8 @@ double rounding_of_work(const VectorXd& resistance, const VectorXd& before, cons
 }
 
 std::shared_ptr<const VectorXd> EnergyAccount::diagonal_of(const Model& model) {
-  return std::make_shared<const VectorXd>(model.domain.initial_tangent().diagonal().cwiseAbs());
+  return std::make_shared<const VectorXd>(
+      linalg::diagonal_of(model.domain.initial_tangent(), model.sharing()).cwiseAbs());
 }
 
 EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, const State& start)

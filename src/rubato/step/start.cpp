@@ -2,6 +2,7 @@
 #include "rubato/step/start.hpp"
 
 #include "rubato/contact/discretisation.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <fmt/format.h>
@@ -42,10 +43,10 @@ VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_forc
                                const VectorXd& given) {
   VectorXd force = -residual_force;
   if (!given.isZero(0))
-    force -= model.mass * given;
+    force -= linalg::product_of(model.mass, given, model.sharing());
   if (model::is_damped(model))
     force -= model::damping_force(model, velocity);
-  auto mass = model.reduction.reduced(model.mass);
+  auto mass = linalg::whole_of(model.reduction.reduced(model.mass), model.sharing());
   for (const auto node : model.massless_nodes)
     for (int i = 0; i < model.dofs.components; ++i) {
       const int dof = model.dofs.dof(node, i);

@@ -19,7 +19,7 @@ namespace {
 /// What MPI counts in `int`s is sent in pieces of so many bytes.
 constexpr std::size_t largest_piece = std::size_t{1} << 30U;
 
-enum class Call : std::int64_t { broadcast, gather, combine };
+enum class Call : std::int64_t { broadcast, gather, add_up };
 
 class MpiChannel final : public Channel {
 public:
@@ -57,8 +57,8 @@ public:
     sent_ += own.size();
   }
 
-  void combine(std::span<double> values) override {
-    meet(Call::combine, values.size());
+  void add_up(std::span<double> values) override {
+    meet(Call::add_up, values.size());
     constexpr std::size_t piece = largest_piece / sizeof(double);
     for (std::size_t first = 0; first < values.size(); first += piece) {
       const auto part = values.subspan(first, std::min(piece, values.size() - first));
@@ -125,7 +125,7 @@ private:
 } // namespace rubato::linalg::petsc
 
 extern "C" __attribute__((visibility("default"))) void
-rubato_make_channel_1(std::shared_ptr<rubato::Channel>& made) {
+rubato_make_channel_2(std::shared_ptr<rubato::Channel>& made) {
   rubato::linalg::petsc::start();
   made = std::make_shared<rubato::linalg::petsc::MpiChannel>();
 }

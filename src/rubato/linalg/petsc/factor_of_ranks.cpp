@@ -60,7 +60,9 @@ public:
     entries_ = std::move(entries);
     for (auto* list : {&entries_.rows, &entries_.columns, &entries_.surface})
       for (auto& unknown : *list)
-        ++unknown; // MUMPS counts from 1
+        ++unknown;            // MUMPS counts from 1
+    entries_.rows.reserve(1); // MUMPS wants places even where there are no entries
+    entries_.columns.reserve(1);
     problem_.n = entries_.size;
     problem_.nnz_loc = static_cast<MUMPS_INT8>(entries_.rows.size());
     problem_.irn_loc = entries_.rows.data();
@@ -76,6 +78,7 @@ public:
   bool factorise(std::span<const double> values, std::span<double> complement) override {
     const std::lock_guard lock(in_use());
     values_.assign(values.begin(), values.end());
+    values_.reserve(1);
     problem_.a_loc = values_.data();
     problem_.schur = complement.data();
     problem_.lredrhs = problem_.schur_lld = std::max(1, problem_.size_schur);

@@ -30,7 +30,7 @@ BulkNewton::BulkNewton(const model::Model& model, const time::Scheme& scheme, Ef
 const BulkStart& BulkNewton::start() {
   const auto before = system_.factored;
   start_ = tangent_.start();
-  renewed_ = !same_values(before, system_.factored);
+  renewed_ = !same_values(model_, before, system_.factored);
   is_fresh_ = tangent_.is_fresh_at_start();
   return *start_;
 }
@@ -101,7 +101,7 @@ void BulkNewton::go_back_with_new_tangent() {
   is_fresh_ = true;
   const auto before = system_.tangent;
   goes_back_ = (at_start_ ? tangent_.renew_at_start() : tangent_.renew_at(base_)) &&
-               !same_values(before, system_.tangent);
+               !same_values(model_, before, system_.tangent);
   renewed_ = goes_back_;
   if (at_start_)
     start_->tangent = system_.tangent;

@@ -103,7 +103,7 @@ bool BulkTangent::put(const Tangent& tangent) {
     renew_matrix(system_, model_, tangent);
     return true;
   }
-  if (same_values(system_.factored, tangent)) {
+  if (same_values(model_, system_.factored, tangent)) {
     renew_matrix(system_, model_, tangent);
     return true;
   }
@@ -163,9 +163,8 @@ double BulkTangent::factor_in_iterations() const {
   constexpr double forces_by_entry = 4;
   constexpr double tangent_by_entry = 16;
   const auto entries = static_cast<double>(system_.compliance->factor_entries());
-  const auto of_matrix = static_cast<double>(system_.matrix.nonZeros());
-  const double factor = system_.compliance->factor_flops() / dense_speed + tangent_by_entry * of_matrix;
-  const double iteration = 4 * entries + forces_by_entry * of_matrix;
+  const double factor = system_.compliance->factor_flops() / dense_speed + tangent_by_entry * system_.entries;
+  const double iteration = 4 * entries + forces_by_entry * system_.entries;
   return factor / iteration;
 }
 

@@ -7,6 +7,7 @@
 #include "rubato/linalg/iterative_solver.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/linalg/ranked_factor.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/step/common/rigid_unknowns.hpp"
 #include "rubato/step/common/spatial_order.hpp"
@@ -66,8 +67,7 @@ std::unique_ptr<linalg::SurfaceSolver> iterative(const Model& model, const Spars
   try {
     const auto ranks = static_cast<std::size_t>(model.ranks.count());
     return linalg::IterativeSolver::of(matrix, surface_unknowns(model), nodal_unknowns(model),
-                                       [&](std::size_t all) { take(all / ranks); },
-                                       {.of_all_ranks = ranks > 1});
+                                       [&](std::size_t all) { take(all / ranks); }, {.ranks = model.ranks});
   } catch (const linalg::NotSolved& error) {
     throw InputError({fault_at(
         "solver", fmt::format("found iterative, but {}; expected auto or condensed", error.what()))});
@@ -118,7 +118,7 @@ Eigen::VectorXd usual_diagonal(const Model& model, const time::Scheme& scheme) {
     diagonal += coefficients.mass * model.mass.diagonal();
   if (coefficients.damping != 0 && model.damping.nonZeros() > 0)
     diagonal += coefficients.damping * model.damping.diagonal();
-  return diagonal;
+  return linalg::summed(std::move(diagonal), model.sharing());
 }
 
 /// Of the bodies that only contact holds.
@@ -157,18 +157,19 @@ double largest_load(const Model& model) {
 
 void put_weak_springs(const Model& model, EffectiveSystem& system) {
   for_each_free_dof(model, [&](int dof) {
-    if (const int free = model.reduction.unknown_of(dof); free >= 0)
+    if (const int free = model.reduction.unknown_of(dof); free >= 0 && model.counts(dof))
       system.matrix.coeffRef(free, free) += system.weak_spring;
   });
 }
 
 void put_held(const Model& model, EffectiveSystem& system) {
   for (const auto& spring : system.held)
-    model.reduction.for_each_unknown(spring.row, [&](int row, double by_row) {
-      model.reduction.for_each_unknown(spring.column, [&](int column, double by_column) {
-        system.matrix.coeffRef(row, column) += by_row * by_column * spring.stiffness;
+    if (model.counts(spring.row))
+      model.reduction.for_each_unknown(spring.row, [&](int row, double by_row) {
+        model.reduction.for_each_unknown(spring.column, [&](int column, double by_column) {
+          system.matrix.coeffRef(row, column) += by_row * by_column * spring.stiffness;
+        });
       });
-    });
 }
 
 /// Returns how stiff they are together.
@@ -214,8 +215,10 @@ SparseMatrix effective_matrix(const Model& model, const time::StepCoefficients& 
 
 } // namespace
 
-bool same_values(const Tangent& a, const Tangent& b) {
-  return a == b || (a && b && *a == *b);
+bool same_values(const Model& model, const Tangent& a, const Tangent& b) {
+  if (a == nullptr || b == nullptr) // on all ranks alike
+    return a == b;
+  return model.sharing().all(a == b || *a == *b);
 }
 
 Tangent values_of(const SparseMatrix& tangent) {
@@ -229,7 +232,7 @@ SparseMatrix matrix_of(const Model& model, const Tangent& tangent) {
 }
 
 void renew_matrix(EffectiveSystem& system, const Model& model, const Tangent& tangent) {
-  if (same_values(system.tangent, tangent))
+  if (same_values(model, system.tangent, tangent))
     return;
   system.tangent = tangent;
   system.matrix =
@@ -249,7 +252,7 @@ void hold(EffectiveSystem& system, std::vector<NodeSpring> springs) {
 
 bool renew(EffectiveSystem& system, const Model& model, const Tangent& tangent) {
   renew_matrix(system, model, tangent);
-  if (!system.compliance || same_values(system.factored, tangent))
+  if (!system.compliance || same_values(model, system.factored, tangent))
     return true;
   system.factored.reset();
   if (!system.compliance->refactor(system.matrix))
@@ -272,8 +275,9 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   if (!model.domain.is_linear())
     system.tangent = system.factored = values_of(tangent);
   const auto full = effective_matrix(model, system.coefficients, tangent);
-  system.diagonal = full.diagonal();
+  system.diagonal = linalg::diagonal_of(full, model.sharing());
   system.matrix = model.reduction.reduced(full);
+  system.entries = model.sharing().sum(static_cast<double>(system.matrix.nonZeros()));
   const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);
   const auto usual = model.zones.empty() ? Eigen::VectorXd() : usual_diagonal(model, scheme);
   for (const auto& zone : model.zones) {

@@ -36,7 +36,8 @@ struct NodeSpring {
 struct EffectiveSystem {
   double step = 0;
   time::StepCoefficients coefficients;
-  model::SparseMatrix matrix;
+  model::SparseMatrix matrix;   ///< of several ranks this one's part (linalg/ranked_matrix.hpp)
+  double entries = 0;           ///< of those of all ranks
   Tangent tangent;              ///< K that the matrix is made of, of nonlinear domains; else null
   Tangent factored;             ///< the same of the factor
   double weak_spring = 0;       ///< on each free unknown of bodies that only contact holds [force/length]
@@ -74,8 +75,8 @@ bool renew(EffectiveSystem& system, const model::Model& model, const Tangent& ta
 /// none: takes them out.
 void hold(EffectiveSystem& system, std::vector<NodeSpring> springs);
 
-/// Whether they have the same values, or both none.
-bool same_values(const Tangent& a, const Tangent& b);
+/// Whether they have the same values on all ranks of the model, or both none.
+bool same_values(const model::Model& model, const Tangent& a, const Tangent& b);
 
 Tangent values_of(const model::SparseMatrix& tangent);
 /// The matrix with these values.

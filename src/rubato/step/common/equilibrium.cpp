@@ -2,6 +2,7 @@
 #include "rubato/step/common/equilibrium.hpp"
 
 #include "rubato/core/tolerances.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/mesh/rounding.hpp"
 
 #include <algorithm>
@@ -171,8 +172,10 @@ void Equilibrium::evaluate_ahead(const time::Motion& motion, const ContactForce&
   failed_.reset();
   take_loads(committed_.motion.u);
   const double part = scheme_.forces.now / scheme_.internal_weight(); // of the whole step: half of the end
-  bulk_.internal = start.forces + matrix_of(model_, start.tangent).selfadjointView<Eigen::Lower>() *
-                                      (part * (motion.u - committed_.motion.u));
+  const VectorXd moved = part * (motion.u - committed_.motion.u);
+  bulk_.internal =
+      start.forces + linalg::summed(matrix_of(model_, start.tangent).selfadjointView<Eigen::Lower>() * moved,
+                                    model_.sharing());
   take_inertia(motion);
   sum_up(contact);
 }
@@ -236,6 +239,7 @@ bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiff
   add_magnitudes(system_.coefficients.stiffness, model_.domain.initial_tangent(), moved, summed);
   if (scheme_.dynamic)
     add_magnitudes(system_.coefficients.acceleration * scheme_.inertia.now, model_.mass, moved, summed);
+  summed = linalg::summed(std::move(summed), model_.sharing());
   add_contact(stiffness, far, moved.lpNorm<Eigen::Infinity>(), summed);
   const VectorXd level = tolerances.rounding() * model_.reduction.gather_magnitudes(summed);
   return (residual_.array().abs() <= level.array().max(tolerance * scale_)).all();

@@ -2,12 +2,12 @@
 // What explicit motion shows of itself, keeps and takes back: of one that is dealt out to ranks, what all of
 // them know together.
 #include "rubato/domain/followed_points.hpp"
-#include "rubato/domain/quadrature_states.hpp"
-#include "rubato/model/explicit_parts.hpp"
+#include "rubato/domain/point_numbers.hpp"
+#include "rubato/domain/rank_states.hpp"
+#include "rubato/model/own_cells.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <array>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -59,26 +59,10 @@ void ExplicitMotion::restore(const Memory& memory) {
 
 namespace {
 
-constexpr std::size_t numbers_a_point = sizeof(domain::LawPoint) / sizeof(double);
-
-std::vector<double> numbers_of(const std::vector<domain::LawPoint>& points) {
-  std::vector<double> numbers(numbers_a_point * points.size());
-  std::memcpy(numbers.data(), points.data(), sizeof(double) * numbers.size());
-  return numbers;
-}
-
-void put(const std::vector<double>& numbers, std::vector<domain::LawPoint>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double* of_point = numbers.data() + numbers_a_point * i;
-    points[i] = {material::Strain6(of_point), material::Strain6(of_point + 6),
-                 material::Stress6(of_point + 12)};
-  }
-}
-
 /// Numbers in the points of a path that a cell has, by its place.
 auto size_in_path(const model::Model& model) {
   return [&model](std::size_t place) {
-    return numbers_a_point *
+    return domain::numbers_of_a_point<domain::LawPoint>() *
            domain::followed_points(model.bulk, place, model.mesh.type_of(model.bulk.cells[place]));
   };
 }
@@ -99,11 +83,8 @@ VectorXd ExplicitMotion::whole_sum(VectorXd sum) const {
   return sum;
 }
 
-void ExplicitMotion::make_whole(domain::QuadratureStates& states) const {
-  model_->parts->make_whole(states.values, [&](std::size_t place) {
-    return domain::state_size(model_->mesh, model_->bulk, place);
-  });
-  states.mode_force = model_->ranks.largest(states.mode_force);
+domain::QuadratureStates ExplicitMotion::whole(domain::QuadratureStates states) const {
+  return domain::whole_states(std::move(states), model_->mesh, model_->bulk, *model_->parts);
 }
 
 ExplicitMotion::Memory ExplicitMotion::whole(Memory memory) const {
@@ -120,11 +101,11 @@ ExplicitMotion::Memory ExplicitMotion::whole(Memory memory) const {
   parts.ranks().sum(memory.reactions);
   parts.ranks().sum(memory.load_displacements);
   memory.energy = summed(memory.energy);
-  make_whole(memory.bulk_points);
+  memory.bulk_points = whole(std::move(memory.bulk_points));
   auto& path = memory.path;
-  auto points = numbers_of(path.points);
+  auto points = domain::numbers_of(path.points);
   parts.make_whole(std::span(points), size_in_path(*model_));
-  put(points, path.points);
+  domain::put(points, path.points);
   if (path.forces.size() > 0)
     path.forces = whole_sum(std::move(path.forces));
   for (auto* sum : sums_of(path))
@@ -141,9 +122,9 @@ void ExplicitMotion::restore_whole(const Memory& memory) {
   for (Index dof = 0; dof < v_.size(); ++dof)
     if (!parts.knows(static_cast<int>(dof)))
       v_[dof] = 0;
-  auto points = numbers_of(path_.points);
+  auto points = domain::numbers_of(path_.points);
   parts.clear_others(std::span(points), size_in_path(*model_));
-  put(points, path_.points);
+  domain::put(points, path_.points);
   if (path_.forces.size() > 0)
     path_.forces = counted_once(std::move(path_.forces));
   if (!counts()) {
@@ -166,7 +147,7 @@ State ExplicitMotion::state() const {
   if (const auto& parts = model_->parts) {
     for (auto* values : {&a, &u, &v, &unbalance})
       parts->make_whole(*values);
-    make_whole(bulk_points);
+    bulk_points = whole(std::move(bulk_points));
   }
   state.residual_force = unbalance;
   if (damping_)

@@ -4,7 +4,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/function.hpp"
 #include "rubato/linalg/lanczos.hpp"
-#include "rubato/model/explicit_parts.hpp"
+#include "rubato/model/own_cells.hpp"
 
 #include <fmt/format.h>
 
@@ -92,7 +92,7 @@ ExplicitMotion::ExplicitMotion(const Model& model)
       surface_(surface_dofs(model)), t_(model.study.time.begin), u_(model.initial.displacement),
       v_(model.initial.velocity), bulk_points_(model.domain.initial_states()),
       unbalance_(VectorXd::Zero(inverse_mass_.size())), contact_force_(unbalance_) {
-  if (model.damping.nonZeros() > 0) {
+  if (model.has_damping) {
     damping_.emplace(model.damping, model.dofs.components, model.threads);
     damping_force_ = unbalance_;
   }

@@ -145,7 +145,7 @@ private:
     return std::bit_cast<Numbers>(parts);
   }
   Eigen::VectorXd whole_sum(Eigen::VectorXd sum) const;
-  void make_whole(domain::QuadratureStates& states) const;
+  domain::QuadratureStates whole(domain::QuadratureStates states) const;
   void apply(Load& load);
   bool has_followers() const { return follower_force_.size() > 0; }
   void find_damping();

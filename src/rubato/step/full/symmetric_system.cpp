@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/full/symmetric_system.hpp"
 
+#include "rubato/linalg/ranked_matrix.hpp"
+
 namespace rubato::step {
 
-std::optional<Eigen::VectorXd> SymmetricSystem::solve(const EffectiveSystem& system,
+std::optional<Eigen::VectorXd> SymmetricSystem::solve(const model::Model& model,
+                                                      const EffectiveSystem& system,
                                                       const Eigen::VectorXd& right_side) {
-  if (!factor_ || !same_values(of_, system.tangent)) {
-    factor_ = linalg::SymmetricFactor::of(system.matrix);
+  if (!factor_ || !same_values(model, of_, system.tangent)) {
+    factor_ = linalg::SymmetricFactor::of(linalg::WholeMatrix(system.matrix, model.sharing()).get());
     of_ = system.tangent;
     ++factorisations_;
   }

@@ -16,7 +16,8 @@ namespace rubato::step {
 class SymmetricSystem {
 public:
   /// A⁻¹ of a right side on free dofs. Nothing comes back when A is singular.
-  std::optional<Eigen::VectorXd> solve(const EffectiveSystem& system, const Eigen::VectorXd& right_side);
+  std::optional<Eigen::VectorXd> solve(const model::Model& model, const EffectiveSystem& system,
+                                       const Eigen::VectorXd& right_side);
 
   int factorisations() const { return factorisations_; }
   /// Negative eigenvalues of the last one.

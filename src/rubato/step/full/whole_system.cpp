@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/full/whole_system.hpp"
 
+#include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/step/common/move_search.hpp"
 
 #include <algorithm>
@@ -161,15 +162,15 @@ std::optional<LinearSolution> WholeSystem::solution(const time::Motion& motion) 
   VectorXd load;
   if (path_)
     load = scheme_.forces.now * equilibrium_.controlled_force(motion.u);
-  if (!bulk_ || touches())
-    return solve_full({model_, system_.matrix, scheme_.contact_weight(), contact_, equilibrium_.residual(),
+  if (const linalg::WholeMatrix matrix(system_.matrix, model_.sharing()); !bulk_ || touches())
+    return solve_full({model_, matrix.get(), scheme_.contact_weight(), contact_, equilibrium_.residual(),
                        path_ ? &load : nullptr});
-  auto found = symmetric_.solve(system_, -equilibrium_.residual());
+  auto found = symmetric_.solve(model_, system_, -equilibrium_.residual());
   if (!found)
     return std::nullopt;
   LinearSolution solution{std::move(*found), {}};
   if (path_) {
-    solution.displacement_by_load = *symmetric_.solve(system_, load);
+    solution.displacement_by_load = *symmetric_.solve(model_, system_, load);
     solution.multipliers_by_load.resize(0);
   }
   return solution;

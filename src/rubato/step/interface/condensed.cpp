@@ -348,8 +348,8 @@ void Condensed::shorten(Corrected& correction, double part, const State& trial) 
 /// Of the iterate that now() is; `at`: where its surface is.
 std::optional<Corrected> Condensed::corrected(const State& trial, const Frozen& frozen, const VectorXd& at) {
   linearise(trial, frozen);
-  const auto change =
-      scratch_.points.solve(surface_.free - at, surface_.beyond_carried(force()), system_.matrix);
+  const auto change = scratch_.points.solve(surface_.free - at, surface_.beyond_carried(force()),
+                                            {system_.matrix, model_.sharing()});
   if (!change)
     return std::nullopt;
   Corrected result;

@@ -49,7 +49,7 @@ ContactPredictor::ContactPredictor(Compliance& compliance, double factor, int co
       least_watched_(least_watched), many_(many), most_formed_(most_formed), watched_(compliance) {}
 
 void ContactPredictor::improve(std::span<PredictorPoint> points, const VectorXd& free, VectorXd d,
-                               const linalg::SparseMatrix& matrix, Progress& progress) {
+                               const linalg::WholeMatrix& matrix, Progress& progress) {
   forget_points();
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);

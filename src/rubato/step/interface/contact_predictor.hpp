@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/contact/stencil.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/step/interface/active_interface_compliance.hpp"
 #include "rubato/step/interface/compliance.hpp"
 #include "rubato/step/interface/friction_cones.hpp"
@@ -80,7 +81,7 @@ public:
   /// other points that stick.
   /// Nothing that comes of it counts when the progress has stopped. `matrix`: A, or one near it.
   void improve(std::span<PredictorPoint> points, const Eigen::VectorXd& free, Eigen::VectorXd d,
-               const linalg::SparseMatrix& matrix, Progress& progress);
+               const linalg::WholeMatrix& matrix, Progress& progress);
 
   /// How much a sweep would change the forces now that the points have been measured anew and the surface
   /// is at d, in parts of the largest one; 0 where they were solved for by products. The points must be those
@@ -96,7 +97,7 @@ private:
   void forget_points();
   bool are_too_many() const;
   void improve_by_products(std::span<PredictorPoint> points, const Eigen::VectorXd& free,
-                           const linalg::SparseMatrix& matrix, Progress& progress);
+                           const linalg::WholeMatrix& matrix, Progress& progress);
   void add_motion(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& d);
   bool choose_more(std::span<PredictorPoint> points, const Eigen::VectorXd& d);
   void watch(std::span<PredictorPoint* const> points);

@@ -71,7 +71,7 @@ bool ContactPredictor::are_too_many() const {
 
 /// All points at once: MPRGP joins and releases them. Friction stays what it was, within its limit.
 void ContactPredictor::improve_by_products(std::span<PredictorPoint> points, const VectorXd& free,
-                                           const linalg::SparseMatrix& matrix, Progress& progress) {
+                                           const linalg::WholeMatrix& matrix, Progress& progress) {
   VectorXd unpressed = free;
   add_motion(points, 1, 2, unpressed);
   forget_points();
@@ -94,7 +94,7 @@ void ContactPredictor::improve_by_products(std::span<PredictorPoint> points, con
                                 },
                                 [&](const VectorXd& by) {
                                   return surface.gaps(
-                                      held_stiffness(matrix, compliance_, surface.spread(by)));
+                                      held_stiffness(matrix.get(), compliance_, surface.spread(by)));
                                 },
                                 power_products};
   const double deepest = -std::min(0.0, values.minCoeff());

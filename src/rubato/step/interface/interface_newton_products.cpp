@@ -20,12 +20,12 @@ constexpr int most_gmres_products = 300;
 } // namespace
 
 std::optional<InterfaceNewtonSystem::Change>
-InterfaceNewtonSystem::solved_by_products(const VectorXd& c, const linalg::SparseMatrix& matrix) const {
-  const auto near = NearSurface::of(matrix, compliance_, points(), force_weight_);
+InterfaceNewtonSystem::solved_by_products(const VectorXd& c, const linalg::WholeMatrix& matrix) const {
+  const auto near = NearSurface::of(matrix.get(), compliance_, points(), force_weight_);
   if (!near)
     return std::nullopt;
   const auto left = residual(c, no_change());
-  const VectorXd by_row = equation_weights(left, force_weight_ / matrix.diagonal().mean());
+  const VectorXd by_row = equation_weights(left, force_weight_ / matrix.get().diagonal().mean());
   const auto change_of = [&](const VectorXd& sides) {
     const VectorXd x = near->solve(sides.cwiseQuotient(by_row));
     return Change{x.head(forces_), x.tail(xi_count_), VectorXd()};

@@ -123,7 +123,7 @@ void InterfaceNewtonSystem::number_dofs(ActivePoint& point) {
 }
 
 std::optional<InterfaceNewtonSystem::Change>
-InterfaceNewtonSystem::solve(const VectorXd& d0, const VectorXd& force, const linalg::SparseMatrix& matrix) {
+InterfaceNewtonSystem::solve(const VectorXd& d0, const VectorXd& force, const linalg::WholeMatrix& matrix) {
   for (auto& point : active()) {
     number_dofs(point);
     if (point.shares.empty())

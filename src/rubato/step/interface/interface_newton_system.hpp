@@ -18,6 +18,7 @@
 #pragma once
 
 #include "rubato/linalg/dense_lu.hpp"
+#include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/step/interface/active_point.hpp"
 
 #include <Eigen/Core>
@@ -62,7 +63,7 @@ public:
   /// Once for the points added, with d₀ and f_c one an interface dof. `matrix`: A, or one near it. Nothing
   /// comes back when the system is singular.
   std::optional<Change> solve(const Eigen::VectorXd& d0, const Eigen::VectorXd& force,
-                              const linalg::SparseMatrix& matrix);
+                              const linalg::WholeMatrix& matrix);
   /// f_c += Cᵀ (δz, δξ)
   void add_force(const Change& change, Eigen::VectorXd& force) const;
   /// Calls `take(multiplier, δm)` for every shared multiplier of the points added; `multiplier` counts those
@@ -96,8 +97,7 @@ private:
   std::optional<Change> solved_for_forces(const Eigen::VectorXd& c);
   std::optional<Change> refined(const Eigen::VectorXd& c, int rounds);
   std::optional<Change> solved_whole(const Eigen::VectorXd& c);
-  std::optional<Change> solved_by_products(const Eigen::VectorXd& c,
-                                           const linalg::SparseMatrix& matrix) const;
+  std::optional<Change> solved_by_products(const Eigen::VectorXd& c, const linalg::WholeMatrix& matrix) const;
   Eigen::VectorXd equation_weights(const Change& left, double compliance) const;
   static void add_xi(const ActivePoint& point, const Eigen::VectorXd& d, double* xi);
   Eigen::VectorXd motion(const Change& change) const;

@@ -35,7 +35,8 @@ public:
   Prediction(const PredictorSite& site, SurfaceMotion& surface, Reach& reach, PredictorScratch& scratch,
              ContactIterate& now, State& trial)
       : site_(site), surface_(surface), reach_(reach), predictor_(scratch.predictor), points_(scratch.points),
-        touching_(scratch.touching), now_(now), trial_(trial), free_bodies_(site.system.has_free_bodies),
+        touching_(scratch.touching), now_(now), trial_(trial),
+        matrix_(site.system.matrix, site.model.sharing()), free_bodies_(site.system.has_free_bodies),
         takes_bases_(free_bodies_ &&
                      std::ranges::all_of(site.model.zones, &contact::Zone::points_own_multipliers)),
         rubs_(std::ranges::any_of(site.model.zones,
@@ -45,8 +46,8 @@ public:
     begin();
     const int rounds = takes_bases_ ? most_predictions_of_free_bodies : most_predictions;
     for (int round = 0; round < rounds; ++round) {
-      predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved,
-                         site_.system.matrix, site_.progress);
+      predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved, matrix_,
+                         site_.progress);
       if (site_.progress.stopped())
         return;
       take_prediction(site_.model, points_, trial_);
@@ -137,6 +138,7 @@ private:
   PointsOfZones& touching_;
   ContactIterate& now_;
   State& trial_;
+  linalg::WholeMatrix matrix_;
   bool free_bodies_;
   bool takes_bases_; ///< where points share multipliers, these take the means of the forces predicted only
   bool rubs_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Which cells each rank evaluates in explicit steps.
+/// Which cells each rank assembles and evaluates.
 #pragma once
 
 #include "rubato/domain/rank_parts.hpp"
@@ -13,9 +13,16 @@
 
 namespace rubato::model {
 
-/// Null where this process is alone, and where something that acts between bodies or on all of them is not
-/// dealt out: then a note of the model says that each rank does all the work.
+/// Of implicit runs; null where this process is alone. Vectors are whole on all ranks.
+std::shared_ptr<const domain::RankParts> implicit_parts(const Model& model);
+
+/// Of explicit runs, whose ranks know no more than the nodes of their cells and of contact surfaces. Null
+/// where this process is alone, and where something that acts between bodies or on all of them is not dealt
+/// out: then a note of the model says that each rank does all the work.
 std::shared_ptr<const domain::RankParts> explicit_parts(Model& model);
+
+/// Model::own_followers: each face stands with the first rank that has a cell at it. None without parts.
+std::vector<load::FollowerPressure> own_followers(const Model& model);
 
 /// Nodes that all ranks know, since each of them computes contact: those of the surfaces, ascending.
 std::vector<mesh::NodeIndex> contact_nodes(const Model& model);
