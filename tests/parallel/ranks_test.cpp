@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Explicit simulations that ranks share against those of one.
+#include "near_simulations.hpp"
 #include "pressed_blocks.hpp"
 #include "support/simulated_blocks.hpp"
 #include "support/thread_ranks.hpp"
@@ -20,41 +21,11 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
   return info.param.name;
 }
 
-Start with(const Ranks& ranks) {
-  Start start;
-  start.workers = Workers(Threads(), ranks);
-  return start;
-}
-
-void expect_near(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  ASSERT_EQ(a.size(), b.size());
-  EXPECT_LE((a - b).lpNorm<Eigen::Infinity>(), 1e-11 * a.lpNorm<Eigen::Infinity>());
-}
+using test::of_ranks;
 
 void expect_near(const Simulation& one, const Simulation& several) {
-  expect_near(one.state().motion.u, several.state().motion.u);
-  expect_near(one.state().motion.v, several.state().motion.v);
-  expect_near(one.state().motion.a, several.state().motion.a);
-  expect_near(one.state().residual_force, several.state().residual_force);
-  expect_near(one.state().contact_force, several.state().contact_force);
-  expect_near(one.state().reaction, several.state().reaction);
-  const auto& states = one.state().bulk_points.values;
-  const auto& others = several.state().bulk_points.values;
-  expect_near(Eigen::Map<const Eigen::VectorXd>(states.data(), std::ssize(states)),
-              Eigen::Map<const Eigen::VectorXd>(others.data(), std::ssize(others)));
-  const auto ledger = one.energy(), other = several.energy();
-  const double allowed = 1e-12 * ledger.largest();
-  EXPECT_NEAR(ledger.kinetic, other.kinetic, allowed);
-  EXPECT_NEAR(ledger.strain, other.strain, allowed);
-  EXPECT_NEAR(ledger.contact, other.contact, allowed);
-  EXPECT_NEAR(ledger.external_work, other.external_work, allowed);
-  EXPECT_NEAR(ledger.damping, other.damping, allowed);
-  EXPECT_NEAR(ledger.friction, other.friction, allowed);
-  EXPECT_NEAR(ledger.plastic, other.plastic, allowed);
-  EXPECT_NEAR(ledger.impact, other.impact, allowed);
-  EXPECT_NEAR(ledger.bulk_scheme, other.bulk_scheme, allowed);
-  EXPECT_NEAR(ledger.hourglass, other.hourglass, allowed);
-  EXPECT_NEAR(ledger.rounding, other.rounding, 1e-6 * ledger.rounding);
+  test::expect_near(one.state(), several.state(), 1e-11);
+  test::expect_near(one.energy(), several.energy(), 1e-12);
 }
 
 class ExplicitByRanks : public testing::TestWithParam<Case> {};
@@ -65,7 +36,7 @@ TEST_P(ExplicitByRanks, ComesToTheSame) {
   EXPECT_GT(step::points_in_contact(one.state()), 20);
   for (const int count : {2, 3})
     test::as_ranks(count, [&](const Ranks& ranks) {
-      Simulation several(GetParam().study, with(ranks));
+      Simulation several(GetParam().study, of_ranks(ranks));
       EXPECT_NE(several.model().parts, nullptr);
       test::go_to_end(several);
       expect_near(one, several);
@@ -78,7 +49,7 @@ TEST_P(ExplicitByRanks, GoesOnWithAnotherNumber) {
   ASSERT_TRUE(one.advance().accepted());
   std::optional<Memento> kept;
   test::as_ranks(3, [&](const Ranks& ranks) {
-    Simulation three(GetParam().study, with(ranks));
+    Simulation three(GetParam().study, of_ranks(ranks));
     ASSERT_TRUE(three.advance().accepted());
     auto memento = three.memento();
     if (ranks.is_first())
@@ -87,7 +58,7 @@ TEST_P(ExplicitByRanks, GoesOnWithAnotherNumber) {
   test::go_to_end(one);
   for (const int count : {1, 2})
     test::as_ranks(count, [&](const Ranks& ranks) {
-      auto start = with(count == 1 ? Ranks() : ranks);
+      auto start = of_ranks(count == 1 ? Ranks() : ranks);
       start.memento = &*kept;
       Simulation other(GetParam().study, start);
       test::go_to_end(other);
@@ -113,7 +84,7 @@ TEST(ExplicitRanks, AgreeOnAFailedCell) {
   const auto expected = one.advance();
   ASSERT_TRUE(expected.report.failed_cell);
   test::as_ranks(3, [&](const Ranks& ranks) {
-    Simulation several(study, with(ranks));
+    Simulation several(study, of_ranks(ranks));
     const auto found = several.advance();
     ASSERT_TRUE(found.report.failed_cell);
     EXPECT_EQ(found.report.failed_cell->cell, expected.report.failed_cell->cell);

@@ -55,6 +55,9 @@ public:
     together(std::as_bytes(std::span(own)), [&] {
       std::ranges::fill(values, 0.0);
       for (const auto part : hub_.given)
+        if (part.size() != values.size_bytes())
+          throw std::logic_error("ranks add up vectors of different sizes");
+      for (const auto part : hub_.given)
         for (std::size_t i = 0; i < values.size(); ++i) {
           double value = 0;
           std::memcpy(&value, part.data() + sizeof(double) * i, sizeof(double));

@@ -194,6 +194,8 @@ void assemble_matrices(Model& model) {
   if (model.sharing().is_first())
     add_dashpots(model, model.damping);
   model.has_damping = !model.sharing().all(model.damping.nonZeros() == 0);
+  if (model.has_damping)
+    model.damping.conservativeResize(model.dofs.dof_count, model.dofs.dof_count);
   model.dampers = law_dampers(model);
   model.modal_damping = make_modal_damping(model);
 }

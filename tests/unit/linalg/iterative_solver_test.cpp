@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "unit/linalg/elastic_block.hpp"
+#include "unit/linalg/matrices_beside.hpp"
 #include "unit/linalg/random_vector.hpp"
 #include <limits>
 #include <memory>
@@ -19,6 +20,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::beside;
 using test::random_vector;
 
 constexpr auto plenty = std::numeric_limits<std::size_t>::max();
@@ -56,18 +58,6 @@ NodalUnknowns part_of(const NodalUnknowns& unknowns, const std::vector<int>& cho
   for (const int i : chosen)
     part.dofs.push_back(unknowns.dofs[static_cast<std::size_t>(i)]);
   return part;
-}
-
-/// Two blocks, the second after the first.
-SparseMatrix beside(const SparseMatrix& a, const SparseMatrix& b) {
-  std::vector<Eigen::Triplet<double, int>> entries;
-  for (const auto& [matrix, at] : {std::pair(&a, 0), std::pair(&b, static_cast<int>(a.rows()))})
-    for (int column = 0; column < matrix->outerSize(); ++column)
-      for (SparseMatrix::InnerIterator entry(*matrix, column); entry; ++entry)
-        entries.emplace_back(static_cast<int>(entry.row()) + at, column + at, entry.value());
-  SparseMatrix both(a.rows() + b.rows(), a.rows() + b.rows());
-  both.setFromTriplets(entries.begin(), entries.end());
-  return both;
 }
 
 class IterativeSolverTest : public testing::Test {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "unit/linalg/elastic_block.hpp"
+#include "unit/linalg/matrices_beside.hpp"
 #include "unit/linalg/random_vector.hpp"
 #include <limits>
 #include <stdexcept>
@@ -20,19 +21,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using test::random_vector;
 
-/// Two blocks that do not touch, one after the other.
+/// They do not touch.
 SparseMatrix two_blocks() {
-  const auto first = test::elastic_block(4, 2, 2), second = test::elastic_block(3, 2, 1);
-  std::vector<Eigen::Triplet<double, int>> entries;
-  for (const auto* block : {&first, &second})
-    for (int column = 0; column < block->cols(); ++column)
-      for (SparseMatrix::InnerIterator entry(*block, column); entry; ++entry) {
-        const int shift = block == &first ? 0 : static_cast<int>(first.cols());
-        entries.emplace_back(static_cast<int>(entry.row()) + shift, column + shift, entry.value());
-      }
-  SparseMatrix matrix(first.rows() + second.rows(), first.rows() + second.rows());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  return test::beside(test::elastic_block(4, 2, 2), test::elastic_block(3, 2, 1));
 }
 
 class RankedFactorOfBlocks : public testing::Test {

@@ -61,7 +61,7 @@ public:
   /// Points that are solved for together up to which what they do to one another is computed. More of them
   /// are solved for by products with S where a start `near` the solution is enough, without friction beyond
   /// what they bring: the iterations find that.
-  static constexpr std::size_t usual_most_formed = 4000;
+  static constexpr std::size_t usual_most_formed = 2000;
 
   /// The surface moves by d = free + factor S Σ weight · frame F. Points live in a space of as many
   /// dimensions as `components`. How far pressing forces are solved for: `near` is enough for a start;
