@@ -34,7 +34,7 @@ public:
   std::uint64_t bytes_sent() const override { return 0; }
   void broadcast(std::span<std::byte>) override {}
   void gather(std::span<const std::byte>, std::span<std::byte>) override {}
-  void combine(std::span<double>) override {}
+  void add_up(std::span<double>) override {}
   void exchange(std::span<Parcel>) override {}
   bool all_leave(double) override { return true; }
   void abort(int) override { std::terminate(); }
