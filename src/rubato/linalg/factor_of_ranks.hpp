@@ -24,6 +24,7 @@ public:
     std::vector<int> rows;
     std::vector<int> columns;
     std::vector<int> surface; ///< unknowns that are not eliminated
+    std::vector<int> order;   ///< the first rank's: the place of each unknown, those of the surface last
   };
   struct Needs {
     std::size_t bytes = 0; ///< of this rank
@@ -53,6 +54,6 @@ public:
 
 /// What the library's side exports by the name below, in C linkage. The number counts changes of this header.
 using MakeFactorOfRanks = void(std::unique_ptr<FactorOfRanks>& made);
-inline constexpr const char* make_factor_of_ranks_name = "rubato_make_factor_of_ranks_1";
+inline constexpr const char* make_factor_of_ranks_name = "rubato_make_factor_of_ranks_2";
 
 } // namespace rubato::linalg

@@ -4,6 +4,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/linalg/dense_cholesky.hpp"
 #include "rubato/linalg/fingerprint.hpp"
+#include "rubato/linalg/order_of_elimination.hpp"
 #include "rubato/linalg/petsc_module.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 
@@ -75,7 +76,11 @@ std::unique_ptr<RankedFactor> RankedFactor::of(const SparseMatrix& matrix, std::
 
 void RankedFactor::analyse(const SparseMatrix& matrix, const std::function<void(std::size_t)>& tell) {
   factor_ = make_factor_of_ranks();
-  FactorOfRanks::Entries entries{static_cast<int>(size_), {}, {}, surface_.unknowns};
+  FactorOfRanks::Entries entries{static_cast<int>(size_),
+                                 {},
+                                 {},
+                                 surface_.unknowns,
+                                 order_of_elimination(matrix, surface_.unknowns, ranks_)};
   each_lower_entry(matrix, [&](int row, int column, double) {
     entries.rows.push_back(row);
     entries.columns.push_back(column);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 namespace rubato::linalg {
@@ -15,16 +16,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-std::vector<int> rows_of_entries(const SparseMatrix& matrix, std::size_t count) {
-  std::vector<int> rows(count, 0);
-  std::copy_n(matrix.innerIndexPtr(), matrix.nonZeros(), rows.begin());
-  return rows;
-}
-
-std::vector<double> values_of_entries(const SparseMatrix& matrix, std::size_t count) {
-  std::vector<double> values(count, 0.0);
-  std::copy_n(matrix.valuePtr(), matrix.nonZeros(), values.begin());
-  return values;
+/// With as many behind them as make `count`.
+template <class Number> std::vector<Number> filled_up(const Number* numbers, Index size, std::size_t count) {
+  std::vector<Number> filled(count, 0);
+  std::copy_n(numbers, size, filled.begin());
+  return filled;
 }
 
 /// The bodies of this rank's part, −1 for unknowns that it has no entries of.
@@ -92,22 +88,29 @@ VectorXd product_of(const SparseMatrix& part, const VectorXd& x, const Ranks& ra
   return summed(part * x, ranks);
 }
 
+PatternOfParts::PatternOfParts(const SparseMatrix& part, const Ranks& ranks) {
+  if (!part.isCompressed())
+    throw std::invalid_argument("PatternOfParts wants a compressed matrix.");
+  columns_ = at(part.cols()) + 1;
+  entries_ = ranks.each(at(part.nonZeros()));
+  room_ = std::ranges::max(entries_);
+  starts_ = ranks.each_of(std::span<const int>(part.outerIndexPtr(), columns_));
+  rows_ = ranks.each_of(std::span<const int>(filled_up(part.innerIndexPtr(), part.nonZeros(), room_)));
+}
+
 SparseMatrix whole_of(const SparseMatrix& part, const Ranks& ranks) {
   if (ranks.is_alone())
     return part;
   SparseMatrix own = part;
   own.makeCompressed();
-  const auto columns = static_cast<std::size_t>(own.cols()) + 1;
-  const auto entries = ranks.each(static_cast<std::size_t>(own.nonZeros()));
-  const auto room = std::ranges::max(entries);
-  const auto starts = ranks.each_of(std::span<const int>(own.outerIndexPtr(), columns));
-  const auto rows = ranks.each_of(std::span<const int>(rows_of_entries(own, room)));
-  const auto values = ranks.each_of(std::span<const double>(values_of_entries(own, room)));
+  const PatternOfParts pattern(own, ranks);
+  const auto values =
+      ranks.each_of(std::span<const double>(filled_up(own.valuePtr(), own.nonZeros(), pattern.room())));
   SparseMatrix whole(own.rows(), own.cols());
-  for (std::size_t rank = 0; rank < entries.size(); ++rank)
-    whole += Eigen::Map<const SparseMatrix>(own.rows(), own.cols(), static_cast<Index>(entries[rank]),
-                                            starts.data() + rank * columns, rows.data() + rank * room,
-                                            values.data() + rank * room);
+  for (std::size_t rank = 0; rank < pattern.ranks(); ++rank)
+    whole += Eigen::Map<const SparseMatrix>(own.rows(), own.cols(), static_cast<Index>(pattern.entries(rank)),
+                                            pattern.starts(rank), pattern.rows(rank),
+                                            values.data() + rank * pattern.room());
   return whole;
 }
 

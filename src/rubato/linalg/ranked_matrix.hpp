@@ -8,7 +8,9 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,32 @@ Eigen::VectorXd summed(Eigen::VectorXd own, const Ranks& ranks);
 Eigen::VectorXd diagonal_of(const SparseMatrix& part, const Ranks& ranks);
 /// A x, x being the same on all ranks.
 Eigen::VectorXd product_of(const SparseMatrix& part, const Eigen::VectorXd& x, const Ranks& ranks);
+/// Where the parts of all ranks have entries.
+class PatternOfParts {
+public:
+  PatternOfParts(const SparseMatrix& part, const Ranks& ranks);
+
+  std::size_t entries(std::size_t rank) const { return entries_[rank]; }
+  /// Of compressed columns: where each begins, and the rows of all.
+  const int* starts(std::size_t rank) const { return starts_.data() + rank * columns_; }
+  const int* rows(std::size_t rank) const { return rows_.data() + rank * room_; }
+  /// The rows of a column.
+  std::span<const int> rows(std::size_t rank, std::size_t column) const {
+    const int* of_rank = starts(rank);
+    return {rows(rank) + of_rank[column], rows(rank) + of_rank[column + 1]};
+  }
+  std::size_t ranks() const { return entries_.size(); }
+  /// Of the part with most entries.
+  std::size_t room() const { return room_; }
+
+private:
+  std::size_t columns_ = 0; ///< and one more
+  std::size_t room_ = 0;
+  std::vector<std::size_t> entries_;
+  std::vector<int> starts_;
+  std::vector<int> rows_;
+};
+
 /// A itself, on every rank: for what has no other way.
 SparseMatrix whole_of(const SparseMatrix& part, const Ranks& ranks);
 /// The same once it is asked for.

@@ -21,6 +21,7 @@ enum Symmetric : int { positive_definite = 1 };
 /// The manual's numbers of controls, which count from 1.
 enum Control : int {
   print_level = 4,
+  ordering = 7,
   scaling = 8,
   more_room = 14, ///< than estimated [%]
   entries_from = 18,
@@ -44,6 +45,7 @@ public:
     control(Control::scaling) = 0;
     control(Control::entries_from) = 3;     // all ranks
     control(Control::kind_of_analysis) = 1; // by one rank, as complements want
+    control(Control::ordering) = 1;         // given
   }
   /// A rank that fails alone must not wait here for the others: what is held goes with the process.
   ~MumpsOfRanks() override {
@@ -58,7 +60,7 @@ public:
   Needs analyse(Entries entries) override {
     const std::lock_guard lock(in_use());
     entries_ = std::move(entries);
-    for (auto* list : {&entries_.rows, &entries_.columns, &entries_.surface})
+    for (auto* list : {&entries_.rows, &entries_.columns, &entries_.surface, &entries_.order})
       for (auto& unknown : *list)
         ++unknown;            // MUMPS counts from 1
     entries_.rows.reserve(1); // MUMPS wants places even where there are no entries
@@ -67,6 +69,7 @@ public:
     problem_.nnz_loc = static_cast<MUMPS_INT8>(entries_.rows.size());
     problem_.irn_loc = entries_.rows.data();
     problem_.jcn_loc = entries_.columns.data();
+    problem_.perm_in = entries_.order.data();
     problem_.size_schur = static_cast<MUMPS_INT>(entries_.surface.size());
     problem_.listvar_schur = entries_.surface.data();
     control(Control::complement_wanted) = entries_.surface.empty() ? 0 : 1; // on the first rank
@@ -154,7 +157,7 @@ private:
 } // namespace rubato::linalg::petsc
 
 extern "C" __attribute__((visibility("default"))) void
-rubato_make_factor_of_ranks_1(std::unique_ptr<rubato::linalg::FactorOfRanks>& made) {
+rubato_make_factor_of_ranks_2(std::unique_ptr<rubato::linalg::FactorOfRanks>& made) {
   rubato::linalg::petsc::start();
   made = std::make_unique<rubato::linalg::petsc::MumpsOfRanks>();
 }
