@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy
 
-CUBE = """mesh: {{generate: [{{name: block, box: {{from: [0, 0, 0], to: [1, 1, 1]}}, divisions: [{k}, {k}, {k}],
+CUBE = """mesh: {{generate: [{{name: block, box: {{from: [0, 0, 0], to: [{long}, 1, 1]}}, divisions: [{cells}, {k}, {k}],
   cells: hexa8, sides: {{left: ground, right: roof}}}}]}}
 physics: solid
 materials: {{steel: {{young: 2e11, poisson: 0.3, density: 7800{law}}}}}
@@ -44,7 +44,7 @@ def measured(program, place, deck, ranks=1):
         raise SystemExit(f"{' '.join(command)} ended with status {status}")
     run = json.loads((place / "out" / "run" / "run.json").read_text())
     loop = run["elapsed_seconds"] - run["setup_seconds"] if ranks == 1 else run["loop_seconds"]
-    return {"setup": run["setup_seconds"], "step": loop / run["steps"], "memory": 1024 * usage.ru_maxrss, "factor": run.get("factor_bytes", 0)}
+    return {"setup": run["setup_seconds"], "step": loop / run["steps"], "memory": 1024 * usage.ru_maxrss, "factor": run.get("factor_bytes", 0), "steps": run["steps"], "sent": run["sent_bytes"]}
 
 
 def fitted(terms, values):
@@ -66,13 +66,24 @@ def table(header, rows):
         print("| " + " | ".join(row) + " |")
 
 
-def dofs_of(k):
-    return 3 * (k + 1) ** 3
+def dofs_of(k, long=1):
+    return 3 * (long * k + 1) * (k + 1) ** 2
+
+
+def box(k, time, law="", long=1):
+    """A cube of k³ cells, or so many one after the other."""
+    return CUBE.format(k=k, cells=long * k, long=long, law=law, time=time)
+
+
+def explicit_time(k, steps):
+    """Of about so many steps: the run takes the stable one that it finds."""
+    end = steps * 0.4 / k / 5100  # of waves in steel
+    return f"{{scheme: central_difference, step: auto, end: {end}, record: {end}}}"
 
 
 def implicit(program, place, sizes, ranks):
     n = numpy.array([float(dofs_of(k)) for k in sizes])
-    runs = [measured(program, place, CUBE.format(k=k, law="", time=IMPLICIT), ranks) for k in sizes]
+    runs = [measured(program, place, box(k, IMPLICIT), ranks) for k in sizes]
     value = {name: numpy.array([run[name] for run in runs]) for name in runs[0]}
     one = numpy.ones_like(n)
     forms = {
@@ -100,22 +111,41 @@ def explicit(program, place, sizes, law, ranks):
     """Time a step of one cell [s], and memory of one dof [bytes]."""
     rows, times, memories = [], [], []
     for k in sizes:
-        step = 0.4 / k / 5100  # of waves of steel; the run takes the stable one that it finds
-        time = f"{{scheme: central_difference, step: auto, end: {100 * step}, record: {100 * step}}}"
-        run = measured(program, place, CUBE.format(k=k, law=law, time=time), ranks)
-        run_file = json.loads((place / "out" / "run" / "run.json").read_text())
+        run = measured(program, place, box(k, explicit_time(k, 100), law), ranks)
         times.append(run["step"] / k**3)
         memories.append(run["memory"] / dofs_of(k))
-        rows.append([f"{k}³", f"{dofs_of(k):,}", f"{run_file['steps']}", f"{1e3 * run['step']:.3g}", f"{1e9 * times[-1]:.3g}", f"{run['memory'] / 1e9:.2f}", f"{memories[-1]:.0f}"])
+        rows.append([f"{k}³", f"{dofs_of(k):,}", f"{run['steps']}", f"{1e3 * run['step']:.3g}", f"{1e9 * times[-1]:.3g}", f"{run['memory'] / 1e9:.2f}", f"{memories[-1]:.0f}"])
     print(f"\nExplicit, cube, {'J2' if law else 'elastic'}, ranks: {ranks}")
     table(["cells", "n", "steps", "step [ms]", "step of a cell [ns]", "memory [GB]", "of a dof [bytes]"], rows)
     return times[-1], memories[-1]
+
+
+def sent_in_a_step(program, place, deck_of, ranks):
+    """By all ranks [bytes], from a run and one of twice as many steps; and the shorter one."""
+    one, two = (measured(program, place, deck_of(times), ranks) for times in (1, 2))
+    return (two["sent"] - one["sent"]) / (two["steps"] - one["steps"]), one
+
+
+def weak_scaling(program, place, k_implicit, k_explicit):
+    rows = []
+    for ranks in (1, 2, 4):
+        sent, run = sent_in_a_step(program, place, lambda times, ranks=ranks: box(k_implicit, IMPLICIT.replace("1e-4", f"{times}e-4"), long=ranks), ranks)
+        n = dofs_of(k_implicit, ranks)
+        counted = 8 * (n - 3 * (k_implicit + 1) ** 2 + 2 * ranks * n) if ranks > 1 else 0
+        rows.append(["implicit", f"{ranks}", f"{n:,}", f"{run['setup']:.2f}", f"{1e3 * run['step']:.3g}", f"{run['memory'] / 1e9:.2f}", f"{sent:,.0f}", f"{counted:,}"])
+    for law in ("", YIELDS):
+        for ranks in (1, 2, 4):
+            sent, run = sent_in_a_step(program, place, lambda times, ranks=ranks, law=law: box(k_explicit, explicit_time(k_explicit, 100 * times), law, ranks), ranks)
+            rows.append(["explicit, J2" if law else "explicit, elastic", f"{ranks}", f"{dofs_of(k_explicit, ranks):,}", f"{run['setup']:.2f}", f"{1e3 * run['step']:.3g}", f"{run['memory'] / 1e9:.2f}", f"{sent:,.0f}", ""])
+    print(f"\nWeak scaling: boxes of {k_implicit}³ and {k_explicit}³ cells a rank, one after the other")
+    table(["run", "ranks", "n", "set-up [s]", "step [ms]", "memory of a rank [GB]", "sent in a step [bytes]", "counted"], rows)
 
 
 def main():
     program = str(Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder)
+        weak_scaling(program, place, 20, 32)
         for ranks, sizes in ((1, (12, 16, 20, 24, 32, 40)), (2, (12, 16, 20, 24, 32))):
             implicit(program, place, sizes, ranks)
         for law, ranks in itertools.product(("", YIELDS), (1, 2)):
