@@ -15,22 +15,22 @@ using Eigen::VectorXd;
 using model::Model;
 using model::SparseMatrix;
 
-bool is_explicit(const Model& model) {
+bool steps_explicitly(const Model& model) {
   return study::is_explicit(model.study.time.scheme);
 }
 
 /// Of explicit runs the domain is that of this rank alone.
-VectorXd internal_forces(const Model& model, const State& state) {
+VectorXd end_forces(const Model& model, const State& state) {
   VectorXd forces;
   domain::QuadratureStates unchanged;
   const auto& u = state.motion.u;
   model.domain.evaluate({u, u, state.t, state.t}, state.bulk_points, unchanged, {.forces = &forces});
-  return is_explicit(model) ? linalg::summed(std::move(forces), model.sharing()) : forces;
+  return steps_explicitly(model) ? linalg::summed(std::move(forces), model.sharing()) : forces;
 }
 
 /// Whether BulkForces::internal is something else.
-bool lacks_internal_forces(const Model& model) {
-  return is_explicit(model) || time::make_scheme(model.study.time).conserving;
+bool lacks_end_forces(const Model& model) {
+  return steps_explicitly(model) || time::make_scheme(model.study.time).conserving;
 }
 
 domain::QuadratureStates whole_points(const Model& model, domain::QuadratureStates own) {
@@ -67,14 +67,14 @@ ToldState::ToldState(const Model& model, const State& state) : state_(&state) {
   if (!model.parts)
     return;
   whole_ = state;
-  if (lacks_internal_forces(model))
-    whole_->bulk.internal = internal_forces(model, state);
-  if (!is_explicit(model)) // explicit motion tells whole ones
+  if (lacks_end_forces(model))
+    whole_->bulk.internal = end_forces(model, state);
+  if (!steps_explicitly(model)) // explicit motion tells whole ones
     whole_->bulk_points = whole_points(model, std::move(whole_->bulk_points));
 }
 
 State kept_state(const Model& model, const State& state) {
-  if (!model.parts || is_explicit(model))
+  if (!model.parts || steps_explicitly(model))
     return state;
   State kept = state;
   kept.bulk_points = whole_points(model, std::move(kept.bulk_points));
@@ -83,7 +83,7 @@ State kept_state(const Model& model, const State& state) {
 }
 
 State resumed_state(const Model& model, State kept) {
-  if (!model.parts || is_explicit(model))
+  if (!model.parts || steps_explicitly(model))
     return kept;
   kept.bulk_points = domain::own_states(std::move(kept.bulk_points), model.mesh, model.bulk, *model.parts);
   kept.tangent = part_of_tangent(model, kept.tangent);
