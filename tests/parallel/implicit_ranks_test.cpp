@@ -131,7 +131,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// A cell turns inside out: all ranks end there, and name the same one as a process alone.
 TEST(ImplicitRanks, AgreeOnAFailedCell) {
-  const auto study = study_of({"", {strained, metal("strain: logarithmic"), {"y: -1e7", "y: -1e16"}}});
+  const auto study = study_of(
+      {"",
+       {strained, metal("strain: logarithmic"), {"fix: [x, y]}", "fix: [x, y]}\n  - {on: tip, y: -10}"}}});
   Simulation one(study);
   const auto expected = one.advance();
   EXPECT_FALSE(expected.accepted());

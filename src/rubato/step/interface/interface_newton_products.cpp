@@ -13,8 +13,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Part of the first residual that GMRES leaves: Newton's next iteration takes the rest.
-constexpr double solved_enough = 3e-3;
 constexpr int most_gmres_products = 300;
 
 } // namespace
@@ -39,7 +37,7 @@ InterfaceNewtonSystem::solved_by_products(const VectorXd& c, const linalg::Whole
   // What a change takes of what is left: the equations are linear in it.
   const auto solution = linalg::gmres(
       [&](const VectorXd& sides) { return VectorXd(begun - weighted(residual(c, change_of(sides)))); }, begun,
-      solved_enough, most_gmres_products);
+      left_by_products_, most_gmres_products);
   return solution ? std::optional(change_of(*solution)) : std::nullopt;
 }
 

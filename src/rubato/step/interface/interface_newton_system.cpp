@@ -64,9 +64,10 @@ std::pair<std::size_t, std::size_t> id_of(const ActivePoint& point) {
 } // namespace
 
 InterfaceNewtonSystem::InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface,
-                                             double force_weight, Index largest_formed)
+                                             double force_weight, Index largest_formed,
+                                             double left_by_products)
     : compliance_(compliance), force_weight_(force_weight), largest_formed_(largest_formed),
-      surface_(surface) {
+      left_by_products_(left_by_products), surface_(surface) {
   clear();
 }
 

@@ -35,10 +35,13 @@ class InterfaceNewtonSystem {
 public:
   /// Forces of the points, δz, up to which S between them is formed: their LU takes some seconds.
   static constexpr Eigen::Index usual_largest_formed = 6000;
+  /// Part of the first residual that is left of those then: Newton's next iteration takes the rest.
+  static constexpr double usual_left_by_products = 3e-3;
 
   /// Both must outlive this.
   InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface, double force_weight,
-                        Eigen::Index largest_formed = usual_largest_formed);
+                        Eigen::Index largest_formed = usual_largest_formed,
+                        double left_by_products = usual_left_by_products);
 
   /// Begins another iteration with no points; factors are kept for the same ones.
   void clear();
@@ -108,6 +111,7 @@ private:
   Compliance& compliance_;
   double force_weight_;
   Eigen::Index largest_formed_;
+  double left_by_products_;
   std::vector<ActivePoint> points_; ///< the first count_ of them; others are storage
   std::size_t count_ = 0;
   Eigen::Index forces_ = 0;   ///< how many δz

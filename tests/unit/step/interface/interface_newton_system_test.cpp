@@ -145,7 +145,7 @@ TEST_P(InterfaceNewtonSystemWith, SolvesEachPointsEquations) {
 }
 
 TEST_P(InterfaceNewtonSystemWith, SolvesThemByProductsWithTheComplianceToo) {
-  InterfaceNewtonSystem by_products(bulk.compliance, surface, force_weight, 0);
+  InterfaceNewtonSystem by_products(bulk.compliance, surface, force_weight, 0, 1e-4);
   const auto some = points();
   for (std::size_t i = 0; i < some.size(); ++i)
     by_products.add(0, i) = some[i];
