@@ -71,7 +71,9 @@ ContactBlocks blocks_of(const LinearProblem& problem) {
 
 } // namespace
 
-std::optional<LinearSolution> solve_full(const LinearProblem& problem) {
+namespace {
+
+std::optional<LinearSolution> solved(const LinearProblem& problem) {
   const auto blocks = blocks_of(problem);
   const auto free_count = static_cast<int>(problem.matrix.rows());
   const auto size = free_count + static_cast<int>(blocks.equations.size());
@@ -101,6 +103,36 @@ std::optional<LinearSolution> solve_full(const LinearProblem& problem) {
   const VectorXd by_load = factor->solve(right);
   found.displacement_by_load = by_load.head(free_count);
   found.multipliers_by_load = by_load.tail(blocks.equations.size());
+  return found;
+}
+
+void share(const Ranks& ranks, Eigen::Index size, VectorXd& values) {
+  values.conservativeResize(size);
+  ranks.share_first({values.data(), static_cast<std::size_t>(size)});
+}
+
+} // namespace
+
+/// By the first rank: what each would compute for itself need not have the same last digits.
+std::optional<LinearSolution> solve_full(const LinearProblem& problem) {
+  const auto ranks = problem.model.sharing();
+  std::optional<LinearSolution> found;
+  if (ranks.is_first())
+    found = solved(problem);
+  if (ranks.is_alone())
+    return found;
+  if (!ranks.of_first(found.has_value()))
+    return std::nullopt;
+  if (!found)
+    found.emplace();
+  const auto unknowns = problem.matrix.rows();
+  const auto multipliers = static_cast<Eigen::Index>(problem.model.multiplier_count);
+  share(ranks, unknowns, found->displacement);
+  share(ranks, multipliers, found->multipliers);
+  if (problem.load != nullptr) {
+    share(ranks, unknowns, found->displacement_by_load);
+    share(ranks, multipliers, found->multipliers_by_load);
+  }
   return found;
 }
 

@@ -13,9 +13,13 @@ std::optional<Eigen::VectorXd> SymmetricSystem::solve(const model::Model& model,
     of_ = system.tangent;
     ++factorisations_;
   }
-  if (!factor_)
+  const auto ranks = model.sharing();
+  if (!ranks.of_first(factor_.has_value()))
     return std::nullopt;
-  return factor_->solve(right_side);
+  // Each rank's own need not have the same last digits.
+  Eigen::VectorXd solution = factor_ ? factor_->solve(right_side) : right_side;
+  ranks.share_first({solution.data(), static_cast<std::size_t>(solution.size())});
+  return solution;
 }
 
 } // namespace rubato::step
