@@ -14,12 +14,38 @@ bool same_places(const SparseMatrix& a, const SparseMatrix& b) {
          std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
 }
 
+bool has_places_of(const SparseMatrix& sum, const SparseMatrix& addend) {
+  const int* const rows = sum.innerIndexPtr();
+  const int* const wanted = addend.innerIndexPtr();
+  for (int column = 0; column < sum.outerSize(); ++column)
+    if (!std::includes(rows + sum.outerIndexPtr()[column], rows + sum.outerIndexPtr()[column + 1],
+                       wanted + addend.outerIndexPtr()[column], wanted + addend.outerIndexPtr()[column + 1]))
+      return false;
+  return true;
+}
+
+/// Adds where the sum has all places of the addend. False otherwise: the sum has then got none of it.
+bool add_in_place(double factor, const SparseMatrix& addend, SparseMatrix& sum) {
+  if (!sum.isCompressed() || !addend.isCompressed() || sum.rows() != addend.rows() ||
+      sum.cols() != addend.cols() || !has_places_of(sum, addend))
+    return false;
+  for (int column = 0; column < sum.outerSize(); ++column) {
+    SparseMatrix::InnerIterator to(sum, column);
+    for (SparseMatrix::InnerIterator from(addend, column); from; ++from) {
+      while (to.row() != from.row())
+        ++to;
+      to.valueRef() += factor * from.value();
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 void add_scaled(double factor, const SparseMatrix& addend, SparseMatrix& sum) {
   if (same_places(sum, addend))
     sum.coeffs() += factor * addend.coeffs();
-  else
+  else if (!add_in_place(factor, addend, sum))
     sum += factor * addend;
 }
 

@@ -25,10 +25,6 @@ using Eigen::VectorXd;
 /// factor.
 constexpr Index thickest = 100;
 
-/// Positions of a surface within its body that S is formed of at once: of more points S is used by its
-/// products only (step/interface/interface_newton_system.hpp).
-constexpr Index most_formed = 10'000;
-
 enum class Side : char { lower = 'N', transposed = 'T' };
 
 void solve_in_place(const TrailingTriangle& triangle, Side side, Eigen::Ref<VectorXd> values) {
@@ -104,7 +100,7 @@ struct SplitFactor::Body {
   double flops_of_triangle() const { return std::pow(static_cast<double>(surface_size), 3) / 3; }
 
   std::size_t bytes_of_compliance() const {
-    return within ? within->bytes_of_compliance(most_formed)
+    return within ? within->bytes_of_compliance(SurfaceInFactor::most_formed)
                   : static_cast<std::size_t>(surface_size * surface_size) * sizeof(double);
   }
 

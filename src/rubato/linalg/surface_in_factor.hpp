@@ -21,6 +21,9 @@ class CholmodEngine;
 class SurfaceInFactor {
 public:
   static constexpr Eigen::Index largest_block = 48;
+  /// Positions that S is formed of at once: of more points S is used by its products only
+  /// (step/interface/interface_newton_system.hpp).
+  static constexpr Eigen::Index most_formed = 10'000;
 
   /// The surface are the engine's unknowns from `first_surface` on. The engine has been analysed with
   /// supernodes, and must outlive this; values are asked for once it has factored, and are those of its last

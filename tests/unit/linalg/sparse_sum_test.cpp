@@ -23,7 +23,8 @@ TEST(SumsOfSparseMatrices, AreThoseOfDenseOnesWhereverTheEntriesAre) {
   for (const auto& other : {with_entries({{0, 0, 4.}, {1, 0, 5.}, {2, 2, 6.}}), // the same places
                             with_entries({{0, 0, 4.}, {2, 0, 5.}, {2, 2, 6.}}), // as many in each column
                             with_entries({{0, 0, 4.}, {1, 1, 5.}, {2, 2, 6.}}), // as many in all
-                            with_entries({{0, 1, 4.}}), SparseMatrix(3, 3)}) {
+                            with_entries({{0, 1, 4.}}), SparseMatrix(3, 3),
+                            with_entries({{1, 0, 4.}, {2, 2, 5.}})}) { // some of the same places
     auto sum = some;
     add_scaled(-2, other, sum);
     EXPECT_EQ(MatrixXd(sum), MatrixXd(some) - 2 * MatrixXd(other));

@@ -213,6 +213,12 @@ SparseMatrix effective_matrix(const Model& model, const time::StepCoefficients& 
   return full;
 }
 
+void put_matrix(const Model& model, const SparseMatrix& tangent, EffectiveSystem& system) {
+  const auto full = effective_matrix(model, system.coefficients, tangent);
+  system.diagonal = linalg::diagonal_of(full, model.sharing());
+  system.matrix = model.reduction.reduced(full);
+}
+
 } // namespace
 
 bool same_values(const Model& model, const Tangent& a, const Tangent& b) {
@@ -274,9 +280,7 @@ EffectiveSystem make_effective_system(const Model& model, const time::Scheme& sc
   const auto& tangent = model.domain.initial_tangent();
   if (!model.domain.is_linear())
     system.tangent = system.factored = values_of(tangent);
-  const auto full = effective_matrix(model, system.coefficients, tangent);
-  system.diagonal = linalg::diagonal_of(full, model.sharing());
-  system.matrix = model.reduction.reduced(full);
+  put_matrix(model, tangent, system);
   system.entries = model.sharing().sum(static_cast<double>(system.matrix.nonZeros()));
   const double weak = model.free_body_nodes.empty() ? 0 : add_weak_springs(model, system);
   const auto usual = model.zones.empty() ? Eigen::VectorXd() : usual_diagonal(model, scheme);

@@ -8,7 +8,8 @@ namespace rubato::step {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-BlockCompliance::BlockCompliance(const linalg::SurfaceInFactor& surface) : surface_(surface) {
+BlockCompliance::BlockCompliance(const linalg::SurfaceInFactor& surface) 
+    : surface_(surface), most_bytes_(surface.bytes_of_compliance(linalg::SurfaceInFactor::most_formed)) {
   const auto& starts = surface.block_starts();
   half_way_.resize(starts.size() - 1);
   blocks_.resize(starts.size() - 1);
@@ -21,10 +22,21 @@ void BlockCompliance::forget() {
     columns.resize(0, 0);
   for (auto& of_row : blocks_)
     of_row.clear();
+  bytes_ = 0;
+}
+
+void BlockCompliance::make_room() {
+  if (bytes_ > most_bytes_)
+    forget();
+}
+
+void BlockCompliance::count(const MatrixXd& kept) {
+  bytes_ += static_cast<std::size_t>(kept.size()) * sizeof(double);
 }
 
 /// Entries on both sides of the diagonal are read from the lower triangle.
 void BlockCompliance::between(std::span<const int> positions, MatrixXd& s) {
+  make_room();
   const auto size = static_cast<Index>(positions.size());
   s.resize(size, size);
   const auto runs = runs_of(positions);
@@ -47,6 +59,7 @@ void BlockCompliance::between(std::span<const int> positions, MatrixXd& s) {
 }
 
 double BlockCompliance::own(int position) {
+  make_room();
   const auto b = block_of_[static_cast<std::size_t>(position)];
   const Index place = position - surface_.block_starts()[b];
   return block(b, b)(place, place);
@@ -71,8 +84,10 @@ std::vector<BlockCompliance::Run> BlockCompliance::runs_of(std::span<const int> 
 
 const MatrixXd& BlockCompliance::half_way(std::size_t block) {
   auto& columns = half_way_[block];
-  if (columns.size() == 0)
+  if (columns.size() == 0) {
     columns = surface_.half_way_of(block);
+    count(columns);
+  }
   return columns;
 }
 
@@ -82,8 +97,10 @@ const MatrixXd& BlockCompliance::block(std::size_t row, std::size_t column) {
   if (of_row.empty())
     of_row.resize(row + 1);
   auto& values = of_row[column];
-  if (values.size() == 0)
+  if (values.size() == 0) {
     values = surface_.compliance(row, half_way(row), column, half_way(column));
+    count(values);
+  }
   return values;
 }
 

@@ -12,8 +12,9 @@
 
 namespace rubato::step {
 
-/// S between two blocks of neighbouring positions is computed when first asked for, and kept. Its digits do
-/// not depend on what was asked for before, so that a resumed run has the same ones.
+/// S between two blocks of neighbouring positions is computed when first asked for, and kept as long as all
+/// that is kept takes no more memory than was counted for it (SurfaceInFactor::most_formed). Its digits do not
+/// depend on what was asked for before, so that a resumed run has the same ones.
 class BlockCompliance {
 public:
   /// `surface` must outlive this.
@@ -36,11 +37,15 @@ private:
     std::size_t first = 0; ///< in the list
     std::size_t count = 0;
   };
+  void make_room();
+  void count(const Eigen::MatrixXd& kept);
   std::vector<Run> runs_of(std::span<const int> positions) const;
   const Eigen::MatrixXd& half_way(std::size_t block);
   const Eigen::MatrixXd& block(std::size_t row, std::size_t column);
 
   const linalg::SurfaceInFactor& surface_;
+  std::size_t most_bytes_;
+  std::size_t bytes_ = 0; ///< of half_way_ and blocks_
   std::vector<std::size_t> block_of_;                ///< by position
   std::vector<Eigen::MatrixXd> half_way_;            ///< by block; empty until used
   std::vector<std::vector<Eigen::MatrixXd>> blocks_; ///< by row and column ≤ row; empty until used

@@ -33,6 +33,8 @@ constexpr Index most_columns_of_forces = 1500;
 constexpr Index small = 60;
 /// Whole systems beyond this size take too long to give up on.
 constexpr Index largest_whole = 3000;
+/// Active dofs from which places that points have left are forgotten where they are more than half of all.
+constexpr Index many_active = 3000;
 
 /// Cᵀ (δz, δξ) of a point: what it puts on its displacements.
 class ForceOf {
@@ -199,7 +201,23 @@ bool InterfaceNewtonSystem::forms_compliance() const {
   return sharing_ || forces_ <= largest;
 }
 
+/// Points come back to places that they have left. But S between all places of a large surface takes more
+/// memory than its factor.
+void InterfaceNewtonSystem::forget_left_places() {
+  if (surface_.size() < many_active)
+    return;
+  std::vector<int> present;
+  for (const auto& point : points())
+    present.insert(present.end(), point.interface_dofs.begin(), point.interface_dofs.end());
+  std::ranges::sort(present);
+  const auto repeated = std::ranges::unique(present);
+  if (surface_.size() > 2 * (repeated.begin() - present.begin()))
+    surface_.forget();
+}
+
 void InterfaceNewtonSystem::touch_surface() {
+  if (forms_compliance())
+    forget_left_places();
   for (const auto& point : points())
     surface_.add(point.interface_dofs);
   if (forms_compliance())

@@ -83,6 +83,7 @@ private:
   void number_dofs(ActivePoint& point);
   bool collect_shared();
   bool forms_compliance() const;
+  void forget_left_places();
   void touch_surface();
   Eigen::VectorXd at_active_dofs(const Eigen::VectorXd& values) const;
   Eigen::Index rows_of_whole() const;
