@@ -30,7 +30,7 @@ newton: {residual: 1e-11}
 TEST(ManyPoints, PressedAtOnceCarryTheSamePressure) {
   test::Walk walk(plates);
   const auto count = walk.slave_count();
-  ASSERT_GT(3 * count, static_cast<std::size_t>(step::InterfaceNewtonSystem::usual_largest_formed));
+  ASSERT_GT(3 * count, static_cast<std::size_t>(step::InterfaceNewtonSystem::Limits().formed));
   ASSERT_TRUE(walk.to_end());
   EXPECT_EQ(walk.reports.size(), 1U) << "no cut";
   for (std::size_t i = 0; i < count; ++i) {

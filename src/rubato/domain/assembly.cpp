@@ -37,16 +37,17 @@ template <int C> void add_column(const double* from, double* into) {
     into[2] += from[2];
 }
 
-/// Adds blocks of C × C numbers, their columns `stride` apart, to those that begin at places in the columns
-/// of a node.
+/// Adds blocks of C × C numbers, their columns `stride` apart, to those at these places in the columns of a
+/// node.
 template <int C>
 void add_blocks(const double* blocks, Eigen::Index stride, std::span<const std::int32_t> places,
                 const NodeColumns<C>& columns) {
   for (const auto place : places) {
-    add_column<C>(blocks, columns[0] + place);
-    add_column<C>(blocks + stride, columns[1] + place);
+    const auto row = C * place;
+    add_column<C>(blocks, columns[0] + row);
+    add_column<C>(blocks + stride, columns[1] + row);
     if constexpr (C == 3)
-      add_column<C>(blocks + 2 * stride, columns[2] + place);
+      add_column<C>(blocks + 2 * stride, columns[2] + row);
     blocks += C;
   }
 }
@@ -77,28 +78,23 @@ void require_finite(const Values& element, const Cell& cell, const mesh::Mesh& m
                                material::described(cell.law)));
 }
 
-enum class ElementEntries {
-  blocks,   ///< of matrices of nodes · components
-  diagonals ///< of m ⊗ 1, m a matrix of nodes
-};
-
 /// A matrix of the whole that cells add to. Columns become zero when a cell first reaches them: then they are
-/// near when cells add to them, which is sooner done than to fetch zeros of the whole matrix from afar.
-class Sum {
+/// near when cells add to them, which is sooner done than to fetch zeros of the whole matrix from afar. Of
+/// blocks with a diagonal only, cells give m of m ⊗ 1.
+template <BlockEntries E> class Sum {
 public:
   explicit Sum(const BlockPattern& pattern)
-      : pattern_(pattern), matrix_(pattern.matrix_without_values()),
+      : pattern_(pattern), matrix_(pattern.matrix_without_values(E)),
         is_clear_(at(matrix_.cols() / pattern.components()), 0) {}
 
   /// Adds those columns of an element matrix, node-major, whose nodes take part.
-  template <ElementEntries E, class TakesPart>
+  template <class TakesPart>
   void add(CellIndex cell, std::span<const NodeIndex> nodes, const Eigen::MatrixXd& element,
            const TakesPart& takes_part) {
     const auto places = pattern_.places(cell, nodes.size());
     for (std::size_t j = 0; j < nodes.size(); ++j)
       if (takes_part(nodes[j]))
-        add_column<E>(pattern_.first_dof(nodes[j]), j, places.subspan(j * nodes.size(), nodes.size()),
-                      element);
+        add_column(pattern_.first_dof(nodes[j]), j, places.subspan(j * nodes.size(), nodes.size()), element);
   }
 
   SparseMatrix take() {
@@ -119,11 +115,10 @@ private:
   }
 
   /// Those of node j of the element, which has that first dof.
-  template <ElementEntries E>
   void add_column(int dof, std::size_t j, std::span<const std::int32_t> places,
                   const Eigen::MatrixXd& element) {
     clear(dof);
-    if constexpr (E == ElementEntries::diagonals)
+    if constexpr (E == BlockEntries::diagonal)
       add_diagonals(element.col(static_cast<Eigen::Index>(j)).data(), dof, places);
     else if (pattern_.components() == 3)
       add_all_blocks<3>(element, dof, j, places);
@@ -142,7 +137,7 @@ private:
     const int* outer = matrix_.outerIndexPtr() + dof;
     for (int b = 0; b < pattern_.components(); ++b)
       for (std::size_t i = 0; i < places.size(); ++i)
-        matrix_.valuePtr()[outer[b] + places[i] + b] += values[i];
+        matrix_.valuePtr()[outer[b] + places[i]] += values[i];
   }
 
   const BlockPattern& pattern_;
@@ -166,10 +161,10 @@ std::vector<std::size_t> places_in_bulk(const BlockPattern& pattern, const Bulk&
 /// The sum of what `matrix_of` gives for each cell of the pattern, called with the share, the place in the
 /// bulk and that of the cell which comes next, WorkShares::none after the last; null where a cell adds
 /// nothing.
-template <ElementEntries E, class MatrixOf>
+template <BlockEntries E, class MatrixOf>
 SparseMatrix sum_of_cells(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                           const MatrixOf& matrix_of) {
-  Sum sum(pattern);
+  Sum<E> sum(pattern);
   const auto& shares = pattern.shares();
   const auto places = places_in_bulk(pattern, bulk);
   std::vector<Eigen::MatrixXd> kept(shares.border().size());
@@ -181,14 +176,14 @@ SparseMatrix sum_of_cells(const mesh::Mesh& mesh, const Bulk& bulk, const BlockP
     const auto cell = pattern.cells()[i];
     const auto border = shares.place_in_border(i);
     if (border < 0)
-      return sum.add<E>(cell, mesh.nodes_of(cell), *element, [](NodeIndex) { return true; });
-    sum.add<E>(cell, mesh.nodes_of(cell), *element, [&](NodeIndex node) { return !shares.is_shared(node); });
+      return sum.add(cell, mesh.nodes_of(cell), *element, [](NodeIndex) { return true; });
+    sum.add(cell, mesh.nodes_of(cell), *element, [&](NodeIndex node) { return !shares.is_shared(node); });
     kept[at(border)] = *element;
   });
   for (std::size_t b = 0; b < kept.size(); ++b) {
     const auto cell = pattern.cells()[shares.border()[b]];
     if (kept[b].size() > 0)
-      sum.add<E>(cell, mesh.nodes_of(cell), kept[b], [&](NodeIndex node) { return shares.is_shared(node); });
+      sum.add(cell, mesh.nodes_of(cell), kept[b], [&](NodeIndex node) { return shares.is_shared(node); });
   }
   return sum.take();
 }
@@ -306,7 +301,7 @@ template <class Wanted>
 SparseMatrix assemble_stiffness_of(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                                    std::span<const double> factors, const Wanted& is_wanted) {
   std::vector<Stiffnesses> stiffnesses(at(pattern.shares().count()), Stiffnesses(mesh, bulk));
-  return sum_of_cells<ElementEntries::blocks>(
+  return sum_of_cells<BlockEntries::all>(
       mesh, bulk, pattern, [&](int share, std::size_t i, std::size_t next) -> const Eigen::MatrixXd* {
         return is_wanted(i) ? &stiffnesses[at(share)].of(i, next, Cell(mesh, bulk, factors, i)) : nullptr;
       });
@@ -327,16 +322,16 @@ SparseMatrix assemble_constant_stiffness(const mesh::Mesh& mesh, const Bulk& bul
 SparseMatrix assemble_mass(const mesh::Mesh& mesh, const Bulk& bulk, const BlockPattern& pattern,
                            std::span<const double> factors) {
   std::vector<Eigen::MatrixXd> elements(at(pattern.shares().count()));
-  return sum_of_cells<ElementEntries::diagonals>(mesh, bulk, pattern,
-                                                 [&](int share, std::size_t i, std::size_t) {
-                                                   const Cell cell(mesh, bulk, factors, i);
-                                                   auto& element = elements[at(share)];
-                                                   element.resize(cell.node_count(), cell.node_count());
-                                                   cell_mass(bulk, i, cell.type, cell.points, element);
-                                                   element *= cell.factor;
-                                                   require_finite(element.diagonal(), cell, mesh, "mass");
-                                                   return &element;
-                                                 });
+  return sum_of_cells<BlockEntries::diagonal>(mesh, bulk, pattern,
+                                              [&](int share, std::size_t i, std::size_t) {
+                                                const Cell cell(mesh, bulk, factors, i);
+                                                auto& element = elements[at(share)];
+                                                element.resize(cell.node_count(), cell.node_count());
+                                                cell_mass(bulk, i, cell.type, cell.points, element);
+                                                element *= cell.factor;
+                                                require_finite(element.diagonal(), cell, mesh, "mass");
+                                                return &element;
+                                              });
 }
 
 Eigen::VectorXd lumped_mass(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,

@@ -9,16 +9,24 @@
 namespace rubato::domain {
 namespace {
 
-std::vector<Eigen::Vector3d> middles_of(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells) {
-  std::vector<Eigen::Vector3d> middles;
-  middles.reserve(cells.size());
-  for (const auto cell : cells) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    const auto nodes = mesh.nodes_of(cell);
-    for (const auto node : nodes)
-      sum += mesh.points[static_cast<std::size_t>(node)];
-    middles.push_back(sum / static_cast<double>(nodes.size()));
-  }
+Eigen::Vector3d middle_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const auto nodes = mesh.nodes_of(cell);
+  for (const auto node : nodes)
+    sum += mesh.points[static_cast<std::size_t>(node)];
+  return sum / static_cast<double>(nodes.size());
+}
+
+std::vector<Eigen::Vector3d> middles_of(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,
+                                        const Threads& threads) {
+  std::vector<Eigen::Vector3d> middles(cells.size());
+  const int parts = threads.parts_of(cells.size(), WorkShares::smallest);
+  threads.each(parts, [&](int part) {
+    const auto first = cells.size() * static_cast<std::size_t>(part) / static_cast<std::size_t>(parts);
+    const auto last = cells.size() * static_cast<std::size_t>(part + 1) / static_cast<std::size_t>(parts);
+    for (auto i = first; i < last; ++i)
+      middles[i] = middle_of(mesh, cells[i]);
+  });
   return middles;
 }
 
@@ -34,7 +42,7 @@ WorkShares::WorkShares(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> 
   }
   starts_.clear();
   const auto together = (cells.size() + parts - 1) / parts;
-  const auto order = spatial_order(middles_of(mesh, cells), together);
+  const auto order = spatial_order(middles_of(mesh, cells, threads), together);
   std::ranges::transform(order, places_.begin(), [](std::size_t i) { return static_cast<std::uint32_t>(i); });
   for (std::size_t start = 0; start < cells.size(); start += together)
     starts_.push_back(start);

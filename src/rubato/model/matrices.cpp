@@ -116,12 +116,6 @@ void add_masses_of_references(Model& model) {
     add_reference_masses(model, model.mass);
 }
 
-/// A mass leaves directions alone: two thirds of the entries that its pattern has in three dimensions are 0.
-void drop_zeros(SparseMatrix& matrix) {
-  matrix.prune([](int, int, double value) { return value != 0; });
-  matrix.data().squeeze();
-}
-
 /// Rayleigh's coefficients, one a material.
 struct Rayleigh {
   std::vector<double> stiffness;
@@ -155,7 +149,6 @@ void assemble_implicit(Model& model) {
     free_contact_of_mass(model);
   add_point_masses(model);
   add_masses_of_references(model);
-  drop_zeros(model.mass);
   const auto rayleigh = rayleigh_of(model.study.materials);
   if (!Rayleigh::any(rayleigh.stiffness) && !Rayleigh::any(rayleigh.mass))
     return;

@@ -8,8 +8,8 @@ namespace rubato::step {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-BlockCompliance::BlockCompliance(const linalg::SurfaceInFactor& surface) 
-    : surface_(surface), most_bytes_(surface.bytes_of_compliance(linalg::SurfaceInFactor::most_formed)) {
+BlockCompliance::BlockCompliance(const linalg::SurfaceInFactor& surface, std::size_t most_bytes)
+    : surface_(surface), most_bytes_(most_bytes) {
   const auto& starts = surface.block_starts();
   half_way_.resize(starts.size() - 1);
   blocks_.resize(starts.size() - 1);

@@ -13,12 +13,15 @@
 namespace rubato::step {
 
 /// S between two blocks of neighbouring positions is computed when first asked for, and kept as long as all
-/// that is kept takes no more memory than was counted for it (SurfaceInFactor::most_formed). Its digits do not
-/// depend on what was asked for before, so that a resumed run has the same ones.
+/// that is kept takes no more memory than was counted for it (SurfaceInFactor::most_formed). Its digits do
+/// not depend on what was asked for before, so that a resumed run has the same ones.
 class BlockCompliance {
 public:
-  /// `surface` must outlive this.
-  explicit BlockCompliance(const linalg::SurfaceInFactor& surface);
+  /// `surface` must outlive this. `most_bytes`: from where on what is kept is forgotten when more is asked
+  /// for.
+  BlockCompliance(const linalg::SurfaceInFactor& surface, std::size_t most_bytes);
+  explicit BlockCompliance(const linalg::SurfaceInFactor& surface)
+      : BlockCompliance(surface, surface.bytes_of_compliance(linalg::SurfaceInFactor::most_formed)) {}
 
   /// The surface's factor has other values: all of S is to be computed again.
   void forget();
@@ -45,7 +48,7 @@ private:
 
   const linalg::SurfaceInFactor& surface_;
   std::size_t most_bytes_;
-  std::size_t bytes_ = 0; ///< of half_way_ and blocks_
+  std::size_t bytes_ = 0;                            ///< of half_way_ and blocks_
   std::vector<std::size_t> block_of_;                ///< by position
   std::vector<Eigen::MatrixXd> half_way_;            ///< by block; empty until used
   std::vector<std::vector<Eigen::MatrixXd>> blocks_; ///< by row and column ≤ row; empty until used

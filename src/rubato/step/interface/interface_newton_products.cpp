@@ -37,7 +37,7 @@ InterfaceNewtonSystem::solved_by_products(const VectorXd& c, const linalg::Whole
   // What a change takes of what is left: the equations are linear in it.
   const auto solution = linalg::gmres(
       [&](const VectorXd& sides) { return VectorXd(begun - weighted(residual(c, change_of(sides)))); }, begun,
-      left_by_products_, most_gmres_products);
+      limits_.left_by_products, most_gmres_products);
   return solution ? std::optional(change_of(*solution)) : std::nullopt;
 }
 

@@ -33,8 +33,6 @@ constexpr Index most_columns_of_forces = 1500;
 constexpr Index small = 60;
 /// Whole systems beyond this size take too long to give up on.
 constexpr Index largest_whole = 3000;
-/// Active dofs from which places that points have left are forgotten where they are more than half of all.
-constexpr Index many_active = 3000;
 
 /// Cᵀ (δz, δξ) of a point: what it puts on its displacements.
 class ForceOf {
@@ -66,10 +64,8 @@ std::pair<std::size_t, std::size_t> id_of(const ActivePoint& point) {
 } // namespace
 
 InterfaceNewtonSystem::InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface,
-                                             double force_weight, Index largest_formed,
-                                             double left_by_products)
-    : compliance_(compliance), force_weight_(force_weight), largest_formed_(largest_formed),
-      left_by_products_(left_by_products), surface_(surface) {
+                                             double force_weight, const Limits& limits)
+    : compliance_(compliance), force_weight_(force_weight), limits_(limits), surface_(surface) {
   clear();
 }
 
@@ -197,14 +193,13 @@ bool InterfaceNewtonSystem::has_factors_of_these() const {
 
 bool InterfaceNewtonSystem::forms_compliance() const {
   const Index largest =
-      compliance_.has_dear_columns() ? std::min(most_columns_of_forces, largest_formed_) : largest_formed_;
+      compliance_.has_dear_columns() ? std::min(most_columns_of_forces, limits_.formed) : limits_.formed;
   return sharing_ || forces_ <= largest;
 }
 
-/// Points come back to places that they have left. But S between all places of a large surface takes more
-/// memory than its factor.
+/// Points come back to places that they have left, so that those of small surfaces stay.
 void InterfaceNewtonSystem::forget_left_places() {
-  if (surface_.size() < many_active)
+  if (surface_.size() < limits_.kept)
     return;
   std::vector<int> present;
   for (const auto& point : points())

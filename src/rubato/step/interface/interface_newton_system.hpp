@@ -33,15 +33,21 @@ namespace rubato::step {
 
 class InterfaceNewtonSystem {
 public:
-  /// Forces of the points, δz, up to which S between them is formed: their LU takes some seconds.
-  static constexpr Eigen::Index usual_largest_formed = 6000;
-  /// Part of the first residual that is left of those then: Newton's next iteration takes the rest.
-  static constexpr double usual_left_by_products = 3e-3;
+  struct Limits {
+    /// Forces of the points, δz, up to which S between them is formed: their LU takes some seconds.
+    Eigen::Index formed = 6000;
+    /// Part of the first residual that is left of more of them: Newton's next iteration takes the rest.
+    double left_by_products = 3e-3;
+    /// Active dofs from which places that points have left are forgotten where they are more than half of
+    /// all: S between all places of a large surface takes more memory than its factor.
+    Eigen::Index kept = 3000;
+  };
 
   /// Both must outlive this.
   InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface, double force_weight,
-                        Eigen::Index largest_formed = usual_largest_formed,
-                        double left_by_products = usual_left_by_products);
+                        const Limits& limits);
+  InterfaceNewtonSystem(Compliance& compliance, ActiveInterfaceCompliance& surface, double force_weight)
+      : InterfaceNewtonSystem(compliance, surface, force_weight, Limits()) {}
 
   /// Begins another iteration with no points; factors are kept for the same ones.
   void clear();
@@ -111,8 +117,7 @@ private:
 
   Compliance& compliance_;
   double force_weight_;
-  Eigen::Index largest_formed_;
-  double left_by_products_;
+  Limits limits_;
   std::vector<ActivePoint> points_; ///< the first count_ of them; others are storage
   std::size_t count_ = 0;
   Eigen::Index forces_ = 0;   ///< how many δz

@@ -145,7 +145,8 @@ TEST_P(InterfaceNewtonSystemWith, SolvesEachPointsEquations) {
 }
 
 TEST_P(InterfaceNewtonSystemWith, SolvesThemByProductsWithTheComplianceToo) {
-  InterfaceNewtonSystem by_products(bulk.compliance, surface, force_weight, 0, 1e-4);
+  InterfaceNewtonSystem by_products(bulk.compliance, surface, force_weight,
+                                    {.formed = 0, .left_by_products = 1e-4});
   const auto some = points();
   for (std::size_t i = 0; i < some.size(); ++i)
     by_products.add(0, i) = some[i];
@@ -168,6 +169,23 @@ TEST_P(InterfaceNewtonSystemWith, SolvesThoseOfTheNextIterations) {
   system.clear();
   take(some);
   expect_solved(system, bulk, way());
+}
+
+// Where points come to other places, S between the places that they have left is not formed again.
+TEST_P(InterfaceNewtonSystemWith, ForgetsPlacesThatAreMoreThanHalfOfAll) {
+  InterfaceNewtonSystem forgetful(bulk.compliance, surface, force_weight, {.kept = 1});
+  const auto some = points();
+  for (std::size_t i = 0; i < some.size(); ++i)
+    forgetful.add(0, i) = some[i];
+  expect_solved(forgetful, bulk, way());
+  const auto all = surface.size();
+  for (const std::size_t only : {2U, 5U}) {
+    forgetful.clear();
+    forgetful.add(0, only) = some[only];
+    expect_solved(forgetful, bulk, way());
+    EXPECT_LE(surface.size(), 2 * static_cast<Index>(some[only].dofs.size()));
+  }
+  EXPECT_GT(all, 2 * 8);
 }
 
 // From places that hardly matter to ones that matter as much as forces. Few points are solved for at once,
