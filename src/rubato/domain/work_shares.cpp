@@ -9,7 +9,7 @@
 namespace rubato::domain {
 namespace {
 
-Eigen::Vector3d middle_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
+Eigen::Vector3d mean_of_nodes(const mesh::Mesh& mesh, mesh::CellIndex cell) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   const auto nodes = mesh.nodes_of(cell);
   for (const auto node : nodes)
@@ -25,7 +25,7 @@ std::vector<Eigen::Vector3d> middles_of(const mesh::Mesh& mesh, std::span<const 
     const auto first = cells.size() * static_cast<std::size_t>(part) / static_cast<std::size_t>(parts);
     const auto last = cells.size() * static_cast<std::size_t>(part + 1) / static_cast<std::size_t>(parts);
     for (auto i = first; i < last; ++i)
-      middles[i] = middle_of(mesh, cells[i]);
+      middles[i] = mean_of_nodes(mesh, cells[i]);
   });
   return middles;
 }
