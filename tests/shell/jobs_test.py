@@ -377,7 +377,7 @@ without_limit = pytest.mark.skipif(
 @without_limit
 def test_runs_that_do_not_fit_beside_others_wait(place):
     one = run(place, CUBE, "-o", "one", "-q")
-    beside = run(place, CUBE, "-o", "beside", "--jobs", "3", **limited(400))
+    beside = run(place, CUBE, "-o", "beside", "--jobs", "3", **limited(370))
     assert one.returncode == beside.returncode == 0, beside.stderr
     # Whichever of them counts its memory first says so first.
     waits = sorted((line for line in beside.stderr.splitlines() if " waits for memory: " in line), reverse=True)
