@@ -22,7 +22,6 @@ public:
       : nodes_(static_cast<std::int64_t>(nodes)), count_(threads.parts_of(nodes, 1000)) {}
   int count() const { return count_; }
   std::int32_t first(int part) const { return static_cast<std::int32_t>(nodes_ * part / count_); }
-  bool has(int part, std::int32_t node) const { return node >= first(part) && node < first(part + 1); }
 
 private:
   std::int64_t nodes_;
@@ -49,9 +48,10 @@ CellsOfNodes cells_around_nodes(const mesh::Mesh& mesh, std::span<const CellInde
                                 const Threads& threads) {
   const NodesInParts parts(nodes, threads);
   const auto each_of_part = [&](int part, const auto& work) {
+    const auto first = parts.first(part), end = parts.first(part + 1);
     for (const auto cell : cells)
       for (std::int32_t own = 0; const auto node : mesh.nodes_of(cell)) {
-        if (const auto number = number_of[at(node)]; parts.has(part, number))
+        if (const auto number = number_of[at(node)]; number >= first && number < end)
           work(at(number), cell, own);
         ++own;
       }
