@@ -20,23 +20,13 @@ using namespace std::chrono_literals;
 const std::string endless = test::with(test::two_blocks, "step: 1e-4, end: 4e-4", "step: 1e-4, end: 1e3") +
                             "fields: {formats: [vtu, med]}\n";
 
-/// Waits until some steps are written.
-void wait_for_steps(const test::Program& program, const std::filesystem::path& steps) {
-  const auto is_written = [&] {
-    return std::filesystem::exists(steps) && std::filesystem::file_size(steps) > 500;
-  };
-  while (program.is_running() && !is_written())
-    std::this_thread::sleep_for(5ms);
-  ASSERT_TRUE(program.is_running());
-}
-
 class InterruptedBy : public testing::TestWithParam<int> {};
 
 TEST_P(InterruptedBy, ASignalTheRunClosesItsFilesAndSaysWhereItStopped) {
   const test::ScratchFolder folder;
   test::write_text(folder / "deck.yaml", endless);
   test::Program program({"run", "deck.yaml", "-o", "out", "-q"}, folder.path());
-  wait_for_steps(program, folder / "out/run/steps.jsonl");
+  ASSERT_TRUE(test::wait_for_steps(program, folder / "out/run/steps.jsonl"));
   EXPECT_EQ(nlohmann::json::parse(test::text_of(folder / "out/run/run.json")).at("status"), "running");
   program.send(GetParam());
   const auto outcome = program.wait();
@@ -96,7 +86,7 @@ TEST(KilledRun, LeavesAFolderThatSaysSo) {
   const test::ScratchFolder folder;
   test::write_text(folder / "deck.yaml", endless);
   test::Program program({"run", "deck.yaml", "-o", "out", "-q"}, folder.path());
-  wait_for_steps(program, folder / "out/run/steps.jsonl");
+  ASSERT_TRUE(test::wait_for_steps(program, folder / "out/run/steps.jsonl"));
   program.send(SIGKILL);
   EXPECT_EQ(program.wait().exit_code, -SIGKILL);
   const auto outcome = test::run_program({"check", "out"}, folder.path());

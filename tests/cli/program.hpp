@@ -3,6 +3,7 @@
 #pragma once
 
 #include "support/scratch_folder.hpp"
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -13,6 +14,7 @@
 #include <string>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -114,6 +116,16 @@ private:
   ScratchFolder streams_;
   pid_t id_ = -1;
 };
+
+/// Waits until some steps are written into the file of a run's steps. False when the program ended before.
+inline bool wait_for_steps(const Program& program, const std::filesystem::path& steps) {
+  const auto is_written = [&] {
+    return std::filesystem::exists(steps) && std::filesystem::file_size(steps) > 500;
+  };
+  while (program.is_running() && !is_written())
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return program.is_running();
+}
 
 inline Outcome run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                            Limits limits = {}) {

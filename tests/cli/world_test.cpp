@@ -6,14 +6,11 @@
 #include "program.hpp"
 #include "support/two_blocks.hpp"
 #include <algorithm>
-#include <chrono>
 #include <csignal>
-#include <thread>
 
 namespace rubato {
 namespace {
 
-using namespace std::chrono_literals;
 using test::text_of;
 using test::two_blocks;
 
@@ -38,13 +35,8 @@ TEST_F(World, LetsOneRunAloneInAFolder) {
   test::write_text(folder_ / "endless.yaml", endless);
   test::Program first({"run", "endless.yaml", "-o", "out", "-q"}, folder_.path());
   const auto summary = folder_ / "out/run/run.json";
-  // It is written anew when the factor's memory is known.
-  const auto is_written = [&] {
-    return std::filesystem::exists(summary) &&
-           text_of(summary).find("\"factor_bytes\": 0,") == std::string::npos;
-  };
-  while (first.is_running() && !is_written())
-    std::this_thread::sleep_for(5ms);
+  // The summary is complete before the first step.
+  ASSERT_TRUE(test::wait_for_steps(first, folder_ / "out/run/steps.jsonl"));
   // The run goes on and may warn.
   const auto start_of_summary = [&] {
     const auto text = text_of(summary);
