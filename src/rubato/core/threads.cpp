@@ -50,4 +50,13 @@ void Threads::each(int parts, const std::function<void(int)>& work) const {
   arena_->get().execute([&] { tbb::parallel_for(0, parts, work, tbb::simple_partitioner()); });
 }
 
+void Threads::each_range(std::size_t pieces, std::size_t smallest,
+                         const std::function<void(std::size_t, std::size_t)>& work) const {
+  const auto parts = static_cast<std::size_t>(parts_of(pieces, smallest));
+  each(static_cast<int>(parts), [&](int number) {
+    const auto part = static_cast<std::size_t>(number);
+    work(pieces * part / parts, pieces * (part + 1) / parts);
+  });
+}
+
 } // namespace rubato

@@ -2,6 +2,7 @@
 /// How many threads work on one run, and how work is dealt out to them.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -22,6 +23,10 @@ public:
   /// Calls work(part) once for each part from 0 on, at most count() of them at a time, and returns when all
   /// are done. What one of them throws is thrown here; others may then not have been called.
   void each(int parts, const std::function<void(int)>& work) const;
+  /// Calls work(first, last) for as many ranges of the pieces as parts_of says, each from `first` to before
+  /// `last`, as `each` does.
+  void each_range(std::size_t pieces, std::size_t smallest,
+                  const std::function<void(std::size_t, std::size_t)>& work) const;
 
 private:
   struct Arena;

@@ -56,10 +56,7 @@ void LinearDomain::copy_stiffness(SparseMatrix& tangent) const {
   }
   constexpr std::size_t fewest = 500'000; // numbers that are worth a thread
   const auto size = static_cast<std::size_t>(tangent.nonZeros());
-  const int parts = threads_.parts_of(size, fewest);
-  threads_.each(parts, [&](int part) {
-    const auto first = size * static_cast<std::size_t>(part) / static_cast<std::size_t>(parts);
-    const auto last = size * static_cast<std::size_t>(part + 1) / static_cast<std::size_t>(parts);
+  threads_.each_range(size, fewest, [&](std::size_t first, std::size_t last) {
     std::copy(stiffness_->valuePtr() + first, stiffness_->valuePtr() + last, tangent.valuePtr() + first);
   });
 }

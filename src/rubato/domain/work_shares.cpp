@@ -20,10 +20,7 @@ Eigen::Vector3d mean_of_nodes(const mesh::Mesh& mesh, mesh::CellIndex cell) {
 std::vector<Eigen::Vector3d> middles_of(const mesh::Mesh& mesh, std::span<const mesh::CellIndex> cells,
                                         const Threads& threads) {
   std::vector<Eigen::Vector3d> middles(cells.size());
-  const int parts = threads.parts_of(cells.size(), WorkShares::smallest);
-  threads.each(parts, [&](int part) {
-    const auto first = cells.size() * static_cast<std::size_t>(part) / static_cast<std::size_t>(parts);
-    const auto last = cells.size() * static_cast<std::size_t>(part + 1) / static_cast<std::size_t>(parts);
+  threads.each_range(cells.size(), WorkShares::smallest, [&](std::size_t first, std::size_t last) {
     for (auto i = first; i < last; ++i)
       middles[i] = mean_of_nodes(mesh, cells[i]);
   });

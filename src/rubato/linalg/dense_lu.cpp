@@ -16,6 +16,8 @@ constexpr double singular = 1e-15;
 /// Pivots within this factor leave no doubt: the estimate costs more than the factors of a small matrix.
 constexpr double doubtful = 1e-6;
 constexpr Eigen::Index without_estimate = 48;
+/// Rows from which on two threads are done sooner than one.
+constexpr int fewest_by_threads = 1000;
 
 bool beyond_doubt(const MatrixXd& factors) {
   const auto pivots = factors.diagonal().cwiseAbs();
@@ -36,14 +38,14 @@ double reciprocal_condition(const MatrixXd& factors, double matrix_norm) {
 
 } // namespace
 
-std::optional<DenseLu> DenseLu::of(MatrixXd matrix) {
+std::optional<DenseLu> DenseLu::of(MatrixXd matrix, const Threads& threads) {
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("LU factors of a matrix that is not square");
   if (!std::isfinite(matrix.cwiseAbs().sum()))
     return std::nullopt;
   DenseLu lu;
   lu.factors_ = std::move(matrix);
-  const bool sound = lu.factors_.rows() <= without_estimate ? lu.factor_small() : lu.factor_large();
+  const bool sound = lu.factors_.rows() <= without_estimate ? lu.factor_small() : lu.factor_large(threads);
   return sound ? std::optional(std::move(lu)) : std::nullopt;
 }
 
@@ -54,11 +56,14 @@ bool DenseLu::factor_small() {
   return beyond_doubt(factors_) || small_->rcond() > singular;
 }
 
-bool DenseLu::factor_large() {
+bool DenseLu::factor_large(const Threads& threads) {
   use_one_blas_thread_by_default();
   const double norm = factors_.cwiseAbs().colwise().sum().maxCoeff();
   const auto size = static_cast<int>(factors_.rows());
   pivots_.resize(static_cast<std::size_t>(size));
+  std::optional<BlasThreads> side_by_side;
+  if (threads.count() > 1 && size >= fewest_by_threads)
+    side_by_side.emplace(threads.count());
   int info = 0;
   dgetrf_(&size, &size, factors_.data(), &size, pivots_.data(), &info);
   return info == 0 && (beyond_doubt(factors_) || reciprocal_condition(factors_, norm) > singular);

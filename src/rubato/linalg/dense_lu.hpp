@@ -3,6 +3,8 @@
 /// begun.
 #pragma once
 
+#include "rubato/core/threads.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/LU>
 
@@ -16,8 +18,9 @@ class DenseLu {
 public:
   /// Nothing comes back when the matrix is singular to working precision (an estimate of its reciprocal
   /// condition number in the 1-norm below 1e-15) or has a value that is not finite. Throws
-  /// std::invalid_argument when it is not square.
-  static std::optional<DenseLu> of(Eigen::MatrixXd matrix);
+  /// std::invalid_argument when it is not square. Large ones are factored by all threads; with more than one,
+  /// nobody else may be in BLAS meanwhile.
+  static std::optional<DenseLu> of(Eigen::MatrixXd matrix, const Threads& threads = {});
 
   DenseLu(DenseLu&&) = default;
   DenseLu& operator=(DenseLu&&) = default;
@@ -30,7 +33,7 @@ public:
 private:
   DenseLu() = default;
   bool factor_small();
-  bool factor_large();
+  bool factor_large(const Threads& threads);
 
   Eigen::MatrixXd factors_; ///< in the place of the matrix; a move leaves its numbers where they are
   /// Of a small matrix: refers to the numbers of `factors_`.

@@ -80,6 +80,11 @@ VectorXd summed(VectorXd own, const Ranks& ranks) {
   return own;
 }
 
+VectorXd of_first(VectorXd own, const Ranks& ranks) {
+  ranks.share_first({own.data(), static_cast<std::size_t>(own.size())});
+  return own;
+}
+
 VectorXd diagonal_of(const SparseMatrix& part, const Ranks& ranks) {
   return summed(part.diagonal(), ranks);
 }

@@ -18,6 +18,8 @@ namespace rubato::linalg {
 
 /// Σ of what the ranks have.
 Eigen::VectorXd summed(Eigen::VectorXd own, const Ranks& ranks);
+/// That of the first rank, where each has one of its own of as many values.
+Eigen::VectorXd of_first(Eigen::VectorXd own, const Ranks& ranks);
 
 Eigen::VectorXd diagonal_of(const SparseMatrix& part, const Ranks& ranks);
 /// A x, x being the same on all ranks.

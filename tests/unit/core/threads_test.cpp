@@ -72,6 +72,20 @@ TEST(Threads, TakeNoMorePartsThanPay) {
   EXPECT_EQ(Threads().parts_of(5000, 100), 1);
 }
 
+TEST(Threads, DealOutRangesThatFollowOneAnother) {
+  for (const std::size_t pieces : {std::size_t{0}, std::size_t{7}, std::size_t{1001}}) {
+    std::vector<int> met(pieces, 0);
+    std::atomic<int> ranges = 0;
+    Threads(3).each_range(pieces, 100, [&](std::size_t first, std::size_t last) {
+      ++ranges;
+      for (auto i = first; i < last; ++i)
+        ++met[i];
+    });
+    EXPECT_EQ(met, std::vector<int>(pieces, 1));
+    EXPECT_EQ(ranges, pieces < 200 ? 1 : 3);
+  }
+}
+
 TEST(Threads, AreAtLeastOne) {
   EXPECT_THROW(Threads(0), std::invalid_argument);
   EXPECT_THROW(Threads(-2), std::invalid_argument);

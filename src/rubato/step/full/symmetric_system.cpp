@@ -17,9 +17,7 @@ std::optional<Eigen::VectorXd> SymmetricSystem::solve(const model::Model& model,
   if (!ranks.of_first(factor_.has_value()))
     return std::nullopt;
   // Each rank's own need not have the same last digits.
-  Eigen::VectorXd solution = factor_ ? factor_->solve(right_side) : right_side;
-  ranks.share_first({solution.data(), static_cast<std::size_t>(solution.size())});
-  return solution;
+  return linalg::of_first(factor_ ? factor_->solve(right_side) : right_side, ranks);
 }
 
 } // namespace rubato::step

@@ -42,18 +42,29 @@ Eigen::Matrix<double, Rows, Rows> seen_by(const PointRows& point,
   return block;
 }
 
+/// What the forces of the points from `first` to before `last` do to all points.
+template <int Rows>
+void fill_columns(const ActiveInterfaceCompliance& surface, std::span<const PointRows* const> points,
+                  double factor, std::size_t first, std::size_t last, MatrixXd& matrix) {
+  MatrixXd by_active_dof;
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> moved;
+  for (std::size_t j = first; j < last; ++j) {
+    apply_compliance<Rows>(surface, *points[j], by_active_dof, moved);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      matrix.template block<Rows, Rows>(static_cast<Index>(i) * Rows, static_cast<Index>(j) * Rows) =
+          factor * seen_by<Rows>(*points[i], moved);
+  }
+}
+
+/// Points of a thread's part at least: fewer are done sooner than another thread wakes up.
+constexpr std::size_t fewest_points = 100;
+
 template <int Rows>
 void fill(const ActiveInterfaceCompliance& surface, std::span<const PointRows* const> points, double factor,
           MatrixXd& matrix) {
-  const auto count = static_cast<Index>(points.size());
-  MatrixXd by_active_dof;
-  Eigen::Matrix<double, Rows, Eigen::Dynamic> moved;
-  for (Index j = 0; j < count; ++j) {
-    apply_compliance<Rows>(surface, *points[static_cast<std::size_t>(j)], by_active_dof, moved);
-    for (Index i = 0; i < count; ++i)
-      matrix.template block<Rows, Rows>(i * Rows, j * Rows) =
-          factor * seen_by<Rows>(*points[static_cast<std::size_t>(i)], moved);
-  }
+  surface.threads().each_range(points.size(), fewest_points, [&](std::size_t first, std::size_t last) {
+    fill_columns<Rows>(surface, points, factor, first, last, matrix);
+  });
 }
 
 void fill_up_with_zeros(MatrixXd& matrix, Index rows) {

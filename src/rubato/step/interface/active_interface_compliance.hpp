@@ -32,6 +32,8 @@ public:
     return active_dof_of_[static_cast<std::size_t>(interface_dof)];
   }
 
+  const Threads& threads() const { return compliance_->threads(); }
+
   /// moved = S force, both one an active dof.
   void multiply(const Eigen::VectorXd& force, Eigen::VectorXd& moved) const;
   /// moved += S force, one an active dof, with the force given by its entries at some active dofs.

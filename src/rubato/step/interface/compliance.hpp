@@ -98,6 +98,8 @@ public:
   void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
   /// The same with the force given by its entries.
   void add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
+  /// Whether `add` reads a force given by few entries from columns of S that stand in memory.
+  bool keeps_columns() const { return !related_ && unknowns_.keeps_columns(); }
   /// How far a unit force at an interface dof moves it.
   double own(int interface_dof);
 

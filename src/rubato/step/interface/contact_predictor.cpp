@@ -24,6 +24,8 @@ constexpr int unlimited = std::numeric_limits<int>::max();
 constexpr double well_balanced = 1e-3;
 /// Those join first that are pushed in by this part of the deepest.
 constexpr double deep = 0.6;
+/// Part of a surface that is watched from which on all of it is.
+constexpr double watched_in_place = 0.5;
 
 } // namespace
 
@@ -242,16 +244,23 @@ bool ContactPredictor::choose_more(std::span<PredictorPoint> points, const Vecto
   return static_cast<std::ptrdiff_t>(chosen_.size()) > known;
 }
 
-/// Of a large surface, takes the parts that points stand on to those that push moves.
+/// Of a large surface, takes the parts that points stand on to those that push moves. Where these are most of
+/// it, what stands in memory already is read sooner than S between them is copied.
 void ContactPredictor::watch(std::span<PredictorPoint* const> points) {
-  if (static_cast<std::size_t>(compliance_.size()) < least_watched_)
+  if (watches_all_ || static_cast<std::size_t>(compliance_.size()) < least_watched_)
     return;
   for (const auto* point : points)
     for (const auto& node : point->stencil.nodes)
       for (const int at : node.at)
         if (at >= 0)
           watched_.add({&at, 1});
-  watched_.touch_added();
+  watches_all_ =
+      compliance_.keeps_columns() &&
+      static_cast<double>(watched_.size()) > watched_in_place * static_cast<double>(compliance_.size());
+  if (watches_all_)
+    watched_.forget();
+  else
+    watched_.touch_added();
 }
 
 /// Moves the surface, of a large one what is watched, by a unit force along an axis of the frame of a point.

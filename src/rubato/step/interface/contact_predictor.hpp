@@ -89,7 +89,10 @@ public:
   double misfit(std::span<const PredictorPoint> points, const Eigen::VectorXd& d) const;
   /// The parts of the surface that points stand on, which calls keep for the next one: of large surfaces as
   /// large as the compliance itself where everything touches.
-  void forget_surface() { watched_.forget(); }
+  void forget_surface() {
+    watched_.forget();
+    watches_all_ = false;
+  }
   /// These, the points and what they do to one another.
   void forget();
 
@@ -131,6 +134,7 @@ private:
   Eigen::MatrixXd tangential_compliance_; ///< slips of sliding ones for unit friction on each
   Eigen::VectorXd force_;                 ///< storage of add_motion
   ActiveInterfaceCompliance watched_;     ///< parts of the surface whose motion push tells
+  bool watches_all_ = false;              ///< so many points stand on it that push moves it whole
   std::vector<ForceAt> pushing_;          ///< storage of push
   std::vector<int> pushed_;               ///< the same by number of what is watched
   Eigen::VectorXd watched_motion_;        ///< by the last push

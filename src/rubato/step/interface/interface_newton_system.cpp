@@ -284,7 +284,7 @@ void InterfaceNewtonSystem::add_shared(Index rows, MatrixXd& matrix) const {
 bool InterfaceNewtonSystem::factor(Index rows) {
   MatrixXd matrix = matrix_of(rows);
   linalg::equilibrate(matrix, row_scale_, column_scale_);
-  factors_ = linalg::DenseLu::of(std::move(matrix));
+  factors_ = linalg::DenseLu::of(std::move(matrix), surface_.threads());
   factored_rows_ = rows;
   factored_points_.resize(count_);
   std::ranges::transform(points(), factored_points_.begin(), &id_of);

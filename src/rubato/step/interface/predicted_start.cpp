@@ -50,10 +50,12 @@ public:
                          site_.progress);
       if (site_.progress.stopped())
         return;
+      take_forces_of_first();
       take_prediction(site_.model, points_, trial_);
       move(round);
       follow_frames();
-      if (!surface_.consistent || predictor_.misfit(points_, surface_.moved) > fitting)
+      if (!surface_.consistent ||
+          site_.model.sharing().of_first(predictor_.misfit(points_, surface_.moved) > fitting))
         continue;
       if (!takes_bases_ || surface_.moved.lpNorm<Eigen::Infinity>() <= at_rest * reach_.most())
         return;
@@ -76,6 +78,21 @@ private:
     site_.side.restrict_friction(site_.frozen, now_);
     take_points(site_.model, site_.side, site_.frozen, compliance(), now_, surface_.moved, trial_, points_);
     reach_.start();
+  }
+
+  /// What each rank has solved for need not have the same last digits.
+  void take_forces_of_first() {
+    const auto ranks = site_.model.sharing();
+    if (ranks.is_alone())
+      return;
+    std::vector<double> forces;
+    for (const auto& point : points_)
+      forces.insert(forces.end(), point.force.begin(), point.force.end());
+    ranks.share_first(forces);
+    auto next = forces.begin();
+    for (auto& point : points_)
+      for (double& force : point.force)
+        force = *next++;
   }
 
   /// Nothing but contact holds free bodies: forces that don't fit yet move them by their whole size and more.

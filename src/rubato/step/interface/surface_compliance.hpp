@@ -61,6 +61,9 @@ public:
   /// The same with the force given by its entries.
   void add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
 
+  /// Whether columns of S stand in memory once they are computed: a few of them are then read in place.
+  bool keeps_columns() const { return !has_blocks_ && !solver_->has_dear_columns(); }
+
   /// How far a unit force at a position moves it.
   double own(int position) {
     const int body = body_of(position);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/surface_motion.hpp"
 
+#include "rubato/linalg/ranked_matrix.hpp"
+
+#include <utility>
+
 namespace rubato::step {
 
 using Eigen::Index;
@@ -39,7 +43,7 @@ void SurfaceMotion::take_base(const time::Motion& motion, const VectorXd& residu
 VectorXd SurfaceMotion::moved_by(const VectorXd& force) const {
   VectorXd there = free;
   system_.compliance->add(-scheme_.contact_weight(), beyond_carried(force), there);
-  return there;
+  return linalg::of_first(std::move(there), model_.sharing());
 }
 
 void SurfaceMotion::move(State& trial) {
