@@ -26,6 +26,15 @@ TEST(DenseLu, SolvesGeneralSystems) {
   }
 }
 
+TEST(DenseLu, OfLargeSystemsAreTheSameByThreads) {
+  const Eigen::MatrixXd matrix = random_matrix(1100, 1100);
+  const Eigen::VectorXd right = random_matrix(1100, 1);
+  const auto by_one = DenseLu::of(matrix)->solve(right);
+  const auto by_two = DenseLu::of(matrix, Threads(2))->solve(right);
+  EXPECT_LT((matrix * by_two - right).lpNorm<Eigen::Infinity>(), 1e-9);
+  EXPECT_LT((by_two - by_one).norm(), 1e-9 * by_one.norm());
+}
+
 TEST(DenseLu, OfNothingSolvesNothing) {
   const auto lu = DenseLu::of(Eigen::MatrixXd(0, 0));
   ASSERT_TRUE(lu);
