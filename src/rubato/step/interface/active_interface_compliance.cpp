@@ -125,6 +125,7 @@ void ActiveInterfaceCompliance::touch_added() {
     bodies_[parts.size()].first = begin - interface_dofs_.begin();
     parts.emplace_back(begin, end);
   }
+  compliance_->compute_whole(interface_dofs_);
   for_each_body(compliance_->threads(), parts.size(), interface_dofs_.size(),
                 [&](std::size_t part) { compliance_->within_body(parts[part], bodies_[part].s); });
 }

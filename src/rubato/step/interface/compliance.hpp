@@ -85,6 +85,12 @@ public:
   /// What is asked of one body may be asked of others at the same time.
   const Threads& threads() const { return unknowns_.solver().threads(); }
 
+  /// What asking for S between some of these interface dofs waits for the first time: S of the bodies whose
+  /// surfaces are small enough for all of it, several bodies at the same time.
+  void compute_whole(std::span<const int> interface_dofs) {
+    if (!related_)
+      unknowns_.compute_whole(interface_dofs);
+  }
   /// S for these interface dofs.
   Eigen::MatrixXd between(std::span<const int> interface_dofs);
   /// The same for interface dofs that all lie on the body of the first, of which there is one; into `s`.

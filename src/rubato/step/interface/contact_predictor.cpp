@@ -257,10 +257,12 @@ void ContactPredictor::watch(std::span<PredictorPoint* const> points) {
   watches_all_ =
       compliance_.keeps_columns() &&
       static_cast<double>(watched_.size()) > watched_in_place * static_cast<double>(compliance_.size());
-  if (watches_all_)
+  if (watches_all_) {
+    compliance_.compute_whole(watched_.interface_dofs());
     watched_.forget();
-  else
+  } else {
     watched_.touch_added();
+  }
 }
 
 /// Moves the surface, of a large one what is watched, by a unit force along an axis of the frame of a point.

@@ -96,6 +96,17 @@ void SurfaceCompliance::within_body(std::span<const int> positions, Eigen::Matri
   }
 }
 
+void SurfaceCompliance::compute_whole(std::span<const int> positions) {
+  std::vector<int> bodies;
+  for (const int position : positions)
+    if (const int body = body_of(position); known_[static_cast<std::size_t>(position)] == 0 &&
+                                            is_computed_whole(body) &&
+                                            std::ranges::find(bodies, body) == bodies.end())
+      bodies.push_back(body);
+  solver_->threads().each(static_cast<int>(bodies.size()),
+                          [&](int i) { compute(bodies[static_cast<std::size_t>(i)], 0); });
+}
+
 bool SurfaceCompliance::takes_forces_together() const {
   const auto& starts = solver_->body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b)
@@ -192,7 +203,7 @@ void SurfaceCompliance::compute(int body, Index place) {
   auto& s = s_[b];
   const auto start = known_.begin() + first_of_body(body);
   const Index size = solver_->body_starts()[b + 1] - first_of_body(body);
-  if (size <= largest_whole_) {
+  if (is_computed_whole(body)) {
     s = solver_->compliance(b);
     std::fill_n(start, size, 1);
     return;

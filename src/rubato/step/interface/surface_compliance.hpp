@@ -61,6 +61,10 @@ public:
   /// The same with the force given by its entries.
   void add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
 
+  /// S of the bodies of these positions, where it is computed whole and has not been yet: several bodies at
+  /// the same time.
+  void compute_whole(std::span<const int> positions);
+
   /// Whether columns of S stand in memory once they are computed: a few of them are then read in place.
   bool keeps_columns() const { return !has_blocks_ && !solver_->has_dear_columns(); }
 
@@ -82,6 +86,9 @@ private:
   const Eigen::MatrixXd& whole(std::size_t body);
   bool is_solved_with(std::size_t body, Eigen::Index forces) const;
   void add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
+  bool is_computed_whole(int body) const {
+    return !in_blocks(body) && first_of_body(body + 1) - first_of_body(body) <= largest_whole_;
+  }
   void compute(int body, Eigen::Index place);
   void forget(std::size_t body);
 
