@@ -104,8 +104,8 @@ public:
   void add(double factor, const Eigen::VectorXd& force, Eigen::VectorXd& d);
   /// The same with the force given by its entries.
   void add(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
-  /// Whether `add` reads a force given by few entries from columns of S that stand in memory.
-  bool keeps_columns() const { return !related_ && unknowns_.keeps_columns(); }
+  /// Whether compute_whole leaves nothing of S to be computed for forces at the dofs that it was called with.
+  bool is_computed_whole() const { return !related_ && unknowns_.is_computed_whole(); }
   /// How far a unit force at an interface dof moves it.
   double own(int interface_dof);
 

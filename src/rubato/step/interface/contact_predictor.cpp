@@ -26,6 +26,9 @@ constexpr double well_balanced = 1e-3;
 constexpr double deep = 0.6;
 /// Part of a surface that is watched from which on all of it is.
 constexpr double watched_in_place = 0.5;
+/// Columns of a compliance between two looks at whether the run is to stop, and of a thread's part at least.
+constexpr Index columns_at_once = 256;
+constexpr std::size_t fewest_columns = 50;
 
 } // namespace
 
@@ -120,6 +123,7 @@ void ContactPredictor::add_cones(std::span<PredictorPoint* const> together, cons
   const auto known = cones.friction.size();
   const auto count = static_cast<Index>(together.size());
   watch(together);
+  Push pushed;
   cones.matrix.conservativeResize(count * components_, count * components_);
   cones.values.conservativeResize(count * components_);
   cones.friction.conservativeResize(count);
@@ -128,12 +132,12 @@ void ContactPredictor::add_cones(std::span<PredictorPoint* const> together, cons
     cones.values.segment(k * components_, components_) = measures_of(point, free).head(components_);
     cones.friction[k] = point.friction;
     for (Index a = 0; a < components_; ++a) {
-      push(point, static_cast<int>(a));
+      push(point, static_cast<int>(a), pushed);
       const Index column = k * components_ + a;
       for (Index i = 0; i <= k; ++i) {
         const auto& seeing = *together[static_cast<std::size_t>(i)];
         cones.matrix.col(column).segment(i * components_, components_) =
-            (seeing.frame.transpose() * seeing.stencil.gather(moved_)).head(components_);
+            (seeing.frame.transpose() * seeing.stencil.gather(pushed.moved)).head(components_);
       }
       cones.matrix.row(column).head(k * components_) =
           cones.matrix.col(column).head(k * components_).transpose();
@@ -247,16 +251,16 @@ bool ContactPredictor::choose_more(std::span<PredictorPoint> points, const Vecto
 /// Of a large surface, takes the parts that points stand on to those that push moves. Where these are most of
 /// it, what stands in memory already is read sooner than S between them is copied.
 void ContactPredictor::watch(std::span<PredictorPoint* const> points) {
-  if (watches_all_ || static_cast<std::size_t>(compliance_.size()) < least_watched_)
+  if (static_cast<std::size_t>(compliance_.size()) < least_watched_)
     return;
   for (const auto* point : points)
     for (const auto& node : point->stencil.nodes)
       for (const int at : node.at)
         if (at >= 0)
           watched_.add({&at, 1});
-  watches_all_ =
-      compliance_.keeps_columns() &&
-      static_cast<double>(watched_.size()) > watched_in_place * static_cast<double>(compliance_.size());
+  watches_all_ = watches_all_ || (compliance_.is_computed_whole() &&
+                                  static_cast<double>(watched_.size()) >
+                                      watched_in_place * static_cast<double>(compliance_.size()));
   if (watches_all_) {
     compliance_.compute_whole(watched_.interface_dofs());
     watched_.forget();
@@ -266,33 +270,47 @@ void ContactPredictor::watch(std::span<PredictorPoint* const> points) {
 }
 
 /// Moves the surface, of a large one what is watched, by a unit force along an axis of the frame of a point.
-void ContactPredictor::push(const PredictorPoint& point, int axis) {
-  pushing_.clear();
+void ContactPredictor::push(const PredictorPoint& point, int axis, Push& push) const {
+  push.forces.clear();
   for (const auto& node : point.stencil.nodes)
     for (std::size_t c = 0; c < 3; ++c)
       if (const int at = node.at[c]; at >= 0)
-        pushing_.push_back({at, node.weight * point.frame(static_cast<Index>(c), axis)});
-  const auto size = compliance_.size();
+        push.forces.push_back({at, node.weight * point.frame(static_cast<Index>(c), axis)});
   if (watched_.size() > 0) {
-    moved_.resize(size);
-    push_watched();
+    push.moved.resize(compliance_.size());
+    push_watched(push);
   } else {
-    moved_.setZero(size);
-    compliance_.add(factor_, pushing_, moved_);
+    push.moved.setZero(compliance_.size());
+    compliance_.add(factor_, push.forces, push.moved);
   }
 }
 
-void ContactPredictor::push_watched() {
-  pushed_.clear();
-  Eigen::RowVectorXd force(static_cast<Index>(pushing_.size()));
-  for (const auto& [interface_dof, part] : pushing_) {
-    force[static_cast<Index>(pushed_.size())] = factor_ * part;
-    pushed_.push_back(watched_.active_dof_of(interface_dof));
+void ContactPredictor::push_watched(Push& push) const {
+  push.active.clear();
+  Eigen::RowVectorXd force(static_cast<Index>(push.forces.size()));
+  for (const auto& [interface_dof, part] : push.forces) {
+    force[static_cast<Index>(push.active.size())] = factor_ * part;
+    push.active.push_back(watched_.active_dof_of(interface_dof));
   }
-  watched_motion_.setZero(watched_.size());
-  watched_.add_motion(pushed_, force, watched_motion_.data());
+  push.of_watched.setZero(watched_.size());
+  watched_.add_motion(push.active, force, push.of_watched.data());
   for (std::size_t k = 0; k < watched_.interface_dofs().size(); ++k)
-    moved_[watched_.interface_dofs()[k]] = watched_motion_[static_cast<Index>(k)];
+    push.moved[watched_.interface_dofs()[k]] = push.of_watched[static_cast<Index>(k)];
+}
+
+/// Calls work(column, storage) for the columns from `first` on, of points whose surfaces are watched by
+/// threads: S stands in memory then.
+template <class Work>
+void ContactPredictor::each_column(Index first, Index count, Progress& progress, const Work& work) const {
+  const Threads threads = is_watched() ? compliance_.threads() : Threads();
+  for (Index start = first; start < count && progress.report(); start += columns_at_once) {
+    const auto columns = static_cast<std::size_t>(std::min(columns_at_once, count - start));
+    threads.each_range(columns, fewest_columns, [&](std::size_t begin, std::size_t end) {
+      Push storage;
+      for (auto column = begin; column < end; ++column)
+        work(start + static_cast<Index>(column), storage);
+    });
+  }
 }
 
 /// Whether the points chosen are so many that it saves work.
@@ -325,14 +343,14 @@ void ContactPredictor::add_normal_compliance(Progress& progress) {
   }
   normal_compliance_.conservativeResize(count, count);
   watch(chosen_);
-  for (Index j = known; j < count && progress.report(); ++j) {
-    push(*chosen_[static_cast<std::size_t>(j)], 0);
+  each_column(known, count, progress, [&](Index j, Push& pushed) {
+    push(*chosen_[static_cast<std::size_t>(j)], 0, pushed);
     for (Index i = 0; i <= j; ++i) {
       const auto& seeing = *chosen_[static_cast<std::size_t>(i)];
       normal_compliance_(i, j) = normal_compliance_(j, i) =
-          seeing.frame.col(0).dot(seeing.stencil.gather(moved_));
+          seeing.frame.col(0).dot(seeing.stencil.gather(pushed.moved));
     }
-  }
+  });
 }
 
 void ContactPredictor::add_tangential_compliance(Progress& progress) {
@@ -345,20 +363,20 @@ void ContactPredictor::add_tangential_compliance(Progress& progress) {
     watch(sliding);
   }
   tangential_compliance_.resize(count * tangents, count * tangents);
-  for (Index j = 0; j < count && progress.report(); ++j) {
+  each_column(0, count, progress, [&](Index j, Push& pushed) {
     const auto& point = *chosen_[sliding_[static_cast<std::size_t>(j)]];
     for (Index b = 0; b < tangents; ++b) {
-      push(point, static_cast<int>(1 + b));
+      push(point, static_cast<int>(1 + b), pushed);
       for (Index i = 0; i <= j; ++i) {
         const auto& seeing = *chosen_[sliding_[static_cast<std::size_t>(i)]];
-        const Vector3d moved = seeing.stencil.gather(moved_);
+        const Vector3d moved = seeing.stencil.gather(pushed.moved);
         for (Index a = 0; a < tangents; ++a)
           tangential_compliance_(i * tangents + a, j * tangents + b) =
               tangential_compliance_(j * tangents + b, i * tangents + a) = seeing.frame.col(1 + a).dot(moved);
       }
       tangential_compliance_(j * tangents + b, j * tangents + b) += point.tangential_compliance;
     }
-  }
+  });
 }
 
 /// `without`: the surface without pressing forces.

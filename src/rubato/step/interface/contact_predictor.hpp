@@ -104,8 +104,18 @@ private:
   void add_motion(std::span<const PredictorPoint> points, int first, int last, Eigen::VectorXd& d);
   bool choose_more(std::span<PredictorPoint> points, const Eigen::VectorXd& d);
   void watch(std::span<PredictorPoint* const> points);
-  void push(const PredictorPoint& point, int axis);
-  void push_watched();
+  /// What moves the surface by a unit force at a point, and the surface then.
+  struct Push {
+    std::vector<ForceAt> forces;
+    std::vector<int> active;    ///< where they act, by number of what is watched
+    Eigen::VectorXd of_watched; ///< how what is watched moves
+    Eigen::VectorXd moved;      ///< the same by interface dof; not defined where nothing is watched
+  };
+  bool is_watched() const { return watches_all_ || watched_.size() > 0; }
+  void push(const PredictorPoint& point, int axis, Push& push) const;
+  void push_watched(Push& push) const;
+  template <class Work>
+  void each_column(Eigen::Index first, Eigen::Index count, Progress& progress, const Work& work) const;
   bool takes_together() const;
   void find_normal_compliance();
   void add_normal_compliance(Progress& progress);
@@ -135,10 +145,6 @@ private:
   Eigen::VectorXd force_;                 ///< storage of add_motion
   ActiveInterfaceCompliance watched_;     ///< parts of the surface whose motion push tells
   bool watches_all_ = false;              ///< so many points stand on it that push moves it whole
-  std::vector<ForceAt> pushing_;          ///< storage of push
-  std::vector<int> pushed_;               ///< the same by number of what is watched
-  Eigen::VectorXd watched_motion_;        ///< by the last push
-  Eigen::VectorXd moved_;                 ///< the same by interface dof; not defined where nothing is watched
   std::vector<double> gaps_;              ///< storage of choose_more
 };
 

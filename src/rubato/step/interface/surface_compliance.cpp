@@ -107,6 +107,13 @@ void SurfaceCompliance::compute_whole(std::span<const int> positions) {
                           [&](int i) { compute(bodies[static_cast<std::size_t>(i)], 0); });
 }
 
+bool SurfaceCompliance::is_computed_whole() const {
+  for (std::size_t b = 0; b < s_.size(); ++b)
+    if (!is_computed_whole(static_cast<int>(b)))
+      return false;
+  return true;
+}
+
 bool SurfaceCompliance::takes_forces_together() const {
   const auto& starts = solver_->body_starts();
   for (std::size_t b = 0; b + 1 < starts.size(); ++b)

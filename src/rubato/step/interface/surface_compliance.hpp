@@ -65,8 +65,8 @@ public:
   /// the same time.
   void compute_whole(std::span<const int> positions);
 
-  /// Whether columns of S stand in memory once they are computed: a few of them are then read in place.
-  bool keeps_columns() const { return !has_blocks_ && !solver_->has_dear_columns(); }
+  /// Whether that is how S of all bodies is computed.
+  bool is_computed_whole() const;
 
   /// How far a unit force at a position moves it.
   double own(int position) {
