@@ -26,8 +26,8 @@ constexpr double well_balanced = 1e-3;
 constexpr double deep = 0.6;
 /// Part of a surface that is watched from which on all of it is.
 constexpr double watched_in_place = 0.5;
-/// Columns of a compliance between two looks at whether the run is to stop, and of a thread's part at least.
-constexpr Index columns_at_once = 256;
+/// Columns of a compliance for a thread between two looks at whether the run is to stop, and at least.
+constexpr Index columns_of_thread = 128;
 constexpr std::size_t fewest_columns = 50;
 
 } // namespace
@@ -303,8 +303,9 @@ void ContactPredictor::push_watched(Push& push) const {
 template <class Work>
 void ContactPredictor::each_column(Index first, Index count, Progress& progress, const Work& work) const {
   const Threads threads = is_watched() ? compliance_.threads() : Threads();
-  for (Index start = first; start < count && progress.report(); start += columns_at_once) {
-    const auto columns = static_cast<std::size_t>(std::min(columns_at_once, count - start));
+  const Index at_once = columns_of_thread * threads.count();
+  for (Index start = first; start < count && progress.report(); start += at_once) {
+    const auto columns = static_cast<std::size_t>(std::min(at_once, count - start));
     threads.each_range(columns, fewest_columns, [&](std::size_t begin, std::size_t end) {
       Push storage;
       for (auto column = begin; column < end; ++column)
