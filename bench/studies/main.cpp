@@ -3,6 +3,8 @@
 ///   rubato_bench_studies --quick                    a few in a minute
 ///   rubato_bench_studies c c-refined-4              these
 ///   rubato_bench_studies --page docs/performance.md all, into the tables of a page
+#include "rubato/linalg/blas_threads.hpp"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -89,6 +91,8 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+  // Processor time is that of all threads: idle ones of OpenBLAS would be counted.
+  rubato::linalg::start_with_one_blas_thread_by_default();
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
