@@ -80,12 +80,12 @@ struct SplitFactor::Body {
 
   Index size() const { return static_cast<Index>(unknowns.size()); }
 
-  void analyse(LowerTriangle& lower, Index largest_last) {
+  void analyse(LowerTriangle& lower, SurfaceLimits limits) {
     engine = std::make_unique<CholmodEngine>();
-    if (surface_size > largest_last && size() <= thickest * surface_size) {
+    if (surface_size > limits.last && size() <= thickest * surface_size) {
       engine->analyse_supernodes(lower);
       if (engine->bytes() < bytes_of_triangle() || engine->flops() < flops_of_triangle()) {
-        within.emplace(*engine, size() - surface_size);
+        within.emplace(*engine, size() - surface_size, limits.whole_within);
         return;
       }
       engine = std::make_unique<CholmodEngine>();
@@ -100,7 +100,7 @@ struct SplitFactor::Body {
   double flops_of_triangle() const { return std::pow(static_cast<double>(surface_size), 3) / 3; }
 
   std::size_t bytes_of_compliance() const {
-    return within ? within->bytes_of_compliance(SurfaceInFactor::most_formed)
+    return within ? within->bytes_of_compliance()
                   : static_cast<std::size_t>(surface_size * surface_size) * sizeof(double);
   }
 
@@ -186,7 +186,7 @@ std::vector<LowerTriangle> SplitFactor::triangles_of(const SparseMatrix& matrix)
 }
 
 void SplitFactor::analyse(std::vector<LowerTriangle>& triangles, std::size_t memory,
-                          const std::function<void(std::size_t)>& tell, Index largest_last) {
+                          const std::function<void(std::size_t)>& tell, SurfaceLimits limits) {
   constexpr std::size_t fewest = 100'000; // entries, analysed in some ten milliseconds
   std::size_t entries = 0;
   for (const auto& triangle : triangles)
@@ -194,7 +194,7 @@ void SplitFactor::analyse(std::vector<LowerTriangle>& triangles, std::size_t mem
   const Threads threads = entries >= fewest ? threads_ : Threads();
   threads.each(static_cast<int>(bodies_.size()), [&](int body) {
     const auto b = static_cast<std::size_t>(body);
-    bodies_[b].analyse(triangles[b], largest_last);
+    bodies_[b].analyse(triangles[b], limits);
   });
   auto needed = factor_bytes();
   for (const auto& body : bodies_)
@@ -212,14 +212,14 @@ void SplitFactor::analyse(std::vector<LowerTriangle>& triangles, std::size_t mem
 
 std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span<const int> surface,
                                            std::size_t memory, const std::function<void(std::size_t)>& tell,
-                                           Index largest_last, const Threads& threads) {
+                                           SurfaceLimits limits, const Threads& threads) {
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("SplitFactor::of wants a square matrix.");
   SplitFactor factor(matrix, surface, threads);
   auto triangles = factor.triangles_of(matrix);
   if (!std::ranges::all_of(triangles, &LowerTriangle::finite))
     return std::nullopt;
-  factor.analyse(triangles, memory, tell, largest_last);
+  factor.analyse(triangles, memory, tell, limits);
   if (!factor.factorise([&](std::size_t b) { return std::move(triangles[b]); }))
     return std::nullopt;
   factor.has_values_ = true;
@@ -228,12 +228,12 @@ std::optional<SplitFactor> SplitFactor::of(const SparseMatrix& matrix, std::span
 
 SplitFactor SplitFactor::analysed(const SparseMatrix& matrix, std::span<const int> surface,
                                   std::size_t memory, const std::function<void(std::size_t)>& tell,
-                                  Index largest_last, const Threads& threads) {
+                                  SurfaceLimits limits, const Threads& threads) {
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("SplitFactor::analysed wants a square matrix.");
   SplitFactor factor(matrix, surface, threads);
   auto triangles = factor.triangles_of(matrix);
-  factor.analyse(triangles, memory, tell, largest_last);
+  factor.analyse(triangles, memory, tell, limits);
   return factor;
 }
 
@@ -390,6 +390,8 @@ const SurfaceInFactor* SplitFactor::surface_within(std::size_t body) const {
 
 MatrixXd SplitFactor::compliance(std::size_t body) const {
   must_have_values();
+  if (bodies_[body].within)
+    return bodies_[body].within->whole();
   const auto& triangle = bodies_[body].triangle;
   MatrixXd inverse(triangle.size, triangle.size);
   for (Index j = 0; j < triangle.size; ++j)

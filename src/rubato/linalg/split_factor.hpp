@@ -20,6 +20,15 @@ namespace rubato::linalg {
 
 struct LowerTriangle;
 
+/// Sizes of surfaces: how many unknowns a body has on its own.
+struct SurfaceLimits {
+  /// Up to this the surface is eliminated last, whatever that costs.
+  Eigen::Index last = std::numeric_limits<Eigen::Index>::max();
+  /// Up to this the compliance of a surface that is eliminated within its body is formed whole. That pays
+  /// where the values of the matrix stay for many steps.
+  Eigen::Index whole_within = 0;
+};
+
 /// The factor of a symmetric positive definite matrix whose surface is eliminated last:
 ///   A = [A_ii A_is; A_si A_ss],  L = [L_ii 0; L_si L_ss],  L_ss L_ssᵀ = A_ss − A_si A_ii⁻¹ A_is = S⁻¹,
 /// S = B A⁻¹ Bᵀ the compliance of the surface, B picking its unknowns. The solution of A x = b is known on
@@ -42,19 +51,19 @@ public:
   /// Nothing comes back when the matrix is not positive definite to working precision or has a value that is
   /// not finite. A surface that is eliminated last keeps the order of `surface`. `tell` hears what the factor
   /// and its compliance need [bytes] as soon as their entries are counted, before the first value is
-  /// computed. Surfaces of more than `largest_last` unknowns are eliminated within their body where its whole
+  /// computed. Surfaces of more than `limits.last` unknowns are eliminated within their body where its whole
   /// factor is then smaller than L_ss alone, or takes fewer multiplications. Throws TooLargeForMemory when
   /// they would not fit into `memory` [bytes], std::invalid_argument when the matrix is not square.
   static std::optional<SplitFactor> of(
       const SparseMatrix& matrix, std::span<const int> surface, std::size_t memory,
-      const std::function<void(std::size_t)>& tell = [](std::size_t) {},
-      Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max(), const Threads& threads = {});
+      const std::function<void(std::size_t)>& tell = [](std::size_t) {}, SurfaceLimits limits = {},
+      const Threads& threads = {});
   /// The same without values, which `refactor` gives: only the pattern of the matrix counts, and it need not
   /// be positive definite. Throws as `of` does.
   static SplitFactor analysed(
       const SparseMatrix& matrix, std::span<const int> surface, std::size_t memory,
-      const std::function<void(std::size_t)>& tell = [](std::size_t) {},
-      Eigen::Index largest_last = std::numeric_limits<Eigen::Index>::max(), const Threads& threads = {});
+      const std::function<void(std::size_t)>& tell = [](std::size_t) {}, SurfaceLimits limits = {},
+      const Threads& threads = {});
   SplitFactor(SplitFactor&&) noexcept;
   SplitFactor& operator=(SplitFactor&&) noexcept;
   ~SplitFactor() override;
@@ -82,10 +91,10 @@ public:
   const std::vector<int>& surface() const override { return surface_; }
   const std::vector<int>& body_starts() const override { return body_starts_; }
   const SurfaceInFactor* surface_within(std::size_t body) const override;
-  /// S of a body whose surface is eliminated last.
+  /// S of a body whose surface is eliminated last, or within it and S is formed whole.
   Eigen::MatrixXd compliance(std::size_t body) const override;
-  /// The same for unit forces at `count` of its positions from `first` on (counted from its first): one
-  /// column each. All columns take three times as long by this.
+  /// The same, of a surface that is eliminated last, for unit forces at `count` of its positions from `first`
+  /// on (counted from its first): one column each. All columns take three times as long by this.
   Eigen::MatrixXd compliance(std::size_t body, Eigen::Index first, Eigen::Index count) const override;
 
   Eigen::VectorXd moved_by(std::size_t body, const Eigen::VectorXd& force) const override;
@@ -107,7 +116,7 @@ private:
   SplitFactor(const SparseMatrix& matrix, std::span<const int> surface, const Threads& threads);
   std::vector<LowerTriangle> triangles_of(const SparseMatrix& matrix) const;
   void analyse(std::vector<LowerTriangle>& triangles, std::size_t memory,
-               const std::function<void(std::size_t)>& tell, Eigen::Index largest_last);
+               const std::function<void(std::size_t)>& tell, SurfaceLimits limits);
   bool factorise(const std::function<LowerTriangle(std::size_t)>& triangle_of);
   bool factorise_by_blas(const std::function<LowerTriangle(std::size_t)>& triangle_of);
   bool pays_side_by_side() const;

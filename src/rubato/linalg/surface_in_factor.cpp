@@ -68,6 +68,16 @@ void add_square(const MatrixXd& rows, std::span<const int> columns, MatrixXd& sq
   }
 }
 
+/// sum += rowsᵀ rows in rows and columns from `first` on, of the lower triangle.
+void add_square(const MatrixXd& rows, Index first, MatrixXd& sum) {
+  const auto size = static_cast<int>(rows.cols());
+  const auto inner = static_cast<int>(rows.rows());
+  const auto stride = static_cast<int>(sum.rows());
+  const double one = 1;
+  if (rows.size() > 0)
+    dsyrk_("L", "T", &size, &inner, &one, rows.data(), &inner, &one, &sum(first, first), &stride);
+}
+
 /// Where each of some numbers stands among more of them, both ascending.
 void find_among(std::span<const int> some, std::span<const int> more, std::vector<Index>& places) {
   places.clear();
@@ -98,7 +108,7 @@ MatrixXd product_of_ends(const MatrixXd& first, const MatrixXd& second, Index ro
 
 } // namespace
 
-SurfaceInFactor::SurfaceInFactor(const CholmodEngine& engine, Index first_surface)
+SurfaceInFactor::SurfaceInFactor(const CholmodEngine& engine, Index first_surface, Index largest_whole)
     : engine_(engine), node_of_(static_cast<std::size_t>(engine.order())), parent_(engine.supernode_count()),
       path_(engine.supernode_count()) {
   const auto order = engine.permutation();
@@ -137,6 +147,17 @@ SurfaceInFactor::SurfaceInFactor(const CholmodEngine& engine, Index first_surfac
       if (const Index parent = parent_[static_cast<std::size_t>(s)]; parent >= 0)
         on_path[static_cast<std::size_t>(parent)] = 1;
     }
+  is_formed_whole_ = size() <= largest_whole && is_sooner_read_than_solved();
+}
+
+bool SurfaceInFactor::is_sooner_read_than_solved() const {
+  double read = 0;
+  for (const Index s : above_) {
+    const auto node = engine_.supernode(static_cast<std::size_t>(s));
+    const auto columns = static_cast<double>(node.columns);
+    read += 2 * columns * (static_cast<double>(node.rows.size()) - (columns - 1) / 2);
+  }
+  return static_cast<double>(size()) * static_cast<double>(size() + 1) / 2 < read;
 }
 
 void SurfaceInFactor::load(const VectorXd& force, Eigen::Ref<VectorXd> half_way) const {
@@ -287,11 +308,7 @@ void SurfaceInFactor::carry_up(std::size_t node, std::vector<Part>& parts) const
   MatrixXd carried(panel.below, part.rows.cols());
   panel.multiply(static_cast<int>(part.rows.cols()), part.rows.data(), panel.columns, carried.data());
   std::vector<Index> columns_above;
-  for (std::size_t begin = 0, end = 0; begin < panel.rows_below.size(); begin = end) {
-    const Index above = node_of_[static_cast<std::size_t>(panel.rows_below[begin])];
-    while (end < panel.rows_below.size() &&
-           node_of_[static_cast<std::size_t>(panel.rows_below[end])] == above)
-      ++end;
+  each_above(node, [&](Index above, std::size_t begin, std::size_t end) {
     auto& rows_above = parts[static_cast<std::size_t>(above)].rows;
     const Index first = engine_.supernode(static_cast<std::size_t>(above)).first;
     find_among(part.columns, parts[static_cast<std::size_t>(above)].columns, columns_above);
@@ -300,12 +317,96 @@ void SurfaceInFactor::carry_up(std::size_t node, std::vector<Part>& parts) const
       for (std::size_t i = begin; i < end; ++i)
         to[panel.rows_below[i] - first] -= carried(static_cast<Index>(i), column);
     }
+  });
+}
+
+/// Calls take(supernode above, first, last) with the rows below a supernode that belong to one above it.
+template <class Take> void SurfaceInFactor::each_above(std::size_t node, const Take& take) const {
+  const auto below = Panel(engine_.supernode(node)).rows_below;
+  for (std::size_t begin = 0, end = 0; begin < below.size(); begin = end) {
+    const Index above = node_of_[static_cast<std::size_t>(below[begin])];
+    while (end < below.size() && node_of_[static_cast<std::size_t>(below[end])] == above)
+      ++end;
+    take(above, begin, end);
   }
 }
 
-std::size_t SurfaceInFactor::bytes_of_compliance(Index most) const {
+MatrixXd SurfaceInFactor::whole() const {
+  MatrixXd sum = MatrixXd::Zero(size(), size());
+  auto strips = empty_strips();
+  for (const Index s : above_) {
+    auto& strip = strips[static_cast<std::size_t>(s)];
+    put_units(static_cast<std::size_t>(s), strip);
+    const Panel panel(engine_.supernode(static_cast<std::size_t>(s)));
+    panel.solve(static_cast<int>(strip.count), strip.rows.data(), panel.columns);
+    carry_up(static_cast<std::size_t>(s), strips);
+    add_square(strip.rows, strip.first, sum);
+    strip.rows.resize(0, 0);
+  }
+  sum.triangularView<Eigen::StrictlyUpper>() = sum.transpose();
+  return sum;
+}
+
+/// What is below a supernode in the tree was eliminated before it: its positions come before its own.
+std::vector<SurfaceInFactor::Strip> SurfaceInFactor::empty_strips() const {
+  std::vector<Strip> strips(parent_.size());
+  const auto positions_before = [&](Index place) {
+    return static_cast<Index>(std::ranges::lower_bound(places_, place) - places_.begin());
+  };
+  for (auto& strip : strips)
+    strip.first = size();
+  for (const Index s : above_) {
+    const auto node = engine_.supernode(static_cast<std::size_t>(s));
+    auto& strip = strips[static_cast<std::size_t>(s)];
+    strip.first = std::min(strip.first, positions_before(node.first));
+    strip.count = positions_before(node.first + node.columns) - strip.first;
+    if (const Index parent = parent_[static_cast<std::size_t>(s)]; parent >= 0) {
+      auto& first = strips[static_cast<std::size_t>(parent)].first;
+      first = std::min(first, strip.first);
+    }
+  }
+  return strips;
+}
+
+/// The unit forces at the positions of a supernode.
+void SurfaceInFactor::put_units(std::size_t node, Strip& strip) const {
+  const auto supernode = engine_.supernode(node);
+  if (strip.rows.size() == 0)
+    strip.rows.setZero(supernode.columns, strip.count);
+  for (Index k = strip.count - 1; k >= 0; --k) {
+    const Index row = places_[static_cast<std::size_t>(strip.first + k)] - supernode.first;
+    if (row < 0)
+      return;
+    strip.rows(row, k) += 1;
+  }
+}
+
+/// Takes what a supernode's rows carry off the rows of those above it.
+void SurfaceInFactor::carry_up(std::size_t node, std::vector<Strip>& strips) const {
+  const Panel panel(engine_.supernode(node));
+  if (panel.below == 0)
+    return;
+  const auto& strip = strips[node];
+  MatrixXd carried(panel.below, strip.count);
+  panel.multiply(static_cast<int>(strip.count), strip.rows.data(), panel.columns, carried.data());
+  each_above(node, [&](Index above, std::size_t begin, std::size_t end) {
+    auto& to = strips[static_cast<std::size_t>(above)];
+    const auto supernode = engine_.supernode(static_cast<std::size_t>(above));
+    if (to.rows.size() == 0)
+      to.rows.setZero(supernode.columns, to.count);
+    for (Index column = 0; column < carried.cols(); ++column) {
+      double* const rows = to.rows.col(strip.first - to.first + column).data();
+      for (std::size_t i = begin; i < end; ++i)
+        rows[panel.rows_below[i] - supernode.first] -= carried(static_cast<Index>(i), column);
+    }
+  });
+}
+
+std::size_t SurfaceInFactor::bytes_of_compliance() const {
+  if (is_formed_whole())
+    return static_cast<std::size_t>(size() * size()) * sizeof(double);
   std::size_t numbers = 0;
-  for (std::size_t block = 0; block < node_of_block_.size() && block_starts_[block] < most; ++block) {
+  for (std::size_t block = 0; block < node_of_block_.size() && block_starts_[block] < most_formed; ++block) {
     const auto count = static_cast<std::size_t>(block_starts_[block + 1] - block_starts_[block]);
     const auto path = static_cast<std::size_t>(path_[static_cast<std::size_t>(node_of_block_[block])]);
     numbers += count * (path + static_cast<std::size_t>(block_starts_[block + 1]));

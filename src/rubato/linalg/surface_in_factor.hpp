@@ -21,16 +21,19 @@ class CholmodEngine;
 class SurfaceInFactor {
 public:
   static constexpr Eigen::Index largest_block = 48;
-  /// Positions that S is formed of at once: of more points S is used by its products only
-  /// (step/interface/interface_newton_system.hpp).
+  /// Positions that S is formed of at once where it is not formed whole: of more points S is used by its
+  /// products only (step/interface/interface_newton_system.hpp).
   static constexpr Eigen::Index most_formed = 10'000;
 
   /// The surface are the engine's unknowns from `first_surface` on. The engine has been analysed with
   /// supernodes, and must outlive this; values are asked for once it has factored, and are those of its last
-  /// factor.
-  SurfaceInFactor(const CholmodEngine& engine, Eigen::Index first_surface);
+  /// factor. S of more than `largest_whole` positions is not meant to be formed whole.
+  SurfaceInFactor(const CholmodEngine& engine, Eigen::Index first_surface, Eigen::Index largest_whole);
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(places_.size()); }
+  /// Whether S is meant to be used as one matrix, else block by block: where it may be, and one half of it is
+  /// sooner read than a partial solve reads the factor (`moved_by`), once down and once up.
+  bool is_formed_whole() const { return is_formed_whole_; }
   /// Where every position stands in the order of elimination, ascending.
   const std::vector<Eigen::Index>& places() const { return places_; }
   /// Positions at which blocks begin, and their number at the end.
@@ -51,9 +54,11 @@ public:
   /// Fᵀ S F, one row and one column a column of `forces`, whose rows from `first` on are the positions: by
   /// L⁻¹ Bᵀ F, each column of it on the paths of its own entries only.
   Eigen::MatrixXd between(const SparseMatrix& forces, Eigen::Index first) const;
-  /// Memory [bytes] of half_way_of all blocks and of S between all of them, each pair once; of the first
-  /// `most` positions where there are more.
-  std::size_t bytes_of_compliance(Eigen::Index most) const;
+  /// S.
+  Eigen::MatrixXd whole() const;
+  /// Memory [bytes] of S where it is formed whole; else of half_way_of all blocks and of S between all of
+  /// them, each pair once, of the first `most_formed` positions where there are more.
+  std::size_t bytes_of_compliance() const;
 
 private:
   /// Of a supernode: the columns of F whose paths it is on, and its rows of L⁻¹ Bᵀ F in these.
@@ -61,11 +66,24 @@ private:
     std::vector<int> columns;
     Eigen::MatrixXd rows;
   };
+  /// Of a supernode: its rows of L⁻¹ Bᵀ, in the positions from `first` to the end of its own. Empty until
+  /// used.
+  struct Strip {
+    Eigen::Index first = 0;
+    Eigen::Index count = 0;
+    Eigen::MatrixXd rows;
+  };
+  bool is_sooner_read_than_solved() const;
+  std::vector<Strip> empty_strips() const;
+  void put_units(std::size_t node, Strip& strip) const;
+  void carry_up(std::size_t node, std::vector<Strip>& strips) const;
+  template <class Take> void each_above(std::size_t node, const Take& take) const;
   std::vector<Part> parts_of(const SparseMatrix& forces, Eigen::Index first) const;
   void carry_up(std::size_t node, std::vector<Part>& parts) const;
   Eigen::Index path_end_shared_by(std::size_t first, std::size_t second) const;
 
   const CholmodEngine& engine_;
+  bool is_formed_whole_ = false;
   std::vector<Eigen::Index> places_;
   std::vector<Eigen::Index> block_starts_;
   std::vector<Eigen::Index> node_of_block_;

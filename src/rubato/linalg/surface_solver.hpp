@@ -55,10 +55,11 @@ public:
   virtual const std::vector<int>& body_starts() const = 0;
   /// Of a body whose surface is eliminated within it; else nothing.
   virtual const SurfaceInFactor* surface_within(std::size_t body) const = 0;
-  /// S of a body whose surface is not eliminated within it.
+  /// S of a body whose surface is not eliminated within it, or where S is formed whole
+  /// (SurfaceInFactor::is_formed_whole).
   virtual Eigen::MatrixXd compliance(std::size_t body) const = 0;
-  /// The same for unit forces at `count` of its positions from `first` on (counted from its first): one
-  /// column each.
+  /// The same, of a surface that is not eliminated within its body, for unit forces at `count` of its
+  /// positions from `first` on (counted from its first): one column each.
   virtual Eigen::MatrixXd compliance(std::size_t body, Eigen::Index first, Eigen::Index count) const = 0;
   /// S f of forces that are not zero on one body only, f and the answer with its positions.
   virtual Eigen::VectorXd moved_by(std::size_t body, const Eigen::VectorXd& force) const = 0;

@@ -90,10 +90,10 @@ struct Case {
     return surface_step == 0 ? std::vector<int>() : every(surface_step, matrix);
   }
   std::optional<SplitFactor> factor_of(const SparseMatrix& values) const {
-    return SplitFactor::of(values, surface(), plenty, never, largest_last);
+    return SplitFactor::of(values, surface(), plenty, never, {.last = largest_last});
   }
   SplitFactor analysed(const SparseMatrix& values) const {
-    return SplitFactor::analysed(values, surface(), plenty, never, largest_last);
+    return SplitFactor::analysed(values, surface(), plenty, never, {.last = largest_last});
   }
 };
 

@@ -59,7 +59,7 @@ protected:
 
   SparseMatrix matrix_ = strip_and_block();
   std::vector<int> chosen_ = surface_of(matrix_, GetParam());
-  std::optional<SplitFactor> factor_ = SplitFactor::of(matrix_, chosen_, plenty, never, 0);
+  std::optional<SplitFactor> factor_ = SplitFactor::of(matrix_, chosen_, plenty, never, {.last = 0});
 };
 
 TEST_P(SurfaceWithinABody, HoldsTheUnknownsAskedFor) {
@@ -127,6 +127,23 @@ TEST_P(SurfaceWithinABody, HasTheComplianceOfWholeSolvesBlockByBlock) {
     }
 }
 
+TEST_P(SurfaceWithinABody, HasTheComplianceOfWholeSolvesInOne) {
+  ASSERT_TRUE(factor_);
+  const MatrixXd inverse = MatrixXd(matrix_).inverse();
+  for (std::size_t body = 0; body < 2; ++body) {
+    const auto* surface = factor_->surface_within(body);
+    if (!surface)
+      continue;
+    const auto first = factor_->surface().begin() + factor_->body_starts()[body];
+    const std::vector<int> unknowns(first, first + surface->size());
+    const MatrixXd expected = inverse(unknowns, unknowns);
+    const MatrixXd found = surface->whole();
+    EXPECT_EQ(found, found.transpose());
+    EXPECT_LE((found - expected).norm(), 1e-11 * expected.norm());
+    EXPECT_EQ(factor_->compliance(body), found);
+  }
+}
+
 TEST_P(SurfaceWithinABody, TakesForcesTogether) {
   ASSERT_TRUE(factor_);
   const auto& surface = *factor_->surface_within(0);
@@ -149,27 +166,31 @@ TEST_P(SurfaceWithinABody, TakesForcesTogether) {
   EXPECT_LE((found - expected).norm(), 1e-11 * expected.norm());
 }
 
-TEST_P(SurfaceWithinABody, TellsWhatItsBlocksNeed) {
-  std::size_t told = 0;
-  const auto factor = SplitFactor::of(
-      matrix_, chosen_, plenty, [&](std::size_t bytes) { told = bytes; }, 0);
-  ASSERT_TRUE(factor);
+/// [bytes] of the compliance of a body of a factor.
+std::size_t bytes_of_compliance(const SplitFactor& factor, std::size_t body) {
+  const auto* surface = factor.surface_within(body);
   std::size_t numbers = 0;
-  for (std::size_t body = 0; body < 2; ++body) {
-    const auto* surface = factor->surface_within(body);
-    if (!surface) {
-      const auto size =
-          static_cast<std::size_t>(factor->body_starts()[body + 1] - factor->body_starts()[body]);
-      numbers += size * size;
-      continue;
-    }
-    const auto& starts = surface->block_starts();
-    for (std::size_t b = 0; b + 1 < starts.size(); ++b) {
+  if (!surface || surface->is_formed_whole())
+    numbers = static_cast<std::size_t>(factor.compliance(body).size());
+  else
+    for (std::size_t b = 0; b + 1 < surface->block_starts().size(); ++b) {
+      const auto count = surface->block_starts()[b + 1] - surface->block_starts()[b];
       numbers += static_cast<std::size_t>(surface->half_way_of(b).size());
-      numbers += static_cast<std::size_t>((starts[b + 1] - starts[b]) * starts[b + 1]);
+      numbers += static_cast<std::size_t>(count * surface->block_starts()[b + 1]);
     }
+  return numbers * sizeof(double);
+}
+
+TEST_P(SurfaceWithinABody, TellsWhatItsComplianceNeeds) {
+  for (const Index whole_within : {0, 720}) {
+    std::size_t told = 0;
+    const auto tell = [&](std::size_t bytes) { told = bytes; };
+    const auto factor =
+        SplitFactor::of(matrix_, chosen_, plenty, tell, {.last = 0, .whole_within = whole_within});
+    ASSERT_TRUE(factor);
+    EXPECT_EQ(told,
+              factor->factor_bytes() + bytes_of_compliance(*factor, 0) + bytes_of_compliance(*factor, 1));
   }
-  EXPECT_EQ(told, factor->factor_bytes() + numbers * sizeof(double));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfUpperNodesAndOfAll, SurfaceWithinABody, testing::Bool());
@@ -178,7 +199,7 @@ TEST(SplitFactor, EliminatesTheSurfaceLastUnlessItIsLargerThanAllowed) {
   const auto matrix = strip_and_block();
   const auto surface = surface_of(matrix, true);
   EXPECT_FALSE(SplitFactor::of(matrix, surface, plenty)->surface_within(0));
-  const auto factor = SplitFactor::of(matrix, surface, plenty, never, 500);
+  const auto factor = SplitFactor::of(matrix, surface, plenty, never, {.last = 500});
   EXPECT_TRUE(factor->surface_within(0)) << "720 unknowns";
   EXPECT_FALSE(factor->surface_within(1)) << "300 unknowns";
 }
@@ -191,7 +212,7 @@ TEST(SplitFactor, EliminatesTheSurfaceWithinWhereThatTakesFewerMultiplications) 
   for (int i = 0; i < block.rows(); ++i)
     if (i / 3 / 61 % 5 == 4)
       surface.push_back(i);
-  const auto factor = SplitFactor::of(block, surface, plenty, never, 100);
+  const auto factor = SplitFactor::of(block, surface, plenty, never, {.last = 100});
   ASSERT_TRUE(factor);
   const auto size = static_cast<double>(surface.size());
   EXPECT_GT(static_cast<double>(factor->factor_nonzeros()), size * (size + 1) / 2);
@@ -203,7 +224,7 @@ TEST(SplitFactor, MovesTheSurfaceByForcesWhereverItIsEliminated) {
   const auto matrix = strip_and_block();
   const auto surface = surface_of(matrix, false);
   for (const Index largest_last : {Index{0}, std::numeric_limits<Index>::max()}) {
-    const auto factor = SplitFactor::of(matrix, surface, plenty, never, largest_last);
+    const auto factor = SplitFactor::of(matrix, surface, plenty, never, {.last = largest_last});
     ASSERT_TRUE(factor);
     for (std::size_t body = 0; body < 2; ++body) {
       const int first = factor->body_starts()[body];
@@ -221,9 +242,23 @@ TEST(SplitFactor, MovesTheSurfaceByForcesWhereverItIsEliminated) {
   }
 }
 
+// All of a strip are many more unknowns than its factor has entries in a column; half of a block are not.
+TEST(SplitFactor, FormsAComplianceWholeWhereThatIsSoonerReadThanTheFactor) {
+  const auto matrix = strip_and_block();
+  const auto is_whole = [&](bool all, Index whole_within, std::size_t body) {
+    const auto factor = SplitFactor::of(matrix, surface_of(matrix, all), plenty, never,
+                                        {.last = 0, .whole_within = whole_within});
+    return factor->surface_within(body)->is_formed_whole();
+  };
+  EXPECT_FALSE(is_whole(true, 720, 0));
+  EXPECT_TRUE(is_whole(false, 720, 1));
+  EXPECT_TRUE(is_whole(false, 150, 1));
+  EXPECT_FALSE(is_whole(false, 149, 1));
+}
+
 TEST(SplitFactor, EliminatesTheSurfaceOfAThickBodyLast) {
   const std::vector<int> surface{0, 1, 2, 30, 31, 32};
-  const auto factor = SplitFactor::of(test::elastic_block(6, 6, 6), surface, plenty, never, 0);
+  const auto factor = SplitFactor::of(test::elastic_block(6, 6, 6), surface, plenty, never, {.last = 0});
   ASSERT_TRUE(factor);
   EXPECT_FALSE(factor->surface_within(0));
   EXPECT_EQ(factor->surface(), surface);

@@ -45,8 +45,11 @@ std::unique_ptr<linalg::SurfaceSolver> factored(const Model& model, const Sparse
                                                 const std::function<void(std::size_t)>& take) {
   if (!model.ranks.is_alone())
     return linalg::RankedFactor::of(matrix, surface_unknowns(model), model.ranks, model.threads, take);
-  auto factor = linalg::SplitFactor::of(matrix, ordered_surface(model), no_limit, take,
-                                        Compliance::usual_largest_whole, model.threads);
+  const linalg::SurfaceLimits limits{
+      .last = Compliance::usual_largest_whole,
+      .whole_within = model.domain.is_linear() ? Compliance::usual_largest_whole_within : 0};
+  auto factor =
+      linalg::SplitFactor::of(matrix, ordered_surface(model), no_limit, take, limits, model.threads);
   return factor ? std::make_unique<linalg::SplitFactor>(std::move(*factor)) : nullptr;
 }
 

@@ -17,11 +17,11 @@ namespace rubato::step {
 /// not depend on what was asked for before, so that a resumed run has the same ones.
 class BlockCompliance {
 public:
-  /// `surface` must outlive this. `most_bytes`: from where on what is kept is forgotten when more is asked
-  /// for.
+  /// S is not meant to be formed whole. `surface` must outlive this. `most_bytes`: from where on what is kept
+  /// is forgotten when more is asked for.
   BlockCompliance(const linalg::SurfaceInFactor& surface, std::size_t most_bytes);
   explicit BlockCompliance(const linalg::SurfaceInFactor& surface)
-      : BlockCompliance(surface, surface.bytes_of_compliance(linalg::SurfaceInFactor::most_formed)) {}
+      : BlockCompliance(surface, surface.bytes_of_compliance()) {}
 
   /// The surface's factor has other values: all of S is to be computed again.
   void forget();

@@ -31,7 +31,7 @@ SurfaceCompliance::SurfaceCompliance(std::unique_ptr<linalg::SurfaceSolver> solv
     renewals_.push_back(solver_->renewals(b));
   blocks_.resize(starts.size() - 1);
   for (std::size_t b = 0; b + 1 < starts.size(); ++b)
-    if (const auto* surface = solver_->surface_within(b)) {
+    if (const auto* surface = solver_->surface_within(b); surface && !surface->is_formed_whole()) {
       blocks_[b].emplace(*surface);
       has_blocks_ = true;
     }
@@ -150,7 +150,7 @@ void SurfaceCompliance::add_of_body(std::size_t b, double factor, const Eigen::V
   }
   if (size >= smallest_dense &&
       static_cast<double>((of_body.array() != 0).count()) > dense * static_cast<double>(size)) {
-    if (size <= largest_whole_)
+    if (is_computed_whole(static_cast<int>(b)))
       linalg::add_symmetric_product(factor, whole(b), of_body.data(), d.data() + starts[b]);
     else
       d.segment(starts[b], size) += factor * solver_->moved_by(b, of_body);

@@ -27,6 +27,10 @@ class SurfaceCompliance {
 public:
   /// Surfaces of bodies up to this size have S computed whole: three seconds at most.
   static constexpr Eigen::Index usual_largest_whole = 5000;
+  /// Surfaces that are eliminated within their bodies have it up to this size, where the matrix stays: it
+  /// takes about as long as the factor, and 3 GB at most. Motions by blocks take a partial solve each, which
+  /// some dozens of steps with contact add up to as much.
+  static constexpr Eigen::Index usual_largest_whole_within = 20'000;
   /// Neighbouring columns of larger surfaces that are always computed together: enough for matrix–matrix
   /// products, few that are never asked for. In space they belong to a patch of 4 by 4 nodes. The last digits
   /// of a column depend on which columns are computed with it; as these are always the same, they don't
@@ -36,8 +40,8 @@ public:
   /// is solved with instead.
   static constexpr Eigen::Index most_dear_columns = 600;
 
-  /// Surfaces that the factor eliminates within their bodies are large ones, and so are all of a solver whose
-  /// columns cost a solve each; these are computed one by one.
+  /// S of surfaces that the factor eliminates within their bodies is whole where it says so, else by blocks.
+  /// Of a solver whose columns cost a solve each all are computed one by one.
   explicit SurfaceCompliance(std::unique_ptr<linalg::SurfaceSolver> solver,
                              Eigen::Index largest_whole = usual_largest_whole);
 
@@ -87,7 +91,9 @@ private:
   bool is_solved_with(std::size_t body, Eigen::Index forces) const;
   void add_gathered(double factor, std::span<const ForceAt> force, Eigen::VectorXd& d);
   bool is_computed_whole(int body) const {
-    return !in_blocks(body) && first_of_body(body + 1) - first_of_body(body) <= largest_whole_;
+    return solver_->surface_within(static_cast<std::size_t>(body)) != nullptr
+               ? !in_blocks(body)
+               : first_of_body(body + 1) - first_of_body(body) <= largest_whole_;
   }
   void compute(int body, Eigen::Index place);
   void forget(std::size_t body);
@@ -97,7 +103,7 @@ private:
   std::vector<int> body_of_;                           ///< by position
   std::vector<Eigen::MatrixXd> s_;                     ///< by body: empty until used
   std::vector<char> known_;                            ///< by position: whether its column is computed
-  std::vector<std::optional<BlockCompliance>> blocks_; ///< by body, of surfaces eliminated within theirs
+  std::vector<std::optional<BlockCompliance>> blocks_; ///< by body, where S is not formed whole
   std::vector<std::size_t> renewals_;                  ///< by body, of the factor that S is of
   bool has_blocks_ = false;
 };

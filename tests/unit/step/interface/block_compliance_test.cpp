@@ -24,8 +24,8 @@ linalg::SplitFactor factored_strip() {
     matrix.coeffRef(i, i) += springs;
   std::vector<int> surface(static_cast<std::size_t>(matrix.rows()));
   std::iota(surface.begin(), surface.end(), 0);
-  return std::move(*linalg::SplitFactor::of(
-      matrix, surface, std::numeric_limits<std::size_t>::max(), [](std::size_t) {}, 0));
+  return std::move(*linalg::SplitFactor::of(matrix, surface, std::numeric_limits<std::size_t>::max(),
+                                            [](std::size_t) {}, {.last = 0}));
 }
 
 TEST(BlockCompliance, IsTheSameWhereWhatWasKnownIsForgottenForItsMemory) {

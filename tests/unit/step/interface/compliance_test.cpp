@@ -19,11 +19,19 @@ namespace {
 using test::compliance_of_two_blocks;
 using test::interface_dofs_of;
 
-enum class Computed { whole, by_columns, by_blocks };
+enum class Computed { whole, by_columns, by_blocks, whole_within };
 
 Compliance compliance_computed(Computed how, const linalg::SparseMatrix& matrix = test::two_blocks()) {
-  return how == Computed::by_blocks ? test::compliance_of(matrix, 5000, 0)
-                                    : test::compliance_of(matrix, how == Computed::whole ? 5000 : 0);
+  switch (how) {
+  case Computed::whole:
+    return test::compliance_of(matrix, 5000);
+  case Computed::by_columns:
+    return test::compliance_of(matrix, 0);
+  case Computed::by_blocks:
+    return test::compliance_of(matrix, 5000, {.last = 0});
+  default: // case Computed::whole_within
+    return test::compliance_of(matrix, 0, {.last = 0, .whole_within = 5000});
+  }
 }
 
 class ComplianceComputed : public testing::TestWithParam<Computed> {};
@@ -43,12 +51,13 @@ TEST_P(ComplianceComputed, HasTheSameBitsInWhateverOrderItIsAskedFor) {
 }
 
 std::string name_of(const testing::TestParamInfo<Computed>& chosen) {
-  constexpr std::array names{"Whole", "ByColumns", "ByBlocks"};
+  constexpr std::array names{"Whole", "ByColumns", "ByBlocks", "WholeWithin"};
   return names[static_cast<std::size_t>(chosen.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryWay, ComplianceComputed,
-                         testing::Values(Computed::whole, Computed::by_columns, Computed::by_blocks),
+                         testing::Values(Computed::whole, Computed::by_columns, Computed::by_blocks,
+                                         Computed::whole_within),
                          name_of);
 
 /// The order of the interface is the factor's: dofs are those of both.
@@ -102,6 +111,7 @@ TEST_P(ComplianceComputed, MovesTheSurfaceByForcesGivenEitherWay) {
 TEST(Compliance, TakesForcesTogetherByBlocks) {
   EXPECT_FALSE(compliance_computed(Computed::whole).takes_forces_together());
   EXPECT_FALSE(compliance_computed(Computed::by_columns).takes_forces_together());
+  EXPECT_FALSE(compliance_computed(Computed::whole_within).takes_forces_together());
   auto compliance = compliance_computed(Computed::by_blocks);
   ASSERT_TRUE(compliance.takes_forces_together());
   const auto all = interface_dofs_of(compliance);

@@ -153,8 +153,7 @@ TEST_F(PushedBlock, HasTheSameForcesWhateverPartOfTheSurfaceIsLookedAt) {
 
 TEST_F(PushedBlock, HasTheSameForcesWherePointsAreTakenTogether) {
   constexpr auto no_limit = std::numeric_limits<std::size_t>::max();
-  auto factor = linalg::SplitFactor::of(
-      matrix_, numbers(), no_limit, [](std::size_t) {}, 0);
+  auto factor = linalg::SplitFactor::of(matrix_, numbers(), no_limit, [](std::size_t) {}, {.last = 0});
   Compliance within(std::move(*factor), constraint::Reduction(static_cast<int>(matrix_.rows()), {}));
   ASSERT_TRUE(within.takes_forces_together());
   const auto& at = within.interface_dof_of_dof();
