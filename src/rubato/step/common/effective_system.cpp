@@ -31,6 +31,14 @@ namespace {
 /// Of the memory, where whoever is told of it judges.
 constexpr auto no_limit = std::numeric_limits<std::size_t>::max();
 
+/// Unknowns of the surface of a body up to which it is eliminated last: within the body it is eliminated as
+/// soon by then, where that pays at all (docs/performance.md).
+constexpr Eigen::Index largest_last = 2000;
+/// Unknowns of a surface eliminated within its body up to which S is formed whole where the matrix stays: it
+/// takes about as long as the factor, and 3 GB at most. Without it each motion of the surface takes a partial
+/// solve, which comes to as much in some dozens of steps.
+constexpr Eigen::Index largest_whole_within = 20'000;
+
 /// Surfaces whose compliance may be computed by columns follow space: columns of neighbours are computed
 /// together.
 std::vector<int> ordered_surface(const Model& model) {
@@ -45,9 +53,8 @@ std::unique_ptr<linalg::SurfaceSolver> factored(const Model& model, const Sparse
                                                 const std::function<void(std::size_t)>& take) {
   if (!model.ranks.is_alone())
     return linalg::RankedFactor::of(matrix, surface_unknowns(model), model.ranks, model.threads, take);
-  const linalg::SurfaceLimits limits{
-      .last = Compliance::usual_largest_whole,
-      .whole_within = model.domain.is_linear() ? Compliance::usual_largest_whole_within : 0};
+  const linalg::SurfaceLimits limits{.last = largest_last,
+                                     .whole_within = model.domain.is_linear() ? largest_whole_within : 0};
   auto factor =
       linalg::SplitFactor::of(matrix, ordered_surface(model), no_limit, take, limits, model.threads);
   return factor ? std::make_unique<linalg::SplitFactor>(std::move(*factor)) : nullptr;

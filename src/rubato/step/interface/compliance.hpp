@@ -25,7 +25,6 @@ namespace rubato::step {
 class Compliance {
 public:
   static constexpr Eigen::Index usual_largest_whole = SurfaceCompliance::usual_largest_whole;
-  static constexpr Eigen::Index usual_largest_whole_within = SurfaceCompliance::usual_largest_whole_within;
   static constexpr Eigen::Index block_size = SurfaceCompliance::block_size;
 
   /// `reduction`: that of the factored matrix; `related_dofs`: dependent dofs of the surfaces, whose unknowns

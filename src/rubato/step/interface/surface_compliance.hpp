@@ -27,10 +27,6 @@ class SurfaceCompliance {
 public:
   /// Surfaces of bodies up to this size have S computed whole: three seconds at most.
   static constexpr Eigen::Index usual_largest_whole = 5000;
-  /// Surfaces that are eliminated within their bodies have it up to this size, where the matrix stays: it
-  /// takes about as long as the factor, and 3 GB at most. Motions by blocks take a partial solve each, which
-  /// some dozens of steps with contact add up to as much.
-  static constexpr Eigen::Index usual_largest_whole_within = 20'000;
   /// Neighbouring columns of larger surfaces that are always computed together: enough for matrix–matrix
   /// products, few that are never asked for. In space they belong to a patch of 4 by 4 nodes. The last digits
   /// of a column depend on which columns are computed with it; as these are always the same, they don't
