@@ -31,8 +31,8 @@ namespace {
 /// Of the memory, where whoever is told of it judges.
 constexpr auto no_limit = std::numeric_limits<std::size_t>::max();
 
-/// Unknowns of the surface of a body up to which it is eliminated last: within the body it is eliminated as
-/// soon by then, where that pays at all (docs/performance.md).
+/// Unknowns of the surface of a body up to which it is eliminated last. Larger ones take less time and memory
+/// within the body, where its shape allows that (docs/performance.md).
 constexpr Eigen::Index largest_last = 2000;
 /// Unknowns of a surface eliminated within its body up to which S is formed whole where the matrix stays: it
 /// takes about as long as the factor, and 3 GB at most. Without it each motion of the surface takes a partial
